@@ -1,0 +1,60 @@
+#include "ribbon/banded_ldlt.h"
+
+#include <array>
+#include <cassert>
+#include <limits>
+
+namespace ribbon {
+namespace {
+
+constexpr int widest = 2 * 64 + 3;  // h = 64 rows
+
+/// Fixed > 0 gives the loops a constant length, which doubles their speed; 0 reads the width at run time.
+/// Right-looking elimination: row k is subtracted from the rows below it, so that no entry's sum depends on the
+/// order in which a compiler likes to add.
+template <int Fixed>
+bool factor_and_solve(BandedMatrix& a, double* b) {
+  const int width = Fixed > 0 ? Fixed : a.half_bandwidth();
+  const int n = a.size();
+  std::array<double, static_cast<std::size_t>(Fixed > 0 ? Fixed : widest) + 1> pivot_row;
+
+  for (int k = 0; k < n; ++k) {
+    double* row = a.row(k);
+    const double pivot = row[0];
+    if (!(pivot > 0.0 && pivot < std::numeric_limits<double>::infinity())) return false;
+    const double inverse_pivot = 1.0 / pivot;
+    const double b_k = b[k];
+    for (int j = 1; j <= width; ++j) pivot_row[static_cast<std::size_t>(j)] = row[j];
+    for (int i = 1; i <= width; ++i) {
+      const double l = pivot_row[static_cast<std::size_t>(i)] * inverse_pivot;  // L(k + i, k)
+      double* below = a.row(k + i) - i;
+      for (int j = i; j <= width; ++j) below[j] -= l * pivot_row[static_cast<std::size_t>(j)];
+      if (k + i < n) b[k + i] -= l * b_k;
+      row[i] = l;
+    }
+    row[0] = inverse_pivot;
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    const double* row = a.row(k);
+    const int last = n - 1 - k < width ? n - 1 - k : width;
+    double x = b[k] * row[0];
+    for (int i = last; i >= 1; --i) x -= row[i] * b[k + i];
+    b[k] = x;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool BandedLdlt::solve(BandedMatrix& a, std::span<double> b) {
+  assert(static_cast<int>(b.size()) == a.size() && a.half_bandwidth() <= widest);
+  switch (a.half_bandwidth()) {  // 2h + 3 for a ribbon of h rows
+    case 7: return factor_and_solve<7>(a, b.data());
+    case 9: return factor_and_solve<9>(a, b.data());
+    case 11: return factor_and_solve<11>(a, b.data());
+    case 13: return factor_and_solve<13>(a, b.data());
+    default: return factor_and_solve<0>(a, b.data());
+  }
+}
+
+}  // namespace ribbon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+
+#include "ribbon/vec2.h"
+
+namespace ribbon {
+
+/// A rigid body that circles belong to, as it is at the start of a step. A step reads it and adds to the impulses;
+/// the body's owner applies those and moves the body.
+struct RigidBody {
+  Vec2 position;                  ///< m, centre of mass
+  Vec2 velocity;                  ///< m/s, of the centre of mass
+  double angular_velocity = 0.0;  ///< rad/s
+  double inverse_mass = 0.0;      ///< 1/kg; 0 for a body that nothing pushes (static or kinematic)
+  double inverse_inertia = 0.0;   ///< 1/(kg·m²), about the centre of mass; 0 for one that does not turn
+  Vec2 acceleration;              ///< m/s², free motion, usually gravity
+  Vec2 impulse;                   ///< N·s, what cords have given to the body, summed up
+  double angular_impulse = 0.0;   ///< N·m·s, the same about the centre of mass
+};
+
+/// A circle fixed to a body.
+struct RigidCircle {
+  int body = 0;         ///< index into the step's bodies
+  Vec2 offset;          ///< m, from the body's centre of mass to the circle's centre, world directions
+  double radius = 0.0;  ///< m, above 0
+};
+
+/// A body that holds a point of the cord.
+struct Grip {
+  int point = 0;  ///< index of the cord's point
+  int body = 0;   ///< index into the step's bodies
+  Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
+};
+
+/// What a cord meets in one step.
+struct Surroundings {
+  std::span<RigidBody> bodies = {};
+  std::span<const RigidCircle> circles = {};
+  std::span<const Grip> grips = {};
+};
+
+}  // namespace ribbon

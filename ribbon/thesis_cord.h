@@ -1,0 +1,131 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ribbon/banded_ldlt.h"
+#include "ribbon/broad_phase.h"
+#include "ribbon/mesh.h"
+#include "ribbon/rigid_circle.h"
+#include "ribbon/thesis_def.h"
+
+namespace ribbon {
+
+/// How a point is moved, with the colours of Goto 2017, Fig. 4.1.
+enum class PointKind : unsigned char {
+  free,         ///< by the cord (blue)
+  operated,     ///< by whoever drags it (yellow)
+  constrained,  ///< not at all, or with what it is pinned to (red)
+};
+
+/// What happened in one step, summed over its substeps.
+struct StepReport {
+  int fem_skipped = 0;      ///< substeps whose matrix was not positive definite: springs alone carried on
+  int motion_limited = 0;   ///< points held back to the most a point may move in a substep
+  int self_contacts = 0;    ///< overlaps of the cord with itself that were resolved
+  int circle_contacts = 0;  ///< overlaps with rigid circles that were resolved
+
+  bool operator==(const StepReport&) const = default;
+};
+
+/// A cord after Goto 2017, in the reading that works: FEM bars as an implicit damper, springs for the memory of
+/// shape, area correction, self-collision and rigid circles, N substeps a step. A step costs O(w·h³) and, after the
+/// first, takes no heap memory as long as no more circles come near than before.
+class ThesisCord {
+ public:
+  /// Builds the cord at rest. Throws DefinitionError where check(def) does. `solver` solves the FEM's system; the
+  /// default is the banded LDLᵀ.
+  explicit ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solver = std::make_unique<BandedLdlt>());
+
+  const Mesh& mesh() const { return *mesh_; }
+  const ThesisDef& def() const { return def_; }
+  std::span<const Vec2> positions() const { return positions_; }    ///< m, by point index
+  std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by point index
+  PointKind kind(int point) const { return kinds_[index(point)]; }
+
+  /// Constrains a point to `target` [m], which it reaches on a straight line in the next step and then keeps.
+  /// Throws DefinitionError for an unknown index or a target that is not finite, as the next two do.
+  void constrain(int point, Vec2 target);
+  /// The same for a point that somebody drags: call it again to drag on.
+  void operate(int point, Vec2 target);
+  /// Lets a constrained or operated point go with the velocity it has.
+  void release(int point);
+
+  /// Sets a point's velocity, m/s.
+  void set_velocity(int point, Vec2 velocity);
+
+  /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings as they are at the start,
+  /// with the impulses their bodies have been given so far, and adds the cord's own impulses to them.
+  StepReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
+
+  /// What a replay or a saved game has to keep; the rest follows from the definition.
+  struct State {
+    std::vector<Vec2> positions;
+    std::vector<Vec2> velocities;
+    std::vector<Vec2> targets;
+    std::vector<PointKind> kinds;
+    bool operator==(const State&) const = default;
+  };
+  State save() const { return {positions_, velocities_, targets_, kinds_}; }
+  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is another cord's size.
+  void restore(const State& state);
+
+ private:
+  static std::size_t index(int point) { return static_cast<std::size_t>(point); }
+  void check_point(int point) const;
+  void drive(int point, Vec2 target, PointKind kind);
+  void set_kind(int point, PointKind kind);
+
+  void begin_step(const Surroundings& surroundings);
+  void substep(int iteration, double dt, Vec2 gravity, const Surroundings& surroundings);
+  void move_driven_points(int iteration);
+  void predict(double dt, Vec2 gravity, const Surroundings& surroundings);
+  void deform_by_fem(double dt);
+  void assemble(double dt);
+  void pull_grips(double dt, const Surroundings& surroundings);
+  void collide_with_itself();
+  void collide_with_circles(double dt, const Surroundings& surroundings);
+  void limit_motion(double dt);
+  void finish_substep(double dt, const Surroundings& surroundings);
+
+  /// A body's motion within the step; its owner's copy stays as it was but for the impulse.
+  struct BodyMotion {
+    Vec2 position;
+    Vec2 velocity;
+    double angular_velocity;
+    double turned;  // rad, in this substep
+  };
+  Vec2 reach(const BodyMotion& body, Vec2 offset) const { return offset + body.turned * perp(offset); }
+  void push_body(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt);
+
+  ThesisDef def_;
+  std::unique_ptr<Mesh> mesh_;  // at a fixed address: the broad phases point to it
+  std::unique_ptr<LinearSolver> solver_;
+
+  std::vector<Vec2> positions_;
+  std::vector<Vec2> velocities_;
+  std::vector<Vec2> targets_;  // of driven points
+  std::vector<PointKind> kinds_;
+  std::vector<double> inverse_mass_;  // 1/kg, 0 for driven points
+
+  std::vector<Vec2> before_;  // R of Eq. 3.16: positions at the start of the substep
+  std::vector<Vec2> starts_;  // of driven points at the start of the step
+  std::unique_ptr<BandedMatrix> matrix_;
+  std::vector<double> force_;  // N, then U′ in m
+
+  std::unique_ptr<BroadPhase> self_phase_;  // if the cord declares self-collision
+  std::vector<double> own_radii_;
+  std::unique_ptr<BroadPhase> circle_phase_;  // made when the first circle comes near
+  std::vector<BodyMotion> motions_;
+  std::vector<Vec2> circle_offsets_;
+  std::vector<Vec2> circle_centers_;
+  std::vector<Vec2> circle_centers_before_;
+  std::vector<double> circle_radii_;
+  std::vector<Vec2> grip_offsets_;
+  double driven_speed_ = 0.0;  // m/s, the fastest driven point in this step
+
+  StepReport report_;
+};
+
+}  // namespace ribbon

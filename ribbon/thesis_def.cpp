@@ -1,0 +1,61 @@
+#include "ribbon/thesis_def.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace ribbon {
+namespace {
+
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+  std::ostringstream sentence;
+  (sentence << ... << parts);
+  throw DefinitionError(sentence.str());
+}
+
+void check_positions(const ThesisDef& def) {
+  const auto expected = static_cast<std::size_t>(def.w) * static_cast<std::size_t>(def.h);
+  if (def.positions.empty()) return;
+  if (def.positions.size() != expected) {
+    refuse("positions has ", def.positions.size(), " entries; accepted is none, or w·h = ", expected);
+  }
+  for (std::size_t p = 0; p < expected; ++p) {
+    if (!is_finite(def.positions[p])) {
+      refuse("positions[", p, "] is (", def.positions[p].x, ", ", def.positions[p].y, "); accepted are finite metres");
+    }
+  }
+}
+
+void check_pins(const ThesisDef& def) {
+  for (std::size_t k = 0; k < def.pins.size(); ++k) {
+    if (def.pins[k] < 0 || def.pins[k] >= def.w * def.h) {
+      refuse("pins[", k, "] is ", def.pins[k], "; accepted is a point index from 0 to ", def.w * def.h - 1);
+    }
+  }
+}
+
+}  // namespace
+
+void check_range(const char* field, double value, double low, double high) {
+  // Written so that NaN, which compares false with everything, is refused too.
+  if (!(value >= low && value <= high)) refuse(field, " is ", value, "; accepted is ", low, " to ", high);
+}
+
+void check(const ThesisDef& def) {
+  check_range("h", def.h, 2, 64);
+  check_range("w", def.w, 2, 1'000'000 / def.h);
+  check_range("spacing", def.spacing, 1e-6, 1e6);
+  check_range("point_mass", def.point_mass, 1e-9, 1e9);
+  check_range("spring_stiffness", def.spring_stiffness, 0.0, 1e15);
+  check_range("bar_damping", def.bar_damping, 0.0, 1e15);
+  check_range("drag", def.drag, 0.0, 1e6);
+  check_range("area_stiffness", def.area_stiffness, 0.0, 1.0);
+  check_range("area_floor", def.area_floor, 0.0, 0.9);
+  check_range("radius", def.radius, 0.0, 0.5 * def.spacing);
+  check_range("substeps", def.substeps, 1, 4096);
+  check_positions(def);
+  check_pins(def);
+}
+
+}  // namespace ribbon

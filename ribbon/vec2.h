@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+
+namespace ribbon {
+
+/// A point or vector in the plane: metres, metres a second or newtons, y up.
+/// Plain data on purpose: its layout does not change with a caller's Eigen or vector-extension flags, and every
+/// operation rounds once, in the order written, so that results are the same bits on every compiler.
+struct Vec2 {
+  double x = 0.0;
+  double y = 0.0;
+
+  constexpr Vec2& operator+=(Vec2 b) {
+    x += b.x;
+    y += b.y;
+    return *this;
+  }
+  constexpr Vec2& operator-=(Vec2 b) {
+    x -= b.x;
+    y -= b.y;
+    return *this;
+  }
+  constexpr bool operator==(const Vec2&) const = default;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+constexpr Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
+
+constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// The z component of a × b: twice the signed area of the triangle (0, a, b), counter-clockwise positive.
+constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+/// a turned a quarter turn counter-clockwise.
+constexpr Vec2 perp(Vec2 a) { return {-a.y, a.x}; }
+
+inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
+}  // namespace ribbon
