@@ -87,6 +87,15 @@ void ThesisCord::set_velocity(int point, Vec2 velocity) {
   velocities_[index(point)] = velocity;
 }
 
+void ThesisCord::add_momentum(Vec2 momentum) {
+  const auto free_points = std::count(kinds_.begin(), kinds_.end(), PointKind::free);
+  if (free_points == 0) return;
+  const Vec2 gain = (1.0 / (def_.point_mass * static_cast<double>(free_points))) * momentum;
+  for (std::size_t p = 0; p < velocities_.size(); ++p) {
+    if (inverse_mass_[p] > 0.0) velocities_[p] += gain;
+  }
+}
+
 void ThesisCord::restore(const State& state) {
   const std::size_t n = positions_.size();
   if (state.positions.size() != n || state.velocities.size() != n || state.targets.size() != n ||

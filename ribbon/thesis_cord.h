@@ -55,6 +55,12 @@ class ThesisCord {
   /// Sets a point's velocity, m/s.
   void set_velocity(int point, Vec2 velocity);
 
+  /// Adds momentum [kg·m/s], spread evenly over the free points; nothing if there is none.
+  void add_momentum(Vec2 momentum);
+
+  /// Throws DefinitionError unless the cord has a point of that index.
+  void check_point(int point) const;
+
   /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings as they are at the start,
   /// with the impulses their bodies have been given so far, and adds the cord's own impulses to them.
   StepReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
@@ -73,7 +79,6 @@ class ThesisCord {
 
  private:
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
-  void check_point(int point) const;
   void drive(int point, Vec2 target, PointKind kind);
   void set_kind(int point, PointKind kind);
 

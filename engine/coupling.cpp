@@ -1,0 +1,185 @@
+#include "engine/coupling.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "engine/convert.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Box;
+using ribbon::RigidBody;
+using ribbon::Vec2;
+
+/// Box2D's own rule (b2ContactFilter::ShouldCollide).
+bool should_collide(const b2Filter& a, const b2Filter& b) {
+  if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
+  return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
+}
+
+/// What a cord can reach in dt: its box, grown by the way its points and a fall go in that time, and by a spacing, the
+/// most that a substep may move a point.
+Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
+  Box box{cord.positions()[0], cord.positions()[0]};
+  double speed2 = 0.0;
+  for (std::size_t p = 0; p < cord.positions().size(); ++p) {
+    const Vec2 x = cord.positions()[p];
+    box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
+    box.high = {std::max(box.high.x, x.x), std::max(box.high.y, x.y)};
+    speed2 = std::max(speed2, dot(cord.velocities()[p], cord.velocities()[p]));
+  }
+  const double margin = std::sqrt(speed2) * dt + length(gravity) * dt * dt + cord.mesh().spacing;
+  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+}
+
+/// The box that a circle sweeps in dt.
+Box reach_of(Vec2 center, double radius, double speed, Vec2 gravity, double dt) {
+  const double margin = radius + speed * dt + length(gravity) * dt * dt;
+  return {center - Vec2{margin, margin}, center + Vec2{margin, margin}};
+}
+
+RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
+  RigidBody rigid;
+  rigid.position = to_double(body.GetWorldCenter());
+  rigid.velocity = to_double(body.GetLinearVelocity());
+  rigid.angular_velocity = static_cast<double>(body.GetAngularVelocity());
+  if (body.GetType() != b2_dynamicBody) return rigid;
+  const double mass = static_cast<double>(body.GetMass());
+  // Box2D tells the inertia about the body's origin; Steiner's term takes it to the centre of mass.
+  const Vec2 from_origin = to_double(body.GetLocalCenter());
+  const double inertia = static_cast<double>(body.GetInertia()) - mass * dot(from_origin, from_origin);
+  rigid.inverse_mass = 1.0 / mass;
+  if (!body.IsFixedRotation() && inertia > 0.0) rigid.inverse_inertia = 1.0 / inertia;
+  rigid.acceleration = static_cast<double>(body.GetGravityScale()) * to_double(gravity);
+  return rigid;
+}
+
+}  // namespace
+
+CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
+  cords_.push_back({std::move(cord), filter, {}, {}, {}, {}});
+  return size() - 1;
+}
+
+void Coupling::gather(b2World& world, double dt) {
+  gravity_ = to_double(world.GetGravity());
+  gathered_.clear();
+  rigid_.clear();
+  for (CoupledCord& coupled : cords_) {
+    coupled.reach = reach_of(coupled.cord, gravity_, dt);
+    coupled.circles.clear();
+    coupled.grips.clear();
+  }
+  drop_holders_gone_from(world);
+  // In the world's own order: it depends on when bodies were made, never on where they lie in memory.
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    gather_body(*body, world.GetGravity(), dt);
+  }
+}
+
+void Coupling::drop_holders_gone_from(const b2World& world) {
+  const auto is_gone = [&world](const Holder& holder) {
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+      if (body == holder.body) return !body->IsEnabled();
+    }
+    return true;
+  };
+  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), is_gone), holders_.end());
+}
+
+void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
+  if (!body.IsEnabled()) return;
+  const Vec2 center_of_mass = to_double(body.GetWorldCenter());
+  for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+    if (fixture->IsSensor() || fixture->GetType() != b2Shape::e_circle) continue;
+    const auto& circle = static_cast<const b2CircleShape&>(*fixture->GetShape());
+    const Vec2 center = to_double(body.GetWorldPoint(circle.m_p));
+    const double radius = static_cast<double>(circle.m_radius);
+    const double speed = static_cast<double>(body.GetLinearVelocityFromLocalPoint(circle.m_p).Length());
+    const Box swept = reach_of(center, radius, speed, gravity_, dt);
+    for (CoupledCord& coupled : cords_) {
+      if (!should_collide(fixture->GetFilterData(), coupled.filter)) continue;
+      if (!overlap(swept, coupled.reach)) continue;
+      coupled.circles.push_back({body_index(body, gravity), center - center_of_mass, radius});
+    }
+  }
+  for (const Holder& holder : holders_) {
+    if (holder.body != &body) continue;
+    const Vec2 hand = to_double(body.GetWorldPoint(holder.local_hand));
+    cords_[at(holder.cord)].grips.push_back({holder.point, body_index(body, gravity), hand - center_of_mass});
+  }
+}
+
+int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
+  if (gathered_.empty() || gathered_.back().body != &body) {
+    gathered_.push_back({&body, -1});
+    rigid_.push_back(rigid_body(body, gravity));
+  }
+  return static_cast<int>(gathered_.size()) - 1;
+}
+
+void Coupling::step(double dt) {
+  for (CordIndex c = 0; c < size(); ++c) {
+    CoupledCord& coupled = cords_[at(c)];
+    coupled.report = coupled.cord.step(dt, gravity_, {rigid_, coupled.circles, coupled.grips});
+    for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].pushed_by = c;
+    for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].pushed_by = c;
+  }
+}
+
+void Coupling::apply() {
+  for (std::size_t b = 0; b < gathered_.size(); ++b) apply_to(gathered_[b], rigid_[b]);
+}
+
+void Coupling::apply_to(const GatheredBody& gathered, const RigidBody& rigid) {
+  b2Body& body = *gathered.body;
+  const bool pushed = rigid.impulse != Vec2{} || rigid.angular_impulse != 0.0;
+  if (body.GetType() != b2_dynamicBody || !pushed) return;
+  const Vec2 before = to_double(body.GetLinearVelocity());
+  body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
+  body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
+  const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
+  cords_[at(gathered.pushed_by)].cord.add_momentum(rigid.impulse - given);
+}
+
+void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
+  if (cord < 0 || cord >= size()) {
+    throw ribbon::DefinitionError("cord is " + std::to_string(cord) + "; accepted is an index from 0 to " +
+                                  std::to_string(size() - 1));
+  }
+  cords_[at(cord)].cord.check_point(point);
+  release(body);
+  holders_.push_back({&body, cord, point, local_hand});
+}
+
+bool Coupling::release(const b2Body& body) {
+  const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
+  const auto end = std::remove_if(holders_.begin(), holders_.end(), holds);
+  const bool held = end != holders_.end();
+  holders_.erase(end, holders_.end());
+  return held;
+}
+
+std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
+  for (const Holder& holder : holders_) {
+    if (holder.body == &body) return CordPoint{holder.cord, holder.point, 0.0};
+  }
+  return std::nullopt;
+}
+
+std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
+  std::optional<CordPoint> nearest;
+  for (CordIndex c = 0; c < size(); ++c) {
+    const auto positions = cord(c).positions();
+    for (std::size_t p = 0; p < positions.size(); ++p) {
+      const double distance = length(positions[p] - position);
+      if (distance > reach || (nearest && distance >= nearest->distance)) continue;
+      nearest = CordPoint{c, static_cast<int>(p), distance};
+    }
+  }
+  return nearest;
+}
+
+}  // namespace engine

@@ -1,0 +1,188 @@
+#include "engine/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/convert.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
+
+b2Vec2 gravity_of(const TiledMap& map) {
+  return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};
+}
+
+float single(double value) { return static_cast<float>(value); }
+
+b2BodyType body_type(const MapObject& object) {
+  const std::string type = object.properties.text_or("body", "dynamic", {"static", "kinematic", "dynamic"});
+  if (type == "static") return b2_staticBody;
+  return type == "kinematic" ? b2_kinematicBody : b2_dynamicBody;
+}
+
+/// A convex polygon of at most b2_maxPolygonVertices corners, about `origin`; false if it is none.
+bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 origin) {
+  if (points.size() > b2_maxPolygonVertices) return false;
+  double turn = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec2 a = points[k];
+    const Vec2 b = points[(k + 1) % points.size()];
+    const Vec2 c = points[(k + 2) % points.size()];
+    const double corner = cross(b - a, c - b);
+    if (corner * turn < 0.0 || length(b - a) < 2.0 * static_cast<double>(b2_linearSlop)) return false;
+    if (corner != 0.0) turn = corner;
+  }
+  if (turn == 0.0) return false;
+  std::vector<b2Vec2> corners;
+  for (const Vec2 point : points) corners.push_back(to_float(point - origin));
+  shape.Set(corners.data(), static_cast<int32>(corners.size()));
+  return true;
+}
+
+ribbon::ThesisDef cord_def(const MapObject& object) {
+  const Properties& p = object.properties;
+  p.check_known_properties({"columns", "rows", "mass", "spring_stiffness", "bar_damping", "drag", "area_stiffness",
+                            "self_collision", "substeps", "pin_first", "pin_last"});
+  ribbon::ThesisDef def;
+  def.w = static_cast<int>(p.integer("columns", {2, 5000}));
+  def.h = static_cast<int>(p.integer_or("rows", 2, {2, 16}));
+  double path_length = 0.0;
+  for (std::size_t k = 1; k < object.points.size(); ++k) path_length += length(object.points[k] - object.points[k - 1]);
+  if (!(path_length > 1e-3)) throw object.error("the polyline is shorter than a millimetre");
+  def.spacing = path_length / (def.w - 1);
+  def.point_mass = p.number("mass", {1e-6, 1e6}) / (def.w * def.h);
+  def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
+  def.bar_damping = p.number_or("bar_damping", 0.0, {0.0, 1e12});
+  def.drag = p.number_or("drag", 0.0, {0.0, 1e3});
+  def.area_stiffness = p.number_or("area_stiffness", 0.5, {0.0, 1.0});
+  def.self_collision = p.boolean_or("self_collision", false);
+  def.substeps = static_cast<int>(p.integer_or("substeps", 8, {1, 256}));
+  def.positions = ribbon::lay_along(object.points, def.w, def.h, def.spacing);
+  for (int j = 0; j < def.h; ++j) {
+    if (p.boolean_or("pin_first", false)) def.pins.push_back(j);
+    if (p.boolean_or("pin_last", false)) def.pins.push_back((def.w - 1) * def.h + j);
+  }
+  return def;
+}
+
+void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
+  Hasher hasher;
+  const b2Transform& transform = body.GetTransform();
+  for (const float value : {transform.p.x, transform.p.y, transform.q.s, transform.q.c, body.GetAngle(),
+                            body.GetLinearVelocity().x, body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
+    hasher.add(value);
+  }
+  hasher.add(static_cast<int>(body.IsAwake()));
+  hash.add(Subsystem::body, index, hasher);
+}
+
+void hash_cord(StateHash& hash, std::uint16_t index, const ribbon::ThesisCord& cord) {
+  Hasher hasher;
+  for (const Vec2 x : cord.positions()) hasher.add(x);
+  for (const Vec2 v : cord.velocities()) hasher.add(v);
+  for (int p = 0; p < cord.mesh().size(); ++p) hasher.add(static_cast<int>(cord.kind(p)));
+  hash.add(Subsystem::cord, index, hasher);
+}
+
+}  // namespace
+
+Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds) : world_(gravity_of(map)) {
+  for (const MapObject& object : map.objects) {
+    if (object.kind == "ground") {
+      build_ground(object);
+    } else if (object.kind == "circle") {
+      build_circle(object);
+    } else if (object.kind == "cord") {
+      build_cord(object);
+    } else if (std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
+      std::string accepted = "ground, circle, cord";
+      for (const std::string& kind : other_kinds) accepted += ", " + kind;
+      throw object.error("class is " + in_quotes(object.kind) + "; accepted is " + accepted);
+    }
+  }
+}
+
+void Scene::build_ground(const MapObject& object) {
+  object.properties.check_known_properties({"friction"});
+  b2BodyDef definition;
+  definition.position = to_float(object.position);
+  definition.angle = object.shape == MapShape::rectangle ? single(object.rotation) : 0.0F;
+  b2PolygonShape shape;
+  if (object.shape == MapShape::rectangle) {
+    shape.SetAsBox(single(0.5 * object.size.x), single(0.5 * object.size.y));
+  } else if (object.shape != MapShape::polygon) {
+    throw object.error("a ground is a " + std::string(shape_name(object.shape)) + "; accepted is rectangle, polygon");
+  } else if (!set_polygon(shape, object.points, object.position)) {
+    throw object.error("the polygon of a ground has " + std::to_string(object.points.size()) +
+                       " corners; accepted is a convex one of 3 to 8, at least 1 cm apart");
+  }
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.friction = single(object.properties.number_or("friction", 0.6, {0.0, 10.0}));
+  fixture.filter.categoryBits = category::solid;
+  world_.CreateBody(&definition)->CreateFixture(&fixture);
+}
+
+void Scene::build_circle(const MapObject& object) {
+  const Properties& p = object.properties;
+  p.check_known_properties({"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y",
+                            "spin"});
+  if (object.shape != MapShape::ellipse || std::abs(object.size.x - object.size.y) > 1e-3 * object.size.x) {
+    throw object.error("a circle is a " + std::string(shape_name(object.shape)) + " of " +
+                       number_in_words(object.size.x) + " by " + number_in_words(object.size.y) +
+                       " m; accepted is an ellipse as wide as high");
+  }
+  b2BodyDef definition;
+  definition.type = body_type(object);
+  definition.position = to_float(object.position);
+  definition.linearVelocity = {single(p.number_or("velocity_x", 0.0, {-largest_velocity, largest_velocity})),
+                               single(p.number_or("velocity_y", 0.0, {-largest_velocity, largest_velocity}))};
+  definition.angularVelocity = single(p.number_or("spin", 0.0, {-largest_velocity, largest_velocity}));
+  definition.angularDamping = single(p.number_or("angular_damping", 0.0, {0.0, 100.0}));
+  b2CircleShape shape;
+  shape.m_radius = single(0.5 * object.size.x);
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = single(p.number_or("density", 1.0, {1e-6, 1e6}));
+  fixture.friction = single(p.number_or("friction", 0.6, {0.0, 10.0}));
+  fixture.restitution = single(p.number_or("restitution", 0.0, {0.0, 1.0}));
+  fixture.filter.categoryBits = category::solid;
+  world_.CreateBody(&definition)->CreateFixture(&fixture);
+}
+
+void Scene::build_cord(const MapObject& object) {
+  if (object.shape != MapShape::polyline) {
+    throw object.error("a cord is a " + std::string(shape_name(object.shape)) + "; accepted is polyline");
+  }
+  b2Filter filter;
+  filter.categoryBits = category::cord;
+  filter.maskBits = static_cast<std::uint16_t>(~category::player);
+  try {
+    coupling_.add(ribbon::ThesisCord(cord_def(object)), filter);
+  } catch (const ribbon::DefinitionError& error) {
+    throw object.error(error.what());
+  }
+}
+
+void Scene::tick(double dt) {
+  coupling_.gather(world_, dt);
+  coupling_.step(dt);
+  coupling_.apply();
+  world_.Step(single(dt), velocity_iterations, position_iterations);
+}
+
+void Scene::add_to(StateHash& hash) const {
+  for (CordIndex c = 0; c < coupling_.size(); ++c) hash_cord(hash, static_cast<std::uint16_t>(c), coupling_.cord(c));
+  // Box2D lists the newest body first.
+  int index = world_.GetBodyCount();
+  for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    hash_body(hash, static_cast<std::uint16_t>(--index), *body);
+  }
+}
+
+}  // namespace engine

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/coupling.h"
+#include "engine/state_hash.h"
+#include "engine/tiled_map.h"
+
+namespace engine {
+
+/// Box2D collision categories of a scene. Cords meet everything but the player, who holds them instead.
+namespace category {
+inline constexpr std::uint16_t solid = 0x0001;
+inline constexpr std::uint16_t cord = 0x0002;
+inline constexpr std::uint16_t player = 0x0004;
+}  // namespace category
+
+/// A Box2D world with its cords, built from a map's objects of class
+/// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
+/// - `circle`: ellipse as wide as high; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
+///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s].
+/// - `cord`: polyline that its middle line follows; columns, rows, mass [kg, all of it], spring_stiffness [N/m],
+///   bar_damping [N·s/m], drag [1/s], area_stiffness, self_collision, substeps, pin_first, pin_last (the points of the
+///   first or last column are constrained).
+/// The map's own property gravity_y [m/s²] is −9.81 unless given.
+class Scene {
+ public:
+  /// `other_kinds` are the classes that the caller takes care of. Throws MapError for any other class, and for an
+  /// object, property or value that cannot be built.
+  Scene(const TiledMap& map, const std::vector<std::string>& other_kinds);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  b2World& world() { return world_; }
+  const b2World& world() const { return world_; }
+  Coupling& coupling() { return coupling_; }
+  const Coupling& coupling() const { return coupling_; }
+
+  /// One tick: the cords take their circles from the world, move, push, and then the world moves.
+  void tick(double dt);
+
+  /// Adds every cord and every body, bodies in the order they were made, to a state hash.
+  void add_to(StateHash& hash) const;
+
+  static constexpr int velocity_iterations = 8;
+  static constexpr int position_iterations = 3;
+
+ private:
+  void build_ground(const MapObject& object);
+  void build_circle(const MapObject& object);
+  void build_cord(const MapObject& object);
+
+  b2World world_;
+  Coupling coupling_;
+};
+
+}  // namespace engine

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace game {
+
+/// What the bits of engine::TickInput::buttons mean. Replays hold them: add at the end, never renumber.
+enum Button : std::uint16_t {
+  button_left = 1U << 0,
+  button_right = 1U << 1,
+  button_jump = 1U << 2,
+  button_grab = 1U << 3,     ///< held: catch the nearest cord point and hang on to it
+  button_restart = 1U << 4,  ///< the level begins anew
+  button_drag = 1U << 5,     ///< held: the cord point nearest to the pointer follows it
+};
+
+}  // namespace game

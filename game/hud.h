@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/canvas.h"
+#include "game/simulation.h"
+#include "game/view.h"
+
+namespace game {
+
+/// Draws what stands on the screen and not in the world: time, keys, messages, and the debug view's counts.
+void draw_hud(engine::Canvas& canvas, const Simulation& simulation, const ViewOptions& options);
+
+/// Ticks as seconds: "12.35 s".
+std::string seconds_in_words(int ticks);
+
+}  // namespace game

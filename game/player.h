@@ -1,0 +1,68 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <cstdint>
+
+#include "engine/coupling.h"
+#include "engine/state_hash.h"
+#include "ribbon/vec2.h"
+
+namespace game {
+
+/// How the player moves: change these to change the feel. Ticks are 1/60 s.
+struct PlayerTuning {
+  double radius = 0.3;            ///< m, of feet and head
+  double height = 1.5;            ///< m
+  double mass = 5.0;              ///< kg: what the cords of the thesis's method carry without stretching much
+  double run_speed = 6.0;         ///< m/s
+  double ground_gain = 40.0;      ///< m/s², towards the run speed
+  double air_gain = 9.0;          ///< m/s², in the air, and only to gain speed, never to lose what a swing gave
+  double jump_speed = 6.5;        ///< m/s, upwards: 2.1 m high
+  double pump_gain = 4.5;         ///< m/s², across the cord while hanging
+  double reach = 1.0;             ///< m, from the hand to the cord point it can catch
+  double pull_in = 0.25;          ///< share of the way from where it caught the cord to the hand, a tick
+  double hand_height = 0.95;      ///< m above the middle of the body
+  double ground_slope = 0.5;      ///< least upward part of the normal of what counts as ground
+  int coyote_ticks = 6;           ///< a jump still counts this long after the ground was left
+  int jump_buffer_ticks = 6;      ///< and this long before it is reached
+};
+
+/// The player: a Box2D body, and what the hands and feet remember.
+class Player {
+ public:
+  /// `feet` is the middle of the soles, m.
+  Player(b2World& world, ribbon::Vec2 feet, const PlayerTuning& tuning = {});
+
+  /// One tick's buttons (game/buttons.h): run, jump, catch, pump, let go.
+  void apply(std::uint16_t buttons, engine::Coupling& coupling, double dt);
+
+  b2Body& body() { return *body_; }
+  const b2Body& body() const { return *body_; }
+  ribbon::Vec2 position() const;  ///< m, the middle of the body
+  ribbon::Vec2 hand() const;      ///< m, where a held cord point ends up
+  bool is_on_ground() const { return ticks_off_ground_ == 0; }
+  bool faces_left() const { return faces_left_; }
+  const PlayerTuning& tuning() const { return tuning_; }
+
+  void add_to(engine::Hasher& hasher) const;
+
+ private:
+  void feel_ground();
+  void run(int direction, double dt);
+  void jump_if_wanted();
+  void catch_cord(engine::Coupling& coupling);
+  void hang(int direction, engine::Coupling& coupling, const engine::CordPoint& held, double dt);
+  void let_go(engine::Coupling& coupling);
+
+  PlayerTuning tuning_;
+  b2Body* body_;
+  int ticks_off_ground_ = 0;
+  int ticks_since_jump_wanted_;
+  bool jump_was_down_ = false;
+  bool wants_to_catch_ = true;  // false from letting go until the grab button was up
+  bool faces_left_ = false;
+  ribbon::Vec2 grip_{};  // m, the held point as seen from the middle of the body; on its way to the hand
+};
+
+}  // namespace game

@@ -1,0 +1,50 @@
+#include "game/recorded_run.h"
+
+namespace game {
+namespace {
+
+std::optional<engine::Replay> replay_for(const RunOptions& options) {
+  if (options.replay.empty()) return std::nullopt;
+  return engine::load_replay(options.replay);
+}
+
+/// A replay knows its level; one asked for by name has to be that one.
+Level level_for(const RunOptions& options, const std::optional<engine::Replay>& replay) {
+  const std::string from_replay = replay ? replay->header.level : default_level;
+  Level level = load_level(options.level.value_or(from_replay));
+  if (replay) engine::check_header(replay->header, Simulation::replay_header(level));
+  return level;
+}
+
+}  // namespace
+
+RecordedRun::RecordedRun(const RunOptions& options)
+    : replay_(replay_for(options)), level_(level_for(options, replay_)), simulation_(level_) {
+  if (replay_ && options.verify) verifier_.emplace(*replay_);
+  if (!options.record.empty()) writer_.emplace(options.record, Simulation::replay_header(level_));
+}
+
+bool RecordedRun::is_over() const {
+  if (verifier_) return verifier_->done();
+  return replay_ && next_ == replay_->ticks.size();
+}
+
+void RecordedRun::tick(const engine::TickInput& input) {
+  const engine::TickInput used = replay_ ? replay_->ticks[next_++].input : input;
+  simulation_.tick(used);
+  if (writer_) writer_->write(used, simulation_.hash());
+  if (verifier_) verifier_->check(simulation_.hash());
+}
+
+void RecordedRun::finish() {
+  if (writer_) writer_->finish();
+}
+
+std::string RecordedRun::closing_line() const {
+  if (verifier_) return verifier_->result().message();
+  return "hash " + engine::to_hex(simulation_.hash().combined());
+}
+
+int RecordedRun::exit_status() const { return verifier_ ? engine::exit_status(verifier_->result().outcome) : 0; }
+
+}  // namespace game

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "engine/replay.h"
+#include "game/level.h"
+#include "game/run.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// A run with what the options ask for around it: the inputs come from the replay if there is one, each tick is held
+/// against it if it is to be verified, and each is recorded as it happens.
+class RecordedRun {
+ public:
+  /// Loads the replay and the level. Throws engine::ReplayError or engine::MapError: a file that is none, or a replay of
+  /// another level or of other settings.
+  explicit RecordedRun(const RunOptions& options);
+  RecordedRun(const RecordedRun&) = delete;
+  RecordedRun& operator=(const RecordedRun&) = delete;
+
+  const Simulation& simulation() const { return simulation_; }
+  bool has_replay() const { return replay_.has_value(); }
+  /// True when the replay has ended, or has differed while being verified. Never without a replay.
+  bool is_over() const;
+
+  /// One tick, with the replay's input if there is one and with `input` otherwise. Only while the run is not over.
+  /// Throws engine::ReplayError once if the recording cannot be written; the run goes on without it.
+  void tick(const engine::TickInput& input);
+
+  /// Completes the recording. Throws engine::ReplayError if that cannot be written.
+  void finish();
+
+  /// What to say at the end: the verification's result, or the hash of the last state.
+  std::string closing_line() const;
+  int exit_status() const;
+
+ private:
+  std::optional<engine::Replay> replay_;
+  Level level_;
+  Simulation simulation_;
+  std::size_t next_ = 0;  // tick of the replay
+  std::optional<engine::ReplayVerifier> verifier_;
+  std::optional<engine::ReplayWriter> writer_;
+};
+
+}  // namespace game

@@ -1,0 +1,48 @@
+#include <cstdio>
+#include <limits>
+
+#include "engine/sdl_canvas.h"
+#include "game/hud.h"
+#include "game/recorded_run.h"
+#include "game/run.h"
+#include "game/view.h"
+
+namespace game {
+namespace {
+
+constexpr int picture_width = 1280;
+constexpr int picture_height = 720;
+
+void save_picture(const Simulation& simulation, const RunOptions& options) {
+  engine::HeadlessCanvas canvas(picture_width, picture_height);
+  ViewOptions view_options;
+  view_options.watching = !options.replay.empty();
+  View(simulation).draw(canvas, 1.0, view_options);
+  canvas.save_png(options.screenshot);
+  std::printf("picture of the last moment: %s\n", options.screenshot.c_str());
+}
+
+void print_result(const Simulation& simulation) {
+  const auto goal = simulation.goal_ticks();
+  if (goal) {
+    std::printf("reached the goal after %d ticks (%s)\n", *goal, seconds_in_words(*goal).c_str());
+  } else {
+    std::printf("ran %d ticks (%s), the goal was not reached\n", simulation.ticks(),
+                seconds_in_words(simulation.ticks()).c_str());
+  }
+}
+
+}  // namespace
+
+int run_headless(const RunOptions& options) {
+  RecordedRun run(options);
+  const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
+  while (!run.is_over() && run.simulation().ticks() < most) run.tick({});
+  run.finish();
+  print_result(run.simulation());
+  if (!options.screenshot.empty()) save_picture(run.simulation(), options);
+  std::puts(run.closing_line().c_str());
+  return run.exit_status();
+}
+
+}  // namespace game

@@ -1,0 +1,143 @@
+#include "game/simulation.h"
+
+#include <cmath>
+
+#include "engine/convert.h"
+#include "game/buttons.h"
+
+namespace game {
+namespace {
+
+using engine::to_double;
+using engine::to_float;
+using ribbon::Vec2;
+
+constexpr double tick_dt = 1.0 / ticks_per_second;  // s
+constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
+constexpr double abyss = 3.0;                       // m below the level, where the player is put back to the start
+
+}  // namespace
+
+Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
+  Snapshot between = to;
+  for (std::size_t c = 0; c < to.cords.size(); ++c) {
+    for (std::size_t p = 0; p < to.cords[c].size(); ++p) {
+      between.cords[c][p] = from.cords[c][p] + alpha * (to.cords[c][p] - from.cords[c][p]);
+    }
+  }
+  for (std::size_t b = 0; b < to.bodies.size(); ++b) {
+    between.bodies[b].position = from.bodies[b].position + alpha * (to.bodies[b].position - from.bodies[b].position);
+    between.bodies[b].angle = from.bodies[b].angle + alpha * (to.bodies[b].angle - from.bodies[b].angle);
+  }
+  return between;
+}
+
+Simulation::Simulation(const Level& level) : level_(&level) {
+  restart();
+  compute_hash();
+}
+
+void Simulation::tick(const engine::TickInput& input) {
+  const bool restart_down = (input.buttons & button_restart) != 0;
+  if (restart_down && !restart_was_down_) restart();
+  restart_was_down_ = restart_down;
+  std::swap(previous_, current_);
+
+  player_->apply(input.buttons, scene_->coupling(), tick_dt);
+  drag(input);
+  scene_->tick(tick_dt);
+  ++ticks_;
+  ++run_ticks_;
+  watch_the_player();
+
+  take_snapshot(current_);
+  compute_hash();
+}
+
+void Simulation::restart() {
+  player_.reset();
+  scene_ = level_->make_scene();
+  player_ = std::make_unique<Player>(scene_->world(), level_->player_start);
+  dragged_.reset();
+  run_ticks_ = 0;
+  falls_ = 0;
+  goal_ticks_.reset();
+  take_snapshot(previous_);
+  take_snapshot(current_);
+}
+
+/// The pointer takes the cord point nearest to it and keeps it until it lets go. Constrained points stay.
+void Simulation::drag(const engine::TickInput& input) {
+  engine::Coupling& coupling = scene_->coupling();
+  if ((input.buttons & button_drag) == 0) {
+    if (dragged_) coupling.cord(dragged_->cord).release(dragged_->point);
+    dragged_.reset();
+    return;
+  }
+  const Vec2 pointer = engine::pointer(input);
+  if (!dragged_) {
+    const auto nearest = coupling.nearest_point(pointer, drag_reach);
+    if (!nearest || coupling.cord(nearest->cord).kind(nearest->point) != ribbon::PointKind::free) return;
+    dragged_ = nearest;
+  }
+  coupling.cord(dragged_->cord).operate(dragged_->point, pointer);
+}
+
+void Simulation::watch_the_player() {
+  const Vec2 at = player_->position();
+  const Vec2 from_goal = at - level_->goal_center;
+  const bool in_goal =
+      std::abs(from_goal.x) <= 0.5 * level_->goal_size.x && std::abs(from_goal.y) <= 0.5 * level_->goal_size.y;
+  if (in_goal && !goal_ticks_) goal_ticks_ = run_ticks_;
+  if (at.y > -abyss) return;
+  ++falls_;
+  scene_->coupling().release(player_->body());
+  player_->body().SetTransform(
+      to_float(level_->player_start + Vec2{0.0, 0.5 * player_->tuning().height}), 0.0F);
+  player_->body().SetLinearVelocity({0.0F, 0.0F});
+}
+
+void Simulation::take_snapshot(Snapshot& snapshot) const {
+  const engine::Coupling& coupling = scene_->coupling();
+  snapshot.cords.resize(static_cast<std::size_t>(coupling.size()));
+  for (int c = 0; c < coupling.size(); ++c) {
+    const auto positions = coupling.cord(c).positions();
+    snapshot.cords[static_cast<std::size_t>(c)].assign(positions.begin(), positions.end());
+  }
+  auto index = static_cast<std::size_t>(scene_->world().GetBodyCount());
+  snapshot.bodies.resize(index);
+  for (const b2Body* body = scene_->world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    snapshot.bodies[--index] = {to_double(body->GetPosition()), static_cast<double>(body->GetAngle())};
+  }
+}
+
+void Simulation::compute_hash() {
+  engine::Hasher game;
+  game.add(ticks_);
+  game.add(run_ticks_);
+  game.add(falls_);
+  game.add(goal_ticks_.value_or(-1));
+  game.add(dragged_ ? dragged_->cord : -1);
+  game.add(dragged_ ? dragged_->point : -1);
+  const auto held = scene_->coupling().held_by(player_->body());
+  game.add(held ? held->cord : -1);
+  game.add(held ? held->point : -1);
+  player_->add_to(game);
+
+  hash_.clear();
+  hash_.add(engine::Subsystem::game, 0, game);
+  scene_->add_to(hash_);
+}
+
+engine::ReplayHeader Simulation::replay_header(const Level& level) {
+  engine::ReplayHeader header;
+  header.level = level.name;
+  header.level_hash = level.map.content_hash;
+  header.tick_rate = ticks_per_second;
+  header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
+  header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
+  header.settings["cord_method"] = std::string("thesis");
+  return header;
+}
+
+}  // namespace game

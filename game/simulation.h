@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/input.h"
+#include "engine/replay.h"
+#include "engine/state_hash.h"
+#include "game/level.h"
+#include "game/player.h"
+
+namespace game {
+
+inline constexpr int ticks_per_second = 60;
+
+/// Where everything is after a tick, for drawing between two of them.
+struct Snapshot {
+  struct Body {
+    ribbon::Vec2 position;  ///< m
+    double angle = 0.0;     ///< rad
+  };
+  std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by cord and point
+  std::vector<Body> bodies;                      ///< in the order they were made
+};
+
+/// The moment `alpha` (0 … 1) of the way from one tick to the next. They must be of the same world.
+Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha);
+
+/// A run of a level: a function of the level and of the ticks' inputs, and of nothing else.
+class Simulation {
+ public:
+  /// Keeps a reference to the level.
+  explicit Simulation(const Level& level);
+
+  /// One tick of 1/60 s.
+  void tick(const engine::TickInput& input);
+
+  const Level& level() const { return *level_; }
+  const engine::Scene& scene() const { return *scene_; }
+  const Player& player() const { return *player_; }
+  const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
+  const Snapshot& previous() const { return previous_; }         ///< before the last tick
+  const Snapshot& current() const { return current_; }           ///< after it
+  int ticks() const { return ticks_; }                           ///< since the beginning
+  int run_ticks() const { return run_ticks_; }                   ///< since the last restart
+  int falls() const { return falls_; }                           ///< out of the level, since the last restart
+  std::optional<int> goal_ticks() const { return goal_ticks_; }  ///< of this run when the goal was reached
+
+  /// What a replay of this level has to agree with.
+  static engine::ReplayHeader replay_header(const Level& level);
+
+ private:
+  void restart();
+  void drag(const engine::TickInput& input);
+  void watch_the_player();
+  void take_snapshot(Snapshot& snapshot) const;
+  void compute_hash();
+
+  const Level* level_;
+  std::unique_ptr<engine::Scene> scene_;
+  std::unique_ptr<Player> player_;
+  Snapshot previous_;
+  Snapshot current_;
+  engine::StateHash hash_;
+  std::optional<engine::CordPoint> dragged_;
+  bool restart_was_down_ = false;
+  int ticks_ = 0;
+  int run_ticks_ = 0;
+  int falls_ = 0;
+  std::optional<int> goal_ticks_;
+};
+
+}  // namespace game

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/canvas.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// What is shown besides the world itself.
+struct ViewOptions {
+  bool debug = false;   ///< the cords' points and connections, coloured as in Goto 2017, Fig. 4.1, and the step's counts
+  bool paused = false;
+  bool watching = false;  ///< a replay, so the keys do not steer
+  bool help = true;
+  double text_scale = 1.0;  ///< pixels a desktop unit
+};
+
+/// Draws a run of a level. The camera follows the player within the level.
+class View {
+ public:
+  explicit View(const Simulation& simulation) : simulation_(&simulation) {}
+
+  /// Draws the moment `alpha` (0 … 1) of the way from the tick before the last to the last.
+  void draw(engine::Canvas& canvas, double alpha, const ViewOptions& options);
+
+ private:
+  engine::View camera(const engine::Canvas& canvas, ribbon::Vec2 player) const;
+
+  const Simulation* simulation_;
+};
+
+}  // namespace game

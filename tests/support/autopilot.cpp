@@ -1,0 +1,62 @@
+#include "tests/support/autopilot.h"
+
+#include "engine/convert.h"
+#include "game/buttons.h"
+
+namespace test_support {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double edge_of_start = 7.2;   // m, where it jumps off
+constexpr double step_up = 39.6;        // m, where the way rises to the goal
+constexpr double let_go_angle = 0.62;   // horizontal part of the unit vector from the cord's top to the player
+constexpr double let_go_climb = 0.5;    // m/s, upwards, at least
+constexpr int most_ticks_on_cord = 900;
+
+Vec2 velocity(const game::Simulation& simulation) {
+  return engine::to_double(simulation.player().body().GetLinearVelocity());
+}
+
+bool hangs_free(const ribbon::ThesisCord& cord) {
+  return cord.kind(cord.mesh().size() - 1) == ribbon::PointKind::free;
+}
+
+}  // namespace
+
+std::uint16_t Autopilot::buttons(const game::Simulation& simulation) {
+  const auto held = simulation.scene().coupling().held_by(simulation.player().body());
+  if (held) return hang(simulation, *held);
+  ticks_on_cord_ = 0;
+  return fly_or_run(simulation);
+}
+
+std::uint16_t Autopilot::hang(const game::Simulation& simulation, const engine::CordPoint& held) {
+  last_cord_ = held.cord;
+  ++ticks_on_cord_;
+  const Vec2 top = simulation.scene().coupling().cord(held.cord).positions()[0];
+  const Vec2 from_top = simulation.player().position() - top;
+  const Vec2 v = velocity(simulation);
+  const bool far_out = from_top.x > let_go_angle * length(from_top);
+  if ((far_out && v.x > 0.0 && v.y > let_go_climb) || ticks_on_cord_ > most_ticks_on_cord) return game::button_right;
+  const std::uint16_t pump = v.x >= 0.0 ? game::button_right : game::button_left;
+  return static_cast<std::uint16_t>(game::button_grab | pump);
+}
+
+std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
+  const game::Player& player = simulation.player();
+  std::uint16_t buttons = game::button_right;
+  const double x = player.position().x;
+  const bool at_edge = x > edge_of_start && x < edge_of_start + 1.5;
+  const bool at_step = x > step_up && velocity(simulation).x < 1.0;
+  if (player.is_on_ground() && (at_edge || at_step)) buttons |= game::button_jump;
+  if (!player.is_on_ground()) {
+    const engine::Coupling& coupling = simulation.scene().coupling();
+    const auto near = coupling.nearest_point(player.hand(), player.tuning().reach);
+    // Not the cord it has just left, which is the one within reach; and only cords that hang free.
+    if (near && near->cord != last_cord_ && hangs_free(coupling.cord(near->cord))) buttons |= game::button_grab;
+  }
+  return buttons;
+}
+
+}  // namespace test_support
