@@ -9,6 +9,7 @@
 #include "ribbon/bar.h"
 #include "ribbon/contact.h"
 #include "ribbon/corrections.h"
+#include "ribbon/tangle.h"
 
 namespace ribbon {
 namespace {
@@ -49,6 +50,7 @@ ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solve
     self_phase_ = std::make_unique<BroadPhase>(*mesh_, true);
     self_phase_->reserve(positions_.size());
     own_radii_.assign(positions_.size(), def_.radius);
+    tangled_.resize(static_cast<std::size_t>(def_.w));
   }
   for (const int pin : def_.pins) constrain(pin, positions_[index(pin)]);
 }
@@ -162,7 +164,11 @@ void ThesisCord::begin_step(const Surroundings& surroundings) {
   grip_offsets_.clear();
   for (const Grip& grip : surroundings.grips) grip_offsets_.push_back(grip.offset);
 
-  if (self_phase_) self_phase_->begin();
+  if (def_.self_collision) {
+    self_phase_->begin();
+    self_phase_->update(positions_, positions_, own_radii_);
+    report_.tangled_columns = find_tangled_columns(*mesh_, positions_, *self_phase_, tangled_);
+  }
   if (surroundings.circles.empty()) return;
   if (!circle_phase_) circle_phase_ = std::make_unique<BroadPhase>(*mesh_, false);
   circle_phase_->reserve(surroundings.circles.size());
@@ -271,13 +277,16 @@ void ThesisCord::push_body(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 i
   body.angular_impulse += twist;
 }
 
-/// Goto 2017, section 3.6: each point's circle against the triangles that are not its own.
+/// Goto 2017, section 3.6: each point's circle against the triangles that are not its own. Where the cord crosses
+/// itself contact rests.
 void ThesisCord::collide_with_itself() {
   self_phase_->update(positions_, positions_, own_radii_);
+  const auto is_tangled = [this](int point) { return tangled_[index(mesh_->column(point))] != 0; };
   const double max_push = self_push_in_radii * def_.radius;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     for (const int triangle : self_phase_->near(p)) {
       if (self_phase_->is_own(p, triangle)) continue;
+      if (is_tangled(static_cast<int>(p)) && is_tangled(mesh_->triangles[index(triangle)].a)) continue;
       const Circle circle{positions_[p], before_[p], def_.radius, static_cast<int>(p)};
       const auto contact = find_contact(*mesh_, mesh_->triangles[index(triangle)], positions_, circle);
       if (!contact) continue;

@@ -25,6 +25,7 @@ struct StepReport {
   int motion_limited = 0;   ///< points held back to the most a point may move in a substep
   int self_contacts = 0;    ///< overlaps of the cord with itself that were resolved
   int circle_contacts = 0;  ///< overlaps with rigid circles that were resolved
+  int tangled_columns = 0;  ///< columns whose self-contact rested because the cord crossed itself there
 
   bool operator==(const StepReport&) const = default;
 };
@@ -121,6 +122,7 @@ class ThesisCord {
 
   std::unique_ptr<BroadPhase> self_phase_;  // if the cord declares self-collision
   std::vector<double> own_radii_;
+  std::vector<char> tangled_;  // by column: 1 where the cord crosses itself in this step
   std::unique_ptr<BroadPhase> circle_phase_;  // made when the first circle comes near
   std::vector<BodyMotion> motions_;
   std::vector<Vec2> circle_offsets_;

@@ -8,17 +8,40 @@
 #include <array>
 #include <csignal>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace engine {
 namespace {
 
-std::string temp_path(const std::string& name) { return testing::TempDir() + "replay_test_" + name; }
+/// This process's own directory, so that test runs side by side do not meet; gone when it ends.
+class TempDirectory {
+ public:
+  TempDirectory() : path_(testing::TempDir() + "replay_test_" + std::to_string(getpid()) + "/") {
+    std::filesystem::create_directories(path_);
+  }
+  TempDirectory(const TempDirectory&) = delete;
+  TempDirectory& operator=(const TempDirectory&) = delete;
+  ~TempDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string temp_path(const std::string& name) {
+  static const TempDirectory directory;
+  return directory.path() + name;
+}
 
 std::string bytes_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -65,7 +88,7 @@ StateHash some_state(std::uint16_t i) {
     Hasher hasher;
     hasher.add(i);
     hasher.add(part);
-    state.add(static_cast<Subsystem>(part % kSubsystemCount), part, hasher);
+    state.add(static_cast<Subsystem>(part % subsystem_count), part, hasher);
   }
   return state;
 }
@@ -88,7 +111,7 @@ std::string recorded(std::uint16_t ticks, bool finished, const std::string& name
 void expect_first_ticks(const Replay& replay, std::size_t count) {
   EXPECT_EQ(replay.header, some_header());
   ASSERT_EQ(replay.ticks.size(), count);
-  for (std::uint16_t i = 0; i < count; ++i) {
+  for (std::uint16_t i = 0; i < static_cast<std::uint16_t>(count); ++i) {
     EXPECT_EQ(replay.ticks[i].input, some_input(i));
     EXPECT_EQ(replay.ticks[i].state, some_state(i));
   }
@@ -124,7 +147,7 @@ class HandMade {
   std::string file_;
 };
 
-const std::string kJson = R"({"level":"a","level_hash":"00000000000000ff","settings":{},"tick_rate":50})";
+const std::string json = R"({"level":"a","level_hash":"00000000000000ff","settings":{},"tick_rate":50})";
 
 template <std::size_t N>
 std::string_view bytes(const char (&literal)[N]) {
@@ -170,7 +193,7 @@ TEST(Replay, TheFileIsAsDocumented) {
   writer.write({.buttons = 0x8001, .pointer_x_cm = -2, .pointer_y_cm = 258}, state);
   writer.finish();
 
-  HandMade expected(kJson);
+  HandMade expected(json);
   expected.add(
       bytes("T\x01\x00\xfe\xff"
             "\x01\x80\xfe\xff\x02\x01"
@@ -265,8 +288,8 @@ TEST(Replay, OtherVersionsAndOtherFilesAreRefused) {
 
 TEST(Replay, ImpossibleSizesAreRefusedAtOnce) {
   EXPECT_TRUE(
-      says(error_of("ropeswing-replay 1\n" + std::string(10'000'000, ' ')), "no end within the 65536 bytes accepted"));
-  const std::string header = HandMade(kJson).file();
+      says(error_of("ropeswing-replay 1\n" + std::string(100'000, ' ')), "no end within the 65536 bytes accepted"));
+  const std::string header = HandMade(json).file();
   EXPECT_TRUE(says(error_of(header + std::string(bytes("T\xff\xff\x00\x00"))),
                    "the part count is 65535, accepted is up to 4096"));
   EXPECT_TRUE(says(error_of(header + std::string(bytes("T\x01\x10\xfe\xef"))), "the part count is 4097"));
@@ -277,16 +300,16 @@ TEST(Replay, WhatFollowsTheEndMarkerIsRefused) {
   const std::string whole = recorded(2, true, "trailing");
   EXPECT_TRUE(says(error_of(whole + '\0'), "bytes follow the end marker"));
   EXPECT_TRUE(says(error_of(whole + whole), "bytes follow the end marker"));
-  EXPECT_TRUE(says(error_of(HandMade(kJson).add(bytes("E\x07\x00\x00\x00")).file()),
+  EXPECT_TRUE(says(error_of(HandMade(json).add(bytes("E\x07\x00\x00\x00")).file()),
                    "the end marker counts 7 ticks, the file has 0"));
 }
 
 TEST(Replay, AnUnknownSubsystemIsRefused) {
   const HandMade file =
-      HandMade(kJson).add(bytes("T\x01\x00\xfe\xff"
-                                "\0\0\0\0\0\0"
-                                "\x03\0\0\0\0\0\0"
-                                "\0\0\0\0\0\0\0\0"));
+      HandMade(json).add(bytes("T\x01\x00\xfe\xff"
+                               "\0\0\0\0\0\0"
+                               "\x03\0\0\0\0\0\0"
+                               "\0\0\0\0\0\0\0\0"));
   EXPECT_TRUE(says(error_of(file.file()), "subsystem is 3, accepted is 0 to 2"));
 }
 

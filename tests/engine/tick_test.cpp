@@ -11,15 +11,15 @@
 namespace engine {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kHour = 3600 * kSecond;
+constexpr std::int64_t second = 1'000'000'000;
+constexpr std::int64_t hour = 3600 * second;
 
 TEST(FixedTick, AnHourAt144FramesASecondIsExactlyAnHourOfTicks) {
   FixedTick tick(60);
   std::int64_t ticks = 0;
   std::int64_t now = 0;
   for (std::int64_t frame = 1; frame <= 3600 * 144; ++frame) {
-    const std::int64_t then = frame * kSecond / 144;  // as a clock in whole nanoseconds shows it
+    const std::int64_t then = frame * second / 144;  // as a clock in whole nanoseconds shows it
     ticks += tick.advance(then - now);
     now = then;
   }
@@ -30,12 +30,12 @@ TEST(FixedTick, AnHourAt144FramesASecondIsExactlyAnHourOfTicks) {
 
 TEST(FixedTick, AnHourAt20FramesASecondRunsThreeTicksEveryFrame) {
   FixedTick tick(60);
-  for (std::int64_t now = 0; now < kHour; now += kSecond / 20) ASSERT_EQ(tick.advance(kSecond / 20), 3);
+  for (std::int64_t now = 0; now < hour; now += second / 20) ASSERT_EQ(tick.advance(second / 20), 3);
   EXPECT_EQ(tick.dropped_ticks(), 0);
 }
 
 TEST(FixedTick, NeverRunsATickEarlyOrLateHoweverTheFramesFall) {
-  for (const int rate : {1, 50, 60, 144, 1000, FixedTick::kMaxTicksPerSecond}) {
+  for (const int rate : {1, 50, 60, 144, 1000, FixedTick::max_ticks_per_second}) {
     FixedTick tick(rate, std::numeric_limits<int>::max());
     std::int64_t now = 0;
     std::int64_t ticks = 0;
@@ -45,32 +45,32 @@ TEST(FixedTick, NeverRunsATickEarlyOrLateHoweverTheFramesFall) {
       const std::int64_t elapsed = random % 100'000'000U;
       now += elapsed;
       ticks += tick.advance(elapsed);
-      ASSERT_EQ(ticks, now / kSecond * rate + now % kSecond * rate / kSecond) << rate << " Hz, frame " << frame;
+      ASSERT_EQ(ticks, now / second * rate + now % second * rate / second) << rate << " Hz, frame " << frame;
     }
   }
 }
 
 TEST(FixedTick, ASlowFrameRunsAsManyTicksAsAcceptedAndCountsTheRest) {
   FixedTick tick(60, 8);
-  EXPECT_EQ(tick.advance(kSecond), 8);
+  EXPECT_EQ(tick.advance(second), 8);
   EXPECT_EQ(tick.dropped_ticks(), 52);
   EXPECT_EQ(tick.advance(0), 0) << "what was dropped must not come back";
-  EXPECT_EQ(tick.advance(kSecond / 10), 6);
+  EXPECT_EQ(tick.advance(second / 10), 6);
   EXPECT_EQ(tick.dropped_ticks(), 52);
 }
 
 TEST(FixedTick, TheLongestTimeThereIsOverflowsNothing) {
-  constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
-  FixedTick tick(FixedTick::kMaxTicksPerSecond, 8);
-  EXPECT_EQ(tick.advance(kLongest), 8);
-  EXPECT_EQ(tick.dropped_ticks(), kLongest / 1000 - 8);
+  constexpr std::int64_t longest = std::numeric_limits<std::int64_t>::max();
+  FixedTick tick(FixedTick::max_ticks_per_second, 8);
+  EXPECT_EQ(tick.advance(longest), 8);
+  EXPECT_EQ(tick.dropped_ticks(), longest / 1000 - 8);
 }
 
 TEST(FixedTick, TimeThatRunsBackwardsCountsAsNone) {
   FixedTick tick(60);
   tick.advance(10'000'000);
   const double alpha = tick.alpha();
-  EXPECT_EQ(tick.advance(-kSecond), 0);
+  EXPECT_EQ(tick.advance(-second), 0);
   EXPECT_EQ(tick.advance(std::numeric_limits<std::int64_t>::min()), 0);
   EXPECT_EQ(tick.alpha(), alpha);
 }
@@ -90,7 +90,7 @@ TEST(FixedTick, AlphaIsThePartOfATickNotRunYet) {
 TEST(FixedTick, RefusesRatesThatMakeNoSense) {
   EXPECT_THROW(FixedTick(0), std::invalid_argument);
   EXPECT_THROW(FixedTick(-60), std::invalid_argument);
-  EXPECT_THROW(FixedTick(FixedTick::kMaxTicksPerSecond + 1), std::invalid_argument);
+  EXPECT_THROW(FixedTick(FixedTick::max_ticks_per_second + 1), std::invalid_argument);
   EXPECT_THROW(FixedTick(60, 0), std::invalid_argument);
 }
 
@@ -102,12 +102,12 @@ TEST(Input, PointerIsRoundedToTheNearestCentimetre) {
 }
 
 TEST(Input, PointerBeyondTheRangeStopsAtItsEnd) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(quantise_cm(327.67), 32767);
   EXPECT_EQ(quantise_cm(327.68), 32767);
   EXPECT_EQ(quantise_cm(-327.69), -32768);
-  EXPECT_EQ(quantise_cm(kInfinity), 32767);
-  EXPECT_EQ(quantise_cm(-kInfinity), -32768);
+  EXPECT_EQ(quantise_cm(infinity), 32767);
+  EXPECT_EQ(quantise_cm(-infinity), -32768);
   EXPECT_EQ(quantise_cm(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 

@@ -25,6 +25,8 @@ double area_ratio(const ThesisCord& cord, const ribbon::Triangle& triangle) {
 
 }  // namespace
 
+void PrintTo(const ThesisCondition& condition, std::ostream* out) { *out << condition.name; }
+
 ribbon::ThesisDef thesis_def(const ThesisCondition& condition) {
   ribbon::ThesisDef def;
   def.w = condition.w;

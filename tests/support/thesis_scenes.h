@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <ostream>
 #include <string_view>
 
 #include "ribbon/thesis_cord.h"
@@ -26,6 +27,8 @@ constexpr std::array<ThesisCondition, 4> thesis_conditions = {{
     {"thesis_c", 35, 2, 0.45, 8, 32.7},
     {"thesis_d", 35, 2, 0.45, 4, 62.5},
 }};
+
+void PrintTo(const ThesisCondition& condition, std::ostream* out);  // for GoogleTest
 
 /// The condition as SI values: spacing 5 cm, 2 g a point, and the stiffness that the printed coefficient k means at 8
 /// substeps, Ks = κm/(2δ²) with κ = k/(1 − k), whatever the substeps it is run at. Self-collision on.

@@ -1,0 +1,226 @@
+#define SDL_MAIN_HANDLED  // keeps SDL from renaming main
+
+#include "engine/sdl_window.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+namespace engine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::optional<Key> offset_key(SDL_Keycode code, SDL_Keycode first, SDL_Keycode last, Key start) {
+  if (code < first || code > last) return std::nullopt;
+  return static_cast<Key>(static_cast<int>(start) + (code - first));
+}
+
+std::optional<Key> key_of_code(SDL_Keycode code) {
+  if (const auto key = offset_key(code, SDLK_a, SDLK_z, Key::a)) return key;
+  if (const auto key = offset_key(code, SDLK_0, SDLK_9, Key::digit_0)) return key;
+  if (const auto key = offset_key(code, SDLK_F1, SDLK_F12, Key::f1)) return key;
+  switch (code) {
+    case SDLK_LEFT: return Key::left;
+    case SDLK_RIGHT: return Key::right;
+    case SDLK_UP: return Key::up;
+    case SDLK_DOWN: return Key::down;
+    case SDLK_SPACE: return Key::space;
+    case SDLK_RETURN:
+    case SDLK_KP_ENTER: return Key::enter;
+    case SDLK_ESCAPE: return Key::escape;
+    case SDLK_TAB: return Key::tab;
+    case SDLK_LSHIFT:
+    case SDLK_RSHIFT: return Key::shift;
+    case SDLK_LCTRL:
+    case SDLK_RCTRL: return Key::ctrl;
+    case SDLK_COMMA: return Key::comma;
+    case SDLK_PERIOD: return Key::period;
+    default: return std::nullopt;
+  }
+}
+
+/// The label's key; where the layout has no such label (digits in French, letters in Greek), the key that stands in the
+/// same place on an American keyboard.
+std::optional<Key> key_of(const SDL_Keysym& keysym) {
+  if (const auto key = key_of_code(keysym.sym)) return key;
+  switch (keysym.scancode) {
+    case SDL_SCANCODE_0: return Key::digit_0;
+    case SDL_SCANCODE_COMMA: return Key::comma;
+    case SDL_SCANCODE_PERIOD: return Key::period;
+    default: break;
+  }
+  if (const auto key = offset_key(keysym.scancode, SDL_SCANCODE_1, SDL_SCANCODE_9, Key::digit_1)) return key;
+  return keysym.sym > 127 ? offset_key(keysym.scancode, SDL_SCANCODE_A, SDL_SCANCODE_Z, Key::a) : std::nullopt;
+}
+
+std::optional<MouseButton> button_of(std::uint8_t button) {
+  switch (button) {
+    case SDL_BUTTON_LEFT: return MouseButton::left;
+    case SDL_BUTTON_MIDDLE: return MouseButton::middle;
+    case SDL_BUTTON_RIGHT: return MouseButton::right;
+    default: return std::nullopt;
+  }
+}
+
+[[noreturn]] void no_display(const std::string& reason) {
+  throw std::runtime_error("there is no display to open a window on (" + reason +
+                           "): start it from a desktop session, or run with --headless");
+}
+
+/// Without a display SDL settles for a window that nobody sees; that is wanted only by who asks for it by name.
+bool unseen(std::string_view driver) { return driver == "offscreen" || driver == "dummy" || driver == "evdev"; }
+
+/// Holds SDL's video part open; a member before all that needs it.
+struct Video {
+  Video() {
+    SDL_SetMainReady();
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) no_display(SDL_GetError());
+    if (SDL_GetHint(SDL_HINT_VIDEODRIVER) != nullptr || !unseen(SDL_GetCurrentVideoDriver())) return;
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    no_display("neither DISPLAY nor WAYLAND_DISPLAY leads to one");
+  }
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
+  ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
+};
+
+template <typename T>
+T* need(T* made, const char* what) {
+  if (made == nullptr) throw std::runtime_error(std::string("cannot open ") + what + ": " + SDL_GetError());
+  return made;
+}
+
+SDL_Renderer* make_renderer(SDL_Window* window) {
+  SDL_Renderer* made = SDL_CreateRenderer(window, -1, SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC);
+  if (made == nullptr) made = SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE);
+  return need(made, "a renderer for the window");
+}
+
+/// Only hardware is believed: the software renderer says so too, and then waits under some drivers only.
+bool waits_for_display(SDL_Renderer* renderer) {
+  constexpr std::uint32_t both = SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC;
+  SDL_RendererInfo info{};
+  return SDL_GetRendererInfo(renderer, &info) == 0 && (info.flags & both) == both;
+}
+
+Clock::duration frame_time(SDL_Window* window) {
+  SDL_DisplayMode mode{};
+  const bool known = SDL_GetWindowDisplayMode(window, &mode) == 0 && mode.refresh_rate > 0;
+  return std::chrono::nanoseconds(1'000'000'000 / (known ? std::clamp(mode.refresh_rate, 30, 240) : 60));
+}
+
+}  // namespace
+
+struct Window::Impl {
+  Impl(const std::string& title, int width, int height);
+
+  void handle(const SDL_Event& event);
+  void mouse_at(int x, int y) { input.mouse_at({x * scale_x, y * scale_y}); }
+  void follow_size();
+
+  HeadlessCanvas canvas;
+  Video video;
+  std::unique_ptr<SDL_Window, decltype(&SDL_DestroyWindow)> window;
+  std::unique_ptr<SDL_Renderer, decltype(&SDL_DestroyRenderer)> renderer;
+  std::unique_ptr<SDL_Texture, decltype(&SDL_DestroyTexture)> texture{nullptr, SDL_DestroyTexture};
+  double scale_x = 1.0;  // pixels per desktop unit
+  double scale_y = 1.0;
+  InputState input;
+  bool vsync;
+  Clock::duration period;
+  Clock::time_point shown = Clock::now();
+};
+
+Window::Impl::Impl(const std::string& title, int width, int height)
+    : canvas(width, height),
+      window(need(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
+                  "the window"),
+             SDL_DestroyWindow),
+      renderer(make_renderer(window.get()), SDL_DestroyRenderer),
+      vsync(waits_for_display(renderer.get())),
+      period(frame_time(window.get())) {
+  follow_size();
+}
+
+void Window::Impl::follow_size() {
+  int pixels_x = 0, pixels_y = 0, units_x = 0, units_y = 0;
+  SDL_GetWindowSize(window.get(), &units_x, &units_y);
+  if (SDL_GetRendererOutputSize(renderer.get(), &pixels_x, &pixels_y) != 0) return;
+  if (pixels_x < 1 || pixels_y < 1 || units_x < 1 || units_y < 1) return;  // while it is minimised
+  scale_x = static_cast<double>(pixels_x) / units_x;
+  scale_y = static_cast<double>(pixels_y) / units_y;
+  if (texture && pixels_x == canvas.width() && pixels_y == canvas.height()) return;
+  canvas.resize(pixels_x, pixels_y);
+  texture.reset(
+      need(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING, pixels_x, pixels_y),
+           "a texture for the window"));
+}
+
+void Window::Impl::handle(const SDL_Event& event) {
+  switch (event.type) {
+    case SDL_QUIT: input.quit(); break;
+    case SDL_KEYDOWN:
+      if (const auto key = key_of(event.key.keysym); key && event.key.repeat == 0) input.key_down(*key);
+      break;
+    case SDL_KEYUP:
+      if (const auto key = key_of(event.key.keysym)) input.key_up(*key);
+      break;
+    case SDL_MOUSEMOTION: mouse_at(event.motion.x, event.motion.y); break;
+    case SDL_MOUSEBUTTONDOWN:
+      mouse_at(event.button.x, event.button.y);
+      if (const auto button = button_of(event.button.button)) input.button_down(*button);
+      break;
+    case SDL_MOUSEBUTTONUP:
+      mouse_at(event.button.x, event.button.y);
+      if (const auto button = button_of(event.button.button)) input.button_up(*button);
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) input.focus_lost();
+      break;
+    default: break;
+  }
+}
+
+Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
+
+Window::~Window() = default;
+
+Canvas& Window::canvas() { return impl_->canvas; }
+
+double Window::pixel_scale() const { return std::max(impl_->scale_y, 1.0); }
+
+WindowInput Window::poll() {
+  SDL_Event event;
+  while (SDL_PollEvent(&event) != 0) impl_->handle(event);
+  impl_->follow_size();
+  return impl_->input.take();
+}
+
+void Window::present() {
+  const Raster& raster = impl_->canvas.raster();
+  SDL_Renderer* const renderer = impl_->renderer.get();
+  SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());
+  SDL_RenderCopy(renderer, impl_->texture.get(), nullptr, nullptr);
+  SDL_RenderPresent(renderer);
+  // A driver that promises to wait may not do so while the window is hidden: then the half period is the limit.
+  const auto earliest = impl_->shown + (impl_->vsync ? impl_->period / 2 : impl_->period);
+  const auto now = Clock::now();
+  if (now < earliest) std::this_thread::sleep_until(earliest);
+  impl_->shown = std::max(earliest, now);
+}
+
+void Window::save_png(const std::string& path) const { impl_->canvas.save_png(path); }
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+}
+
+}  // namespace engine

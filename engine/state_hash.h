@@ -1,0 +1,114 @@
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ribbon/vec2.h"
+
+namespace engine {
+
+/// A 64-bit hash of a sequence of numbers; every add() feeds one 64-bit word (a Vec2: two). Not cryptographic.
+///
+/// It works on values, never on memory, so the result is the same on any byte order. Floating-point numbers count by
+/// their bits: 0.0 and −0.0 differ, and so do two not-a-numbers with different bits. Two sequences of equal length that
+/// differ in exactly one word never have the same value().
+class Hasher {
+ public:
+  void add(std::integral auto value) { mix(static_cast<std::uint64_t>(value)); }
+  void add(double value) { mix(std::bit_cast<std::uint64_t>(value)); }
+  void add(float value) { mix(std::bit_cast<std::uint32_t>(value)); }
+  void add(ribbon::Vec2 v) {
+    add(v.x);
+    add(v.y);
+  }
+
+  std::uint64_t value() const;
+
+ private:
+  // One to one both in the word and in the state before it: that is what keeps a single difference alive to the end.
+  // The addition keeps a run of zero words from being a fixed point.
+  void mix(std::uint64_t word) {
+    state_ = (state_ ^ word) * 0x9e37'79b9'7f4a'7c15U + 0xd1b5'4a32'd192'ed03U;
+    state_ ^= state_ >> 32;
+    ++words_;
+  }
+
+  std::uint64_t state_ = 0x243f'6a88'85a3'08d3U;
+  std::uint64_t words_ = 0;
+};
+
+/// What a part of the state belongs to. The numbers are written in replays: add at the end, never renumber.
+enum class Subsystem : std::uint8_t { game = 0, cord = 1, body = 2 };
+inline constexpr int subsystem_count = 3;
+
+/// "game", "cord" or "body".
+std::string_view subsystem_name(Subsystem subsystem);
+
+/// The hash of one cord, one body, …: enough to name what differs.
+struct StatePart {
+  Subsystem subsystem = Subsystem::game;
+  std::uint16_t index = 0;  ///< Which cord, which body.
+  std::uint32_t hash = 0;
+
+  bool operator==(const StatePart&) const = default;
+};
+
+/// The hash of a whole state: 32 bits for each part, to name what differs, and 64 bits over all of them, computed from
+/// the parts' full 64-bit values, to be sure whether anything does. Kept from tick to tick and cleared before each:
+/// once it has grown to the number of parts, it allocates no more.
+class StateHash {
+ public:
+  StateHash() = default;
+  /// As read back from a recording.
+  StateHash(std::vector<StatePart> parts, std::uint64_t combined) : parts_(std::move(parts)), combined_(combined) {}
+
+  void clear();
+  /// Adds a part after those already there; the same parts in another order are another state.
+  void add(Subsystem subsystem, std::uint16_t index, const Hasher& hasher);
+
+  std::span<const StatePart> parts() const { return parts_; }
+  std::uint64_t combined() const { return combined_; }
+
+  bool operator==(const StateHash&) const = default;
+
+ private:
+  std::vector<StatePart> parts_;
+  std::uint64_t combined_ = 0;
+};
+
+/// The first thing in which two states differ.
+struct Divergence {
+  enum class Kind {
+    differs,   ///< The part is in both, with different hashes.
+    missing,   ///< The part was recorded and is not there now.
+    extra,     ///< The part is there now (or comes earlier now) and was not recorded.
+    combined,  ///< All 32-bit hashes agree and the 64-bit one does not; subsystem and index say nothing.
+  };
+  Kind kind = Kind::differs;
+  Subsystem subsystem = Subsystem::game;
+  std::uint16_t index = 0;
+  std::uint64_t recorded = 0;  ///< 32-bit hashes of the part, or both combined hashes; 0 where there is none.
+  std::uint64_t computed = 0;
+};
+
+/// The first part, in recorded order, in which `computed` differs from `recorded`; nothing if they are equal.
+std::optional<Divergence> first_difference(const StateHash& recorded, const StateHash& computed);
+
+/// In words: `cord 2 differs (recorded 89abcdef, now 01234567)`.
+std::string describe(const Divergence& divergence);
+
+/// 64-bit FNV-1a over the bytes of a file or text.
+std::uint64_t hash_bytes(std::string_view bytes);
+
+/// Lower-case hexadecimal with leading zeros: 16 digits, or 8 for 32 bits.
+std::string to_hex(std::uint64_t value);
+std::string to_hex(std::uint32_t value);
+
+}  // namespace engine

@@ -1,0 +1,92 @@
+#include "ribbon/thesis_def.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "ribbon/thesis_cord.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct BadField {
+  const char* field;
+  std::function<void(ThesisDef&)> spoil;
+  const char* value;
+};
+
+/// The sentence names the field, the value and what is accepted.
+TEST(ThesisDef, RefusesEachBadFieldByNameAndValue) {
+  const BadField fields[] = {
+      {"w", [](ThesisDef& d) { d.w = 1; }, "1"},
+      {"w", [](ThesisDef& d) { d.w = -3; }, "-3"},
+      {"w", [](ThesisDef& d) { d.w = 2'000'000; }, "2e+06"},
+      {"h", [](ThesisDef& d) { d.h = 1; }, "1"},
+      {"h", [](ThesisDef& d) { d.h = 0; }, "0"},
+      {"h", [](ThesisDef& d) { d.h = 65; }, "65"},
+      {"spacing", [](ThesisDef& d) { d.spacing = 0.0; }, "0"},
+      {"spacing", [](ThesisDef& d) { d.spacing = -1.0; }, "-1"},
+      {"spacing", [](ThesisDef& d) { d.spacing = nan; }, "nan"},
+      {"point_mass", [](ThesisDef& d) { d.point_mass = 0.0; }, "0"},
+      {"point_mass", [](ThesisDef& d) { d.point_mass = -2.0; }, "-2"},
+      {"point_mass", [](ThesisDef& d) { d.point_mass = infinity; }, "inf"},
+      {"spring_stiffness", [](ThesisDef& d) { d.spring_stiffness = -1.0; }, "-1"},
+      {"spring_stiffness", [](ThesisDef& d) { d.spring_stiffness = 1e16; }, "1e+16"},
+      {"bar_damping", [](ThesisDef& d) { d.bar_damping = nan; }, "nan"},
+      {"drag", [](ThesisDef& d) { d.drag = -0.5; }, "-0.5"},
+      {"area_stiffness", [](ThesisDef& d) { d.area_stiffness = 1.5; }, "1.5"},
+      {"area_floor", [](ThesisDef& d) { d.area_floor = 1.0; }, "1"},
+      {"radius", [](ThesisDef& d) { d.radius = 0.6 * d.spacing; }, "0.03"},
+      {"radius", [](ThesisDef& d) { d.radius = -1.0; }, "-1"},
+      {"substeps", [](ThesisDef& d) { d.substeps = 0; }, "0"},
+      {"positions", [](ThesisDef& d) { d.positions.resize(3); }, "3 entries"},
+      {"positions[7]", [](ThesisDef& d) { d.positions.resize(50); d.positions[7].y = nan; }, "nan"},
+      {"pins[1]", [](ThesisDef& d) { d.pins = {0, 50}; }, "50"},
+      {"pins[0]", [](ThesisDef& d) { d.pins = {-1}; }, "-1"},
+  };
+  for (const BadField& bad : fields) {
+    ThesisDef def;
+    bad.spoil(def);
+    try {
+      const ThesisCord cord(def);
+      ADD_FAILURE() << bad.field << " = " << bad.value << " was accepted";
+    } catch (const DefinitionError& error) {
+      const std::string sentence = error.what();
+      EXPECT_EQ(sentence.rfind(bad.field, 0), 0U) << sentence;
+      EXPECT_NE(sentence.find(bad.value), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find("accepted"), std::string::npos) << sentence;
+    }
+  }
+}
+
+TEST(ThesisDef, AcceptsItsLimits) {
+  ThesisDef def;
+  def.w = 2;
+  def.h = 2;
+  def.spacing = 1e-6;
+  def.point_mass = 1e9;
+  def.radius = 0.5 * def.spacing;
+  def.pins = {0, 3};
+  EXPECT_NO_THROW(ThesisCord{def});
+}
+
+TEST(ThesisCord, RefusesUnknownPointsAndChangesNothing) {
+  ThesisCord cord{ThesisDef{}};
+  const ThesisCord::State before = cord.save();
+  EXPECT_THROW(cord.operate(50, {0.0, 0.0}), DefinitionError);
+  EXPECT_THROW(cord.constrain(-1, {0.0, 0.0}), DefinitionError);
+  EXPECT_THROW(cord.release(1000), DefinitionError);
+  EXPECT_THROW(cord.operate(3, {nan, 0.0}), DefinitionError);
+  EXPECT_THROW(cord.set_velocity(3, {0.0, infinity}), DefinitionError);
+  ThesisCord::State other = before;
+  other.positions.pop_back();
+  EXPECT_THROW(cord.restore(other), DefinitionError);
+  EXPECT_EQ(cord.save(), before);
+}
+
+}  // namespace
+}  // namespace ribbon
