@@ -65,6 +65,7 @@ CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
 
 void Coupling::gather(b2World& world, double dt) {
   gravity_ = to_double(world.GetGravity());
+  dt_ = dt;
   gathered_.clear();
   rigid_.clear();
   for (CoupledCord& coupled : cords_) {
@@ -116,6 +117,10 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
   if (gathered_.empty() || gathered_.back().body != &body) {
     gathered_.push_back({&body, -1});
     rigid_.push_back(rigid_body(body, gravity));
+    if (const Holder* held = holder(body)) {
+      rigid_.back().velocity += held->ahead;
+      rigid_.back().angular_velocity += held->ahead_turning;
+    }
   }
   return static_cast<int>(gathered_.size()) - 1;
 }
@@ -130,18 +135,43 @@ void Coupling::step(double dt) {
 }
 
 void Coupling::apply() {
-  for (std::size_t b = 0; b < gathered_.size(); ++b) apply_to(gathered_[b], rigid_[b]);
+  for (std::size_t b = 0; b < gathered_.size(); ++b) {
+    b2Body& body = *gathered_[b].body;
+    if (body.GetType() != b2_dynamicBody) continue;
+    if (Holder* held = holder(body)) {
+      lead(*held, rigid_[b], dt_);
+    } else {
+      push(gathered_[b], rigid_[b]);
+    }
+  }
 }
 
-void Coupling::apply_to(const GatheredBody& gathered, const RigidBody& rigid) {
+/// Gives a touching body its impulse; what single precision loses of it stays with the cord.
+void Coupling::push(const GatheredBody& gathered, const RigidBody& rigid) {
+  if (rigid.impulse == Vec2{} && rigid.angular_impulse == 0.0) return;
   b2Body& body = *gathered.body;
-  const bool pushed = rigid.impulse != Vec2{} || rigid.angular_impulse != 0.0;
-  if (body.GetType() != b2_dynamicBody || !pushed) return;
   const Vec2 before = to_double(body.GetLinearVelocity());
   body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
   body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
   const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
   cords_[at(gathered.pushed_by)].cord.add_momentum(rigid.impulse - given);
+}
+
+/// Makes world.Step take a holder to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D gets
+/// m·(Δx/dt − a·dt − v), and v⁺ − Δx/dt is carried on.
+void Coupling::lead(Holder& holder, const RigidBody& rigid, double dt) {
+  b2Body& body = *holder.body;
+  const Vec2 fall = dt * rigid.acceleration;  // which world.Step adds
+  const Vec2 wanted = (1.0 / dt) * rigid.moved - fall;
+  body.ApplyLinearImpulseToCenter(to_float((1.0 / rigid.inverse_mass) * (wanted - to_double(body.GetLinearVelocity()))),
+                                  true);
+  const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
+  holder.ahead = end - (to_double(body.GetLinearVelocity()) + fall);
+  if (rigid.inverse_inertia == 0.0) return;
+  const double turning = static_cast<double>(body.GetAngularVelocity());
+  body.ApplyAngularImpulse(static_cast<float>((rigid.turned / dt - turning) / rigid.inverse_inertia), true);
+  const double end_turning = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
+  holder.ahead_turning = end_turning - static_cast<double>(body.GetAngularVelocity());
 }
 
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
@@ -150,23 +180,49 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
                                   std::to_string(size() - 1));
   }
   cords_[at(cord)].cord.check_point(point);
-  release(body);
-  holders_.push_back({&body, cord, point, local_hand});
+  if (Holder* held = holder(body)) {
+    held->cord = cord;
+    held->point = point;
+    held->local_hand = local_hand;
+  } else {
+    holders_.push_back({&body, cord, point, local_hand, {}});
+  }
 }
 
-bool Coupling::release(const b2Body& body) {
+bool Coupling::release(b2Body& body) {
+  const Holder* held = holder(body);
+  if (held == nullptr) return false;
+  body.SetLinearVelocity(to_float(velocity(body)));
+  body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + held->ahead_turning));
+  forget(body);
+  return true;
+}
+
+void Coupling::forget(const b2Body& body) {
   const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
-  const auto end = std::remove_if(holders_.begin(), holders_.end(), holds);
-  const bool held = end != holders_.end();
-  holders_.erase(end, holders_.end());
-  return held;
+  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
+}
+
+Vec2 Coupling::velocity(const b2Body& body) const {
+  const Holder* held = holder(body);
+  return to_double(body.GetLinearVelocity()) + (held != nullptr ? held->ahead : Vec2{});
+}
+
+const Coupling::Holder* Coupling::holder(const b2Body& body) const {
+  for (const Holder& holder : holders_) {
+    if (holder.body == &body) return &holder;
+  }
+  return nullptr;
+}
+
+Coupling::Holder* Coupling::holder(const b2Body& body) {
+  return const_cast<Holder*>(std::as_const(*this).holder(body));
 }
 
 std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
-  for (const Holder& holder : holders_) {
-    if (holder.body == &body) return CordPoint{holder.cord, holder.point, 0.0};
-  }
-  return std::nullopt;
+  const Holder* held = holder(body);
+  if (held == nullptr) return std::nullopt;
+  return CordPoint{held->cord, held->point, 0.0};
 }
 
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {

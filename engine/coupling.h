@@ -27,8 +27,15 @@ struct CordPoint {
 ///     coupling.apply();             // the bodies get the impulses
 ///     world.Step(dt, …);
 ///
-/// The response is shared by mass: cord and bodies together keep their linear momentum to double precision. No listener
-/// of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept but for
+/// The response is shared by mass: cord and bodies together keep their linear momentum to double precision.
+///
+/// A body that holds a cord moves in the tick as the cord saw it, on a curve; Box2D can only take it straight to the end
+/// of that curve, at the mean velocity. The difference to the velocity at the end, half the acceleration times dt, is
+/// kept here and carried into the next tick (without it a swing loses a tenth of its energy a period); so what
+/// GetLinearVelocity shows of a holder is the mean of the last tick, and `velocity` the momentary one. Letting go gives
+/// the difference back.
+///
+/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept but for
 /// those that hold a cord, and a held cord is let go when its holder is no longer in the world.
 class Coupling {
  public:
@@ -54,12 +61,14 @@ class Coupling {
   /// ribbon::DefinitionError for a cord or point that does not exist.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
   /// Lets go, with the velocities that both have; false if the body held nothing.
-  bool release(const b2Body& body);
+  bool release(b2Body& body);
+  /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
+  ribbon::Vec2 velocity(const b2Body& body) const;
   /// What the body holds.
   std::optional<CordPoint> held_by(const b2Body& body) const;
   /// Call it before destroying a body that may hold a cord. (Forgotten, the cord is let go at the next gather all the
   /// same, unless Box2D has by then put a new body at the same address, which would inherit the grip.)
-  void forget(const b2Body& body) { release(body); }
+  void forget(const b2Body& body);
 
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
@@ -78,6 +87,8 @@ class Coupling {
     CordIndex cord;
     int point;
     b2Vec2 local_hand;
+    ribbon::Vec2 ahead;         // m/s, the momentary velocity less Box2D's
+    double ahead_turning = 0.0;  // rad/s, the same of the rotation
   };
   struct GatheredBody {
     b2Body* body;
@@ -88,11 +99,15 @@ class Coupling {
   void drop_holders_gone_from(const b2World& world);
   void gather_body(b2Body& body, b2Vec2 gravity, double dt);
   int body_index(b2Body& body, b2Vec2 gravity);
-  void apply_to(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
+  Holder* holder(const b2Body& body);
+  const Holder* holder(const b2Body& body) const;
+  void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
+  static void lead(Holder& holder, const ribbon::RigidBody& rigid, double dt);
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
   ribbon::Vec2 gravity_;
+  double dt_ = 0.0;  // s, of the tick that was gathered for
   // This tick's bodies: Box2D's and the cord's view of each, at the same index.
   std::vector<GatheredBody> gathered_;
   std::vector<ribbon::RigidBody> rigid_;

@@ -122,6 +122,7 @@ void Simulation::compute_hash() {
   const auto held = scene_->coupling().held_by(player_->body());
   game.add(held ? held->cord : -1);
   game.add(held ? held->point : -1);
+  game.add(scene_->coupling().velocity(player_->body()));
   player_->add_to(game);
 
   hash_.clear();

@@ -6,8 +6,8 @@
 
 namespace ribbon {
 
-/// A rigid body that circles belong to, as it is at the start of a step. A step reads it and adds to the impulses;
-/// the body's owner applies those and moves the body.
+/// A rigid body that circles belong to, as it is at the start of a step. A step reads it, adds to the impulses, and says
+/// how it saw the body move; the body's owner applies the impulses and moves it.
 struct RigidBody {
   Vec2 position;                  ///< m, centre of mass
   Vec2 velocity;                  ///< m/s, of the centre of mass
@@ -17,6 +17,8 @@ struct RigidBody {
   Vec2 acceleration;              ///< m/s², free motion, usually gravity
   Vec2 impulse;                   ///< N·s, what cords have given to the body, summed up
   double angular_impulse = 0.0;   ///< N·m·s, the same about the centre of mass
+  Vec2 moved;                     ///< m, in the last step that knew of it
+  double turned = 0.0;            ///< rad, in the same step
 };
 
 /// A circle fixed to a body.

@@ -124,6 +124,7 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
   for (int iteration = 1; iteration <= def_.substeps; ++iteration) {
     substep(iteration, substep_dt, gravity, surroundings);
   }
+  report_motions(surroundings);
   return report_;
 }
 
@@ -151,7 +152,7 @@ void ThesisCord::begin_step(const Surroundings& surroundings) {
   motions_.clear();
   for (const RigidBody& body : surroundings.bodies) {
     motions_.push_back({body.position, body.velocity + body.inverse_mass * body.impulse,
-                        body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0});
+                        body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0, 0.0});
   }
   circle_offsets_.clear();
   circle_radii_.clear();
@@ -338,7 +339,10 @@ void ThesisCord::limit_motion(double dt) {
 void ThesisCord::finish_substep(double dt, const Surroundings& surroundings) {
   const double inverse_dt = 1.0 / dt;
   for (std::size_t p = 0; p < positions_.size(); ++p) velocities_[p] = inverse_dt * (positions_[p] - before_[p]);
-  for (BodyMotion& motion : motions_) motion.angular_velocity = inverse_dt * motion.turned;
+  for (BodyMotion& motion : motions_) {
+    motion.angular_velocity = inverse_dt * motion.turned;
+    motion.turned_all += motion.turned;
+  }
   const auto turn = [&](Vec2& offset, int body) {
     const double size = length(offset);
     const Vec2 turned = reach(motions_[index(body)], offset);
@@ -347,6 +351,13 @@ void ThesisCord::finish_substep(double dt, const Surroundings& surroundings) {
   };
   for (std::size_t k = 0; k < circle_offsets_.size(); ++k) turn(circle_offsets_[k], surroundings.circles[k].body);
   for (std::size_t k = 0; k < grip_offsets_.size(); ++k) turn(grip_offsets_[k], surroundings.grips[k].body);
+}
+
+void ThesisCord::report_motions(const Surroundings& surroundings) const {
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    surroundings.bodies[b].moved = motions_[b].position - surroundings.bodies[b].position;
+    surroundings.bodies[b].turned = motions_[b].turned_all;
+  }
 }
 
 }  // namespace ribbon

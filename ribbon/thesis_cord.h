@@ -94,13 +94,15 @@ class ThesisCord {
   void collide_with_circles(double dt, const Surroundings& surroundings);
   void limit_motion(double dt);
   void finish_substep(double dt, const Surroundings& surroundings);
+  void report_motions(const Surroundings& surroundings) const;
 
   /// A body's motion within the step; its owner's copy stays as it was but for the impulse.
   struct BodyMotion {
     Vec2 position;
     Vec2 velocity;
     double angular_velocity;
-    double turned;  // rad, in this substep
+    double turned;      // rad, in this substep
+    double turned_all;  // rad, in the substeps before
   };
   Vec2 reach(const BodyMotion& body, Vec2 offset) const { return offset + body.turned * perp(offset); }
   void push_body(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt);

@@ -1,0 +1,422 @@
+#include "engine/coupling.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/convert.h"
+#include "tests/support/thesis_scenes.h"
+
+namespace engine {
+namespace {
+
+using ribbon::ThesisCord;
+using ribbon::ThesisDef;
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+
+/// A cord of 4 m along +x, its middle line through `left`, 0.2 m wide, 1 kg.
+ThesisDef cord_def(Vec2 left = {0.0, 0.0}) {
+  ThesisDef def;
+  def.w = 21;
+  def.spacing = 0.2;
+  def.point_mass = 1.0 / 42.0;
+  def.spring_stiffness = 2e4;
+  def.bar_damping = 20.0;
+  def.positions = ribbon::lay_along(std::array{left, left + Vec2{1.0, 0.0}}, def.w, def.h, def.spacing);
+  return def;
+}
+
+ThesisDef pinned_at_both_ends(Vec2 left = {0.0, 0.0}) {
+  ThesisDef def = cord_def(left);
+  def.pins = {0, 1, 40, 41};
+  return def;
+}
+
+b2Body* add_circle(b2World& world, Vec2 center, double radius, b2BodyType type = b2_dynamicBody, double density = 1.0,
+                   b2Filter filter = {}, bool sensor = false) {
+  b2BodyDef definition;
+  definition.type = type;
+  definition.position = to_float(center);
+  b2Body* body = world.CreateBody(&definition);
+  b2CircleShape shape;
+  shape.m_radius = static_cast<float>(radius);
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = static_cast<float>(density);
+  fixture.filter = filter;
+  fixture.isSensor = sensor;
+  body->CreateFixture(&fixture);
+  return body;
+}
+
+void tick(Coupling& coupling, b2World& world) {
+  coupling.gather(world, dt);
+  coupling.step(dt);
+  coupling.apply();
+  world.Step(static_cast<float>(dt), 8, 3);
+}
+
+double y_of(const b2Body* body) { return static_cast<double>(body->GetPosition().y); }
+
+Vec2 momentum(const b2Body* body) {
+  return static_cast<double>(body->GetMass()) * to_double(body->GetLinearVelocity());
+}
+
+/// Box2D's bodies in single precision and the cord in double lose nothing between them.
+TEST(Coupling, CordAndCirclesKeepTheirLinearMomentum) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  b2Body* light = add_circle(world, {1.0, 0.8}, 0.3, b2_dynamicBody, 0.7);
+  b2Body* heavy = add_circle(world, {3.1, -0.9}, 0.25, b2_dynamicBody, 40.0);
+  light->SetLinearVelocity({0.37F, -2.0F});
+  heavy->SetLinearVelocity({-0.21F, 1.3F});
+  heavy->SetAngularVelocity(3.0F);
+  const auto total = [&] { return test_support::momentum(coupling.cord(0)) + momentum(light) + momentum(heavy); };
+  const Vec2 before = total();
+  int contacts = 0;
+  for (int k = 0; k < 600; ++k) {
+    tick(coupling, world);
+    contacts += coupling.report(0).circle_contacts;
+    ASSERT_EQ(coupling.report(0).motion_limited, 0);
+    EXPECT_NEAR(length(total() - before), 0.0, 1e-9 * length(before)) << "tick " << k;
+  }
+  EXPECT_GT(contacts, 20);
+  EXPECT_GT(length(test_support::momentum(coupling.cord(0))), 0.1);  // it was hit
+}
+
+TEST(Coupling, ACircleFallsOntoACordAndIsCarried) {
+  b2World world({0.0F, -9.81F});
+  Coupling coupling;
+  ThesisDef def = pinned_at_both_ends();
+  def.drag = 1.0;
+  coupling.add(ThesisCord(def));
+  b2Body* ball = add_circle(world, {2.0, 1.0}, 0.3);
+  for (int k = 0; k < 1200; ++k) tick(coupling, world);
+  EXPECT_GT(y_of(ball), -1.0);
+  EXPECT_LT(static_cast<double>(ball->GetLinearVelocity().Length()), 0.02);
+  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+}
+
+TEST(Coupling, AFixtureOffItsBodysCentreIsMetWhereItIs) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  // A dumbbell: two circles on one body, 1 m either side of its centre, which itself is far from the cord.
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = {2.0F, 1.25F};
+  definition.angle = 0.5F * b2_pi;  // the local x axis points up
+  b2Body* body = world.CreateBody(&definition);
+  b2CircleShape shape;
+  shape.m_radius = 0.2F;
+  for (const float x : {-1.0F, 1.0F}) {
+    shape.m_p = {x, 0.0F};
+    body->CreateFixture(&shape, 1.0F);
+  }
+  body->SetLinearVelocity({0.0F, -1.0F});
+  int contacts = 0;
+  for (int k = 0; k < 30; ++k) {
+    tick(coupling, world);
+    contacts += coupling.report(0).circle_contacts;
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_GT(static_cast<double>(body->GetLinearVelocity().y), -0.95);
+}
+
+TEST(Coupling, AHitOffCentreTurnsABody) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = {2.0F, 0.45F};
+  b2Body* body = world.CreateBody(&definition);
+  b2CircleShape shape;
+  shape.m_radius = 0.2F;
+  for (const float x : {-0.9F, 0.9F}) {
+    shape.m_p = {x, x < 0.0F ? 0.0F : 1.0F};  // only the left one reaches the cord
+    body->CreateFixture(&shape, 1.0F);
+  }
+  body->SetLinearVelocity({0.0F, -2.0F});
+  for (int k = 0; k < 10; ++k) tick(coupling, world);
+  EXPECT_LT(static_cast<double>(body->GetAngularVelocity()), -0.1);  // pushed up on the left: clockwise
+}
+
+TEST(Coupling, StaticAndKinematicCirclesMoveTheCordAndAreNotMoved) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  b2Body* resting = add_circle(world, {0.5, 0.35}, 0.3, b2_staticBody);  // overlaps by 5 cm
+  b2Body* rising = add_circle(world, {3.0, -0.5}, 0.3, b2_kinematicBody);
+  rising->SetLinearVelocity({0.0F, 1.0F});
+  for (int k = 0; k < 60; ++k) tick(coupling, world);
+  EXPECT_EQ(y_of(resting), static_cast<double>(0.35F));
+  EXPECT_NEAR(y_of(rising), 0.5, 1e-5);
+  EXPECT_EQ(rising->GetLinearVelocity(), b2Vec2(0.0F, 1.0F));
+  for (const Vec2 p : coupling.cord(0).positions()) {
+    EXPECT_GT(length(p - Vec2{0.5, 0.35}), 0.3 - 2e-3);
+    EXPECT_GT(length(p - Vec2{3.0, y_of(rising)}), 0.3 - 2e-2);
+  }
+  EXPECT_GT(coupling.cord(0).positions()[30].y, 0.1);  // carried up
+}
+
+struct FilterCase {
+  const char* name;
+  b2Filter cord;
+  b2Filter circle;
+  bool meet;
+};
+
+b2Filter filter(std::uint16_t category, std::uint16_t mask, std::int16_t group = 0) {
+  b2Filter result;
+  result.categoryBits = category;
+  result.maskBits = mask;
+  result.groupIndex = group;
+  return result;
+}
+
+TEST(Coupling, FilterBitsDecideAsBetweenTwoFixtures) {
+  const FilterCase cases[] = {
+      {"both want", filter(2, 0xFFFF), filter(1, 0xFFFF), true},
+      {"the cord's mask leaves it out", filter(2, 0xFFFE), filter(1, 0xFFFF), false},
+      {"the circle's mask leaves it out", filter(2, 0xFFFF), filter(1, 0xFFFD), false},
+      {"a positive group joins", filter(2, 0, 3), filter(1, 0, 3), true},
+      {"a negative group parts", filter(2, 0xFFFF, -3), filter(1, 0xFFFF, -3), false},
+      {"different groups leave it to the bits", filter(2, 0xFFFF, -3), filter(1, 0xFFFF, -4), true},
+  };
+  for (const FilterCase& c : cases) {
+    b2World world({0.0F, 0.0F});
+    Coupling coupling;
+    coupling.add(ThesisCord(cord_def()), c.cord);
+    add_circle(world, {2.0, 0.3}, 0.3, b2_staticBody, 1.0, c.circle);
+    tick(coupling, world);
+    EXPECT_EQ(coupling.report(0).circle_contacts > 0, c.meet) << c.name;
+  }
+}
+
+TEST(Coupling, SensorsAndDisabledBodiesAreIgnored) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  add_circle(world, {2.0, 0.3}, 0.3, b2_staticBody, 1.0, {}, true);
+  b2Body* disabled = add_circle(world, {3.0, 0.3}, 0.3, b2_staticBody);
+  disabled->SetEnabled(false);
+  tick(coupling, world);
+  EXPECT_EQ(coupling.report(0).circle_contacts, 0);
+  disabled->SetEnabled(true);
+  tick(coupling, world);
+  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+}
+
+TEST(Coupling, ABodyThatNothingTouchesIsLeftToBox2D) {
+  const auto fall = [](bool with_cord) {
+    b2World world({0.0F, -9.81F});
+    Coupling coupling;
+    if (with_cord) coupling.add(ThesisCord(pinned_at_both_ends({0.0, -40.0})));
+    b2Body* ball = add_circle(world, {2.0, 1.0}, 0.3);
+    for (int k = 0; k < 60; ++k) tick(coupling, world);
+    return ball->GetPosition();
+  };
+  EXPECT_EQ(fall(true), fall(false));
+}
+
+TEST(Coupling, ASleepingCircleIsWokenOnlyWhenPushed) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  b2Body* near = add_circle(world, {1.0, 0.55}, 0.3);
+  b2Body* touching = add_circle(world, {3.0, 0.35}, 0.3);
+  near->SetAwake(false);
+  touching->SetAwake(false);
+  coupling.gather(world, dt);
+  coupling.step(dt);
+  coupling.apply();
+  EXPECT_FALSE(near->IsAwake());
+  EXPECT_TRUE(touching->IsAwake());
+}
+
+TEST(Coupling, BodiesComeAndGoBetweenTicks) {
+  b2World world({0.0F, -9.81F});
+  Coupling coupling;
+  coupling.add(ThesisCord(pinned_at_both_ends()));
+  b2Body* ball = add_circle(world, {2.0, 0.4}, 0.3);
+  for (int k = 0; k < 30; ++k) tick(coupling, world);
+  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+  world.DestroyBody(ball);  // while it touches
+  tick(coupling, world);
+  EXPECT_EQ(coupling.report(0).circle_contacts, 0);
+  ball = add_circle(world, {2.0, 0.4}, 0.3);
+  ball->DestroyFixture(ball->GetFixtureList());
+  for (int k = 0; k < 10; ++k) tick(coupling, world);
+  EXPECT_TRUE(test_support::all_finite(coupling.cord(0)));
+}
+
+// --- holding ---------------------------------------------------------------------------------------------------------
+
+/// A cord that hangs from (0, 0) and a body of `mass` at its end, which holds the end's first point.
+struct Hanging {
+  b2World world{{0.0F, -9.81F}};
+  Coupling coupling;
+  b2Body* body = nullptr;
+
+  explicit Hanging(double mass, double drag = 0.5) {
+    ThesisDef def = cord_def();
+    def.drag = drag;
+    def.substeps = 16;
+    def.positions = ribbon::lay_along(std::array{Vec2{0.0, 0.0}, Vec2{0.0, -1.0}}, def.w, def.h, def.spacing);
+    def.pins = {0, 1};
+    b2Filter nothing;
+    nothing.maskBits = 0;
+    coupling.add(ThesisCord(def), nothing);
+    body = add_circle(world, end(), 0.1, b2_dynamicBody, mass / (std::numbers::pi * 0.01));
+    coupling.hold(0, 40, *body, {0.0F, 0.0F});
+  }
+  Vec2 end() const { return coupling.cord(0).positions()[40]; }
+  void run(int ticks) {
+    for (int k = 0; k < ticks; ++k) tick(coupling, world);
+  }
+};
+
+TEST(CouplingHold, TheCordCarriesTheBodyAndPullsWithItsWeight) {
+  Hanging hanging(1.0, 2.0);
+  hanging.run(1800);
+  EXPECT_NEAR(y_of(hanging.body), -4.0, 0.2);
+  EXPECT_LT(static_cast<double>(hanging.body->GetLinearVelocity().Length()), 0.01);
+  EXPECT_NEAR(length(hanging.end() - to_double(hanging.body->GetPosition())), 0.0, 1e-3);
+  // The impulse of one more tick holds against gravity.
+  const b2Vec2 before = hanging.body->GetLinearVelocity();
+  hanging.coupling.gather(hanging.world, dt);
+  hanging.coupling.step(dt);
+  hanging.coupling.apply();
+  const double gain = static_cast<double>(hanging.body->GetLinearVelocity().y - before.y);
+  EXPECT_NEAR(gain / dt, 9.81, 0.1);
+}
+
+/// Swings a hanging body; its widest excursions to the right, one a period.
+std::vector<double> excursions(Hanging& hanging, int ticks) {
+  std::vector<double> widest;
+  double last_speed = 0.0;
+  for (int k = 0; k < ticks; ++k) {
+    hanging.run(1);
+    const double speed = hanging.coupling.velocity(*hanging.body).x;
+    if (last_speed > 0.0 && speed <= 0.0) widest.push_back(static_cast<double>(hanging.body->GetPosition().x));
+    last_speed = speed;
+  }
+  return widest;
+}
+
+TEST(CouplingHold, SwingsOnLikeAPendulum) {
+  Hanging hanging(5.0, 0.0);
+  hanging.run(300);
+  hanging.body->SetLinearVelocity({4.0F, 0.0F});
+  const std::vector<double> widest = excursions(hanging, 2400);
+  ASSERT_GE(widest.size(), 9U);
+  EXPECT_GT(widest[0], 1.8);
+  EXPECT_LT(widest[0], 2.45);  // what 4 m/s is good for on 4 m
+  for (std::size_t k = 1; k < widest.size(); ++k) {
+    EXPECT_LT(widest[k], 1.002 * widest[k - 1]);
+    EXPECT_GT(widest[k], 0.98 * widest[k - 1]);  // without what is carried on: 0.945
+  }
+}
+
+TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
+  for (const bool wall : {true, false}) {
+    Hanging hanging(5.0, 0.0);
+    hanging.run(120);
+    b2BodyDef definition;
+    definition.position = wall ? b2Vec2(1.2F, -4.0F) : b2Vec2(0.0F, -4.65F);
+    b2PolygonShape box;
+    box.SetAsBox(wall ? 0.5F : 20.0F, wall ? 20.0F : 0.5F);
+    hanging.world.CreateBody(&definition)->CreateFixture(&box, 0.0F);
+    hanging.body->SetLinearVelocity({6.0F, wall ? 0.0F : -6.0F});
+    const double start = y_of(hanging.body);
+    double fastest = 0.0;
+    double highest = start;
+    for (int k = 0; k < 1200; ++k) {
+      hanging.run(1);
+      fastest = std::max(fastest, length(hanging.coupling.velocity(*hanging.body)));
+      highest = std::max(highest, y_of(hanging.body));
+    }
+    EXPECT_LT(fastest, 8.6) << wall;
+    EXPECT_LT(highest, start + 72.0 / (2.0 * 9.81) + 0.2) << wall;
+    EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0)));
+  }
+}
+
+TEST(CouplingHold, LetGoTheBodyKeepsItsVelocity) {
+  Hanging hanging(2.0);
+  hanging.body->SetLinearVelocity({3.0F, 0.0F});
+  hanging.run(20);
+  const Vec2 velocity = hanging.coupling.velocity(*hanging.body);
+  EXPECT_TRUE(hanging.coupling.held_by(*hanging.body));
+  EXPECT_TRUE(hanging.coupling.release(*hanging.body));
+  EXPECT_FALSE(hanging.coupling.release(*hanging.body));
+  EXPECT_FALSE(hanging.coupling.held_by(*hanging.body));
+  hanging.run(1);
+  EXPECT_NEAR(length(hanging.coupling.velocity(*hanging.body) - velocity - Vec2{0.0, -9.81 * dt}), 0.0, 1e-5);
+}
+
+TEST(CouplingHold, KeepsTheMomentumOfCordAndHolder) {
+  b2World world({0.0F, 0.0F});
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  b2Body* body = add_circle(world, {4.5, 0.3}, 0.2, b2_dynamicBody, 8.0);
+  body->SetLinearVelocity({1.0F, 2.0F});
+  body->SetAngularVelocity(2.0F);
+  coupling.hold(0, 41, *body, {-0.5F, -0.2F});  // where the cord's last point is
+  const auto total = [&] {
+    return test_support::momentum(coupling.cord(0)) + static_cast<double>(body->GetMass()) * coupling.velocity(*body);
+  };
+  const Vec2 before = total();
+  for (int k = 0; k < 600; ++k) {
+    tick(coupling, world);
+    const Vec2 now = total();
+    ASSERT_EQ(coupling.report(0).motion_limited, 0);
+    ASSERT_NEAR(length(now - before), 0.0, 1e-9 * length(before)) << "tick " << k;
+  }
+}
+
+TEST(CouplingHold, AHolderThatIsDestroyedLetsGo) {
+  Hanging hanging(2.0);
+  hanging.run(10);
+  hanging.world.DestroyBody(hanging.body);  // without telling the coupling
+  hanging.run(10);
+  EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0)));
+
+  Hanging told(2.0);
+  told.run(10);
+  told.coupling.forget(*told.body);
+  told.world.DestroyBody(told.body);
+  b2Body* next = add_circle(told.world, {5.0, 5.0}, 0.1);  // Box2D likes to use the same address again
+  told.run(10);
+  EXPECT_FALSE(told.coupling.held_by(*next));
+  EXPECT_NEAR(static_cast<double>(next->GetPosition().x), 5.0, 1e-6);
+}
+
+TEST(CouplingHold, RefusesWhatDoesNotExist) {
+  Hanging hanging(2.0);
+  EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, {}), ribbon::DefinitionError);
+  EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, {}), ribbon::DefinitionError);
+  EXPECT_THROW(hanging.coupling.hold(0, 42, *hanging.body, {}), ribbon::DefinitionError);
+  EXPECT_EQ(hanging.coupling.held_by(*hanging.body)->point, 40);  // as before
+}
+
+TEST(Coupling, FindsTheNearestPointWithinReach) {
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  coupling.add(ThesisCord(cord_def({0.0, 2.0})));
+  const auto nearest = coupling.nearest_point({1.0, 1.8}, 0.5);
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->cord, 1);
+  EXPECT_EQ(nearest->point, 10);
+  EXPECT_NEAR(nearest->distance, 0.1, 1e-12);
+  EXPECT_FALSE(coupling.nearest_point({1.0, 1.0}, 0.5));
+}
+
+}  // namespace
+}  // namespace engine

@@ -1,0 +1,203 @@
+#include "game/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "engine/tick.h"
+#include "game/buttons.h"
+#include "game/level.h"
+#include "tests/support/autopilot.h"
+
+namespace game {
+namespace {
+
+const Level& first_swing() {
+  static const Level level = load_level("first_swing");
+  return level;
+}
+
+engine::TickInput press(int buttons) {
+  engine::TickInput input;
+  input.buttons = static_cast<std::uint16_t>(buttons);
+  return input;
+}
+
+/// The inputs of the autopilot's winning run.
+const std::vector<engine::TickInput>& winning_inputs() {
+  static const std::vector<engine::TickInput> inputs = [] {
+    Simulation simulation(first_swing());
+    test_support::Autopilot autopilot;
+    std::vector<engine::TickInput> recorded;
+    while (!simulation.goal_ticks() && recorded.size() < 3600) {
+      recorded.push_back(press(autopilot.buttons(simulation)));
+      simulation.tick(recorded.back());
+    }
+    EXPECT_TRUE(simulation.goal_ticks());
+    return recorded;
+  }();
+  return inputs;
+}
+
+TEST(Level, FirstSwingHasWhatTheIssueOfPlayingNeeds) {
+  const Simulation simulation(first_swing());
+  EXPECT_GE(simulation.scene().coupling().size(), 3);
+  int circles = 0;
+  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    const bool circle = body->GetFixtureList()->GetType() == b2Shape::e_circle;
+    if (body->GetType() == b2_dynamicBody && circle) ++circles;
+  }
+  EXPECT_GE(circles, 3);
+}
+
+TEST(Level, FirstSwingCanBeWon) {
+  EXPECT_LT(winning_inputs().size(), 1800U);
+}
+
+TEST(Level, BallsRollFallAndAreCaughtByTheHammock) {
+  Simulation simulation(first_swing());
+  for (int k = 0; k < 600; ++k) simulation.tick({});
+  int caught = 0;
+  for (std::size_t b = 0; b < simulation.current().bodies.size(); ++b) {
+    const ribbon::Vec2 at = simulation.current().bodies[b].position;
+    if (at.x > 32.4 && at.x < 39.2 && at.y > 5.5 && at.y < 9.0) ++caught;
+  }
+  EXPECT_GE(caught, 3);
+}
+
+/// The loop of the game at a given frame rate: the state after the same ticks is the same.
+std::uint64_t hash_at_frame_rate(int frames_per_second) {
+  Simulation simulation(first_swing());
+  engine::FixedTick clock(ticks_per_second);
+  std::size_t next = 0;
+  while (next < winning_inputs().size()) {
+    int due = clock.advance(1'000'000'000 / frames_per_second);
+    while (due-- > 0 && next < winning_inputs().size()) simulation.tick(winning_inputs()[next++]);
+    interpolate(simulation.previous(), simulation.current(), clock.alpha());  // drawing must not change anything
+  }
+  return simulation.hash().combined();
+}
+
+TEST(SimulationSameBits, At20And60And144FramesASecond) {
+  const std::uint64_t at_60 = hash_at_frame_rate(60);
+  EXPECT_EQ(hash_at_frame_rate(20), at_60);
+  EXPECT_EQ(hash_at_frame_rate(144), at_60);
+}
+
+TEST(SimulationSameBits, RestartBeginsTheVerySameRun) {
+  Simulation fresh(first_swing());
+  Simulation restarted(first_swing());
+  for (int k = 0; k < 100; ++k) restarted.tick(press(button_right));
+  restarted.tick(press(button_restart | button_right));
+  fresh.tick(press(button_right));
+  for (int k = 0; k < 200; ++k) {
+    fresh.tick(winning_inputs()[static_cast<std::size_t>(k)]);
+    restarted.tick(winning_inputs()[static_cast<std::size_t>(k)]);
+  }
+  // All but the game's own counters, which know of the first run.
+  const auto a = fresh.hash().parts();
+  const auto b = restarted.hash().parts();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 1; k < a.size(); ++k) EXPECT_EQ(a[k], b[k]);
+  EXPECT_EQ(restarted.run_ticks(), 201);
+}
+
+TEST(Simulation, HoldingRestartRestartsOnce) {
+  Simulation simulation(first_swing());
+  for (int k = 0; k < 10; ++k) simulation.tick(press(button_restart));
+  EXPECT_EQ(simulation.run_ticks(), 10);
+}
+
+TEST(Simulation, WhoFallsIsPutBackToTheStart) {
+  Simulation simulation(first_swing());
+  for (int k = 0; k < 240 && simulation.falls() == 0; ++k) simulation.tick(press(button_right));
+  EXPECT_EQ(simulation.falls(), 1);
+  EXPECT_NEAR(simulation.player().position().x, first_swing().player_start.x, 0.2);
+}
+
+TEST(Simulation, ThePointerDragsACordPointAndLetsGo) {
+  Simulation simulation(first_swing());
+  const auto end = simulation.scene().coupling().cord(0).mesh().size() - 1;
+  engine::TickInput input = press(button_drag);
+  engine::set_pointer(input, simulation.scene().coupling().cord(0).positions()[static_cast<std::size_t>(end)]);
+  simulation.tick(input);
+  engine::set_pointer(input, {12.0, 8.0});
+  for (int k = 0; k < 30; ++k) simulation.tick(input);
+  const ribbon::ThesisCord& cord = simulation.scene().coupling().cord(0);
+  int operated = -1;
+  for (int p = 0; p < cord.mesh().size(); ++p) {
+    if (cord.kind(p) == ribbon::PointKind::operated) operated = p;
+  }
+  ASSERT_GE(operated, end - 1);
+  EXPECT_EQ(cord.positions()[static_cast<std::size_t>(operated)], (ribbon::Vec2{12.0, 8.0}));
+  simulation.tick({});
+  EXPECT_EQ(cord.kind(operated), ribbon::PointKind::free);
+}
+
+// --- the player --------------------------------------------------------------------------------------------------------
+
+TEST(Player, RunsUpToHisSpeedAndStops) {
+  Simulation simulation(first_swing());
+  for (int k = 0; k < 40; ++k) simulation.tick(press(button_right));
+  EXPECT_NEAR(static_cast<double>(simulation.player().body().GetLinearVelocity().x), 6.0, 1e-3);
+  for (int k = 0; k < 20; ++k) simulation.tick({});
+  EXPECT_NEAR(static_cast<double>(simulation.player().body().GetLinearVelocity().x), 0.0, 1e-3);
+}
+
+TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
+  Simulation simulation(first_swing());
+  for (int k = 0; k < 10; ++k) simulation.tick({});
+  const double ground = simulation.player().position().y;
+  double highest = ground;
+  int on_ground = 0;
+  for (int k = 0; k < 200; ++k) {  // the button stays down
+    simulation.tick(press(button_jump));
+    highest = std::max(highest, simulation.player().position().y);
+    if (k > 100) on_ground += simulation.player().is_on_ground() ? 1 : 0;
+  }
+  EXPECT_NEAR(highest - ground, 6.5 * 6.5 / (2.0 * 9.81), 0.1);
+  EXPECT_EQ(on_ground, 99);
+}
+
+TEST(Player, CatchesHangsPumpsAndLetsGoWithItsVelocity) {
+  Simulation simulation(first_swing());
+  test_support::Autopilot autopilot;
+  const auto held = [&] { return simulation.scene().coupling().held_by(simulation.player().body()); };
+  while (!held() && simulation.ticks() < 300) simulation.tick(press(autopilot.buttons(simulation)));
+  ASSERT_TRUE(held());
+  for (int k = 0; k < 30; ++k) simulation.tick(press(button_grab | button_right));
+  ASSERT_TRUE(held());
+  const ribbon::Vec2 point =
+      simulation.current().cords[static_cast<std::size_t>(held()->cord)][static_cast<std::size_t>(held()->point)];
+  EXPECT_LT(length(point - simulation.player().hand()), 0.1);  // it has come to the hand
+  const ribbon::Vec2 before = simulation.scene().coupling().velocity(simulation.player().body());
+  simulation.tick(press(button_right));  // grab is up
+  EXPECT_FALSE(held());
+  const ribbon::Vec2 after = simulation.scene().coupling().velocity(simulation.player().body());
+  EXPECT_NEAR(length(after - before - ribbon::Vec2{0.0, -9.81 / 60.0}), 0.0, 1e-4);
+}
+
+/// Pumping in time with the swing adds height, and against it takes height away.
+TEST(Player, PumpingAtTheRightTimePays) {
+  const auto height_after = [](int sign) {
+    Simulation simulation(first_swing());
+    test_support::Autopilot autopilot;
+    const auto held = [&] { return simulation.scene().coupling().held_by(simulation.player().body()); };
+    while (!held() && simulation.ticks() < 300) simulation.tick(press(autopilot.buttons(simulation)));
+    double highest = 0.0;
+    for (int k = 0; k < 600; ++k) {
+      const float speed = simulation.player().body().GetLinearVelocity().x;
+      const bool right = static_cast<double>(speed) * sign > 0.0;
+      const int pump = sign == 0 ? 0 : (right ? button_right : button_left);
+      simulation.tick(press(button_grab | pump));
+      if (k > 300) highest = std::max(highest, simulation.player().position().y);
+    }
+    return highest;
+  };
+  const double idle = height_after(0);
+  EXPECT_GT(height_after(1), idle + 0.5);
+  EXPECT_LT(height_after(-1), idle);
+}
+
+}  // namespace
+}  // namespace game
