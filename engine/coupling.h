@@ -29,14 +29,14 @@ struct CordPoint {
 ///
 /// The response is shared by mass: cord and bodies together keep their linear momentum to double precision.
 ///
-/// A body that holds a cord moves in the tick as the cord saw it, on a curve; Box2D can only take it straight to the end
-/// of that curve, at the mean velocity. The difference to the velocity at the end, half the acceleration times dt, is
-/// kept here and carried into the next tick (without it a swing loses a tenth of its energy a period); so what
+/// A body that holds a cord moves in the tick as the cord saw it, on a curve; Box2D can only take it straight to the
+/// end of that curve, at the mean velocity. The difference to the velocity at the end, half the acceleration times dt,
+/// is kept here and carried into the next tick (without it a swing loses a tenth of its energy a period); so what
 /// GetLinearVelocity shows of a holder is the mean of the last tick, and `velocity` the momentary one. Letting go gives
 /// the difference back.
 ///
-/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept but for
-/// those that hold a cord, and a held cord is let go when its holder is no longer in the world.
+/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept
+/// but for those that hold a cord, and a held cord is let go when its holder is no longer in the world.
 class Coupling {
  public:
   /// `filter` decides as between two Box2D fixtures which circles the cord meets.
@@ -87,7 +87,7 @@ class Coupling {
     CordIndex cord;
     int point;
     b2Vec2 local_hand;
-    ribbon::Vec2 ahead;         // m/s, the momentary velocity less Box2D's
+    ribbon::Vec2 ahead;          // m/s, the momentary velocity less Box2D's
     double ahead_turning = 0.0;  // rad/s, the same of the rotation
   };
   struct GatheredBody {

@@ -130,8 +130,8 @@ void Scene::build_ground(const MapObject& object) {
 
 void Scene::build_circle(const MapObject& object) {
   const Properties& p = object.properties;
-  p.check_known_properties({"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y",
-                            "spin"});
+  p.check_known_properties(
+      {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin"});
   if (object.shape != MapShape::ellipse || std::abs(object.size.x - object.size.y) > 1e-3 * object.size.x) {
     throw object.error("a circle is a " + std::string(shape_name(object.shape)) + " of " +
                        number_in_words(object.size.x) + " by " + number_in_words(object.size.y) +

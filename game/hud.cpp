@@ -33,7 +33,8 @@ void draw_box(Canvas& canvas, Vec2 at, const Lines& lines) {
   const double height = step * static_cast<double>(lines.text.size());
   canvas.panel(at, {width + 2.0 * margin, height + margin}, 0.5 * lines.size, paper);
   for (std::size_t k = 0; k < lines.text.size(); ++k) {
-    canvas.text(at + Vec2{margin, 0.5 * margin + step * static_cast<double>(k)}, lines.text[k], lines.size, lines.color);
+    canvas.text(at + Vec2{margin, 0.5 * margin + step * static_cast<double>(k)}, lines.text[k], lines.size,
+                lines.color);
   }
 }
 
@@ -50,8 +51,9 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
 }
 
 std::vector<std::string> keys_in_words() {
-  return {"Arrows or A D: run, pump", "Space: jump, let go", "Hold E or Shift: catch a cord", "R: start again",
-          "P: pause   N: one tick", "F1: debug view, drag by mouse", "F12: screenshot   H: hide this"};
+  return {
+      "Arrows or A D: run, pump", "Space: jump, let go",           "Hold E or Shift: catch a cord", "R: start again",
+      "P: pause   N: one tick",   "F1: debug view, drag by mouse", "F12: screenshot   H: hide this"};
 }
 
 std::vector<std::string> counts_in_words(const Simulation& simulation) {

@@ -17,7 +17,8 @@ constexpr int long_ago = 1'000'000;  // ticks
 
 b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
   const auto radius = static_cast<float>(tuning.radius);
-  const auto straight = static_cast<float>(0.5 * tuning.height - tuning.radius);  // half of the part between the circles
+  const auto straight =
+      static_cast<float>(0.5 * tuning.height - tuning.radius);  // half of the part between the circles
 
   b2BodyDef definition;
   definition.type = b2_dynamicBody;

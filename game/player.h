@@ -12,20 +12,20 @@ namespace game {
 
 /// How the player moves: change these to change the feel. Ticks are 1/60 s.
 struct PlayerTuning {
-  double radius = 0.3;            ///< m, of feet and head
-  double height = 1.5;            ///< m
-  double mass = 5.0;              ///< kg: what the cords of the thesis's method carry without stretching much
-  double run_speed = 6.0;         ///< m/s
-  double ground_gain = 40.0;      ///< m/s², towards the run speed
-  double air_gain = 9.0;          ///< m/s², in the air, and only to gain speed, never to lose what a swing gave
-  double jump_speed = 6.5;        ///< m/s, upwards: 2.1 m high
-  double pump_gain = 4.5;         ///< m/s², across the cord while hanging
-  double reach = 1.0;             ///< m, from the hand to the cord point it can catch
-  double pull_in = 0.25;          ///< share of the way from where it caught the cord to the hand, a tick
-  double hand_height = 0.95;      ///< m above the middle of the body
-  double ground_slope = 0.5;      ///< least upward part of the normal of what counts as ground
-  int coyote_ticks = 6;           ///< a jump still counts this long after the ground was left
-  int jump_buffer_ticks = 6;      ///< and this long before it is reached
+  double radius = 0.3;        ///< m, of feet and head
+  double height = 1.5;        ///< m
+  double mass = 5.0;          ///< kg: what the cords of the thesis's method carry without stretching much
+  double run_speed = 6.0;     ///< m/s
+  double ground_gain = 40.0;  ///< m/s², towards the run speed
+  double air_gain = 9.0;      ///< m/s², in the air, and only to gain speed, never to lose what a swing gave
+  double jump_speed = 6.5;    ///< m/s, upwards: 2.1 m high
+  double pump_gain = 4.5;     ///< m/s², across the cord while hanging
+  double reach = 1.0;         ///< m, from the hand to the cord point it can catch
+  double pull_in = 0.25;      ///< share of the way from where it caught the cord to the hand, a tick
+  double hand_height = 0.95;  ///< m above the middle of the body
+  double ground_slope = 0.5;  ///< least upward part of the normal of what counts as ground
+  int coyote_ticks = 6;       ///< a jump still counts this long after the ground was left
+  int jump_buffer_ticks = 6;  ///< and this long before it is reached
 };
 
 /// The player: a Box2D body, and what the hands and feet remember.

@@ -15,8 +15,8 @@ namespace game {
 /// against it if it is to be verified, and each is recorded as it happens.
 class RecordedRun {
  public:
-  /// Loads the replay and the level. Throws engine::ReplayError or engine::MapError: a file that is none, or a replay of
-  /// another level or of other settings.
+  /// Loads the replay and the level. Throws engine::ReplayError or engine::MapError: a file that is none, or a replay
+  /// of another level or of other settings.
   explicit RecordedRun(const RunOptions& options);
   RecordedRun(const RecordedRun&) = delete;
   RecordedRun& operator=(const RecordedRun&) = delete;

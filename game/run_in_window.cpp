@@ -72,9 +72,7 @@ class WindowGame {
   }
 
  private:
-  bool is_over() const {
-    return run_.is_over() || (options_.ticks && run_.simulation().ticks() >= *options_.ticks);
-  }
+  bool is_over() const { return run_.is_over() || (options_.ticks && run_.simulation().ticks() >= *options_.ticks); }
 
   void obey_keys(const WindowInput& input) {
     if (input.pressed(Key::p)) view_options_.paused = !view_options_.paused;

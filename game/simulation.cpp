@@ -92,8 +92,7 @@ void Simulation::watch_the_player() {
   if (at.y > -abyss) return;
   ++falls_;
   scene_->coupling().release(player_->body());
-  player_->body().SetTransform(
-      to_float(level_->player_start + Vec2{0.0, 0.5 * player_->tuning().height}), 0.0F);
+  player_->body().SetTransform(to_float(level_->player_start + Vec2{0.0, 0.5 * player_->tuning().height}), 0.0F);
   player_->body().SetLinearVelocity({0.0F, 0.0F});
 }
 

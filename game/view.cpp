@@ -201,8 +201,8 @@ void View::draw(Canvas& canvas, double alpha, const ViewOptions& options) {
     draw_cord(canvas, coupling.cord(c), now.cords[static_cast<std::size_t>(c)]);
   }
   const auto held = coupling.held_by(player.body());
-  const Vec2* held_at = held ? &now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)]
-                             : nullptr;
+  const Vec2* held_at =
+      held ? &now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)] : nullptr;
   draw_player(canvas, player, player_at, held_at);
   if (options.debug) {
     for (int c = 0; c < coupling.size(); ++c) {

@@ -7,7 +7,7 @@ namespace game {
 
 /// What is shown besides the world itself.
 struct ViewOptions {
-  bool debug = false;   ///< the cords' points and connections, coloured as in Goto 2017, Fig. 4.1, and the step's counts
+  bool debug = false;  ///< the cords' points and connections, coloured as in Goto 2017, Fig. 4.1, and the step's counts
   bool paused = false;
   bool watching = false;  ///< a replay, so the keys do not steer
   bool help = true;

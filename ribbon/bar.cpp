@@ -26,8 +26,6 @@ void add_bar_stiffness(BandedMatrix& matrix, int a, int b, Vec2 direction, doubl
   }
 }
 
-Vec2 bar_force(Vec2 direction, double k, Vec2 u_a, Vec2 u_b) {
-  return (k * dot(direction, u_b - u_a)) * direction;
-}
+Vec2 bar_force(Vec2 direction, double k, Vec2 u_a, Vec2 u_b) { return (k * dot(direction, u_b - u_a)) * direction; }
 
 }  // namespace ribbon

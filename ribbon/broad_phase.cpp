@@ -37,8 +37,7 @@ void BroadPhase::reserve(std::size_t circles) {
   list_.reserve(circles * std::min(room_a_circle, all_.size()));
 }
 
-void BroadPhase::update(std::span<const Vec2> positions, std::span<const Vec2> centers,
-                        std::span<const double> radii) {
+void BroadPhase::update(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii) {
   if (stale_ || moved_too_far(positions, centers)) build(positions, centers, radii);
 }
 
@@ -48,8 +47,7 @@ bool BroadPhase::moved_too_far(std::span<const Vec2> positions, std::span<const 
   return !circles_are_points_ && !all_within(centers, centers_then_, half);
 }
 
-void BroadPhase::build(std::span<const Vec2> positions, std::span<const Vec2> centers,
-                       std::span<const double> radii) {
+void BroadPhase::build(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii) {
   for (std::size_t t = 0; t < boxes_.size(); ++t) {
     const Triangle& triangle = mesh_->triangles[t];
     const Vec2 a = positions[at(triangle.a)];

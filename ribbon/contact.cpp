@@ -84,8 +84,7 @@ bool is_inside(Vec2 c, const std::array<Vec2, 3>& corners) {
 
 std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, std::span<const Vec2> positions,
                                     const Circle& circle) {
-  const std::array<Vec2, 3> corners = {positions[at(triangle.a)], positions[at(triangle.b)],
-                                       positions[at(triangle.c)]};
+  const std::array<Vec2, 3> corners = {positions[at(triangle.a)], positions[at(triangle.b)], positions[at(triangle.c)]};
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const Vec2 c = circle.center;

@@ -6,8 +6,8 @@
 
 namespace ribbon {
 
-/// A rigid body that circles belong to, as it is at the start of a step. A step reads it, adds to the impulses, and says
-/// how it saw the body move; the body's owner applies the impulses and moves it.
+/// A rigid body that circles belong to, as it is at the start of a step. A step reads it, adds to the impulses, and
+/// says how it saw the body move; the body's owner applies the impulses and moves it.
 struct RigidBody {
   Vec2 position;                  ///< m, centre of mass
   Vec2 velocity;                  ///< m/s, of the centre of mass

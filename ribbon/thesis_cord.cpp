@@ -14,7 +14,7 @@
 namespace ribbon {
 namespace {
 
-constexpr double self_push_in_radii = 0.5;    // most of an overlap resolved a pair: more throws crumpled cords apart
+constexpr double self_push_in_radii = 0.5;     // most of an overlap resolved a pair: more throws crumpled cords apart
 constexpr double drag_speeds_to_follow = 2.0;  // a free point may outrun the fastest driven one by this factor
 
 std::vector<Vec2> start_positions(const ThesisDef& def) {

@@ -124,7 +124,7 @@ class ThesisCord {
 
   std::unique_ptr<BroadPhase> self_phase_;  // if the cord declares self-collision
   std::vector<double> own_radii_;
-  std::vector<char> tangled_;  // by column: 1 where the cord crosses itself in this step
+  std::vector<char> tangled_;                 // by column: 1 where the cord crosses itself in this step
   std::unique_ptr<BroadPhase> circle_phase_;  // made when the first circle comes near
   std::vector<BodyMotion> motions_;
   std::vector<Vec2> circle_offsets_;

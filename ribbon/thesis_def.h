@@ -20,14 +20,14 @@ struct ThesisDef {
   double spacing = 0.05;            ///< m, between neighbours at rest, 1e-6 … 1e6
   double point_mass = 0.002;        ///< kg a point, 1e-9 … 1e9
   double spring_stiffness = 190.0;  ///< N/m, Ks of Eq. 3.20 as a physical stiffness, 0 … 1e15: the memory of shape
-  double bar_damping = 5.0;         ///< N·s/m, η of the FEM bars, 0 … 1e15: η·substeps/(dt·mass) of 1–10 behaves well
-  double drag = 0.0;                ///< 1/s, rate at which free motion dies away, 0 … 1e6
-  double area_stiffness = 0.5;      ///< share of a squashed triangle's missing area given back a substep, 0 … 1
-  double area_floor = 0.3;          ///< of the rest area, below which a triangle counts as squashed, 0 … 0.9
-  bool self_collision = false;      ///< point circles against the cord's own triangles
-  double radius = 0.0;              ///< m, of the point circles, 0 … spacing / 2 (more would touch at rest); 0 takes
-                                    ///< 0.4 · spacing
-  int substeps = 8;                 ///< N of Fig. 3.6, 1 … 4096: accuracy for time
+  double bar_damping = 5.0;  ///< N·s/m, η of the FEM bars, 0 … 1e15: η·substeps/(dt·mass) of 1–10 behaves well
+  double drag = 0.0;         ///< 1/s, rate at which free motion dies away, 0 … 1e6
+  double area_stiffness = 0.5;  ///< share of a squashed triangle's missing area given back a substep, 0 … 1
+  double area_floor = 0.3;      ///< of the rest area, below which a triangle counts as squashed, 0 … 0.9
+  bool self_collision = false;  ///< point circles against the cord's own triangles
+  double radius = 0.0;          ///< m, of the point circles, 0 … spacing / 2 (more would touch at rest); 0 takes
+                                ///< 0.4 · spacing
+  int substeps = 8;             ///< N of Fig. 3.6, 1 … 4096: accuracy for time
 
   /// Initial positions by index, w·h of them; empty lays the grid out from the origin along +x.
   std::vector<Vec2> positions;

@@ -34,12 +34,13 @@ std::string whole(const std::string& name, const std::string& value) {
 const std::string line = R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":40}])";
 const std::string disc = R"("width":10,"height":10,"ellipse":true)";
 const std::string box = R"("width":40,"height":10)";
-const std::string cord_properties = whole("columns", "9") + "," + number("mass", "1.8") + "," +
-                                    number("spring_stiffness", "1000");
+const std::string cord_properties =
+    whole("columns", "9") + "," + number("mass", "1.8") + "," + number("spring_stiffness", "1000");
 
 TEST(Scene, BuildsWhatTheMapDeclares) {
-  const Scene scene(map_with(object("cord", line, cord_properties + "," + whole("rows", "3") +
-                                                       R"(,{"name":"pin_first","type":"bool","value":true})")),
+  const Scene scene(map_with(object("cord", line,
+                                    cord_properties + "," + whole("rows", "3") +
+                                        R"(,{"name":"pin_first","type":"bool","value":true})")),
                     {});
   ASSERT_EQ(scene.coupling().size(), 1);
   const ribbon::ThesisCord& cord = scene.coupling().cord(0);
@@ -92,8 +93,8 @@ TEST(Scene, RefusesWhatItCannotBuild) {
   expect_refused(object("cord", line, cord_properties + "," + whole("rows", "1")), "rows");
   expect_refused(object("cord", line, cord_properties + "," + number("stiffness", "1")), "stiffness");
   expect_refused(object("cord", line, cord_properties + "," + whole("substeps", "0")), "substeps");
-  expect_refused(object("cord", line, whole("columns", "9") + "," + number("mass", "0") + "," +
-                                          number("spring_stiffness", "1000")),
+  expect_refused(object("cord", line,
+                        whole("columns", "9") + "," + number("mass", "0") + "," + number("spring_stiffness", "1000")),
                  "mass");
   expect_refused(object("cord", R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":0}])", cord_properties),
                  "millimetre");

@@ -50,9 +50,7 @@ TEST(Level, FirstSwingHasWhatTheIssueOfPlayingNeeds) {
   EXPECT_GE(circles, 3);
 }
 
-TEST(Level, FirstSwingCanBeWon) {
-  EXPECT_LT(winning_inputs().size(), 1800U);
-}
+TEST(Level, FirstSwingCanBeWon) { EXPECT_LT(winning_inputs().size(), 1800U); }
 
 TEST(Level, BallsRollFallAndAreCaughtByTheHammock) {
   Simulation simulation(first_swing());
@@ -134,7 +132,8 @@ TEST(Simulation, ThePointerDragsACordPointAndLetsGo) {
   EXPECT_EQ(cord.kind(operated), ribbon::PointKind::free);
 }
 
-// --- the player --------------------------------------------------------------------------------------------------------
+// --- the player
+// --------------------------------------------------------------------------------------------------------
 
 TEST(Player, RunsUpToHisSpeedAndStops) {
   Simulation simulation(first_swing());

@@ -38,8 +38,8 @@ TEST_P(LongConditions, APinnedCordFallsSwingsAndComesToRest) {
   EXPECT_EQ(test_support::inverted_triangles(cord), 0);
 }
 
-/// Drags the cord's last point about at 20 m/s, turning every few frames, below the pins and within their reach. (Dragged
-/// around them, a cord in the plane is wound around its own anchor and stays so, as it should.)
+/// Drags the cord's last point about at 20 m/s, turning every few frames, below the pins and within their reach.
+/// (Dragged around them, a cord in the plane is wound around its own anchor and stays so, as it should.)
 class Yank {
  public:
   explicit Yank(Vec2 start, double length) : at_(start), length_(length) {}

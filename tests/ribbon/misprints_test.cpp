@@ -249,9 +249,9 @@ TEST(Misprint6ContactSign, PushesThePairDeeperAndTheHeavierSideFurther) {
   const double i = distance - r;     // 3.24: −0.4
   const double n_c = 3.0 / 4.0 * i;  // 3.26, along d: the circle goes down
   const double n_t = -1.0 / 4.0 * i;
-  EXPECT_LT(distance + n_c - n_t, distance);      // nearer than before
-  EXPECT_GT(std::abs(n_c), std::abs(n_t));        // and the heavier one moved more
-  const double ours_c = (r - distance) * 1.0 / 4.0;   // each by the other's share, depth positive
+  EXPECT_LT(distance + n_c - n_t, distance);         // nearer than before
+  EXPECT_GT(std::abs(n_c), std::abs(n_t));           // and the heavier one moved more
+  const double ours_c = (r - distance) * 1.0 / 4.0;  // each by the other's share, depth positive
   const double ours_t = -(r - distance) * 3.0 / 4.0;
   EXPECT_NEAR(distance + ours_c - ours_t, r, 1e-15);
 }

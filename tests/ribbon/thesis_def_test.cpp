@@ -44,8 +44,17 @@ TEST(ThesisDef, RefusesEachBadFieldByNameAndValue) {
       {"radius", [](ThesisDef& d) { d.radius = -1.0; }, "-1"},
       {"substeps", [](ThesisDef& d) { d.substeps = 0; }, "0"},
       {"positions", [](ThesisDef& d) { d.positions.resize(3); }, "3 entries"},
-      {"positions[7]", [](ThesisDef& d) { d.positions.resize(50); d.positions[7].y = nan; }, "nan"},
-      {"pins[1]", [](ThesisDef& d) { d.pins = {0, 50}; }, "50"},
+      {"positions[7]",
+       [](ThesisDef& d) {
+         d.positions.resize(50);
+         d.positions[7].y = nan;
+       },
+       "nan"},
+      {"pins[1]",
+       [](ThesisDef& d) {
+         d.pins = {0, 50};
+       },
+       "50"},
       {"pins[0]", [](ThesisDef& d) { d.pins = {-1}; }, "-1"},
   };
   for (const BadField& bad : fields) {

@@ -8,19 +8,17 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double edge_of_start = 7.2;   // m, where it jumps off
-constexpr double step_up = 39.6;        // m, where the way rises to the goal
-constexpr double let_go_angle = 0.62;   // horizontal part of the unit vector from the cord's top to the player
-constexpr double let_go_climb = 0.5;    // m/s, upwards, at least
+constexpr double edge_of_start = 7.2;  // m, where it jumps off
+constexpr double step_up = 39.6;       // m, where the way rises to the goal
+constexpr double let_go_angle = 0.62;  // horizontal part of the unit vector from the cord's top to the player
+constexpr double let_go_climb = 0.5;   // m/s, upwards, at least
 constexpr int most_ticks_on_cord = 900;
 
 Vec2 velocity(const game::Simulation& simulation) {
   return engine::to_double(simulation.player().body().GetLinearVelocity());
 }
 
-bool hangs_free(const ribbon::ThesisCord& cord) {
-  return cord.kind(cord.mesh().size() - 1) == ribbon::PointKind::free;
-}
+bool hangs_free(const ribbon::ThesisCord& cord) { return cord.kind(cord.mesh().size() - 1) == ribbon::PointKind::free; }
 
 }  // namespace
 

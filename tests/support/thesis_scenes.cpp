@@ -14,7 +14,8 @@ using ribbon::Vec2;
 
 Vec2 middle(const ThesisCord& cord, int column) {
   Vec2 sum;
-  for (int j = 0; j < cord.mesh().h; ++j) sum += cord.positions()[static_cast<std::size_t>(cord.mesh().index(column, j))];
+  for (int j = 0; j < cord.mesh().h; ++j)
+    sum += cord.positions()[static_cast<std::size_t>(cord.mesh().index(column, j))];
   return (1.0 / cord.mesh().h) * sum;
 }
 
@@ -79,7 +80,8 @@ double length_ratio(const ThesisCord& cord) {
 double worst_stretch(const ThesisCord& cord) {
   double worst = 0.0;
   for (const auto& bar : cord.mesh().connections) {
-    const Vec2 ab = cord.positions()[static_cast<std::size_t>(bar.b)] - cord.positions()[static_cast<std::size_t>(bar.a)];
+    const Vec2 ab =
+        cord.positions()[static_cast<std::size_t>(bar.b)] - cord.positions()[static_cast<std::size_t>(bar.a)];
     worst = std::max(worst, std::abs(length(ab) / bar.rest_length - 1.0));
   }
   return worst;

@@ -37,14 +37,14 @@ ribbon::ThesisDef thesis_def(const ThesisCondition& condition);
 /// The same, pinned by the points of its first column and hanging straight down from there.
 ribbon::ThesisDef hanging(const ThesisCondition& condition);
 
-double kinetic_energy(const ribbon::ThesisCord& cord);             ///< J
-double lowest_area_ratio(const ribbon::ThesisCord& cord);          ///< least signed area of a triangle / rest area
-int inverted_triangles(const ribbon::ThesisCord& cord);            ///< those with a negative signed area
-double length_ratio(const ribbon::ThesisCord& cord);               ///< middle line's length / its rest length
-double worst_stretch(const ribbon::ThesisCord& cord);              ///< largest |length/rest − 1| of a connection
+double kinetic_energy(const ribbon::ThesisCord& cord);     ///< J
+double lowest_area_ratio(const ribbon::ThesisCord& cord);  ///< least signed area of a triangle / rest area
+int inverted_triangles(const ribbon::ThesisCord& cord);    ///< those with a negative signed area
+double length_ratio(const ribbon::ThesisCord& cord);       ///< middle line's length / its rest length
+double worst_stretch(const ribbon::ThesisCord& cord);      ///< largest |length/rest − 1| of a connection
 bool all_finite(const ribbon::ThesisCord& cord);
-ribbon::Vec2 centre_of_mass(const ribbon::ThesisCord& cord);       ///< m
-ribbon::Vec2 momentum(const ribbon::ThesisCord& cord);             ///< kg·m/s
-double fastest(const ribbon::ThesisCord& cord);                    ///< m/s
+ribbon::Vec2 centre_of_mass(const ribbon::ThesisCord& cord);  ///< m
+ribbon::Vec2 momentum(const ribbon::ThesisCord& cord);        ///< kg·m/s
+double fastest(const ribbon::ThesisCord& cord);               ///< m/s
 
 }  // namespace test_support

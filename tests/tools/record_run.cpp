@@ -25,7 +25,8 @@ int record(const std::string& path) {
     if (!simulation.goal_ticks()) input.buttons = autopilot.buttons(simulation);
     simulation.tick(input);
     writer.write(input, simulation.hash());
-    if (simulation.goal_ticks()) left = std::min(left, *simulation.goal_ticks() + ticks_after_goal - simulation.run_ticks());
+    if (simulation.goal_ticks())
+      left = std::min(left, *simulation.goal_ticks() + ticks_after_goal - simulation.run_ticks());
   }
   writer.finish();
   if (!simulation.goal_ticks()) {

@@ -11,7 +11,8 @@ using tradeoff::Contestant;
 using tradeoff::Scene;
 
 void list_scenes() {
-  for (const Scene& scene : tradeoff::scenes()) std::printf("%-10s %s\n", scene.name.c_str(), scene.description.c_str());
+  for (const Scene& scene : tradeoff::scenes())
+    std::printf("%-10s %s\n", scene.name.c_str(), scene.description.c_str());
 }
 
 /// On the terminal's error stream, so that a redirected table stays clean.

@@ -13,8 +13,7 @@ using ribbon::ThesisCord;
 using test_support::earth_gravity;
 using test_support::frame_dt;
 
-Contestant contestant(const char* method, const ribbon::ThesisDef& def,
-                      std::unique_ptr<ribbon::LinearSolver> solver) {
+Contestant contestant(const char* method, const ribbon::ThesisDef& def, std::unique_ptr<ribbon::LinearSolver> solver) {
   const auto cord = std::make_shared<ThesisCord>(def, std::move(solver));
   return {method, "substeps=" + std::to_string(def.substeps), cord->mesh().size(),
           [cord] { cord->step(frame_dt, earth_gravity); }};
