@@ -1,8 +1,10 @@
 #include "game/hud.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace game {
@@ -56,18 +58,46 @@ std::vector<std::string> keys_in_words() {
       "P: pause   N: one tick",   "F1: debug view, drag by mouse", "F12: screenshot   H: hide this"};
 }
 
-std::vector<std::string> counts_in_words(const Simulation& simulation) {
-  std::vector<std::string> lines = {"cord   points  self  circles  FEM skipped  held back"};
-  const engine::Coupling& coupling = simulation.scene().coupling();
+/// A table whose cells end at the right edges of their columns.
+using Table = std::vector<std::vector<std::string>>;
+
+Table counts_table(const engine::Coupling& coupling) {
+  Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped", "held back"}};
   for (int c = 0; c < coupling.size(); ++c) {
     const ribbon::StepReport& report = coupling.report(c);
-    std::array<char, 96> line{};
-    std::snprintf(line.data(), line.size(), "%4d %9d %7d %8d %12d %12d", c, coupling.cord(c).mesh().size(),
-                  report.self_contacts, report.circle_contacts, report.fem_skipped, report.motion_limited);
-    lines.emplace_back(line.data());
+    std::vector<std::string> row;
+    for (const int count : {c, coupling.cord(c).mesh().size(), report.self_contacts, report.circle_contacts,
+                            report.tangled_columns, report.fem_skipped, report.motion_limited}) {
+      row.push_back(std::to_string(count));
+    }
+    table.push_back(std::move(row));
   }
-  lines.emplace_back("points: blue free, yellow dragged, red constrained");
-  return lines;
+  return table;
+}
+
+/// At the bottom left, the counts of each cord's last step.
+void draw_counts(Canvas& canvas, const Simulation& simulation, double scale) {
+  const Table table = counts_table(simulation.scene().coupling());
+  const std::string legend = "points: blue free, yellow dragged, red constrained";
+  const double size = 14.0 * scale;
+  const double margin = 14.0 * scale;
+  const double step = canvas.line_height(size);
+  std::vector<double> right;  // of each column
+  for (const std::string& title : table.front()) {
+    right.push_back((right.empty() ? margin : right.back() + margin) + canvas.text_width(title, size));
+  }
+  const Vec2 box{std::max(right.back(), canvas.text_width(legend, size) + margin) + margin,
+                 step * static_cast<double>(table.size() + 1) + margin};
+  const Vec2 corner{margin, canvas.height() - margin - box.y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  double y = 0.5 * margin;
+  for (const std::vector<std::string>& row : table) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      canvas.text(corner + Vec2{right[k], y}, row[k], size, faint, Align::right);
+    }
+    y += step;
+  }
+  canvas.text(corner + Vec2{margin, y}, legend, size, faint);
 }
 
 }  // namespace
@@ -89,12 +119,8 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
-  if (options.help) draw_box(canvas, {margin, margin}, {keys_in_words(), 15.0 * scale, faint});
-  if (options.debug) {
-    const Lines counts{counts_in_words(simulation), 14.0 * scale, faint};
-    const double height = canvas.line_height(counts.size) * static_cast<double>(counts.text.size()) + counts.size;
-    draw_box(canvas, {margin, canvas.height() - height - margin}, counts);
-  }
+  if (options.help && !options.watching) draw_box(canvas, {margin, margin}, {keys_in_words(), 15.0 * scale, faint});
+  if (options.debug) draw_counts(canvas, simulation, scale);
   if (options.paused) {
     draw_banner(canvas, "Paused", "P to go on, N for one tick", scale);
   } else if (goal) {

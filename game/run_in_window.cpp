@@ -34,7 +34,7 @@ std::uint16_t buttons_from(IsDown is_down) {
 /// A free name for a picture: ropeswing-1.png, -2.png, …
 std::string screenshot_name() {
   for (int number = 1;; ++number) {
-    const std::string name = "ropeswing-" + std::to_string(number) + ".png";
+    std::string name = "ropeswing-" + std::to_string(number) + ".png";
     if (!std::filesystem::exists(name)) return name;
   }
 }

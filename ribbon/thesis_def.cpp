@@ -44,7 +44,7 @@ void check_range(const char* field, double value, double low, double high) {
 
 void check(const ThesisDef& def) {
   check_range("h", def.h, 2, 64);
-  check_range("w", def.w, 2, 1'000'000 / def.h);
+  check_range("w", def.w, 2, std::floor(1e6 / def.h));
   check_range("spacing", def.spacing, 1e-6, 1e6);
   check_range("point_mass", def.point_mass, 1e-9, 1e9);
   check_range("spring_stiffness", def.spring_stiffness, 0.0, 1e15);
