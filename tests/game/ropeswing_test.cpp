@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include "engine/replay.h"
 
 namespace {
 
@@ -81,22 +86,65 @@ TEST(ReplayProgram, RecordingAReplayAnewGivesTheSameFile) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(golden()));
 }
 
-TEST(ReplayProgram, AnotherPhysicsIsNamedByTickSubsystemAndIndex) {
-  // The same level file but for a cord's mass, and a recording that claims to be of it.
+/// The golden run with one part's hash of one tick changed, as another physics would have left it.
+std::string diverging_replay(std::size_t tick, std::size_t part) {
+  const engine::Replay replay = engine::load_replay(golden());
+  const std::string path = scratch("diverging.replay");
+  engine::ReplayWriter writer(path, replay.header);
+  for (std::size_t k = 0; k < replay.ticks.size(); ++k) {
+    engine::StateHash state = replay.ticks[k].state;
+    if (k + 1 == tick) {
+      std::vector<engine::StatePart> parts(state.parts().begin(), state.parts().end());
+      parts[part].hash ^= 1;
+      state = engine::StateHash(parts, state.combined() ^ 1);
+    }
+    writer.write(replay.ticks[k].input, state);
+  }
+  writer.finish();
+  return path;
+}
+
+TEST(ReplayProgram, TheFirstTickThatDiffersIsNamedWithSubsystemAndIndex) {
+  const Ended cord =
+      ropeswing("--headless --verify --replay " + diverging_replay(200, 2));  // game 0, cord 0, cord 1, …
+  EXPECT_EQ(cord.status, 1);
+  EXPECT_EQ(last_line(cord.output).rfind("tick 200: cord 1 differs", 0), 0U) << cord.output;
+  EXPECT_NE(cord.output.find("ran 200 ticks"), std::string::npos) << cord.output;  // and there it stops
+  const Ended game = ropeswing("--headless --verify --replay " + diverging_replay(1, 0));
+  EXPECT_EQ(game.status, 1);
+  EXPECT_EQ(last_line(game.output).rfind("tick 1: game 0 differs", 0), 0U) << game.output;
+}
+
+TEST(ReplayProgram, AReplayOfAChangedLevelIsRefused) {
   const std::string folder = scratch("assets");
   fs::create_directories(folder + "/levels");
   std::string level = bytes_of(TEST_ASSETS "/levels/first_swing.tmj");
+  level += "\n";
   write_bytes(folder + "/levels/first_swing.tmj", level);
-  const std::string other = scratch("other.replay");
-  const std::size_t place = level.find("\"mass\"");
-  ASSERT_NE(place, std::string::npos);
-  const std::size_t digit = level.find_first_of("123456789", place);
-  level[digit] = level[digit] == '9' ? '8' : '9';
-  write_bytes(folder + "/levels/first_swing.tmj", level);
-  const std::string environment = "ROPESWING_ASSETS=" + folder;
-  const Ended refused = ropeswing("--headless --verify --replay " + golden(), environment);
+  const Ended refused = ropeswing("--headless --verify --replay " + golden(), "ROPESWING_ASSETS=" + folder);
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.output.find("level hash differs"), std::string::npos) << refused.output;
+}
+
+TEST(ReplayProgram, AKilledGameLeavesAReplayUpToItsLastTick) {
+  const std::string path = scratch("killed.replay");
+  fs::remove(path);
+  const pid_t game = fork();
+  if (game == 0) {
+    execl(TEST_ROPESWING, TEST_ROPESWING, "--headless", "--ticks", "1000000", "--record", path.c_str(), nullptr);
+    _exit(127);
+  }
+  while (!fs::exists(path) || fs::file_size(path) < 20'000) usleep(1000);  // it is in the middle of a run
+  kill(game, SIGKILL);
+  int status = 0;
+  waitpid(game, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const engine::Replay left = engine::load_replay(path);
+  EXPECT_FALSE(left.complete);
+  EXPECT_GT(left.ticks.size(), 50U);
+  const Ended ended = ropeswing("--headless --verify --replay " + path);
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(last_line(ended.output), "cut short after " + std::to_string(left.ticks.size()) + " ticks");
 }
 
 TEST(ReplayProgram, RefusesGarbageAnotherVersionAndAMissingFile) {
