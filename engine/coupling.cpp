@@ -106,10 +106,11 @@ void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
       coupled.circles.push_back({body_index(body, gravity), center - center_of_mass, radius});
     }
   }
-  for (const Holder& holder : holders_) {
-    if (holder.body != &body) continue;
-    const Vec2 hand = to_double(body.GetWorldPoint(holder.local_hand));
-    cords_[at(holder.cord)].grips.push_back({holder.point, body_index(body, gravity), hand - center_of_mass});
+  if (Holder* held = holder(body)) {
+    const Vec2 hand = to_double(body.GetWorldPoint(held->local_hand));
+    const Vec2 travel = to_double(body.GetWorldVector(held->next_hand - held->local_hand));
+    cords_[at(held->cord)].grips.push_back({held->point, body_index(body, gravity), hand - center_of_mass, travel});
+    held->local_hand = held->next_hand;
   }
 }
 
@@ -181,11 +182,12 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
   }
   cords_[at(cord)].cord.check_point(point);
   if (Holder* held = holder(body)) {
+    if (held->cord != cord || held->point != point) held->local_hand = local_hand;
     held->cord = cord;
     held->point = point;
-    held->local_hand = local_hand;
+    held->next_hand = local_hand;
   } else {
-    holders_.push_back({&body, cord, point, local_hand, {}});
+    holders_.push_back({&body, cord, point, local_hand, local_hand, {}});
   }
 }
 

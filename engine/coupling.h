@@ -57,8 +57,9 @@ class Coupling {
   void apply();
 
   /// Makes `body` hold a point of a cord at `local_hand`, in the body's own frame. One grip a body: a second call moves
-  /// it. The point is drawn to the hand at once, so start from where it is and call again to bring it nearer. Throws
-  /// ribbon::DefinitionError for a cord or point that does not exist.
+  /// the hand evenly over the next tick, so start from where the point is and bring it nearer by and by. (A point that
+  /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError for a cord or point that
+  /// does not exist.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
   /// Lets go, with the velocities that both have; false if the body held nothing.
   bool release(b2Body& body);
@@ -86,7 +87,8 @@ class Coupling {
     b2Body* body;
     CordIndex cord;
     int point;
-    b2Vec2 local_hand;
+    b2Vec2 local_hand;           // at the start of the tick
+    b2Vec2 next_hand;            // and at its end
     ribbon::Vec2 ahead;          // m/s, the momentary velocity less Box2D's
     double ahead_turning = 0.0;  // rad/s, the same of the rotation
   };

@@ -33,6 +33,7 @@ struct Grip {
   int point = 0;  ///< index of the cord's point
   int body = 0;   ///< index into the step's bodies
   Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
+  Vec2 travel{};  ///< m, how far the hand moves on the body during the step, evenly
 };
 
 /// What a cord meets in one step.

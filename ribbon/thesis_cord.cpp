@@ -14,8 +14,10 @@
 namespace ribbon {
 namespace {
 
-constexpr double self_push_in_radii = 0.5;     // most of an overlap resolved a pair: more throws crumpled cords apart
-constexpr double drag_speeds_to_follow = 2.0;  // a free point may outrun the fastest driven one by this factor
+constexpr double self_push_in_radii = 0.5;      // most of an overlap resolved a pair: more throws crumpled cords apart
+constexpr double grip_pull_in_spacings = 0.25;  // most a grip closes a substep: a hand that was put elsewhere must not
+                                                // kick its body away
+constexpr double drag_speeds_to_follow = 2.0;   // a free point may outrun the fastest driven one by this factor
 
 std::vector<Vec2> start_positions(const ThesisDef& def) {
   if (!def.positions.empty()) return def.positions;
@@ -247,12 +249,13 @@ void ThesisCord::assemble(double dt) {
   }
 }
 
-/// A held point and the hand meet, each moving by the other's share of mass, as in a contact without depth to spare.
+/// A held point and the hand meet, each moving by the other's share of mass.
 void ThesisCord::pull_grips(double dt, const Surroundings& surroundings) {
   for (std::size_t k = 0; k < surroundings.grips.size(); ++k) {
     const Grip& grip = surroundings.grips[k];
     RigidBody& body = surroundings.bodies[index(grip.body)];
     BodyMotion& motion = motions_[index(grip.body)];
+    grip_offsets_[k] += (1.0 / def_.substeps) * grip.travel;
     const Vec2 arm = reach(motion, grip_offsets_[k]);
     const Vec2 gap = positions_[index(grip.point)] - (motion.position + arm);
     const double size = length(gap);
@@ -262,7 +265,7 @@ void ThesisCord::pull_grips(double dt, const Surroundings& surroundings) {
     const double w_point = inverse_mass_[index(grip.point)];
     const double w = w_point + body.inverse_mass + body.inverse_inertia * turn * turn;
     if (w == 0.0) continue;
-    const double lambda = size / w;
+    const double lambda = std::min(size, grip_pull_in_spacings * def_.spacing) / w;
     positions_[index(grip.point)] -= (lambda * w_point) * direction;
     push_body(body, motion, arm, (lambda / dt) * direction, dt);
   }

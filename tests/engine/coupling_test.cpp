@@ -398,6 +398,20 @@ TEST(CouplingHold, AHolderThatIsDestroyedLetsGo) {
   EXPECT_NEAR(static_cast<double>(next->GetPosition().x), 5.0, 1e-6);
 }
 
+TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
+  Hanging hanging(5.0);
+  hanging.run(60);
+  hanging.body->SetTransform({8.0F, 3.0F}, 0.0F);
+  double fastest = 0.0;
+  for (int k = 0; k < 600; ++k) {
+    hanging.run(1);
+    fastest = std::max(fastest, length(hanging.coupling.velocity(*hanging.body)));
+  }
+  EXPECT_LT(fastest, 60.0);
+  EXPECT_LT(length(hanging.end() - to_double(hanging.body->GetPosition())), 0.05);
+  EXPECT_EQ(test_support::inverted_triangles(hanging.coupling.cord(0)), 0);
+}
+
 TEST(CouplingHold, RefusesWhatDoesNotExist) {
   Hanging hanging(2.0);
   EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, {}), ribbon::DefinitionError);
