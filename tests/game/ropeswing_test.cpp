@@ -89,7 +89,7 @@ TEST(ReplayProgram, RecordingAReplayAnewGivesTheSameFile) {
 /// The golden run with one part's hash of one tick changed, as another physics would have left it.
 std::string diverging_replay(std::size_t tick, std::size_t part) {
   const engine::Replay replay = engine::load_replay(golden());
-  const std::string path = scratch("diverging.replay");
+  std::string path = scratch("diverging.replay");
   engine::ReplayWriter writer(path, replay.header);
   for (std::size_t k = 0; k < replay.ticks.size(); ++k) {
     engine::StateHash state = replay.ticks[k].state;
