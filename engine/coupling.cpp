@@ -13,14 +13,20 @@ using ribbon::Box;
 using ribbon::RigidBody;
 using ribbon::Vec2;
 
+// Room that every cord has from the start, so that the first circle to come near takes no memory.
+constexpr std::size_t usual_bodies = 64;
+constexpr std::size_t usual_grips = 8;
+
+bool has_mass(const b2Body& body) { return body.GetMass() > 0.0F; }
+
 /// Box2D's own rule (b2ContactFilter::ShouldCollide).
 bool should_collide(const b2Filter& a, const b2Filter& b) {
   if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
   return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
 }
 
-/// What a cord can reach in dt: its box, grown by the way its points and a fall go in that time, and by a spacing, the
-/// most that a substep may move a point.
+/// What a cord is likely to reach in dt: the box of its points and of where they are driven to, grown by the way the
+/// fastest point and a fall go in that time, and by a spacing for what pushes and pulls add.
 Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
   Box box{cord.positions()[0], cord.positions()[0]};
   double speed2 = 0.0;
@@ -28,6 +34,11 @@ Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
     const Vec2 x = cord.positions()[p];
     box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
     box.high = {std::max(box.high.x, x.x), std::max(box.high.y, x.y)};
+    if (cord.kind(static_cast<int>(p)) != ribbon::PointKind::free) {
+      const Vec2 target = cord.target(static_cast<int>(p));
+      box.low = {std::min(box.low.x, target.x), std::min(box.low.y, target.y)};
+      box.high = {std::max(box.high.x, target.x), std::max(box.high.y, target.y)};
+    }
     speed2 = std::max(speed2, dot(cord.velocities()[p], cord.velocities()[p]));
   }
   const double margin = std::sqrt(speed2) * dt + length(gravity) * dt * dt + cord.mesh().spacing;
@@ -59,7 +70,12 @@ RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
 }  // namespace
 
 CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
-  cords_.push_back({std::move(cord), filter, {}, {}, {}, {}});
+  cord.reserve(usual_bodies, usual_bodies, usual_grips);
+  cords_.push_back({std::move(cord), filter, {}, {}, {}, {}, {}});
+  cords_.back().circles.reserve(usual_bodies);
+  cords_.back().grips.reserve(usual_grips);
+  gathered_.reserve(usual_bodies);
+  rigid_.reserve(usual_bodies);
   return size() - 1;
 }
 
@@ -91,7 +107,7 @@ void Coupling::drop_holders_gone_from(const b2World& world) {
 }
 
 void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
-  if (!body.IsEnabled()) return;
+  if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
   const Vec2 center_of_mass = to_double(body.GetWorldCenter());
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
     if (fixture->IsSensor() || fixture->GetType() != b2Shape::e_circle) continue;
@@ -126,19 +142,20 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
   return static_cast<int>(gathered_.size()) - 1;
 }
 
-void Coupling::step(double dt) {
+void Coupling::step() {
   for (CordIndex c = 0; c < size(); ++c) {
     CoupledCord& coupled = cords_[at(c)];
-    coupled.report = coupled.cord.step(dt, gravity_, {rigid_, coupled.circles, coupled.grips});
-    for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].pushed_by = c;
-    for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].pushed_by = c;
+    coupled.report = coupled.cord.step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
+    coupled.total += coupled.report;
+    for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
+    for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].met = c;
   }
 }
 
 void Coupling::apply() {
   for (std::size_t b = 0; b < gathered_.size(); ++b) {
     b2Body& body = *gathered_[b].body;
-    if (body.GetType() != b2_dynamicBody) continue;
+    if (rigid_[b].inverse_mass == 0.0) continue;
     if (Holder* held = holder(body)) {
       lead(*held, rigid_[b], dt_);
     } else {
@@ -155,7 +172,7 @@ void Coupling::push(const GatheredBody& gathered, const RigidBody& rigid) {
   body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
   body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
   const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
-  cords_[at(gathered.pushed_by)].cord.add_momentum(rigid.impulse - given);
+  cords_[at(gathered.met)].cord.add_momentum(rigid.impulse - given);
 }
 
 /// Makes world.Step take a holder to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D gets
@@ -198,6 +215,11 @@ bool Coupling::release(b2Body& body) {
   body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + held->ahead_turning));
   forget(body);
   return true;
+}
+
+void Coupling::destroy(b2World& world, b2Body& body) {
+  forget(body);
+  world.DestroyBody(&body);
 }
 
 void Coupling::forget(const b2Body& body) {

@@ -23,11 +23,13 @@ struct CordPoint {
 /// Cords in somebody's Box2D world. A tick is
 ///
 ///     coupling.gather(world, dt);   // circle fixtures near a cord become the cord's rigid circles
-///     coupling.step(dt);            // the cords move and push
+///     coupling.step();              // the cords move and push
 ///     coupling.apply();             // the bodies get the impulses
 ///     world.Step(dt, …);
 ///
-/// The response is shared by mass: cord and bodies together keep their linear momentum to double precision.
+/// The response is shared by mass: cord and bodies together keep their linear momentum to double precision (but where a
+/// cord holds a point back to the most it may move, which its report counts). Box2D moves a body that is touched by the
+/// tick's last velocity, so a bounce leaves the common centre of mass a millimetre or two off its way.
 ///
 /// A body that holds a cord moves in the tick as the cord saw it, on a curve; Box2D can only take it straight to the
 /// end of that curve, at the mean velocity. The difference to the velocity at the end, half the acceleration times dt,
@@ -47,12 +49,15 @@ class Coupling {
   const ribbon::ThesisCord& cord(CordIndex index) const { return cords_[at(index)].cord; }
   /// What happened in the cord's last step.
   const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
+  /// What has happened to the cord since it was added, summed up.
+  const ribbon::StepReport& total(CordIndex index) const { return cords_[at(index)].total; }
 
   /// Reads the world as it is before a tick of dt seconds: for each cord the circles of enabled bodies that it may
-  /// reach in that time, offset in their body, several a body, static, kinematic and dynamic. Sensors are ignored.
+  /// reach in that time, offset in their body, several a body, static, kinematic and dynamic. Sensors are ignored, and
+  /// so are dynamic bodies without mass.
   void gather(b2World& world, double dt);
-  /// Moves the cords, in the order they were added; a body pushed by one is felt by the next.
-  void step(double dt);
+  /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
+  void step();
   /// Gives each dynamic body its impulse. What single precision cannot carry of it stays with the cord.
   void apply();
 
@@ -67,9 +72,10 @@ class Coupling {
   ribbon::Vec2 velocity(const b2Body& body) const;
   /// What the body holds.
   std::optional<CordPoint> held_by(const b2Body& body) const;
-  /// Call it before destroying a body that may hold a cord. (Forgotten, the cord is let go at the next gather all the
-  /// same, unless Box2D has by then put a new body at the same address, which would inherit the grip.)
-  void forget(const b2Body& body);
+  /// Lets go of what the body holds and destroys it: the way to destroy a body that may hold a cord. (One that is
+  /// destroyed without is let go at the next gather all the same, unless Box2D has by then put a new body at the very
+  /// same address, which would inherit the grip. Bodies that only touch a cord need nothing.)
+  void destroy(b2World& world, b2Body& body);
 
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
@@ -79,6 +85,7 @@ class Coupling {
     ribbon::ThesisCord cord;
     b2Filter filter;
     ribbon::StepReport report;
+    ribbon::StepReport total;
     ribbon::Box reach;  // of this tick
     std::vector<ribbon::RigidCircle> circles;
     std::vector<ribbon::Grip> grips;
@@ -94,9 +101,10 @@ class Coupling {
   };
   struct GatheredBody {
     b2Body* body;
-    CordIndex pushed_by;  // the last cord that did, −1 for none
+    CordIndex met;  // the last cord that it came near or holds
   };
 
+  void forget(const b2Body& body);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   void drop_holders_gone_from(const b2World& world);
   void gather_body(b2Body& body, b2Vec2 gravity, double dt);

@@ -11,6 +11,7 @@ namespace {
 
 using ribbon::Vec2;
 
+constexpr std::size_t most_objects = 2000;   // far more than a level needs, few enough to run whatever they are
 constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
 
 b2Vec2 gravity_of(const TiledMap& map) {
@@ -25,19 +26,28 @@ b2BodyType body_type(const MapObject& object) {
   return type == "kinematic" ? b2_kinematicBody : b2_dynamicBody;
 }
 
-/// A convex polygon of at most b2_maxPolygonVertices corners, about `origin`; false if it is none.
-bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 origin) {
-  if (points.size() > b2_maxPolygonVertices) return false;
-  double turn = 0.0;
+/// True if every corner lies to the same side of every edge (which a star's do not), none is too near the next, and
+/// they span an area.
+bool is_convex(const std::vector<Vec2>& points) {
+  double side = 0.0;
+  double twice_area = 0.0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec2 a = points[k];
     const Vec2 b = points[(k + 1) % points.size()];
-    const Vec2 c = points[(k + 2) % points.size()];
-    const double corner = cross(b - a, c - b);
-    if (corner * turn < 0.0 || length(b - a) < 2.0 * static_cast<double>(b2_linearSlop)) return false;
-    if (corner != 0.0) turn = corner;
+    if (length(b - a) < 2.0 * static_cast<double>(b2_linearSlop)) return false;
+    twice_area += cross(a - points[0], b - points[0]);
+    for (const Vec2 c : points) {
+      const double turn = cross(b - a, c - a);
+      if (turn * side < 0.0) return false;
+      if (turn != 0.0) side = turn;
+    }
   }
-  if (turn == 0.0) return false;
+  return std::abs(twice_area) > 1e-3;  // m²
+}
+
+/// A convex polygon of at most b2_maxPolygonVertices corners, about `origin`; false if it is none.
+bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 origin) {
+  if (points.size() > b2_maxPolygonVertices || !is_convex(points)) return false;
   std::vector<b2Vec2> corners;
   for (const Vec2 point : points) corners.push_back(to_float(point - origin));
   shape.Set(corners.data(), static_cast<int32>(corners.size()));
@@ -52,8 +62,14 @@ ribbon::ThesisDef cord_def(const MapObject& object) {
   def.w = static_cast<int>(p.integer("columns", {2, 5000}));
   def.h = static_cast<int>(p.integer_or("rows", 2, {2, 16}));
   double path_length = 0.0;
-  for (std::size_t k = 1; k < object.points.size(); ++k) path_length += length(object.points[k] - object.points[k - 1]);
-  if (!(path_length > 1e-3)) throw object.error("the polyline is shorter than a millimetre");
+  for (std::size_t k = 1; k < object.points.size(); ++k) {
+    const double segment = length(object.points[k] - object.points[k - 1]);
+    if (!(segment >= 1e-3)) {
+      throw object.error("corners " + std::to_string(k) + " and " + std::to_string(k + 1) +
+                         " of the polyline are in the same place; accepted are corners a millimetre apart or more");
+    }
+    path_length += segment;
+  }
   def.spacing = path_length / (def.w - 1);
   def.point_mass = p.number("mass", {1e-6, 1e6}) / (def.w * def.h);
   def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
@@ -91,14 +107,20 @@ void hash_cord(StateHash& hash, std::uint16_t index, const ribbon::ThesisCord& c
 
 }  // namespace
 
-Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds) : world_(gravity_of(map)) {
+Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter)
+    : world_(gravity_of(map)) {
+  map.properties.check_known_properties({"gravity_y", "pixels_per_metre"});
+  if (map.objects.size() > most_objects) {
+    throw MapError(map.file + ": the map has " + std::to_string(map.objects.size()) +
+                   " objects; accepted are at most " + std::to_string(most_objects));
+  }
   for (const MapObject& object : map.objects) {
     if (object.kind == "ground") {
       build_ground(object);
     } else if (object.kind == "circle") {
       build_circle(object);
     } else if (object.kind == "cord") {
-      build_cord(object);
+      build_cord(object, cord_filter);
     } else if (std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
       std::string accepted = "ground, circle, cord";
       for (const std::string& kind : other_kinds) accepted += ", " + kind;
@@ -116,15 +138,15 @@ void Scene::build_ground(const MapObject& object) {
   if (object.shape == MapShape::rectangle) {
     shape.SetAsBox(single(0.5 * object.size.x), single(0.5 * object.size.y));
   } else if (object.shape != MapShape::polygon) {
-    throw object.error("a ground is a " + std::string(shape_name(object.shape)) + "; accepted is rectangle, polygon");
+    throw object.error("the shape of a ground is " + std::string(shape_name(object.shape)) +
+                       "; accepted is rectangle, polygon");
   } else if (!set_polygon(shape, object.points, object.position)) {
     throw object.error("the polygon of a ground has " + std::to_string(object.points.size()) +
-                       " corners; accepted is a convex one of 3 to 8, at least 1 cm apart");
+                       " corners; accepted is a convex one of 3 to 8 corners, at least 1 cm apart, that is no sliver");
   }
   b2FixtureDef fixture;
   fixture.shape = &shape;
   fixture.friction = single(object.properties.number_or("friction", 0.6, {0.0, 10.0}));
-  fixture.filter.categoryBits = category::solid;
   world_.CreateBody(&definition)->CreateFixture(&fixture);
 }
 
@@ -133,7 +155,7 @@ void Scene::build_circle(const MapObject& object) {
   p.check_known_properties(
       {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin"});
   if (object.shape != MapShape::ellipse || std::abs(object.size.x - object.size.y) > 1e-3 * object.size.x) {
-    throw object.error("a circle is a " + std::string(shape_name(object.shape)) + " of " +
+    throw object.error("the shape of a circle is " + std::string(shape_name(object.shape)) + " of " +
                        number_in_words(object.size.x) + " by " + number_in_words(object.size.y) +
                        " m; accepted is an ellipse as wide as high");
   }
@@ -151,17 +173,13 @@ void Scene::build_circle(const MapObject& object) {
   fixture.density = single(p.number_or("density", 1.0, {1e-6, 1e6}));
   fixture.friction = single(p.number_or("friction", 0.6, {0.0, 10.0}));
   fixture.restitution = single(p.number_or("restitution", 0.0, {0.0, 1.0}));
-  fixture.filter.categoryBits = category::solid;
   world_.CreateBody(&definition)->CreateFixture(&fixture);
 }
 
-void Scene::build_cord(const MapObject& object) {
+void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   if (object.shape != MapShape::polyline) {
-    throw object.error("a cord is a " + std::string(shape_name(object.shape)) + "; accepted is polyline");
+    throw object.error("the shape of a cord is " + std::string(shape_name(object.shape)) + "; accepted is polyline");
   }
-  b2Filter filter;
-  filter.categoryBits = category::cord;
-  filter.maskBits = static_cast<std::uint16_t>(~category::player);
   try {
     coupling_.add(ribbon::ThesisCord(cord_def(object)), filter);
   } catch (const ribbon::DefinitionError& error) {
@@ -171,7 +189,7 @@ void Scene::build_cord(const MapObject& object) {
 
 void Scene::tick(double dt) {
   coupling_.gather(world_, dt);
-  coupling_.step(dt);
+  coupling_.step();
   coupling_.apply();
   world_.Step(single(dt), velocity_iterations, position_iterations);
 }

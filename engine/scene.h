@@ -2,7 +2,6 @@
 
 #include <box2d/box2d.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,13 +10,6 @@
 #include "engine/tiled_map.h"
 
 namespace engine {
-
-/// Box2D collision categories of a scene. Cords meet everything but the player, who holds them instead.
-namespace category {
-inline constexpr std::uint16_t solid = 0x0001;
-inline constexpr std::uint16_t cord = 0x0002;
-inline constexpr std::uint16_t player = 0x0004;
-}  // namespace category
 
 /// A Box2D world with its cords, built from a map's objects of class
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
@@ -29,9 +21,11 @@ inline constexpr std::uint16_t player = 0x0004;
 /// The map's own property gravity_y [m/s²] is −9.81 unless given.
 class Scene {
  public:
-  /// `other_kinds` are the classes that the caller takes care of. Throws MapError for any other class, and for an
-  /// object, property or value that cannot be built.
-  Scene(const TiledMap& map, const std::vector<std::string>& other_kinds);
+  /// `other_kinds` are the classes that the caller takes care of; `cord_filter` says which circles the cords meet.
+  /// Ground and circles have Box2D's default filter. Throws MapError for any other class, and for an object, property
+  /// or value that cannot be built.
+  explicit Scene(const TiledMap& map, const std::vector<std::string>& other_kinds = {},
+                 const b2Filter& cord_filter = {});
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
@@ -52,7 +46,7 @@ class Scene {
  private:
   void build_ground(const MapObject& object);
   void build_circle(const MapObject& object);
-  void build_cord(const MapObject& object);
+  void build_cord(const MapObject& object, const b2Filter& filter);
 
   b2World world_;
   Coupling coupling_;

@@ -53,21 +53,28 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
 }
 
 std::vector<std::string> keys_in_words() {
-  return {
-      "Arrows or A D: run, pump", "Space: jump, let go",           "Hold E or Shift: catch a cord", "R: start again",
-      "P: pause   N: one tick",   "F1: debug view, drag by mouse", "F12: screenshot   H: hide this"};
+  return {"Swing from cord to cord to the flag!",
+          "Arrows or A D: run, pump",
+          "Space, Up or W: jump, let go",
+          "Hold E or Shift: catch a cord",
+          "R: start again",
+          "P: pause   N: one tick",
+          "F1: debug view, drag by mouse",
+          "F12: screenshot   H: hide this",
+          "Esc: leave"};
 }
 
 /// A table whose cells end at the right edges of their columns.
 using Table = std::vector<std::vector<std::string>>;
 
 Table counts_table(const engine::Coupling& coupling) {
-  Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped", "held back"}};
+  Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all"}};
   for (int c = 0; c < coupling.size(); ++c) {
     const ribbon::StepReport& report = coupling.report(c);
+    const ribbon::StepReport& total = coupling.total(c);
     std::vector<std::string> row;
     for (const int count : {c, coupling.cord(c).mesh().size(), report.self_contacts, report.circle_contacts,
-                            report.tangled_columns, report.fem_skipped, report.motion_limited}) {
+                            report.tangled_columns, total.fem_skipped, total.motion_limited}) {
       row.push_back(std::to_string(count));
     }
     table.push_back(std::move(row));
@@ -125,6 +132,8 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
     draw_banner(canvas, "Paused", "P to go on, N for one tick", scale);
   } else if (goal) {
     draw_banner(canvas, "You made it!", "in " + time + (options.watching ? "" : "   R to try again"), scale);
+  } else if (options.over) {
+    draw_banner(canvas, "That was all", "Esc to leave", scale);
   } else if (options.watching) {
     canvas.text({0.5 * canvas.width(), margin}, "watching a replay", 20.0 * scale, white, Align::center);
   }

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "game/player.h"
+
 namespace game {
 namespace {
 
@@ -18,8 +20,8 @@ const MapObject& only_object(const engine::TiledMap& map, const std::string& kin
     if (object.kind != kind) continue;
     if (found != nullptr) throw object.error("is a second " + kind + "; accepted is one a level");
     if (object.shape != shape) {
-      throw object.error("a " + kind + " is a " + std::string(engine::shape_name(object.shape)) + "; accepted is " +
-                         std::string(engine::shape_name(shape)));
+      throw object.error("the shape of a " + kind + " is " + std::string(engine::shape_name(object.shape)) +
+                         "; accepted is " + std::string(engine::shape_name(shape)));
     }
     found = &object;
   }
@@ -35,7 +37,11 @@ std::string path_of(const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<engine::Scene> Level::make_scene() const { return std::make_unique<engine::Scene>(map, own_kinds); }
+std::unique_ptr<engine::Scene> Level::make_scene() const {
+  b2Filter all_but_players;
+  all_but_players.maskBits = static_cast<std::uint16_t>(~player_category);
+  return std::make_unique<engine::Scene>(map, own_kinds, all_but_players);
+}
 
 std::string assets_folder() {
   const char* chosen = std::getenv("ROPESWING_ASSETS");
@@ -48,8 +54,8 @@ Level load_level(const std::string& name) {
   if (!std::filesystem::exists(path, ignored)) {
     std::string accepted;
     for (const std::string& known : level_names()) accepted += (accepted.empty() ? "" : ", ") + known;
-    throw engine::MapError("no level " + engine::in_quotes(name) + " at " + path + "; accepted is a .tmj file, or " +
-                           accepted);
+    throw engine::MapError("no level " + engine::in_quotes(name) + " at " + engine::in_quotes(path) +
+                           "; accepted is a .tmj file" + (accepted.empty() ? "" : ", or " + accepted));
   }
   Level level;
   level.name = std::filesystem::path(path).stem().string();

@@ -1,6 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "game/run.h"
 
@@ -8,27 +13,58 @@ namespace {
 
 constexpr int status_unusable = 2;  // bad arguments or files
 
+/// Files that are read and files that are written must all be different ones.
+void check_paths(const game::RunOptions& options) {
+  namespace fs = std::filesystem;
+  const std::pair<const char*, std::string> named[] = {
+      {"--level", options.level && options.level->ends_with(".tmj") ? *options.level : std::string()},
+      {"--replay", options.replay},
+      {"--record", options.record},
+      {"--screenshot", options.screenshot}};
+  std::map<fs::path, const char*> seen;
+  for (const auto& [option, path] : named) {
+    if (path.empty()) continue;
+    std::error_code ignored;
+    if (fs::is_fifo(path, ignored) || fs::is_socket(path, ignored)) {
+      throw std::runtime_error(std::string(option) + " " + path + " is a pipe; accepted is a file");
+    }
+    const auto [other, is_new] = seen.emplace(fs::weakly_canonical(path, ignored), option);
+    if (!is_new) {
+      throw std::runtime_error(std::string(other->second) + " and " + option + " are both " + path +
+                               "; accepted are different files");
+    }
+  }
+}
+
+int run(const game::RunOptions& options) {
+  check_paths(options);
+  const int status = options.headless ? game::run_headless(options) : game::run_in_window(options);
+  if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the output");
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Swing from cord to cord to the flag."};
   game::RunOptions options;
-  app.add_option("--level", options.level, "A level's name, or a Tiled map (.tmj)");
+  const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");
+  app.add_option("--level", options.level, "A level's name, or a Tiled map (.tmj)")->check(named);
   app.add_flag("--headless", options.headless, "Run without a window, as fast as it goes");
-  auto* replay = app.add_option("--replay", options.replay, "Play the inputs of this recording");
+  auto* replay = app.add_option("--replay", options.replay, "Play the inputs of this recording")->check(named);
   auto* verify = app.add_flag("--verify", options.verify, "Compare every tick with the recording's")->needs(replay);
-  app.add_option("--record", options.record, "Record the run to this file as it happens");
+  app.add_option("--record", options.record, "Record the run to this file as it happens")->check(named);
   app.add_option("--ticks", options.ticks, "Stop after so many ticks of 1/60 s")
       ->check(CLI::Range(0, 1'000'000'000))
       ->excludes(verify);
-  app.add_option("--screenshot", options.screenshot, "Write a PNG picture of the last moment");
+  app.add_option("--screenshot", options.screenshot, "Write a PNG picture of the last moment")->check(named);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : status_unusable;
   }
   try {
-    return options.headless ? game::run_headless(options) : game::run_in_window(options);
+    return run(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     return status_unusable;

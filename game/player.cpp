@@ -1,9 +1,9 @@
 #include "game/player.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "engine/convert.h"
-#include "engine/scene.h"
 #include "game/buttons.h"
 
 namespace game {
@@ -29,7 +29,7 @@ b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
 
   b2FixtureDef fixture;
   fixture.friction = 0.0F;  // running is the player's own affair; walls must not hold him up
-  fixture.filter.categoryBits = engine::category::player;
+  fixture.filter.categoryBits = player_category;
   b2CircleShape circle;
   circle.m_radius = radius;
   b2PolygonShape box;
@@ -47,6 +47,16 @@ b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
   mass.I = 0.0F;
   body->SetMassData(&mass);
   return body;
+}
+
+/// What the held point hangs from: the constrained point nearest to it along the cord, else the cord's first.
+Vec2 anchor_of(const ribbon::ThesisCord& cord, int held) {
+  int anchor = -1;
+  for (int p = 0; p < cord.mesh().size(); ++p) {
+    if (cord.kind(p) != ribbon::PointKind::constrained) continue;
+    if (anchor < 0 || std::abs(p - held) < std::abs(anchor - held)) anchor = p;
+  }
+  return cord.positions()[static_cast<std::size_t>(std::max(anchor, 0))];
 }
 
 }  // namespace
@@ -127,9 +137,11 @@ void Player::catch_cord(engine::Coupling& coupling) {
 void Player::hang(int direction, engine::Coupling& coupling, const engine::CordPoint& held, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
+  const auto point = coupling.cord(held.cord).positions()[static_cast<std::size_t>(held.point)];
+  if (length(point - position() - grip_) > tuning_.longest_arm) return let_go(coupling);  // torn out of the hand
   coupling.hold(held.cord, held.point, *body_, to_float(grip_));
 
-  const Vec2 along = coupling.cord(held.cord).positions()[0] - position();
+  const Vec2 along = anchor_of(coupling.cord(held.cord), held.point) - position();
   const double distance = length(along);
   if (direction == 0 || distance == 0.0) return;
   const Vec2 across = (1.0 / distance) * Vec2{along.y, -along.x};  // to the right for a cord that hangs

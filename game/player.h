@@ -10,6 +10,9 @@
 
 namespace game {
 
+/// The player's Box2D collision category: cords do not bump into players, who hold them instead.
+inline constexpr std::uint16_t player_category = 0x0002;
+
 /// How the player moves: change these to change the feel. Ticks are 1/60 s.
 struct PlayerTuning {
   double radius = 0.3;        ///< m, of feet and head
@@ -21,6 +24,7 @@ struct PlayerTuning {
   double jump_speed = 6.5;    ///< m/s, upwards: 2.1 m high
   double pump_gain = 4.5;     ///< m/s², across the cord while hanging
   double reach = 1.0;         ///< m, from the hand to the cord point it can catch
+  double longest_arm = 1.2;   ///< m, from the hand to a held point that something else pulls away
   double pull_in = 0.25;      ///< share of the way from where it caught the cord to the hand, a tick
   double hand_height = 0.95;  ///< m above the middle of the body
   double ground_slope = 0.5;  ///< least upward part of the normal of what counts as ground

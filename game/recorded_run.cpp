@@ -11,7 +11,13 @@ std::optional<engine::Replay> replay_for(const RunOptions& options) {
 /// A replay knows its level; one asked for by name has to be that one.
 Level level_for(const RunOptions& options, const std::optional<engine::Replay>& replay) {
   const std::string from_replay = replay ? replay->header.level : default_level;
-  Level level = load_level(options.level.value_or(from_replay));
+  Level level;
+  try {
+    level = load_level(options.level.value_or(from_replay));
+  } catch (const engine::MapError& error) {
+    if (!replay || options.level) throw;
+    throw engine::MapError(std::string(error.what()) + "; the replay is of that level: give its map with --level");
+  }
   if (replay) engine::check_header(replay->header, Simulation::replay_header(level));
   return level;
 }
@@ -32,8 +38,8 @@ bool RecordedRun::is_over() const {
 void RecordedRun::tick(const engine::TickInput& input) {
   const engine::TickInput used = replay_ ? replay_->ticks[next_++].input : input;
   simulation_.tick(used);
-  if (writer_) writer_->write(used, simulation_.hash());
   if (verifier_) verifier_->check(simulation_.hash());
+  if (writer_) writer_->write(used, simulation_.hash());
 }
 
 void RecordedRun::finish() {
@@ -42,6 +48,9 @@ void RecordedRun::finish() {
 
 std::string RecordedRun::closing_line() const {
   if (verifier_) return verifier_->result().message();
+  if (replay_ && !replay_->complete && is_over()) {
+    return "the recording was cut short after " + std::to_string(next_) + " ticks";
+  }
   return "hash " + engine::to_hex(simulation_.hash().combined());
 }
 

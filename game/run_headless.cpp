@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 #include "engine/sdl_canvas.h"
 #include "game/hud.h"
@@ -36,6 +37,9 @@ void print_result(const Simulation& simulation) {
 
 int run_headless(const RunOptions& options) {
   RecordedRun run(options);
+  if (!run.has_replay() && !options.ticks) {
+    throw std::runtime_error("--headless needs to know how far to run; accepted is --replay FILE or --ticks N");
+  }
   const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
   while (!run.is_over() && run.simulation().ticks() < most) run.tick({});
   run.finish();

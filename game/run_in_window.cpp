@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 #include "engine/sdl_window.h"
 #include "engine/tick.h"
@@ -15,6 +17,7 @@ using engine::Key;
 using engine::MouseButton;
 using engine::WindowInput;
 
+constexpr int status_recording_failed = 2;
 constexpr int window_width = 1280;
 constexpr int window_height = 720;
 
@@ -58,17 +61,18 @@ class WindowGame {
     for (int k = 0; k < ticks && !is_over(); ++k) tick();
     draw(input);
     window_.present();
+    view_options_.over = is_over();
     return !(is_over() && (options_.ticks || options_.verify));
   }
 
   int finish() {
+    run_.finish();
     if (!options_.screenshot.empty()) {
       window_.save_png(options_.screenshot);
       std::printf("picture of the last moment: %s\n", options_.screenshot.c_str());
     }
-    run_.finish();
     std::puts(run_.closing_line().c_str());
-    return run_.exit_status();
+    return recording_failed_ ? status_recording_failed : run_.exit_status();
   }
 
  private:
@@ -95,7 +99,9 @@ class WindowGame {
     const std::int64_t now = engine::now_ns();
     const int due = clock_.advance(now - std::exchange(last_frame_ns_, now));
     if (!view_options_.paused) return due;
-    return input.pressed(Key::n) ? 1 : 0;
+    if (input.pressed(Key::n) || input.pressed(Key::r)) return 1;  // a restart shows at once
+    tapped_ = 0;  // what was tapped in a pause is not meant for after it
+    return 0;
   }
 
   void tick() {
@@ -105,17 +111,24 @@ class WindowGame {
       run_.tick(next_);
     } catch (const engine::ReplayError& error) {  // of the recording, once: play on without it
       std::fprintf(stderr, "ropeswing: %s\n", error.what());
+      recording_failed_ = true;
     }
   }
 
   void draw(const WindowInput& input) {
     const bool still = view_options_.paused || is_over();
-    view_options_.text_scale = window_.pixel_scale();
+    const engine::Canvas& canvas = window_.canvas();
+    const double size = std::min(canvas.width() / (1.0 * window_width), canvas.height() / (1.0 * window_height));
+    view_options_.text_scale = window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
     view_.draw(window_.canvas(), still ? 1.0 : clock_.alpha(), view_options_);
     if (!input.pressed(Key::f12)) return;
     const std::string name = screenshot_name();
-    window_.save_png(name);
-    std::printf("picture: %s\n", name.c_str());
+    try {
+      window_.save_png(name);
+      std::printf("picture: %s\n", name.c_str());
+    } catch (const std::runtime_error& error) {  // no reason to stop playing
+      std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    }
   }
 
   RunOptions options_;
@@ -128,6 +141,7 @@ class WindowGame {
   std::uint16_t held_ = 0;
   std::uint16_t tapped_ = 0;
   engine::TickInput next_;
+  bool recording_failed_ = false;
 };
 
 }  // namespace

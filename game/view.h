@@ -10,6 +10,7 @@ struct ViewOptions {
   bool debug = false;  ///< the cords' points and connections, coloured as in Goto 2017, Fig. 4.1, and the step's counts
   bool paused = false;
   bool watching = false;  ///< a replay, so the keys do not steer
+  bool over = false;      ///< the replay has ended, or the ticks asked for have run
   bool help = true;
   double text_scale = 1.0;  ///< pixels a desktop unit
 };

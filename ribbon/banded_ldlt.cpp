@@ -20,9 +20,9 @@ bool factor_and_solve(BandedMatrix& a, double* b) {
 
   for (int k = 0; k < n; ++k) {
     double* row = a.row(k);
-    const double pivot = row[0];
-    if (!(pivot > 0.0 && pivot < std::numeric_limits<double>::infinity())) return false;
-    const double inverse_pivot = 1.0 / pivot;
+    const double inverse_pivot = 1.0 / row[0];
+    // A pivot of infinity gives 0 here, one too small to divide by infinity, and NaN is neither.
+    if (!(inverse_pivot > 0.0 && inverse_pivot < std::numeric_limits<double>::infinity())) return false;
     const double b_k = b[k];
     for (int j = 1; j <= width; ++j) pivot_row[static_cast<std::size_t>(j)] = row[j];
     for (int i = 1; i <= width; ++i) {

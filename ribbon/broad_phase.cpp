@@ -31,10 +31,13 @@ BroadPhase::BroadPhase(const Mesh& mesh, bool circles_are_points)
   std::iota(all_.begin(), all_.end(), 0);
 }
 
+/// By the number of circles alone: a cord that was restored must fall back to all triangles where the first one did.
+std::size_t BroadPhase::room_for(std::size_t circles) const { return circles * std::min(room_a_circle, all_.size()); }
+
 void BroadPhase::reserve(std::size_t circles) {
   centers_then_.reserve(circles);
   list_start_.reserve(circles + 1);
-  list_.reserve(circles * std::min(room_a_circle, all_.size()));
+  list_.reserve(room_for(circles));
 }
 
 void BroadPhase::update(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii) {
@@ -57,6 +60,7 @@ void BroadPhase::build(std::span<const Vec2> positions, std::span<const Vec2> ce
                  {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
   }
   tree_.build(boxes_);
+  room_ = room_for(centers.size());
   list_.clear();
   list_start_.assign(1, 0);
   for (std::size_t k = 0; k < centers.size(); ++k) {
@@ -76,7 +80,7 @@ bool BroadPhase::list_around(std::size_t k, Vec2 center, double radius) {
   bool complete = true;
   tree_.query({center - corner, center + corner}, [&](int triangle) {
     if (is_own(k, triangle)) return;
-    if (list_.size() < list_.capacity()) {
+    if (list_.size() < room_) {
       list_.push_back(triangle);
     } else {
       complete = false;

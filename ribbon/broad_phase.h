@@ -16,7 +16,7 @@ class BroadPhase {
   /// point are left out: they would touch it at rest.
   BroadPhase(const Mesh& mesh, bool circles_are_points);
 
-  /// Makes room for this many circles; keeps what it has if that is enough.
+  /// Takes the memory for up to this many circles.
   void reserve(std::size_t circles);
 
   /// Starts a step: the next update makes the lists anew, so that no result depends on steps gone by.
@@ -35,6 +35,7 @@ class BroadPhase {
   int builds() const { return builds_; }
 
  private:
+  std::size_t room_for(std::size_t circles) const;
   bool moved_too_far(std::span<const Vec2> positions, std::span<const Vec2> centers) const;
   void build(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii);
   bool list_around(std::size_t k, Vec2 center, double radius);
@@ -46,6 +47,7 @@ class BroadPhase {
   std::vector<Box> boxes_;
   std::vector<Vec2> positions_then_;
   std::vector<Vec2> centers_then_;
+  std::size_t room_ = 0;                 // for list entries, whatever more memory there may be
   std::vector<int> list_;                // one circle's triangles after the other's
   std::vector<std::size_t> list_start_;  // of each circle that found room, and the end of the last
   std::vector<int> all_;                 // every triangle, for circles that found no room

@@ -7,7 +7,7 @@
 namespace ribbon {
 
 /// A rigid body that circles belong to, as it is at the start of a step. A step reads it, adds to the impulses, and
-/// says how it saw the body move; the body's owner applies the impulses and moves it.
+/// says how it saw a body move that holds it; the body's owner applies the impulses and moves it.
 struct RigidBody {
   Vec2 position;                  ///< m, centre of mass
   Vec2 velocity;                  ///< m/s, of the centre of mass
@@ -17,7 +17,7 @@ struct RigidBody {
   Vec2 acceleration;              ///< m/s², free motion, usually gravity
   Vec2 impulse;                   ///< N·s, what cords have given to the body, summed up
   double angular_impulse = 0.0;   ///< N·m·s, the same about the centre of mass
-  Vec2 moved;                     ///< m, in the last step that knew of it
+  Vec2 moved;                     ///< m, in the step of the cord that it holds; of no meaning for other bodies
   double turned = 0.0;            ///< rad, in the same step
 };
 

@@ -33,6 +33,15 @@ ThesisDef checked(ThesisDef def) {
 
 }  // namespace
 
+StepReport& StepReport::operator+=(const StepReport& other) {
+  fem_skipped += other.fem_skipped;
+  motion_limited += other.motion_limited;
+  self_contacts += other.self_contacts;
+  circle_contacts += other.circle_contacts;
+  tangled_columns += other.tangled_columns;
+  return *this;
+}
+
 ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solver)
     : def_(checked(def)),
       mesh_(std::make_unique<Mesh>(make_mesh(def.w, def.h, def.spacing))),
@@ -66,7 +75,7 @@ void ThesisCord::check_point(int point) const {
 
 void ThesisCord::drive(int point, Vec2 target, PointKind kind) {
   check_point(point);
-  if (!is_finite(target)) throw DefinitionError("target is not finite; accepted are metres");
+  check_coordinates("target", target);
   targets_[index(point)] = target;
   set_kind(point, kind);
 }
@@ -85,9 +94,21 @@ void ThesisCord::release(int point) {
   set_kind(point, PointKind::free);
 }
 
+void ThesisCord::reserve(std::size_t bodies, std::size_t circles, std::size_t grips) {
+  motions_.reserve(bodies);
+  circle_offsets_.reserve(circles);
+  circle_radii_.reserve(circles);
+  circle_centers_.reserve(circles);
+  circle_centers_before_.reserve(circles);
+  grip_offsets_.reserve(grips);
+  if (circles == 0) return;
+  if (!circle_phase_) circle_phase_ = std::make_unique<BroadPhase>(*mesh_, false);
+  circle_phase_->reserve(circles);
+}
+
 void ThesisCord::set_velocity(int point, Vec2 velocity) {
   check_point(point);
-  if (!is_finite(velocity)) throw DefinitionError("velocity is not finite; accepted are metres a second");
+  check_coordinates("velocity", velocity);
   velocities_[index(point)] = velocity;
 }
 
@@ -104,8 +125,10 @@ void ThesisCord::restore(const State& state) {
   const std::size_t n = positions_.size();
   if (state.positions.size() != n || state.velocities.size() != n || state.targets.size() != n ||
       state.kinds.size() != n) {
-    throw DefinitionError("state has " + std::to_string(state.positions.size()) + " points; accepted is " +
-                          std::to_string(n));
+    throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(n) + " points");
+  }
+  for (const auto* values : {&state.positions, &state.velocities, &state.targets}) {
+    for (const Vec2 value : *values) check_coordinates("state", value);
   }
   positions_ = state.positions;
   velocities_ = state.velocities;
@@ -173,8 +196,7 @@ void ThesisCord::begin_step(const Surroundings& surroundings) {
     report_.tangled_columns = find_tangled_columns(*mesh_, positions_, *self_phase_, tangled_);
   }
   if (surroundings.circles.empty()) return;
-  if (!circle_phase_) circle_phase_ = std::make_unique<BroadPhase>(*mesh_, false);
-  circle_phase_->reserve(surroundings.circles.size());
+  reserve(surroundings.bodies.size(), surroundings.circles.size(), surroundings.grips.size());
   circle_phase_->begin();
 }
 
@@ -357,9 +379,10 @@ void ThesisCord::finish_substep(double dt, const Surroundings& surroundings) {
 }
 
 void ThesisCord::report_motions(const Surroundings& surroundings) const {
-  for (std::size_t b = 0; b < motions_.size(); ++b) {
-    surroundings.bodies[b].moved = motions_[b].position - surroundings.bodies[b].position;
-    surroundings.bodies[b].turned = motions_[b].turned_all;
+  for (const Grip& grip : surroundings.grips) {
+    RigidBody& body = surroundings.bodies[index(grip.body)];
+    body.moved = motions_[index(grip.body)].position - body.position;
+    body.turned = motions_[index(grip.body)].turned_all;
   }
 }
 

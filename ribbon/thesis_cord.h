@@ -28,11 +28,12 @@ struct StepReport {
   int tangled_columns = 0;  ///< columns whose self-contact rested because the cord crossed itself there
 
   bool operator==(const StepReport&) const = default;
+  StepReport& operator+=(const StepReport& other);
 };
 
 /// A cord after Goto 2017, in the reading that works: FEM bars as an implicit damper, springs for the memory of
 /// shape, area correction, self-collision and rigid circles, N substeps a step. A step costs O(w·h³) and, after the
-/// first, takes no heap memory as long as no more circles come near than before.
+/// first, takes no heap memory as long as its surroundings hold no more than before, or than was reserved.
 class ThesisCord {
  public:
   /// Builds the cord at rest. Throws DefinitionError where check(def) does. `solver` solves the FEM's system; the
@@ -44,16 +45,21 @@ class ThesisCord {
   std::span<const Vec2> positions() const { return positions_; }    ///< m, by point index
   std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by point index
   PointKind kind(int point) const { return kinds_[index(point)]; }
+  /// Where a constrained or operated point is going, m.
+  Vec2 target(int point) const { return targets_[index(point)]; }
 
   /// Constrains a point to `target` [m], which it reaches on a straight line in the next step and then keeps.
-  /// Throws DefinitionError for an unknown index or a target that is not finite, as the next two do.
+  /// Throws DefinitionError for an unknown index or a coordinate beyond ±1e9, as the next two do.
   void constrain(int point, Vec2 target);
   /// The same for a point that somebody drags: call it again to drag on.
   void operate(int point, Vec2 target);
   /// Lets a constrained or operated point go with the velocity it has.
   void release(int point);
 
-  /// Sets a point's velocity, m/s.
+  /// Takes the memory for steps with up to this much around the cord, so that none takes any later.
+  void reserve(std::size_t bodies, std::size_t circles, std::size_t grips);
+
+  /// Sets a point's velocity, m/s, each component up to ±1e9.
   void set_velocity(int point, Vec2 velocity);
 
   /// Adds momentum [kg·m/s], spread evenly over the free points; nothing if there is none.
@@ -75,7 +81,8 @@ class ThesisCord {
     bool operator==(const State&) const = default;
   };
   State save() const { return {positions_, velocities_, targets_, kinds_}; }
-  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is another cord's size.
+  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size, or has a
+  /// coordinate beyond ±1e9.
   void restore(const State& state);
 
  private:

@@ -21,9 +21,7 @@ void check_positions(const ThesisDef& def) {
     refuse("positions has ", def.positions.size(), " entries; accepted is none, or w·h = ", expected);
   }
   for (std::size_t p = 0; p < expected; ++p) {
-    if (!is_finite(def.positions[p])) {
-      refuse("positions[", p, "] is (", def.positions[p].x, ", ", def.positions[p].y, "); accepted are finite metres");
-    }
+    check_coordinates(("positions[" + std::to_string(p) + "]").c_str(), def.positions[p]);
   }
 }
 
@@ -40,6 +38,13 @@ void check_pins(const ThesisDef& def) {
 void check_range(const char* field, double value, double low, double high) {
   // Written so that NaN, which compares false with everything, is refused too.
   if (!(value >= low && value <= high)) refuse(field, " is ", value, "; accepted is ", low, " to ", high);
+}
+
+void check_coordinates(const char* field, Vec2 value) {
+  constexpr double most = 1e9;  // squares and cubes of it are far from overflow
+  if (!(std::abs(value.x) <= most && std::abs(value.y) <= most)) {
+    refuse(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -most, " to ", most);
+  }
 }
 
 void check(const ThesisDef& def) {

@@ -20,8 +20,8 @@ struct ThesisDef {
   double spacing = 0.05;            ///< m, between neighbours at rest, 1e-6 … 1e6
   double point_mass = 0.002;        ///< kg a point, 1e-9 … 1e9
   double spring_stiffness = 190.0;  ///< N/m, Ks of Eq. 3.20 as a physical stiffness, 0 … 1e15: the memory of shape
-  double bar_damping = 5.0;  ///< N·s/m, η of the FEM bars, 0 … 1e15: η·substeps/(dt·mass) of 1–10 behaves well
-  double drag = 0.0;         ///< 1/s, rate at which free motion dies away, 0 … 1e6
+  double bar_damping = 5.0;     ///< N·s/m, η of the FEM bars, 0 … 1e15: 1–10 times substeps·mass/dt behaves well
+  double drag = 0.0;            ///< 1/s, rate at which free motion dies away, 0 … 1e6
   double area_stiffness = 0.5;  ///< share of a squashed triangle's missing area given back a substep, 0 … 1
   double area_floor = 0.3;      ///< of the rest area, below which a triangle counts as squashed, 0 … 0.9
   bool self_collision = false;  ///< point circles against the cord's own triangles
@@ -37,6 +37,9 @@ struct ThesisDef {
 
 /// Throws DefinitionError at the first field that is out of its range; changes nothing.
 void check(const ThesisDef& def);
+
+/// Throws DefinitionError unless both coordinates are within ±1e9 (m, or m/s).
+void check_coordinates(const char* field, Vec2 value);
 
 /// Throws DefinitionError unless low ≤ value ≤ high: "spacing is -1; accepted is 1e-06 to 1e+06".
 void check_range(const char* field, double value, double low, double high);

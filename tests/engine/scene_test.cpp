@@ -98,13 +98,33 @@ TEST(Scene, RefusesWhatItCannotBuild) {
                  "mass");
   expect_refused(object("cord", R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":0}])", cord_properties),
                  "millimetre");
+  expect_refused(object("cord", R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":0},{"x":0,"y":40}])",
+                        cord_properties),
+                 "corners 1 and 2");
   expect_refused(object("circle", R"("width":10,"height":14,"ellipse":true)"), "as wide as high");
   expect_refused(object("circle", disc, R"({"name":"body","type":"string","value":"ghost"})"), "ghost");
   expect_refused(object("circle", disc, number("density", "-1")), "density");
   expect_refused(object("ground", disc), "ellipse");
+  expect_refused(
+      object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":40,"y":0},{"x":80,"y":0.000001}])"),
+      "sliver");
+  // A star: every corner turns the same way, and yet it is not convex.
+  expect_refused(
+      object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":-40},{"x":23,"y":32},{"x":-38,"y":-12},)"
+                       R"({"x":38,"y":-12},{"x":-23,"y":32}])"),
+      "convex");
   expect_refused(object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":40,"y":0},{"x":10,"y":10},)"
                                   R"({"x":0,"y":40}])"),
                  "convex");
+}
+
+TEST(Scene, RefusesUnknownPropertiesOfTheMapAndTooManyObjects) {
+  TiledMap map = map_with(object("player", box));
+  map.properties.insert("gravty_y", -1.6);
+  EXPECT_THROW(Scene(map, {"player"}), MapError);
+  TiledMap crowded = map_with(object("player", box));
+  crowded.objects.resize(2001, crowded.objects[0]);
+  EXPECT_THROW(Scene(crowded, {"player"}), MapError);
 }
 
 TEST(Scene, AnyShapeOfAKnownOtherKindIsLeftToTheCaller) {

@@ -134,9 +134,12 @@ TEST(ReplayProgram, AKilledGameLeavesAReplayUpToItsLastTick) {
     execl(TEST_ROPESWING, TEST_ROPESWING, "--headless", "--ticks", "1000000", "--record", path.c_str(), nullptr);
     _exit(127);
   }
-  while (!fs::exists(path) || fs::file_size(path) < 20'000) usleep(1000);  // it is in the middle of a run
-  kill(game, SIGKILL);
   int status = 0;
+  while (!fs::exists(path) || fs::file_size(path) < 20'000) {  // until it is in the middle of a run
+    ASSERT_EQ(waitpid(game, &status, WNOHANG), 0) << "the game ended by itself";
+    usleep(1000);
+  }
+  kill(game, SIGKILL);
   waitpid(game, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
   const engine::Replay left = engine::load_replay(path);
@@ -183,6 +186,25 @@ TEST(Program, RefusesUnknownLevelsAndBadArgumentsWithASentence) {
   const Ended picture = ropeswing("--headless --ticks 1 --screenshot /no/such/folder/a.png");
   EXPECT_EQ(picture.status, 2);
   EXPECT_NE(picture.output.find("/no/such/folder/a.png"), std::string::npos);
+}
+
+TEST(Program, RefusesToOverwriteWhatItReadsAndToWriteOneFileTwice) {
+  const std::string replay = scratch("both.replay");
+  write_bytes(replay, bytes_of(golden()));
+  const Ended ended = ropeswing("--headless --replay " + replay + " --record " + replay);
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.output.find("--record"), std::string::npos) << ended.output;
+  EXPECT_TRUE(bytes_of(replay) == bytes_of(golden()));
+  EXPECT_EQ(ropeswing("--headless --ticks 1 --record " + replay + ".x --screenshot " + replay + ".x").status, 2);
+}
+
+TEST(Program, RefusesEmptyNamesAndARunWithoutAnEnd) {
+  for (const char* option : {"--level", "--replay", "--record", "--screenshot"}) {
+    EXPECT_EQ(ropeswing(std::string("--headless --ticks 1 ") + option + " ''").status, 2) << option;
+  }
+  const Ended endless = ropeswing("--headless");
+  EXPECT_EQ(endless.status, 2);
+  EXPECT_NE(endless.output.find("--ticks"), std::string::npos) << endless.output;
 }
 
 TEST(Program, WithoutADisplayAWindowIsRefusedWithTheWayOut) {

@@ -60,6 +60,7 @@ TEST(BandedLdlt, RefusesWhatIsNotPositiveDefinite) {
   EXPECT_FALSE(solves(-1.0, 0.0, 1.0));
   EXPECT_FALSE(solves(std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0));
   EXPECT_FALSE(solves(std::numeric_limits<double>::infinity(), 0.0, 1.0));
+  EXPECT_FALSE(solves(std::numeric_limits<double>::denorm_min(), 0.0, 1.0));
 }
 
 TEST(BandedMatrix, AtReadsBothTriangles) {

@@ -42,7 +42,7 @@ TEST_P(LongConditions, APinnedCordFallsSwingsAndComesToRest) {
 /// (Dragged around them, a cord in the plane is wound around its own anchor and stays so, as it should.)
 class Yank {
  public:
-  explicit Yank(Vec2 start, double length) : at_(start), length_(length) {}
+  Yank(Vec2 start, double length, unsigned seed) : random_(seed), at_(start), length_(length) {}
 
   Vec2 next() {
     if (left_-- == 0) {
@@ -60,7 +60,7 @@ class Yank {
   }
 
  private:
-  std::mt19937 random_{2017};
+  std::mt19937 random_;
   Vec2 at_;
   Vec2 way_{1.0, 0.0};
   double length_;
@@ -70,19 +70,17 @@ class Yank {
 struct YankResult {
   bool finite = true;
   double most_energy = 0.0;
-  int most_inverted = 0;
 };
 
-YankResult yank(ThesisCord& cord, Vec2 gravity) {
+YankResult yank(ThesisCord& cord, Vec2 gravity, unsigned seed) {
   const int point = cord.mesh().size() - 1;
-  Yank drag(cord.positions().back(), (cord.mesh().w - 1) * cord.mesh().spacing);
+  Yank drag(cord.positions().back(), (cord.mesh().w - 1) * cord.mesh().spacing, seed);
   YankResult result;
   for (int frame = 0; frame < 10'000; ++frame) {
     cord.operate(point, drag.next());
     cord.step(frame_dt, gravity);
     result.finite = result.finite && test_support::all_finite(cord);
     result.most_energy = std::max(result.most_energy, test_support::kinetic_energy(cord));
-    result.most_inverted = std::max(result.most_inverted, test_support::inverted_triangles(cord));
   }
   cord.release(point);
   for (int frame = 0; frame < 3'000; ++frame) cord.step(frame_dt, gravity);
@@ -94,26 +92,24 @@ double plausible_energy(const ThesisCord& cord) {
   return 10.0 * 0.5 * cord.mesh().size() * cord.def().point_mass * 20.0 * 20.0;
 }
 
+constexpr std::array<unsigned, 2> yank_seeds = {2017, 2018};
+
 TEST_P(LongConditions, YankedAboutWithoutGravityEveryLengthComesBack) {
-  ThesisCord cord(test_support::hanging(GetParam()));
-  const YankResult result = yank(cord, {});
-  EXPECT_TRUE(result.finite);
-  EXPECT_LT(result.most_energy, plausible_energy(cord));
-  EXPECT_EQ(test_support::inverted_triangles(cord), 0);
-  EXPECT_LT(test_support::worst_stretch(cord), 0.03);
-  RecordProperty("worst_stretch", std::to_string(test_support::worst_stretch(cord)));
-  RecordProperty("most_inverted_while_yanked", result.most_inverted);
+  double worst = 0.0;
+  for (const unsigned seed : yank_seeds) {
+    ThesisCord cord(test_support::hanging(GetParam()));
+    const YankResult result = yank(cord, {}, seed);
+    EXPECT_TRUE(result.finite);
+    EXPECT_LT(result.most_energy, plausible_energy(cord));
+    EXPECT_EQ(test_support::inverted_triangles(cord), 0);
+    worst = std::max(worst, test_support::worst_stretch(cord));
+  }
+  EXPECT_LT(worst, 0.03);
+  RecordProperty("worst_stretch", std::to_string(worst));
 }
 
-/// Under gravity the material itself stretches: every length comes back to that of a cord that was never yanked.
-TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
-  ThesisCord calm(test_support::hanging(GetParam()));
-  for (int frame = 0; frame < 3'000; ++frame) calm.step(frame_dt, earth_gravity);
-  ThesisCord cord(test_support::hanging(GetParam()));
-  const YankResult result = yank(cord, earth_gravity);
-  EXPECT_TRUE(result.finite);
-  EXPECT_LT(result.most_energy, plausible_energy(cord));
-  EXPECT_EQ(test_support::inverted_triangles(cord), 0);
+/// The largest |length ratio − 1| between a connection of one cord and the same of the other.
+double worst_difference(const ThesisCord& cord, const ThesisCord& calm) {
   double worst = 0.0;
   for (const Connection& bar : cord.mesh().connections) {
     const auto a = static_cast<std::size_t>(bar.a);
@@ -122,9 +118,25 @@ TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
     const double then = length(calm.positions()[b] - calm.positions()[a]);
     worst = std::max(worst, std::abs(now / then - 1.0));
   }
+  return worst;
+}
+
+/// Under gravity the material itself stretches: every length comes back to that of a cord that was never yanked.
+TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
+  ThesisCord calm(test_support::hanging(GetParam()));
+  for (int frame = 0; frame < 3'000; ++frame) calm.step(frame_dt, earth_gravity);
+  double worst = 0.0;
+  for (const unsigned seed : yank_seeds) {
+    ThesisCord cord(test_support::hanging(GetParam()));
+    const YankResult result = yank(cord, earth_gravity, seed);
+    EXPECT_TRUE(result.finite);
+    EXPECT_LT(result.most_energy, plausible_energy(cord));
+    EXPECT_EQ(test_support::inverted_triangles(cord), 0);
+    worst = std::max(worst, worst_difference(cord, calm));
+  }
   EXPECT_LT(worst, 0.03);
   RecordProperty("worst_length_against_calm", std::to_string(worst));
-  RecordProperty("length_ratio", std::to_string(test_support::length_ratio(cord)));
+  RecordProperty("calm_length_ratio", std::to_string(test_support::length_ratio(calm)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Thesis, LongConditions, testing::ValuesIn(thesis_conditions),
@@ -165,19 +177,13 @@ TEST(LongCord, AFreeCordAndAFreeCircleThatMeetKeepTheirMomentum) {
   // Two circles on one body, off its centre.
   std::array<RigidCircle, 2> circles = {RigidCircle{0, {0.1, 0.0}, 0.08}, RigidCircle{0, {-0.1, 0.05}, 0.1}};
   const auto momentum = [&] { return test_support::momentum(cord) + 0.05 * bodies[0].velocity; };
-  const auto first_moment = [&] {
-    return (cord.mesh().size() * def.point_mass) * test_support::centre_of_mass(cord) + 0.05 * bodies[0].position;
-  };
   const Vec2 before = momentum();
-  const Vec2 moment_before = first_moment();
-  Vec2 moment_expected = moment_before;
   int contacts = 0;
   for (int frame = 0; frame < 600; ++frame) {
-    const Vec2 body_start = bodies[0].position;
     contacts += cord.step(frame_dt, {}, {bodies, circles, {}}).circle_contacts;
     bodies[0].velocity += bodies[0].inverse_mass * bodies[0].impulse;
     bodies[0].angular_velocity += bodies[0].inverse_inertia * bodies[0].angular_impulse;
-    bodies[0].position = body_start + frame_dt * bodies[0].velocity;
+    bodies[0].position += frame_dt * bodies[0].velocity;
     const double turn = frame_dt * bodies[0].angular_velocity;
     for (RigidCircle& circle : circles) {
       circle.offset = {std::cos(turn) * circle.offset.x - std::sin(turn) * circle.offset.y,
@@ -185,7 +191,6 @@ TEST(LongCord, AFreeCordAndAFreeCircleThatMeetKeepTheirMomentum) {
     }
     bodies[0].impulse = {};
     bodies[0].angular_impulse = 0.0;
-    moment_expected += frame_dt * before;
     EXPECT_NEAR(length(momentum() - before), 0.0, 1e-9 * length(before));
   }
   EXPECT_GT(contacts, 10);

@@ -243,17 +243,23 @@ TEST(Misprint5Springs, SummedAtOnceTheyExplode) {
 }
 
 TEST(Misprint6ContactSign, PushesThePairDeeperAndTheHeavierSideFurther) {
-  // Eqs. 3.23–3.27 for a circle of radius 1 whose centre is 0.6 above the triangle, m_c = 3, m_t = 1.
+  // A circle of radius 1 and 3 kg, its centre 0.6 above a point of 1 kg that stands for the triangle: d points up.
   const double r = 1.0;
-  const double distance = 0.6;       // |C − T_c|, and d points up
-  const double i = distance - r;     // 3.24: −0.4
-  const double n_c = 3.0 / 4.0 * i;  // 3.26, along d: the circle goes down
-  const double n_t = -1.0 / 4.0 * i;
-  EXPECT_LT(distance + n_c - n_t, distance);         // nearer than before
-  EXPECT_GT(std::abs(n_c), std::abs(n_t));           // and the heavier one moved more
-  const double ours_c = (r - distance) * 1.0 / 4.0;  // each by the other's share, depth positive
-  const double ours_t = -(r - distance) * 3.0 / 4.0;
-  EXPECT_NEAR(distance + ours_c - ours_t, r, 1e-15);
+  const double distance = 0.6;
+  const double m_c = 3.0;
+  const double m_t = 1.0;
+  const double i = distance - r;              // 3.24: −0.4
+  const double n_c = m_c / (m_c + m_t) * i;   // 3.26: the circle goes down,
+  const double n_t = -m_t / (m_c + m_t) * i;  // 3.27: and the triangle up
+  EXPECT_LT(distance + n_c - n_t, distance);
+  EXPECT_GT(std::abs(n_c), std::abs(n_t));
+
+  const Contact contact{{0.0, 1.0}, r - distance, {0, 0, 0}, {1.0, 0.0, 0.0}};
+  std::vector<Vec2> triangle = {{0.0, 0.0}};
+  const double lambda = push_apart(contact, 1.0 / m_c, r, std::vector<double>{1.0 / m_t}, triangle);
+  const double circle = distance + lambda / m_c;
+  EXPECT_NEAR(circle - triangle[0].y, r, 1e-15);
+  EXPECT_LT(circle - distance, -triangle[0].y);  // the lighter side moves more
 }
 
 TEST(Misprint7Inside, ACentreInsideATriangleHasNoDirection) {

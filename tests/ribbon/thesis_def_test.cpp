@@ -90,7 +90,12 @@ TEST(ThesisCord, RefusesUnknownPointsAndChangesNothing) {
   EXPECT_THROW(cord.constrain(-1, {0.0, 0.0}), DefinitionError);
   EXPECT_THROW(cord.release(1000), DefinitionError);
   EXPECT_THROW(cord.operate(3, {nan, 0.0}), DefinitionError);
+  EXPECT_THROW(cord.operate(3, {1e200, 0.0}), DefinitionError);
   EXPECT_THROW(cord.set_velocity(3, {0.0, infinity}), DefinitionError);
+  EXPECT_THROW(cord.set_velocity(3, {0.0, -2e9}), DefinitionError);
+  ThesisCord::State spoilt = before;
+  spoilt.velocities[4].x = nan;
+  EXPECT_THROW(cord.restore(spoilt), DefinitionError);
   ThesisCord::State other = before;
   other.positions.pop_back();
   EXPECT_THROW(cord.restore(other), DefinitionError);

@@ -59,12 +59,6 @@ double kinetic_energy(const ThesisCord& cord) {
   return sum;
 }
 
-double lowest_area_ratio(const ThesisCord& cord) {
-  double lowest = 1e300;
-  for (const auto& triangle : cord.mesh().triangles) lowest = std::min(lowest, area_ratio(cord, triangle));
-  return lowest;
-}
-
 int inverted_triangles(const ThesisCord& cord) {
   const auto& triangles = cord.mesh().triangles;
   return static_cast<int>(std::count_if(triangles.begin(), triangles.end(),

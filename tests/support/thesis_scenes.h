@@ -18,14 +18,13 @@ struct ThesisCondition {
   int h;
   double printed_k;  ///< spring coefficient
   int substeps;      ///< iterations
-  double thesis_frames_per_second;
 };
 
 constexpr std::array<ThesisCondition, 4> thesis_conditions = {{
-    {"thesis_a", 25, 2, 0.45, 8, 72.1},
-    {"thesis_b", 10, 5, 0.45, 8, 70.5},
-    {"thesis_c", 35, 2, 0.45, 8, 32.7},
-    {"thesis_d", 35, 2, 0.45, 4, 62.5},
+    {"thesis_a", 25, 2, 0.45, 8},
+    {"thesis_b", 10, 5, 0.45, 8},
+    {"thesis_c", 35, 2, 0.45, 8},
+    {"thesis_d", 35, 2, 0.45, 4},
 }};
 
 void PrintTo(const ThesisCondition& condition, std::ostream* out);  // for GoogleTest
@@ -37,11 +36,10 @@ ribbon::ThesisDef thesis_def(const ThesisCondition& condition);
 /// The same, pinned by the points of its first column and hanging straight down from there.
 ribbon::ThesisDef hanging(const ThesisCondition& condition);
 
-double kinetic_energy(const ribbon::ThesisCord& cord);     ///< J
-double lowest_area_ratio(const ribbon::ThesisCord& cord);  ///< least signed area of a triangle / rest area
-int inverted_triangles(const ribbon::ThesisCord& cord);    ///< those with a negative signed area
-double length_ratio(const ribbon::ThesisCord& cord);       ///< middle line's length / its rest length
-double worst_stretch(const ribbon::ThesisCord& cord);      ///< largest |length/rest − 1| of a connection
+double kinetic_energy(const ribbon::ThesisCord& cord);   ///< J
+int inverted_triangles(const ribbon::ThesisCord& cord);  ///< those with a negative signed area
+double length_ratio(const ribbon::ThesisCord& cord);     ///< middle line's length / its rest length
+double worst_stretch(const ribbon::ThesisCord& cord);    ///< largest |length/rest − 1| of a connection
 bool all_finite(const ribbon::ThesisCord& cord);
 ribbon::Vec2 centre_of_mass(const ribbon::ThesisCord& cord);  ///< m
 ribbon::Vec2 momentum(const ribbon::ThesisCord& cord);        ///< kg·m/s

@@ -67,7 +67,11 @@ int main(int argc, char** argv) {
   app.add_option("--scene", name, "The scene to run");
   app.add_option("--repeats", repeats, "Repeats to take the median of")->check(CLI::Range(1, 100000));
   app.add_flag("--csv", csv, "Print rows scene,method,setting,points,us_per_tick,frames_per_second");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
 
   if (list) {
     list_scenes();
