@@ -289,6 +289,19 @@ TEST(Coupling, ADynamicBodyWithoutMassIsLeftOut) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0)));
 }
 
+TEST(Coupling, ABodyThatGravityDoesNotPullDoesNotPress) {
+  for (const float scale : {0.0F, 1.0F}) {
+    b2World world({0.0F, -9.81F});
+    Coupling coupling;
+    coupling.add(ThesisCord(pinned_at_both_ends()));
+    // Half a millimetre above the pinned end, less than it falls in a tick.
+    b2Body* ball = add_circle(world, {0.1, 0.1 + 0.3 + 5e-4}, 0.3);
+    ball->SetGravityScale(scale);
+    tick(coupling, world);
+    EXPECT_EQ(coupling.report(0).circle_contacts > 0, scale > 0.0F);
+  }
+}
+
 TEST(Coupling, ADrivenPointMeetsWhatItIsDrivenInto) {
   b2World world({0.0F, 0.0F});
   Coupling coupling;
@@ -445,6 +458,20 @@ TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
     EXPECT_LT(highest, start + 72.0 / (2.0 * 9.81) + 0.2) << wall;
     EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0)));
   }
+}
+
+TEST(CouplingHold, HeldOffCentreABodyHangsWithItsCentreBelowTheHand) {
+  Hanging hanging(2.0, 2.0);
+  hanging.body->SetTransform(to_float(hanging.end() + Vec2{0.3, 0.0}), 0.0F);
+  hanging.body->SetAngularDamping(1.0F);
+  hanging.coupling.hold(hanging.held, 40, *hanging.body, {-0.3F, 0.0F});
+  hanging.run(1800);
+  const Vec2 hand = to_double(hanging.body->GetWorldPoint({-0.3F, 0.0F}));
+  const Vec2 center = to_double(hanging.body->GetWorldCenter());
+  EXPECT_NEAR(center.x - hand.x, 0.0, 5e-3);
+  EXPECT_NEAR(center.y - hand.y, -0.3, 5e-3);
+  EXPECT_NEAR(static_cast<double>(hanging.body->GetAngularVelocity()), 0.0, 0.02);
+  EXPECT_NEAR(length(hanging.end() - hand), 0.0, 2e-3);
 }
 
 TEST(CouplingHold, LetGoTheBodyKeepsItsVelocity) {
