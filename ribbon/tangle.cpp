@@ -43,7 +43,7 @@ int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, cons
         if (q < 0 || q >= mesh.size() || near.is_own(at(p), t) || near.is_own(at(q), t)) continue;
         if (!crosses_an_edge(positions[at(p)], positions[at(q)], corners)) continue;
         mark(tangled, mesh.column(p));
-        mark(tangled, mesh.column(triangle.a));
+        mark(tangled, mesh.column(triangle.a));  // which may not see p's edge from its own side
       }
     }
   }
