@@ -14,25 +14,6 @@ template <typename... Parts>
   throw DefinitionError(sentence.str());
 }
 
-void check_positions(const ThesisDef& def) {
-  const auto expected = static_cast<std::size_t>(def.w) * static_cast<std::size_t>(def.h);
-  if (def.positions.empty()) return;
-  if (def.positions.size() != expected) {
-    refuse("positions has ", def.positions.size(), " entries; accepted is none, or w·h = ", expected);
-  }
-  for (std::size_t p = 0; p < expected; ++p) {
-    check_coordinates(("positions[" + std::to_string(p) + "]").c_str(), def.positions[p]);
-  }
-}
-
-void check_pins(const ThesisDef& def) {
-  for (std::size_t k = 0; k < def.pins.size(); ++k) {
-    if (def.pins[k] < 0 || def.pins[k] >= def.w * def.h) {
-      refuse("pins[", k, "] is ", def.pins[k], "; accepted is a point index from 0 to ", def.w * def.h - 1);
-    }
-  }
-}
-
 }  // namespace
 
 void check_range(const char* field, double value, double low, double high) {
@@ -44,6 +25,20 @@ void check_coordinates(const char* field, Vec2 value) {
   constexpr double most = 1e9;  // squares and cubes of it are far from overflow
   if (!(std::abs(value.x) <= most && std::abs(value.y) <= most)) {
     refuse(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -most, " to ", most);
+  }
+}
+
+void check_points(int points, std::span<const Vec2> positions, std::span<const int> pins) {
+  if (!positions.empty() && positions.size() != static_cast<std::size_t>(points)) {
+    refuse("positions has ", positions.size(), " entries; accepted is none, or one a point: ", points);
+  }
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    check_coordinates(("positions[" + std::to_string(p) + "]").c_str(), positions[p]);
+  }
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    if (pins[k] < 0 || pins[k] >= points) {
+      refuse("pins[", k, "] is ", pins[k], "; accepted is a point index from 0 to ", points - 1);
+    }
   }
 }
 
@@ -59,8 +54,7 @@ void check(const ThesisDef& def) {
   check_range("area_floor", def.area_floor, 0.0, 0.9);
   check_range("radius", def.radius, 0.0, 0.5 * def.spacing);
   check_range("substeps", def.substeps, 1, 4096);
-  check_positions(def);
-  check_pins(def);
+  check_points(def.w * def.h, def.positions, def.pins);
 }
 
 }  // namespace ribbon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct ThesisDef {
 
 /// Throws DefinitionError at the first field that is out of its range; changes nothing.
 void check(const ThesisDef& def);
+
+/// Throws DefinitionError unless there is no position or one a point, each within ±1e9 m, and every pin is a point.
+void check_points(int points, std::span<const Vec2> positions, std::span<const int> pins);
 
 /// Throws DefinitionError unless both coordinates are within ±1e9 (m, or m/s).
 void check_coordinates(const char* field, Vec2 value);

@@ -12,7 +12,7 @@ using tradeoff::Scene;
 
 void list_scenes() {
   for (const Scene& scene : tradeoff::scenes())
-    std::printf("%-10s %s\n", scene.name.c_str(), scene.description.c_str());
+    std::printf("%-12s %s\n", scene.name.c_str(), scene.description.c_str());
 }
 
 /// On the terminal's error stream, so that a redirected table stays clean.
@@ -29,7 +29,7 @@ void print_rows(const Scene& scene, const std::vector<Contestant>& contestants, 
   if (csv) {
     std::puts("scene,method,setting,points,us_per_tick,frames_per_second");
   } else {
-    std::printf("%-10s %-14s %-12s %7s %12s %12s %12s %10s\n", "scene", "method", "setting", "points", "us a tick",
+    std::printf("%-12s %-14s %-12s %7s %12s %12s %12s %10s\n", "scene", "method", "setting", "points", "us a tick",
                 "frames/s", "ns a point", "x first");
   }
   for (std::size_t c = 0; c < contestants.size(); ++c) {
@@ -39,7 +39,7 @@ void print_rows(const Scene& scene, const std::vector<Contestant>& contestants, 
       std::printf("%s,%s,%s,%d,%.3f,%.1f\n", scene.name.c_str(), row.method.c_str(), row.setting.c_str(), row.points,
                   us, 1e6 / us);
     } else {
-      std::printf("%-10s %-14s %-12s %7d %12.2f %12.1f %12.1f %10.2f\n", scene.name.c_str(), row.method.c_str(),
+      std::printf("%-12s %-14s %-12s %7d %12.2f %12.1f %12.1f %10.2f\n", scene.name.c_str(), row.method.c_str(),
                   row.setting.c_str(), row.points, us, 1e6 / us, 1e3 * us / row.points, us / spent[0]);
     }
   }

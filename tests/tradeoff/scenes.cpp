@@ -1,8 +1,10 @@
 #include "tests/tradeoff/scenes.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
+#include "tests/support/heavy_swing.h"
 #include "tests/support/thesis_scenes.h"
 #include "tests/tradeoff/dense_inverse.h"
 
@@ -42,6 +44,18 @@ std::vector<Contestant> scaling() {
   return lengths;
 }
 
+/// The direct solver with 70 kg on 1 kg of cord, by substeps, cords that do not stretch.
+std::vector<Contestant> heavy_swing() {
+  std::vector<Contestant> settings;
+  for (const int substeps : {1, 2, 4, 8}) {
+    const auto rope = std::make_shared<ribbon::Rope>(
+        test_support::heavy_swing(std::numeric_limits<double>::infinity(), substeps, 1e-3));
+    settings.push_back({"rope", "substeps=" + std::to_string(substeps), rope->def().points,
+                        [rope] { rope->step(frame_dt, earth_gravity); }});
+  }
+  return settings;
+}
+
 }  // namespace
 
 const std::vector<Scene>& scenes() {
@@ -50,6 +64,8 @@ const std::vector<Scene>& scenes() {
       {"thesis_b", "10 x 5 points, 8 substeps, self-collision: banded against dense inverse", 20, thesis_condition<1>},
       {"thesis_c", "35 x 2 points, 8 substeps, self-collision: banded against dense inverse", 20, thesis_condition<2>},
       {"thesis_d", "35 x 2 points, 4 substeps, self-collision: banded against dense inverse", 20, thesis_condition<3>},
+      {"heavy_swing", "51 points and a load of 70 times their weight, swinging: the direct solver by substeps", 300,
+       heavy_swing},
       {"scaling", "25, 250 and 2500 x 2 points, no collision: cost a point", 10, scaling},
   };
   return all;
