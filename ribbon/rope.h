@@ -84,15 +84,14 @@ class Rope {
   void restore(const State& state);
 
  private:
-  /// What the elimination keeps of a link for the substitution, with a the end further along the cord.
+  /// What the elimination keeps of a link for the substitution: how its tension and its further end follow from the
+  /// step δb of the end before it, λ = tension + slope·δb, δa = shift + turn·δb.
   struct Link {
-    double sxx, sxy, syy;  // S, the inverse of a's matrix when it is eliminated; 0 for a constrained point
-    Vec2 direction;        // d, from a to the end before it
-    Vec2 pull;             // p = d − G·S·d
-    double geometric;      // g of G = g(I − ddᵀ), N/m
-    double inverse_give;   // 1/σ
-    double gap;            // c − dᵀ·S·r_a
-    Vec2 residual;         // r_a
+    double tension;
+    Vec2 slope;
+    Vec2 shift;
+    Vec2 turn_x;  // the first row of the matrix, and
+    Vec2 turn_y;  // the second
   };
 
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }

@@ -148,76 +148,70 @@ bool Rope::solve_stage(double q, int max_iterations, RopeReport& report) {
 }
 
 /// One step of mixed Newton: the tension λ of each link is an unknown of its own, so that stiffness does not enter, and
-/// EA → ∞ is no special case. For a link from a to b, d the unit vector from a to b, L its length, α = l/EA:
+/// EA → ∞ is no special case. For a link from a to b, d the unit vector from a to b, u = perp(d), L its length, α =
+/// l/EA, g = max(0, λ)/L with the λ of the iteration before:
 ///
-///     A_a·δa − G·δb − d·λ = r_a              G = max(0, λ)/L · (I − ddᵀ), with the λ of the iteration before
-///     A_b·δb − G·δa + d·λ = r_b
+///     A_a·δa − g·u·uᵀ·δb − d·λ = r_a         (A_a and A_b hold the link's own g·u·uᵀ)
+///     A_b·δb − g·u·uᵀ·δa + d·λ = r_b
 ///     dᵀ(δb − δa) − α·λ = −c                 c = L − l
 ///
-/// Points are eliminated one by one from the cord's last to its first. With S = A_a⁻¹, p = d − G·S·d, σ = α + dᵀ·S·d:
+/// Points are eliminated one by one from the cord's last to its first. With S = A_a⁻¹, p = d − g·(uᵀSd)·u and
+/// σ = α + dᵀSd:
 ///
-///     λ = (c − dᵀ·S·r_a + pᵀ·δb)/σ
-///     A_b ← A_b − G·S·G + p·pᵀ/σ             r_b ← r_b + G·S·r_a − p·(c − dᵀ·S·r_a)/σ
+///     λ = (c − dᵀS·r_a + pᵀδb)/σ             δa = S(r_a + d·λ + g·u·uᵀδb)
+///     A_b ← A_b − g²·(uᵀSu)·u·uᵀ + p·pᵀ/σ    r_b ← r_b + g·(uᵀS·r_a)·u − p·(c − dᵀS·r_a)/σ
 ///
 /// A constrained point has S = 0. Returns how far the point that moved most went, m.
 double Rope::newton_step(double q) {
   const double inverse_q2 = 1.0 / (q * q);
   const double least_sigma = least_give * q * q / masses_[0];
   const std::size_t n = positions_.size();
-  double axx = masses_[n - 1] * inverse_q2;
-  double axy = 0.0;
-  double ayy = axx;
-  Vec2 r = masses_[n - 1] * (gravity_ - inverse_q2 * (positions_[n - 1] - predicted_[n - 1]));
+  const auto residual = [&](std::size_t p) {
+    return masses_[p] * (gravity_ - inverse_q2 * (positions_[p] - predicted_[p]));
+  };
+  double xx = masses_[n - 1] * inverse_q2;  // A of the point that is eliminated next
+  double xy = 0.0;
+  double yy = xx;
+  Vec2 r = residual(n - 1);
 
   for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
-    Link& link = links_[e];
     const Vec2 ab = positions_[e] - positions_[e + 1];
     const double size = length(ab);
     const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, 1.0};
+    const Vec2 u = perp(d);
     const double g = size > 0.0 ? std::max(0.0, tensions_[e]) / size : 0.0;
-    const double gxx = g * d.y * d.y;
-    const double gxy = -g * d.x * d.y;
-    const double gyy = g * d.x * d.x;
-    axx += gxx;
-    axy += gxy;
-    ayy += gyy;
-    const double inverse_det = is_constrained(e + 1) ? 0.0 : 1.0 / (axx * ayy - axy * axy);
-    const double sxx = ayy * inverse_det;
-    const double sxy = -axy * inverse_det;
-    const double syy = axx * inverse_det;
-    const Vec2 sd{sxx * d.x + sxy * d.y, sxy * d.x + syy * d.y};
-    const Vec2 sr{sxx * r.x + sxy * r.y, sxy * r.x + syy * r.y};
-    const Vec2 p{d.x - (gxx * sd.x + gxy * sd.y), d.y - (gxy * sd.x + gyy * sd.y)};
+    xx += g * u.x * u.x;
+    xy += g * u.x * u.y;
+    yy += g * u.y * u.y;
+    const double inverse_det = is_constrained(e + 1) ? 0.0 : 1.0 / (xx * yy - xy * xy);
+    const auto s = [&](Vec2 v) { return inverse_det * Vec2{yy * v.x - xy * v.y, xx * v.y - xy * v.x}; };
+    const Vec2 sd = s(d);
+    const Vec2 su = s(u);
+    const Vec2 sr = s(r);
     const double inverse_sigma = 1.0 / std::max(compliance_ + dot(d, sd), least_sigma);
-    const double gap = size - link_length_ - dot(d, sr);
-    link = {sxx, sxy, syy, d, p, g, inverse_sigma, gap, r};
+    const Vec2 p = d - (g * dot(u, sd)) * u;
+    const double tension = (size - link_length_ - dot(d, sr)) * inverse_sigma;
+    const Vec2 slope = inverse_sigma * p;
+    links_[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
 
-    const double tx = sxx * gxx + sxy * gxy;  // the columns of S·G
-    const double ty = sxy * gxx + syy * gxy;
-    const double ux = sxx * gxy + sxy * gyy;
-    const double uy = sxy * gxy + syy * gyy;
     const double inertia = masses_[e] * inverse_q2;
-    axx = inertia + gxx - (gxx * tx + gxy * ty) + p.x * p.x * inverse_sigma;
-    axy = gxy - (gxx * ux + gxy * uy) + p.x * p.y * inverse_sigma;
-    ayy = inertia + gyy - (gxy * ux + gyy * uy) + p.y * p.y * inverse_sigma;
-    r = masses_[e] * (gravity_ - inverse_q2 * (positions_[e] - predicted_[e]));
-    r += Vec2{gxx * sr.x + gxy * sr.y, gxy * sr.x + gyy * sr.y} - (gap * inverse_sigma) * p;
+    const double across = g * (1.0 - g * dot(u, su));
+    xx = inertia + across * u.x * u.x + p.x * slope.x;
+    xy = across * u.x * u.y + p.x * slope.y;
+    yy = inertia + across * u.y * u.y + p.y * slope.y;
+    r = residual(e) + (g * dot(u, sr)) * u - tension * p;
   }
 
   Vec2 moved{};
   if (!is_constrained(0)) {
-    const double inverse_det = 1.0 / (axx * ayy - axy * axy);
-    moved = {(ayy * r.x - axy * r.y) * inverse_det, (axx * r.y - axy * r.x) * inverse_det};
+    moved = (1.0 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
     positions_[0] += moved;
   }
   double furthest2 = dot(moved, moved);
   for (std::size_t e = 0; e + 1 < n; ++e) {
     const Link& link = links_[e];
-    const Vec2 d = link.direction;
-    tensions_[e] = (link.gap + dot(link.pull, moved)) * link.inverse_give;
-    const double across = link.geometric * cross(d, moved);  // G·δb = g·(d × δb)·perp(d)
-    const Vec2 push = link.residual + across * perp(d) + tensions_[e] * d;
-    moved = {link.sxx * push.x + link.sxy * push.y, link.sxy * push.x + link.syy * push.y};
+    tensions_[e] = link.tension + dot(link.slope, moved);
+    moved = link.shift + Vec2{dot(link.turn_x, moved), dot(link.turn_y, moved)};
     positions_[e + 1] += moved;
     furthest2 = std::max(furthest2, dot(moved, moved));
   }
