@@ -12,7 +12,7 @@ namespace ribbon {
 ///
 /// A cord that has been thrown through itself crosses itself, and contact then holds the crossing for ever, since it
 /// drives out to either side what would have to slide through. So contact has to rest there until springs and gravity
-/// have pulled the crossing out. (Yanked about at 20 m/s, about half of the thesis's cords stayed knotted without.)
+/// have pulled the crossing out.
 int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, const BroadPhase& near,
                          std::span<char> tangled);
 
