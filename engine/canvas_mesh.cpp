@@ -108,16 +108,13 @@ void add_bar(Mesh& mesh, Vec2 from, Vec2 to, const Profile& profile) {
   }
 }
 
-/// Fills the wedge that two bars leave open on the outside of a bend. In a bend tighter than the line is wide the bars
-/// are too short to hide each other's ends on the inside, so there it takes a whole disc.
+/// Fills the wedge that two bars leave open on the outside of a bend. Nothing more is ever missing, however tight the
+/// bend: a point near the line is nearest either to the inside of a piece, then in its bar, or to a joint, and then in
+/// front of the one piece's end and behind the other's start, which is this wedge.
 void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& profile) {
   const Vec2 in = at - before;
   const Vec2 out = after - at;
   const double turn = std::atan2(cross(in, out), dot(in, out));
-  if (profile.outer * std::abs(std::sin(turn)) > std::min(length(in), length(out))) {
-    add_full_disc(mesh, at, profile);
-    return;
-  }
   const Vec2 outside = turn > 0.0 ? -perp(in) : perp(in);
   add_sector(mesh, at, profile, std::atan2(outside.y, outside.x), turn);
 }

@@ -11,7 +11,7 @@ namespace engine {
 /// A picture in memory, and the two ways of putting something on it: a mesh, and a mask of letters.
 ///
 /// It exists because SDL's own software renderer moves the corners of triangles to whole pixels, which undoes any
-/// antialiasing. Drawing here also makes the picture the same on every machine, with a display or without.
+/// antialiasing. Drawing here also gives the window and the saved file the same picture.
 class Raster {
  public:
   /// Black. Width and height in pixels, 1 or more.
@@ -25,7 +25,7 @@ class Raster {
   /// Fills the row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);
   /// Blends the colour once over every pixel whose middle the mesh covers, by the largest cover of its triangles there
-  /// times opacity (0 … 255).
+  /// times opacity (0 … 255). The mesh's indices are in range, its corners finite.
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
   /// Blends the colour by a mask of width × (its size / width) bytes, its top left corner at this pixel; parts outside
   /// are cut off.

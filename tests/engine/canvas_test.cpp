@@ -194,12 +194,14 @@ TEST(CanvasMesh, SliverOfAPolygonKeepsItsTotalCover) {
 
 TEST(CanvasMesh, TrianglesHaveARimOnTheirCommonBoundaryOnly) {
   Mesh mesh;
-  const std::vector<Vec2> square{{20.0, 20.0}, {60.0, 20.0}, {60.0, 60.0}, {20.0, 60.0}};
-  engine::add_triangles(mesh, square, std::vector<int>{0, 1, 2, 0, 2, 3});
+  const std::vector<Vec2> square{{20.0, 20.0}, {60.0, 20.0}, {60.0, 60.0}, {20.0, 60.0}, {40.0, 40.0}};
+  engine::add_triangles(mesh, square, std::vector<int>{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
   expect_sound(mesh);
   EXPECT_EQ(cover_at(mesh, {40.0, 40.0}), 1.0);
   EXPECT_NEAR(cover_at(mesh, {40.0, 19.5}), 0.5, 1e-9);
   EXPECT_NEAR(cover_at(mesh, {20.0, 61.0}), 0.0, 1e-9);
+  for (const MeshVertex& v : mesh.vertices)
+    EXPECT_TRUE(v.cover == 1.0 || length(v.at - Vec2{40.0, 40.0}) > 15.0) << "a rim around the middle";
 }
 
 TEST(CanvasMesh, RoundedRectangle) {
@@ -219,6 +221,32 @@ TEST(CanvasMesh, OverlapIsBlendedOnce) {
   raster.fill(mesh, 0xff, 100);
   const auto most = *std::max_element(raster.pixels().begin(), raster.pixels().end());
   EXPECT_NEAR(most, 100.0, 1.0);
+}
+
+TEST(Raster, TheLargestCoverCountsInAnyOrder) {
+  Mesh mesh;
+  mesh.vertices = {{{0.0, 0.0}, 1.0}, {{40.0, 0.0}, 1.0}, {{0.0, 40.0}, 1.0},
+                   {{0.0, 0.0}, 0.2}, {{40.0, 0.0}, 0.4}, {{0.0, 40.0}, 0.3}};
+  for (const std::vector<int>& order : {std::vector{0, 1, 2, 3, 4, 5}, std::vector{3, 4, 5, 0, 1, 2}}) {
+    mesh.indices = order;
+    Raster raster(20, 20);
+    raster.fill(mesh, 0xff, 255);
+    EXPECT_EQ(raster.pixels(), std::vector<std::uint32_t>(400, 0xffU));
+  }
+}
+
+TEST(Raster, AMaskIsCutOffAtTheEdges) {
+  const std::vector<std::uint8_t> mask(16, 255);  // 4 × 4
+  for (const int left : {-3, 5})
+    for (const int top : {-3, 5}) {
+      Raster raster(6, 6);
+      raster.stamp(mask, 4, left, top, 0xff, 255);
+      for (int i = 0; i < 36; ++i) {
+        const bool inside = i % 6 >= left && i % 6 < left + 4 && i / 6 >= top && i / 6 < top + 4;
+        EXPECT_EQ(raster.pixels()[static_cast<std::size_t>(i)], inside ? 0xffU : 0U)
+            << left << ", " << top << ": " << i;
+      }
+    }
 }
 
 TEST(Canvas, NothingComesOfDegenerateInput) {
