@@ -46,9 +46,21 @@ bool factor_and_solve(BandedMatrix& a, double* b) {
 
 }  // namespace
 
+void BandedMatrix::hold(int k) {
+  std::fill(row(k), row(k) + half_bandwidth_ + 1, 0.0);
+  for (int r = std::max(0, k - half_bandwidth_); r < k; ++r) row(r)[k - r] = 0.0;
+  row(k)[0] = 1.0;
+}
+
+void BandedMatrix::set_scaled(const BandedMatrix& a, double factor) {
+  assert(a.entries_.size() == entries_.size());
+  for (std::size_t k = 0; k < entries_.size(); ++k) entries_[k] = factor * a.entries_[k];
+}
+
 bool BandedLdlt::solve(BandedMatrix& a, std::span<double> b) {
   assert(static_cast<int>(b.size()) == a.size() && a.half_bandwidth() <= widest);
-  switch (a.half_bandwidth()) {  // 2h + 3 for a ribbon of h rows
+  switch (a.half_bandwidth()) {  // 5 for a rope that bends, 2h + 3 for a ribbon of h rows
+    case 5: return factor_and_solve<5>(a, b.data());
     case 7: return factor_and_solve<7>(a, b.data());
     case 9: return factor_and_solve<9>(a, b.data());
     case 11: return factor_and_solve<11>(a, b.data());

@@ -24,6 +24,10 @@ class BandedMatrix {
   const double* row(int r) const { return entries_.data() + offset(r); }
   /// The entry (r, c); c within the band on either side.
   double at(int r, int c) const { return r <= c ? row(r)[c - r] : row(c)[r - c]; }
+  /// Makes the row and column k those of the identity.
+  void hold(int k);
+  /// Becomes factor times a matrix of the same size.
+  void set_scaled(const BandedMatrix& a, double factor);
   void set_zero() { std::fill(entries_.begin(), entries_.end(), 0.0); }
 
  private:

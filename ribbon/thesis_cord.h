@@ -6,18 +6,12 @@
 
 #include "ribbon/banded_ldlt.h"
 #include "ribbon/broad_phase.h"
+#include "ribbon/definition.h"
 #include "ribbon/mesh.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_def.h"
 
 namespace ribbon {
-
-/// How a point is moved, with the colours of Goto 2017, Fig. 4.1.
-enum class PointKind : unsigned char {
-  free,         ///< by the cord (blue)
-  operated,     ///< by whoever drags it (yellow)
-  constrained,  ///< not at all, or with what it is pinned to (red)
-};
 
 /// What happened in one step, summed over its substeps.
 struct StepReport {

@@ -1,18 +1,11 @@
 #pragma once
 
-#include <span>
-#include <stdexcept>
 #include <vector>
 
+#include "ribbon/definition.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
-
-/// A definition that cannot be built. The sentence names the field, the value found and what is accepted.
-class DefinitionError : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
 
 /// What a cord of the thesis's method is made of. Every term that stays at 0 or false is neither assembled nor run.
 struct ThesisDef {
@@ -38,14 +31,5 @@ struct ThesisDef {
 
 /// Throws DefinitionError at the first field that is out of its range; changes nothing.
 void check(const ThesisDef& def);
-
-/// Throws DefinitionError unless there is no position or one a point, each within ±1e9 m, and every pin is a point.
-void check_points(int points, std::span<const Vec2> positions, std::span<const int> pins);
-
-/// Throws DefinitionError unless both coordinates are within ±1e9 (m, or m/s).
-void check_coordinates(const char* field, Vec2 value);
-
-/// Throws DefinitionError unless low ≤ value ≤ high: "spacing is -1; accepted is 1e-06 to 1e+06".
-void check_range(const char* field, double value, double low, double high);
 
 }  // namespace ribbon

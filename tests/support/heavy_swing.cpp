@@ -7,32 +7,31 @@ namespace test_support {
 
 using ribbon::Vec2;
 
-ribbon::Rope heavy_swing(double stiffness, int substeps, double tolerance) {
-  ribbon::RopeDef def;
+ribbon::Cord heavy_swing(double stiffness, const ribbon::Accuracy& accuracy) {
+  ribbon::CordDef def;
   def.stretch_stiffness = stiffness;
-  def.substeps = substeps;
-  def.tolerance = tolerance;
+  def.accuracy = accuracy;
   def.pins = {0};
-  ribbon::Rope rope(def);
-  rope.attach_mass(50, 70.0);
-  return rope;
+  ribbon::Cord cord(def);
+  cord.attach_mass(50, 70.0);
+  return cord;
 }
 
-HeavySwingRun run_heavy_swing(double stiffness, int substeps, double tolerance) {
-  ribbon::Rope rope = heavy_swing(stiffness, substeps, tolerance);
+HeavySwingRun run_heavy_swing(double stiffness, const ribbon::Accuracy& accuracy) {
+  ribbon::Cord cord = heavy_swing(stiffness, accuracy);
+  const Vec2 gravity{0.0, -9.81};
+  const double start = cord.energy(gravity).total();
   HeavySwingRun run;
   for (int tick = 0; tick < 300; ++tick) {
-    const ribbon::RopeReport report = rope.step(1.0 / 60.0, {0.0, -9.81});
-    run.report.iterations += report.iterations;
-    run.report.fallbacks += report.fallbacks;
-    run.report.unconverged += report.unconverged;
-    run.load.push_back(rope.positions().back());
+    run.report += cord.step(1.0 / 60.0, gravity);
+    run.load.push_back(cord.positions().back());
     double sum = 0.0;
-    for (std::size_t p = 1; p < rope.positions().size(); ++p) {
-      sum += length(rope.positions()[p] - rope.positions()[p - 1]);
+    for (std::size_t p = 1; p < cord.positions().size(); ++p) {
+      sum += length(cord.positions()[p] - cord.positions()[p - 1]);
     }
-    run.peak_stretch = std::max(run.peak_stretch, sum / rope.def().length - 1.0);
+    run.peak_stretch = std::max(run.peak_stretch, sum / cord.def().length - 1.0);
   }
+  run.lost_energy = (start - cord.energy(gravity).total()) / (71.0 * 9.81 * 10.0);
   return run;
 }
 

@@ -48,8 +48,8 @@ std::vector<Contestant> scaling() {
 std::vector<Contestant> heavy_swing() {
   std::vector<Contestant> settings;
   for (const int substeps : {1, 2, 4, 8}) {
-    const auto rope = std::make_shared<ribbon::Rope>(
-        test_support::heavy_swing(std::numeric_limits<double>::infinity(), substeps, 1e-3));
+    const auto rope = std::make_shared<ribbon::Cord>(test_support::heavy_swing(
+        std::numeric_limits<double>::infinity(), {ribbon::Integrator::tr_bdf2, substeps, 8, 5e-4}));
     settings.push_back({"rope", "substeps=" + std::to_string(substeps), rope->def().points,
                         [rope] { rope->step(frame_dt, earth_gravity); }});
   }

@@ -1,0 +1,114 @@
+#include "ribbon/chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/link.h"
+
+namespace ribbon {
+
+Chain::Chain(const CordDef& def)
+    : inverse_stiffness_(1.0 / def.stretch_stiffness),
+      damping_(inverse_stiffness_ > 0.0 ? def.damping : 0.0),
+      tension_only_(def.tension_only),
+      rest_(static_cast<std::size_t>(def.points) - 1),
+      eliminated_(rest_.size()) {}
+
+void Chain::set_rest_lengths(std::span<const double> lengths) {
+  std::copy(lengths.begin(), lengths.end(), rest_.begin());
+}
+
+MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
+  const MixedBar undamped{size - rest_[link], compliance(link)};
+  if (damping_ == 0.0) return undamped;
+  const double rate = dot(d, stage.velocity_at(link, x[link]) - stage.velocity_at(link + 1, x[link + 1]));
+  return damped(undamped.elongation, rate, undamped.compliance, damping_, stage.q);
+}
+
+/// The tension λ of each link is an unknown of its own, so that stiffness does not enter, and EA → ∞ is no special
+/// case. For a link from a to b, d the unit vector from a to b, u = perp(d), L its length, α its compliance, c its
+/// elongation, g = max(0, λ)/L with the λ of the iteration before:
+///
+///     A_a·δa − g·u·uᵀ·δb − d·λ = r_a         (A_a and A_b hold the link's own g·u·uᵀ)
+///     A_b·δb − g·u·uᵀ·δa + d·λ = r_b
+///     dᵀ(δb − δa) − α·λ = −c
+///
+/// Points are eliminated one by one from the cord's last to its first. With S = A_a⁻¹, p = d − g·(uᵀSd)·u and
+/// σ = α + dᵀSd:
+///
+///     λ = (c − dᵀS·r_a + pᵀδb)/σ             δa = S(r_a + d·λ + g·u·uᵀδb)
+///     A_b ← A_b − g²·(uᵀSu)·u·uᵀ + p·pᵀ/σ    r_b ← r_b + g·(uᵀS·r_a)·u − p·(c − dᵀS·r_a)/σ
+///
+/// A constrained point has S = 0, a slack link 1/σ = 0.
+bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                        std::span<Vec2> direction, std::span<double> next) {
+  const double least_sigma = singular_share / stage.inertia[0];
+  const std::size_t n = x.size();
+  double xx = stage.inertia[n - 1];  // A of the point that is eliminated next
+  double xy = 0.0;
+  double yy = xx;
+  Vec2 r = stage.residual(n - 1, x[n - 1]);
+
+  for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
+    const Vec2 ab = x[e] - x[e + 1];
+    const double size = length(ab);
+    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, 1.0};
+    const Vec2 u = perp(d);
+    const MixedBar mixed = bar(stage, x, e, size, d);
+    const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e]);
+    const double g =
+        size > 0.0 && !slack
+            ? std::max(tensions[e] / size, stage.least_geometric * std::min(stage.inertia[e], stage.inertia[e + 1]))
+            : 0.0;
+    xx += g * u.x * u.x;
+    xy += g * u.x * u.y;
+    yy += g * u.y * u.y;
+    const double inverse_det = stage.constrained[e + 1] != 0 ? 0.0 : 1.0 / (xx * yy - xy * xy);
+    const auto s = [&](Vec2 v) { return inverse_det * Vec2{yy * v.x - xy * v.y, xx * v.y - xy * v.x}; };
+    const Vec2 sd = s(d);
+    const Vec2 su = s(u);
+    const Vec2 sr = s(r);
+    const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), least_sigma);
+    const Vec2 p = d - (g * dot(u, sd)) * u;
+    const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
+    const Vec2 slope = inverse_sigma * p;
+    eliminated_[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
+
+    const double across = g * (1.0 - g * dot(u, su));
+    xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
+    xy = across * u.x * u.y + p.x * slope.y;
+    yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
+    r = stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p;
+  }
+
+  direction[0] = {};
+  if (stage.constrained[0] == 0) {
+    direction[0] = (1.0 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
+  }
+  for (std::size_t e = 0; e + 1 < n; ++e) {
+    const Eliminated& link = eliminated_[e];
+    const Vec2 before = direction[e];
+    next[e] = link.tension + dot(link.slope, before);
+    direction[e + 1] = link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)};
+  }
+  return true;
+}
+
+double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = x[e] - x[e + 1];
+    const double size = length(ab);
+    const MixedBar mixed = bar(stage, x, e, size, size > 0.0 ? (1.0 / size) * ab : Vec2{});
+    if (!(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, most[e]);
+  }
+  return sum;
+}
+
+double Chain::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < rest_.size(); ++e) sum += 0.5 * compliance(e) * tensions[e] * tensions[e];
+  return sum;
+}
+
+}  // namespace ribbon

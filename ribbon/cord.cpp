@@ -1,0 +1,207 @@
+#include "ribbon/cord.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ribbon/chain.h"
+#include "ribbon/lattice.h"
+
+namespace ribbon {
+namespace {
+
+const CordDef& checked(const CordDef& def) {
+  check(def);
+  return def;
+}
+
+std::unique_ptr<Elasticity> make_elasticity(const CordDef& def) {
+  if (def.rows == 1 && def.bending_stiffness == 0.0) return std::make_unique<Chain>(def);
+  return std::make_unique<Lattice>(def);
+}
+
+std::vector<Vec2> start_positions(const CordDef& def) {
+  if (!def.positions.empty()) return def.positions;
+  std::vector<Vec2> straight;
+  for (int i = 0; i < def.points; ++i) {
+    for (int j = 0; j < def.rows; ++j) {
+      const double across = def.rows > 1 ? def.width * j / (def.rows - 1) : 0.0;
+      straight.push_back({def.length * i / (def.points - 1), across});
+    }
+  }
+  return straight;
+}
+
+}  // namespace
+
+CordReport& CordReport::operator+=(const CordReport& other) {
+  stages += other.stages;
+  iterations += other.iterations;
+  searches += other.searches;
+  fallbacks += other.fallbacks;
+  energy_gains += other.energy_gains;
+  halvings += other.halvings;
+  unlocked += other.unlocked;
+  unconverged += other.unconverged;
+  return *this;
+}
+
+Cord::Cord(const CordDef& def)
+    : def_(checked(def)),
+      elasticity_(make_elasticity(def)),
+      positions_(start_positions(def)),
+      velocities_(positions_.size()),
+      accelerations_(positions_.size()),
+      targets_(positions_),
+      kinds_(positions_.size(), PointKind::free),
+      tensions_(elasticity_->tension_count()),
+      rest_(slot(def.points) - 1, def.length / (def.points - 1)),
+      constrained_(positions_.size()),
+      starts_(positions_),
+      drives_(velocities_),
+      x0_(positions_),
+      v0_(velocities_),
+      tension0_(tensions_),
+      x1_(positions_),
+      v1_(velocities_),
+      predicted_(positions_),
+      velocity_(velocities_),
+      guess_(positions_),
+      tension_guess_(tensions_),
+      inertia_(positions_.size()),
+      force_(positions_.size()),
+      direction_(positions_.size()),
+      trial_(positions_.size()),
+      next_(tensions_),
+      most_tensions_(tensions_) {
+  for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
+  for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
+  elasticity_->set_rest_lengths(rest_);
+}
+
+/// An equal share of each link or cell around the point.
+double Cord::own_mass(std::size_t point) const {
+  const auto rows = slot(def_.rows);
+  const auto share = [](std::size_t k, std::size_t n) { return k == 0 || k == n - 1 ? 0.5 : 1.0; };
+  const double link = def_.mass_per_length * def_.length / (def_.points - 1);
+  const double along = link * share(point / rows, slot(def_.points));
+  return rows == 1 ? along : along * share(point % rows, rows) / static_cast<double>(rows - 1);
+}
+
+Cord::Energy Cord::energy(Vec2 gravity) const {
+  Energy sum;
+  sum.elastic = elasticity_->energy(positions_, tensions_);
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    sum.kinetic += 0.5 * masses_[p] * dot(velocities_[p], velocities_[p]);
+    sum.potential -= masses_[p] * dot(gravity, positions_[p]);
+  }
+  for (std::size_t p = 0; p < loads_.size(); ++p) sum.potential -= dot(loads_[p], positions_[p]);
+  return sum;
+}
+
+void Cord::check_point(int point) const { check_range("point", point, 0, size() - 1); }
+
+void Cord::attach_mass(int point, double mass) {
+  check_point(point);
+  check_range("attached mass", mass, 0.0, 1e12);
+  masses_[slot(point)] = own_mass(slot(point)) + mass;
+  restart_ = true;
+}
+
+void Cord::set_load(int point, Vec2 force) {
+  check_point(point);
+  check_coordinates("load", force);
+  loads_.resize(positions_.size());
+  loads_[slot(point)] = force;
+  restart_ = true;
+}
+
+void Cord::drive(int point, Vec2 target, PointKind kind) {
+  check_point(point);
+  check_coordinates("target", target);
+  targets_[slot(point)] = target;
+  kinds_[slot(point)] = kind;
+  restart_ = true;
+}
+
+void Cord::constrain(int point, Vec2 target) { drive(point, target, PointKind::constrained); }
+
+void Cord::operate(int point, Vec2 target) { drive(point, target, PointKind::operated); }
+
+void Cord::release(int point) {
+  check_point(point);
+  kinds_[slot(point)] = PointKind::free;
+  restart_ = true;
+}
+
+void Cord::set_velocity(int point, Vec2 velocity) {
+  check_point(point);
+  check_coordinates("velocity", velocity);
+  velocities_[slot(point)] = velocity;
+  restart_ = true;
+}
+
+void Cord::reel(int first, int last, double length, double speed) {
+  check_range("first", first, 0, def_.points - 2);
+  check_range("last", last, first + 1, def_.points - 1);
+  const double made = def_.length * (last - first) / (def_.points - 1);
+  check_range("length", length, 1e-3 * made, 1e3 * made);
+  if (!(speed > 0.0)) refuse("speed", speed, "above 0, up to 1e+06");
+  check_range("speed", speed, 0.0, 1e6);
+
+  if (rest_targets_.empty()) {
+    rest_targets_ = rest_;
+    rest_start_ = rest_;
+    rest_end_ = rest_;
+    rest_speeds_.resize(rest_.size());
+  }
+  double now = 0.0;
+  for (std::size_t e = slot(first); e < slot(last); ++e) now += rest_[e];
+  for (std::size_t e = slot(first); e < slot(last); ++e) {
+    rest_targets_[e] = rest_[e] * (length / now);
+    rest_speeds_[e] = speed * (rest_[e] / now);
+  }
+  restart_ = true;
+}
+
+Cord::State Cord::save() const {
+  const std::span<const char> unlocked = elasticity_->unlocked();
+  return {positions_, velocities_, accelerations_, targets_,      kinds_,       masses_,
+          loads_,     tensions_,   rest_,          rest_targets_, rest_speeds_, {unlocked.begin(), unlocked.end()},
+          ledger_,    restart_};
+}
+
+void Cord::restore(const State& state) {
+  const std::size_t n = positions_.size();
+  const auto fits = [](std::size_t size, std::size_t wanted, bool optional) {
+    return size == wanted || (optional && size == 0);
+  };
+  if (state.positions.size() != n || state.velocities.size() != n || state.accelerations.size() != n ||
+      state.targets.size() != n || state.kinds.size() != n || state.masses.size() != n ||
+      !fits(state.loads.size(), n, true) || !fits(state.tensions.size(), tensions_.size(), false) ||
+      state.rest.size() != rest_.size() || !fits(state.rest_targets.size(), rest_.size(), true) ||
+      state.rest_speeds.size() != state.rest_targets.size() ||
+      state.unlocked.size() != elasticity_->unlocked().size()) {
+    throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(def_.points) + " x " +
+                          std::to_string(def_.rows) + " points with the same terms");
+  }
+  positions_ = state.positions;
+  velocities_ = state.velocities;
+  accelerations_ = state.accelerations;
+  targets_ = state.targets;
+  kinds_ = state.kinds;
+  masses_ = state.masses;
+  loads_ = state.loads;
+  tensions_ = state.tensions;
+  rest_ = state.rest;
+  rest_targets_ = state.rest_targets;
+  rest_start_ = state.rest_targets;
+  rest_end_ = state.rest_targets;
+  rest_speeds_ = state.rest_speeds;
+  std::copy(state.unlocked.begin(), state.unlocked.end(), elasticity_->unlocked().begin());
+  ledger_ = state.ledger;
+  restart_ = state.restart;
+  elasticity_->set_rest_lengths(rest_);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "ribbon/stage.h"
+
+namespace ribbon {
+
+/// The elastic terms of a cord, and the solve of their Newton step.
+class Elasticity {
+ public:
+  Elasticity() = default;
+  Elasticity(const Elasticity&) = delete;
+  Elasticity& operator=(const Elasticity&) = delete;
+  virtual ~Elasticity() = default;
+
+  /// How many tensions are unknowns of their own.
+  virtual std::size_t tension_count() const = 0;
+
+  /// The rest length [m] of each link along the cord: points − 1 of them.
+  virtual void set_rest_lengths(std::span<const double> lengths) = 0;
+
+  /// One step of mixed Newton from positions x and the tensions of the iteration before, O(points): `direction` is by
+  /// how much the points move, `next` are the tensions after a full step. False if the system was singular.
+  virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                           std::span<Vec2> direction, std::span<double> next) = 0;
+
+  /// What a stage minimises besides inertia and constant forces, J: the elastic energy and what damping takes, but of
+  /// elements with a tension the exact penalty that grows no steeper than `most`, one a tension. See `exact_penalty`.
+  virtual double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) = 0;
+
+  /// The elastic energy, J.
+  virtual double energy(std::span<const Vec2> x, std::span<const double> tensions) const = 0;
+
+  /// Looks for cells that are turned inside out, at the start of a step, and makes their energy for this step one that
+  /// turns them back. True if there are any.
+  virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
+  /// Which cells are, by cell: memory from step to step. Empty where there is no such thing.
+  virtual std::span<char> unlocked() { return {}; }
+};
+
+}  // namespace ribbon

@@ -1,0 +1,148 @@
+#include "ribbon/lattice.h"
+
+#include <algorithm>
+
+#include "ribbon/bends.h"
+#include "ribbon/cells.h"
+#include "ribbon/links.h"
+#include "ribbon/spine.h"
+
+namespace ribbon {
+namespace {
+
+using Terms = std::vector<std::unique_ptr<Term>>;
+
+/// Cells of one row bend by their hourglass mode alone, so E is that of stretch and EI what it will. Of more rows,
+/// cells bend by stretching too: they are made as soft as EI says, E = 12·EI/width³, and a spine carries the rest of
+/// EA.
+void add_cells(const CordDef& def, Terms& terms) {
+  if (def.rows == 2) {
+    terms.push_back(std::make_unique<Cells>(def, def.stretch_stiffness / def.width, def.bending_stiffness));
+    return;
+  }
+  const double modulus = 12.0 * def.bending_stiffness / (def.width * def.width * def.width);
+  const double height = def.width / (def.rows - 1);
+  terms.push_back(std::make_unique<Cells>(def, modulus, modulus * height * height * height / 12.0));
+  const double missing = def.stretch_stiffness - modulus * def.width;
+  if (missing > 1e-9 * def.stretch_stiffness) terms.push_back(std::make_unique<Spine>(def, missing));
+}
+
+Terms declared_terms(const CordDef& def) {
+  Terms terms;
+  if (def.rows == 1 || def.elements == Elements::bars) {
+    terms.push_back(std::make_unique<Links>(def));
+    if (def.bending_stiffness > 0.0) terms.push_back(std::make_unique<Bends>(def));
+  } else {
+    add_cells(def, terms);
+  }
+  return terms;
+}
+
+}  // namespace
+
+Lattice::Lattice(const CordDef& def)
+    : damping_(def.damping),
+      terms_(declared_terms(def)),
+      constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
+      matrix_(constant_),
+      damped_(static_cast<std::size_t>(def.damping > 0.0 ? def.points * def.rows : 0)),
+      right_side_(2 * static_cast<std::size_t>(def.points * def.rows)) {
+  for (const auto& term : terms_) tension_count_ += term->tension_count();
+}
+
+void Lattice::set_rest_lengths(std::span<const double> lengths) {
+  constant_.set_zero();
+  for (const auto& term : terms_) {
+    term->set_rest_lengths(lengths);
+    term->add_constant(constant_);
+  }
+}
+
+Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
+  if (damping_ == 0.0) return {stage, x, x, 1.0};
+  for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);
+  return {stage, x, damped_, 1.0 + damping_ / stage.q};
+}
+
+/// The tensions' rows eliminated, what is left is H·δ = r: H inertia and the positive semidefinite part of the elastic
+/// Hessian, its geometric stiffness by the tensions of the iteration before, r the residual of the stage.
+bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                          std::span<Vec2> direction, std::span<double> next) {
+  const NewtonSystem system{shape(stage, x), matrix_, direction};
+  matrix_.set_scaled(constant_, system.stiffening);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    direction[p] = stage.residual(p, x[p]);
+    system.add(static_cast<int>(p), static_cast<int>(p), {stage.inertia[p], 0.0, stage.inertia[p]});
+  }
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->load(system, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+  hold_constrained(stage, direction);
+  if (!solve(direction)) return false;
+  first = 0;
+  for (const auto& term : terms_) {
+    const std::size_t count = term->tension_count();
+    term->update(system, tensions.subspan(first, count), direction, next.subspan(first, count));
+    first += count;
+  }
+  return true;
+}
+
+/// A constrained point's rows and columns become those of the identity.
+void Lattice::hold_constrained(const Stage& stage, std::span<Vec2> force) {
+  for (std::size_t p = 0; p < force.size(); ++p) {
+    if (stage.constrained[p] == 0) continue;
+    force[p] = {};
+    matrix_.hold(static_cast<int>(2 * p));
+    matrix_.hold(static_cast<int>(2 * p + 1));
+  }
+}
+
+/// Overwrites the residual with the direction.
+bool Lattice::solve(std::span<Vec2> residual) {
+  for (std::size_t p = 0; p < residual.size(); ++p) {
+    right_side_[2 * p] = residual[p].x;
+    right_side_[2 * p + 1] = residual[p].y;
+  }
+  if (!solver_.solve(matrix_, right_side_)) return false;
+  for (std::size_t p = 0; p < residual.size(); ++p) residual[p] = {right_side_[2 * p], right_side_[2 * p + 1]};
+  return true;
+}
+
+double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {
+  const Shape at = shape(stage, x);
+  double sum = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    sum += term->potential(at, most.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+  return sum;
+}
+
+double Lattice::energy(std::span<const Vec2> x, std::span<const double> tensions) const {
+  double sum = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    sum += term->energy(x, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+  return sum;
+}
+
+bool Lattice::unlock(std::span<const Vec2> x) {
+  bool any = false;
+  for (const auto& term : terms_) any = term->unlock(x) || any;
+  return any;
+}
+
+std::span<char> Lattice::unlocked() {
+  for (const auto& term : terms_) {
+    if (!term->unlocked().empty()) return term->unlocked();
+  }
+  return {};
+}
+
+}  // namespace ribbon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ribbon/banded_ldlt.h"
+#include "ribbon/cord_def.h"
+#include "ribbon/elasticity.h"
+#include "ribbon/term.h"
+
+namespace ribbon {
+
+/// The terms that a cord declares, where a chain of bars is not all: a rope that bends, a ribbon. Tensions are
+/// eliminated first, and the points' system is a band, half 5 wide for a rope and 2·rows + 3 for a ribbon.
+class Lattice final : public Elasticity {
+ public:
+  explicit Lattice(const CordDef& def);
+
+  std::size_t tension_count() const override { return tension_count_; }
+  void set_rest_lengths(std::span<const double> lengths) override;
+  bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                   std::span<Vec2> direction, std::span<double> next) override;
+  double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
+  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  bool unlock(std::span<const Vec2> x) override;
+  std::span<char> unlocked() override;
+
+ private:
+  Shape shape(const Stage& stage, std::span<const Vec2> x);
+  void hold_constrained(const Stage& stage, std::span<Vec2> force);
+  bool solve(std::span<Vec2> residual);
+
+  double damping_;  // s
+  std::vector<std::unique_ptr<Term>> terms_;
+  std::size_t tension_count_ = 0;
+  BandedMatrix constant_;  // the Hessian's part that only rest lengths change
+  BandedMatrix matrix_;
+  BandedLdlt solver_;
+  std::vector<Vec2> damped_;  // x + β·v, if damping is declared
+  std::vector<double> right_side_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+
+namespace ribbon {
+
+// Least compliance of a bar, as a share of a point's own give q²/m, that an inextensible one is given
+constexpr double singular_share = 1e-10;  // where the system would be singular: between two constrained points
+constexpr double proximal_share = 1e-9;   // where tensions are eliminated first, and approached by iteration
+
+/// A bar as mixed Newton sees it: W = ½·c²/α for an elongation c, its tension λ an unknown that obeys
+///
+///     α·λ = c + β·ċ,     ċ the rate of c, β the damping time.
+///
+/// In a stage v = ṽ + (x − x̃)/q, so a step δ changes c by J·δ and ċ by J·δ/q. Divided by 1 + β/q the condition has the
+/// undamped form again, compliance·λ = elongation + J·δ.
+struct MixedBar {
+  double elongation;  ///< m
+  double compliance;  ///< m/N
+};
+
+inline MixedBar damped(double elongation, double rate, double compliance, double damping, double q) {
+  const double scale = 1.0 / (1.0 + damping / q);
+  return {scale * (elongation + damping * rate), scale * compliance};
+}
+
+/// ½·c²/α up to a tension `most`, from where on it grows with that slope only: so that a line can be searched with any
+/// stiffness. With `most` above |λ⁺| the mixed Newton step is one of descent for it, for then with J·δ = α·λ⁺ − c each
+/// bar's part (φ′ − λ⁺)·J·δ ≤ 0: −(c − α·λ⁺)²/α below, −(most − |λ⁺|)(|c| − α·|λ⁺|) at the least above (Nocedal &
+/// Wright 2006, 18.3).
+inline double exact_penalty(const MixedBar& bar, double most) {
+  const double c = std::abs(bar.elongation);
+  return c < most * bar.compliance ? 0.5 * c * c / bar.compliance : most * (c - 0.5 * most * bar.compliance);
+}
+
+/// Whether a bar that cannot push is slack: by its elongation where that says it, and by the sign of λ + c/give (the
+/// primal-dual active set of Hintermüller, Ito & Kunisch 2003) where it is inextensible, `give` being any compliance.
+inline bool is_slack(const MixedBar& bar, double tension, double give) {
+  return bar.compliance > 0.0 ? bar.elongation <= 0.0 : tension * give + bar.elongation <= 0.0;
+}
+
+}  // namespace ribbon

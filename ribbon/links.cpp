@@ -1,0 +1,98 @@
+#include "ribbon/links.h"
+
+#include <algorithm>
+
+namespace ribbon {
+
+Links::Links(const CordDef& def)
+    : inverse_stiffness_(def.rows / def.stretch_stiffness), tension_only_(def.tension_only) {
+  const double row_distance = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  for (int i = 0; i < def.points; ++i) {
+    for (int j = 0; j < def.rows; ++j) {
+      const int a = i * def.rows + j;
+      if (j + 1 < def.rows) links_.push_back({a, a + 1, i, false, row_distance, row_distance});
+      for (const int k : {j - 1, j, j + 1}) {
+        if (i + 1 == def.points || k < 0 || k >= def.rows) continue;
+        links_.push_back({a, (i + 1) * def.rows + k, i, true, (k - j) * row_distance, 0.0});
+      }
+    }
+  }
+}
+
+void Links::set_rest_lengths(std::span<const double> lengths) {
+  for (Link& link : links_) {
+    const double along = link.along ? lengths[static_cast<std::size_t>(link.column)] : 0.0;
+    link.rest = length({along, link.across});
+  }
+}
+
+MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
+  const auto a = static_cast<std::size_t>(link.a);
+  const auto b = static_cast<std::size_t>(link.b);
+  if (inverse_stiffness_ == 0.0) return {dot(d, shape.x[b] - shape.x[a]) - link.rest, 0.0};
+  return {(dot(d, shape.damped[b] - shape.damped[a]) - link.rest) / shape.stiffening,
+          compliance(link) / shape.stiffening};
+}
+
+/// With a least compliance α₀ above α, α·λ⁺ + (α₀ − α)(λ⁺ − λ) = c + J·δ: the same solution, once λ rests, of a system
+/// that is no stiffer than 1/α₀ (the proximal point method of Rockafellar 1976).
+Links::Linearised Links::linearise(const Shape& shape, const Link& link, double tension) const {
+  const Vec2 ab = shape.x[static_cast<std::size_t>(link.b)] - shape.x[static_cast<std::size_t>(link.a)];
+  const double size = length(ab);
+  const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, -1.0};
+  const double give = 1.0 / shape.stage.inertia[static_cast<std::size_t>(link.a)];
+  MixedBar mixed = bar(shape, link, d);
+  if (tension_only_ && is_slack(mixed, tension, give)) return {d, 0.0, 0.0, 0.0};
+  const double least = proximal_share * give;
+  if (mixed.compliance < least) {
+    mixed.elongation += (least - mixed.compliance) * tension;
+    mixed.compliance = least;
+  }
+  const double stiffness = 1.0 / mixed.compliance;
+  return {d, stiffness * mixed.elongation, stiffness, size > 0.0 ? std::max(0.0, tension) / size : 0.0};
+}
+
+void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const Link& link = links_[e];
+    const Linearised at = linearise(system, link, tensions[e]);
+    const Vec2 pull = at.force * at.d;
+    system.force[static_cast<std::size_t>(link.a)] += pull;
+    system.force[static_cast<std::size_t>(link.b)] -= pull;
+    const Block block = directed(at.d, at.stiffness, at.across);
+    system.add(link.a, link.a, block);
+    system.add(link.b, link.b, block);
+    system.add(link.a, link.b, -1.0 * block);
+  }
+}
+
+void Links::update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
+                   std::span<double> next) const {
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const Link& link = links_[e];
+    const Linearised at = linearise(system, link, tensions[e]);
+    const Vec2 apart = direction[static_cast<std::size_t>(link.b)] - direction[static_cast<std::size_t>(link.a)];
+    next[e] = at.force + at.stiffness * dot(at.d, apart);
+  }
+}
+
+double Links::potential(const Shape& shape, std::span<const double> most) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const Vec2 ab = shape.x[static_cast<std::size_t>(links_[e].b)] - shape.x[static_cast<std::size_t>(links_[e].a)];
+    const double size = length(ab);
+    const MixedBar mixed = bar(shape, links_[e], size > 0.0 ? (1.0 / size) * ab : Vec2{});
+    if (!(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, most[e]);
+  }
+  return sum;
+}
+
+double Links::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    sum += 0.5 * compliance(links_[e]) * tensions[e] * tensions[e];
+  }
+  return sum;
+}
+
+}  // namespace ribbon

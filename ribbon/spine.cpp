@@ -1,0 +1,80 @@
+#include "ribbon/spine.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ribbon/link.h"
+
+namespace ribbon {
+namespace {
+
+// Of the rest length, below which a crushed link's geometric stiffness grows no further.
+constexpr double shortest_share = 0.05;
+
+}  // namespace
+
+Spine::Spine(const CordDef& def, double stiffness)
+    : rows_(static_cast<std::size_t>(def.rows)),
+      low_((rows_ - 1) / 2),
+      high_(rows_ / 2),
+      inverse_stiffness_(1.0 / stiffness),
+      rest_(static_cast<std::size_t>(def.points) - 1) {}
+
+void Spine::set_rest_lengths(std::span<const double> lengths) {
+  std::copy(lengths.begin(), lengths.end(), rest_.begin());
+}
+
+Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
+  return 0.5 * (x[column * rows_ + low_] + x[column * rows_ + high_]);
+}
+
+void Spine::load(const NewtonSystem& system, std::span<const double> tensions) {
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = link(system.x, e);
+    const double size = std::max(length(ab), 1e-300);
+    const Vec2 d = (1.0 / size) * ab;
+    const double stiffness = 1.0 / compliance(e);
+    const double pull = stiffness * (dot(d, link(system.damped, e)) - rest_[e]);
+    const Block block = directed(d, system.stiffening * stiffness,
+                                 std::max(0.0, tensions[e]) / std::max(size, shortest_share * rest_[e]));
+    const std::array<std::size_t, 4> points{e * rows_ + low_, e * rows_ + high_, (e + 1) * rows_ + low_,
+                                            (e + 1) * rows_ + high_};
+    constexpr std::array<double, 4> weights{-0.5, -0.5, 0.5, 0.5};
+    for (std::size_t k = 0; k < 4; ++k) {
+      system.force[points[k]] -= (weights[k] * pull) * d;
+      for (std::size_t l = 0; l < 4; ++l) {
+        if (points[k] > points[l]) continue;
+        system.add(static_cast<int>(points[k]), static_cast<int>(points[l]), (weights[k] * weights[l]) * block);
+      }
+    }
+  }
+}
+
+void Spine::update(const NewtonSystem& system, std::span<const double> /*tensions*/, std::span<const Vec2> direction,
+                   std::span<double> next) const {
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = link(system.x, e);
+    const Vec2 d = (1.0 / std::max(length(ab), 1e-300)) * ab;
+    const double elongation = dot(d, link(system.damped, e)) - rest_[e];
+    next[e] = (elongation + system.stiffening * dot(d, link(direction, e))) / compliance(e);
+  }
+}
+
+double Spine::potential(const Shape& shape, std::span<const double> most) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = link(shape.x, e);
+    const double size = length(ab);
+    const double along = size > 0.0 ? dot(ab, link(shape.damped, e)) / size : 0.0;
+    sum += exact_penalty({(along - rest_[e]) / shape.stiffening, compliance(e) / shape.stiffening}, most[e]);
+  }
+  return sum;
+}
+
+double Spine::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < rest_.size(); ++e) sum += 0.5 * compliance(e) * tensions[e] * tensions[e];
+  return sum;
+}
+
+}  // namespace ribbon

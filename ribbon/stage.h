@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "ribbon/vec2.h"
+
+namespace ribbon {
+
+/// One implicit stage of a time step: find x with M·a = forces at (x, v), where x = x̃ + q²·a and v = ṽ + q·a. With drag
+/// C and constant forces f that is, W being the elastic energy and its dissipation,
+///
+///     (M + q·C)/q² · (x − x̃) + ∇W(x) = f − C·ṽ,
+///
+/// the stationary point of ½|x − x̃|² in the norm of `inertia`, plus W, minus force·x.
+struct Stage {
+  double q;                         ///< s
+  std::span<const Vec2> predicted;  ///< x̃ [m]; of a constrained point where it is
+  std::span<const Vec2> velocity;   ///< ṽ [m/s]; of a constrained point its velocity
+  std::span<const double> inertia;  ///< (m + q·c)/q² [N/m]
+  std::span<const Vec2> force;      ///< f − c·ṽ [N]
+  std::span<const char> constrained;
+  /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar is given.
+  double least_geometric = 0.0;
+
+  Vec2 residual(std::size_t p, Vec2 x) const { return force[p] - inertia[p] * (x - predicted[p]); }
+  /// v at x.
+  Vec2 velocity_at(std::size_t p, Vec2 x) const { return velocity[p] + (1.0 / q) * (x - predicted[p]); }
+};
+
+}  // namespace ribbon

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <span>
+
+#include "ribbon/banded_ldlt.h"
+#include "ribbon/stage.h"
+
+namespace ribbon {
+
+/// A symmetric 2 × 2 block.
+struct Block {
+  double xx;
+  double xy;
+  double yy;
+};
+constexpr Block operator*(double s, Block b) { return {s * b.xx, s * b.xy, s * b.yy}; }
+
+/// along·d·dᵀ + across·u·uᵀ with u = perp(d), |d| = 1.
+constexpr Block directed(Vec2 d, double along, double across) {
+  return {along * d.x * d.x + across * d.y * d.y, (along - across) * d.x * d.y, along * d.y * d.y + across * d.x * d.x};
+}
+
+/// Where a lattice's terms are evaluated in a stage.
+struct Shape {
+  const Stage& stage;
+  std::span<const Vec2> x;       ///< m
+  std::span<const Vec2> damped;  ///< m, x + β·v, whose forces are the elastic and the damping ones together
+  double stiffening;             ///< 1 + β/q, by which damping enlarges the elastic Hessian
+};
+
+/// The Newton system of a lattice while its terms add to it: point p has the rows 2p and 2p + 1.
+struct NewtonSystem : Shape {
+  BandedMatrix& matrix;
+  std::span<Vec2> force;  ///< N, the right-hand side
+
+  /// Adds to the blocks of points p ≤ q, and with them q, p.
+  void add(int p, int q, Block b) const {
+    double* upper = matrix.row(2 * p) + 2 * (q - p);
+    double* lower = matrix.row(2 * p + 1) + 2 * (q - p);
+    upper[0] += b.xx;
+    upper[1] += b.xy;
+    if (p != q) lower[-1] += b.xy;
+    lower[0] += b.yy;
+  }
+  /// Adds factor·g·hᵀ to the block of points p ≤ q, and its transpose to q, p.
+  void add_outer(int p, int q, double factor, Vec2 g, Vec2 h) const {
+    double* upper = matrix.row(2 * p) + 2 * (q - p);
+    double* lower = matrix.row(2 * p + 1) + 2 * (q - p);
+    upper[0] += factor * g.x * h.x;
+    upper[1] += factor * g.x * h.y;
+    if (p != q) lower[-1] += factor * g.y * h.x;
+    lower[0] += factor * g.y * h.y;
+  }
+};
+
+/// One kind of elastic energy, by all its elements.
+class Term {
+ public:
+  Term() = default;
+  Term(const Term&) = delete;
+  Term& operator=(const Term&) = delete;
+  virtual ~Term() = default;
+
+  /// Its tensions, unknowns of mixed Newton.
+  virtual std::size_t tension_count() const { return 0; }
+  /// The rest lengths of the links along the cord, m.
+  virtual void set_rest_lengths(std::span<const double> lengths) = 0;
+  /// Adds the part of the Hessian that does not depend on where the points are.
+  virtual void add_constant(BandedMatrix& /*matrix*/) const {}
+  /// Adds the forces, and the rest of the Hessian.
+  virtual void load(const NewtonSystem& system, std::span<const double> tensions) = 0;
+  /// The tensions after the step `direction`.
+  virtual void update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
+                      std::span<const Vec2> /*direction*/, std::span<double> /*next*/) const {}
+  /// See Elasticity. A quadratic term's is its energy at the damped positions over the stiffening, whose gradient is
+  /// the elastic and the damping force.
+  virtual double potential(const Shape& shape, std::span<const double> most) const = 0;
+  virtual double energy(std::span<const Vec2> x, std::span<const double> tensions) const = 0;
+  /// See Elasticity.
+  virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
+  virtual std::span<char> unlocked() { return {}; }
+};
+
+}  // namespace ribbon
