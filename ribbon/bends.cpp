@@ -40,11 +40,7 @@ void Bends::load(const NewtonSystem& system, std::span<const double> /*tensions*
   }
 }
 
-double Bends::potential(const Shape& shape, std::span<const double> /*most*/) const {
-  return energy(shape.damped, {}) / shape.stiffening;
-}
-
-double Bends::energy(std::span<const Vec2> x, std::span<const double> /*tensions*/) const {
+double Bends::energy_at(std::span<const Vec2> x) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < bends_.size(); ++k) {
     const Vec2 t = turn(k, x);
@@ -52,5 +48,11 @@ double Bends::energy(std::span<const Vec2> x, std::span<const double> /*tensions
   }
   return sum;
 }
+
+double Bends::potential(const Shape& shape, std::span<const double> /*most*/) const {
+  return energy_at(shape.damped) / shape.stiffening;
+}
+
+double Bends::energy(const Motion& at, std::span<const double> /*tensions*/) const { return energy_at(at.x); }
 
 }  // namespace ribbon

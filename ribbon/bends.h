@@ -18,7 +18,7 @@ class Bends final : public Term {
   void add_constant(BandedMatrix& matrix) const override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
 
  private:
   /// Around point k + 1: t₊ − t₋ = Σ weights[i]·x[k + i].
@@ -26,6 +26,7 @@ class Bends final : public Term {
     double weights[3];  // 1/m
     double stiffness;   // N·m
   };
+  double energy_at(std::span<const Vec2> x) const;
   Vec2 turn(std::size_t k, std::span<const Vec2> x) const;
 
   double bending_stiffness_;  // N·m²

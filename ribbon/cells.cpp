@@ -30,6 +30,7 @@ Cells::Cells(const CordDef& def, double modulus, double row_bending)
       modulus_(modulus),
       poisson_ratio_(def.poisson_ratio),
       row_bending_(row_bending),
+      damping_(def.damping),
       area_stiffness_(def.area_stiffness * modulus),
       shapes_(columns_) {
   if (area_stiffness_ > 0.0) {
@@ -41,6 +42,14 @@ Cells::Cells(const CordDef& def, double modulus, double row_bending)
 void Cells::set_rest_lengths(std::span<const double> lengths) {
   for (std::size_t i = 0; i < columns_; ++i) {
     shapes_[i] = make_cell(lengths[i], height_, modulus_, poisson_ratio_, row_bending_);
+  }
+}
+
+void Cells::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t i = 0; i < columns_; ++i) {
+    for (std::size_t j = 0; j < rows_; ++j) {
+      tensions[i * rows_ + j] = shapes_[i].stretch * (length(modes(shapes_[i], corners(x, i, j)).z) - 2.0);
+    }
   }
 }
 
@@ -188,14 +197,22 @@ double Cells::potential(const Shape& shape, std::span<const double> most) const 
   return sum;
 }
 
-double Cells::energy(std::span<const Vec2> x, std::span<const double> tensions) const {
+double Cells::energy(const Motion& at, std::span<const double> tensions) const {
   double sum = 0.0;
+  Vec2 d{1.0, 0.0};
   for (std::size_t i = 0; i < columns_; ++i) {
+    const Cell& cell = shapes_[i];
     for (std::size_t j = 0; j < rows_; ++j) {
-      const Corners at = corners(x, i, j);
-      const double tension = tensions[i * rows_ + j];
-      sum += bending_and_shear_energy(shapes_[i], modes(shapes_[i], at)) + 0.5 * tension * tension / shapes_[i].stretch;
-      if (area_stiffness_ > 0.0) sum += corner_energy(shapes_[i], at);
+      const Corners x = corners(at.x, i, j);
+      const CellModes shape = modes(cell, x);
+      double rate = 0.0;
+      if (damping_ > 0.0) {
+        d = direction_of(shape.z, d);
+        rate = dot(d, modes(cell, corners(at.v, i, j)).z);
+      }
+      sum += bending_and_shear_energy(cell, shape) +
+             elastic_energy(tensions[i * rows_ + j], 1.0 / cell.stretch, damping_, rate);
+      if (area_stiffness_ > 0.0) sum += corner_energy(cell, x);
     }
   }
   return sum;

@@ -20,13 +20,14 @@ class Cells final : public Term {
   Cells(const CordDef& def, double modulus, double row_bending);
 
   std::size_t tension_count() const override { return columns_ * rows_; }
+  void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void add_constant(BandedMatrix& matrix) const override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
   double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override { return unlocked_; }
 
@@ -45,6 +46,7 @@ class Cells final : public Term {
   double modulus_;  // N/m
   double poisson_ratio_;
   double row_bending_;        // N·m²
+  double damping_;            // s
   double area_stiffness_;     // N/m
   std::vector<Cell> shapes_;  // of each column
 

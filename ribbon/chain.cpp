@@ -18,6 +18,12 @@ void Chain::set_rest_lengths(std::span<const double> lengths) {
   std::copy(lengths.begin(), lengths.end(), rest_.begin());
 }
 
+void Chain::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_[e], compliance(e)}, tension_only_);
+  }
+}
+
 MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
   const MixedBar undamped{size - rest_[link], compliance(link)};
   if (damping_ == 0.0) return undamped;
@@ -105,9 +111,14 @@ double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<c
   return sum;
 }
 
-double Chain::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+double Chain::energy(const Motion& at, std::span<const double> tensions) const {
+  if (inverse_stiffness_ == 0.0) return 0.0;
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) sum += 0.5 * compliance(e) * tensions[e] * tensions[e];
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    double rate = 0.0;
+    if (damping_ > 0.0 && tensions[e] != 0.0) rate = extension_rate(at, e, e + 1);
+    sum += elastic_energy(tensions[e], compliance(e), damping_, rate);
+  }
   return sum;
 }
 

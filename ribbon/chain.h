@@ -14,11 +14,12 @@ class Chain final : public Elasticity {
   explicit Chain(const CordDef& def);
 
   std::size_t tension_count() const override { return rest_.size(); }
+  void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
-  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
 
  private:
   /// What the elimination keeps of a link for the substitution: how its tension and its further end follow from the

@@ -77,6 +77,7 @@ Cord::Cord(const CordDef& def)
   for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
   elasticity_->set_rest_lengths(rest_);
+  elasticity_->find_tensions(positions_, tensions_);
 }
 
 /// An equal share of each link or cell around the point.
@@ -90,7 +91,7 @@ double Cord::own_mass(std::size_t point) const {
 
 Cord::Energy Cord::energy(Vec2 gravity) const {
   Energy sum;
-  sum.elastic = elasticity_->energy(positions_, tensions_);
+  sum.elastic = elasticity_->energy({positions_, velocities_}, tensions_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     sum.kinetic += 0.5 * masses_[p] * dot(velocities_[p], velocities_[p]);
     sum.potential -= masses_[p] * dot(gravity, positions_[p]);

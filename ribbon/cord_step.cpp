@@ -170,7 +170,9 @@ bool Cord::gained_energy(const Energy& before) {
 
 void Cord::account(const Energy& before) {
   const double kept = ledger_ > 0.0 ? ledger_decay * ledger_ : ledger_;
-  ledger_ = std::min(kept + before.total() - energy_after_.total(), returnable_share * energy_scale(before));
+  const double scale = energy_scale(before);
+  ledger_ =
+      std::clamp(kept + before.total() - energy_after_.total(), -tolerated_gain * scale, returnable_share * scale);
 }
 
 double Cord::energy_scale(const Energy& energy) const {

@@ -58,6 +58,14 @@ void Lattice::set_rest_lengths(std::span<const double> lengths) {
   }
 }
 
+void Lattice::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->find_tensions(x, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
   if (damping_ == 0.0) return {stage, x, x, 1.0};
   for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);
@@ -122,11 +130,11 @@ double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span
   return sum;
 }
 
-double Lattice::energy(std::span<const Vec2> x, std::span<const double> tensions) const {
+double Lattice::energy(const Motion& at, std::span<const double> tensions) const {
   double sum = 0.0;
   std::size_t first = 0;
   for (const auto& term : terms_) {
-    sum += term->energy(x, tensions.subspan(first, term->tension_count()));
+    sum += term->energy(at, tensions.subspan(first, term->tension_count()));
     first += term->tension_count();
   }
   return sum;

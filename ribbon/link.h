@@ -6,7 +6,7 @@ namespace ribbon {
 
 // Least compliance of a bar, as a share of a point's own give q²/m, that an inextensible one is given
 constexpr double singular_share = 1e-10;  // where the system would be singular: between two constrained points
-constexpr double proximal_share = 1e-9;   // where tensions are eliminated first, and approached by iteration
+constexpr double proximal_share = 1e-7;   // where tensions are eliminated first, and approached by iteration
 
 /// A bar as mixed Newton sees it: W = ½·c²/α for an elongation c, its tension λ an unknown that obeys
 ///
@@ -19,9 +19,20 @@ struct MixedBar {
   double compliance;  ///< m/N
 };
 
+/// At rest; 0 where inextensible, and where slack if it cannot push.
+inline double static_tension(const MixedBar& bar, bool tension_only) {
+  return bar.compliance == 0.0 || (tension_only && bar.elongation < 0.0) ? 0.0 : bar.elongation / bar.compliance;
+}
+
 inline MixedBar damped(double elongation, double rate, double compliance, double damping, double q) {
   const double scale = 1.0 / (1.0 + damping / q);
   return {scale * (elongation + damping * rate), scale * compliance};
+}
+
+/// ½·c²/α of a bar whose tension is λ, c = α·λ − β·ċ: what of it is elastic.
+inline double elastic_energy(double tension, double compliance, double damping, double rate) {
+  const double c = compliance * tension - damping * rate;
+  return compliance > 0.0 ? 0.5 * c * c / compliance : 0.0;
 }
 
 /// ½·c²/α up to a tension `most`, from where on it grows with that slope only: so that a line can be searched with any

@@ -5,7 +5,7 @@
 namespace ribbon {
 
 Links::Links(const CordDef& def)
-    : inverse_stiffness_(def.rows / def.stretch_stiffness), tension_only_(def.tension_only) {
+    : inverse_stiffness_(def.rows / def.stretch_stiffness), damping_(def.damping), tension_only_(def.tension_only) {
   const double row_distance = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
   for (int i = 0; i < def.points; ++i) {
     for (int j = 0; j < def.rows; ++j) {
@@ -23,6 +23,13 @@ void Links::set_rest_lengths(std::span<const double> lengths) {
   for (Link& link : links_) {
     const double along = link.along ? lengths[static_cast<std::size_t>(link.column)] : 0.0;
     link.rest = length({along, link.across});
+  }
+}
+
+void Links::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const Vec2 ab = x[static_cast<std::size_t>(links_[e].b)] - x[static_cast<std::size_t>(links_[e].a)];
+    tensions[e] = static_tension({length(ab) - links_[e].rest, compliance(links_[e])}, tension_only_);
   }
 }
 
@@ -87,10 +94,16 @@ double Links::potential(const Shape& shape, std::span<const double> most) const 
   return sum;
 }
 
-double Links::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+double Links::energy(const Motion& at, std::span<const double> tensions) const {
+  if (inverse_stiffness_ == 0.0) return 0.0;
   double sum = 0.0;
   for (std::size_t e = 0; e < links_.size(); ++e) {
-    sum += 0.5 * compliance(links_[e]) * tensions[e] * tensions[e];
+    const Link& link = links_[e];
+    double rate = 0.0;
+    if (damping_ > 0.0 && tensions[e] != 0.0) {
+      rate = extension_rate(at, static_cast<std::size_t>(link.a), static_cast<std::size_t>(link.b));
+    }
+    sum += elastic_energy(tensions[e], compliance(link), damping_, rate);
   }
   return sum;
 }

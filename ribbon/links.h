@@ -15,12 +15,13 @@ class Links final : public Term {
   explicit Links(const CordDef& def);
 
   std::size_t tension_count() const override { return links_.size(); }
+  void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
   double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
 
  private:
   struct Link {
@@ -42,6 +43,7 @@ class Links final : public Term {
   double compliance(const Link& link) const { return link.rest * inverse_stiffness_; }
 
   double inverse_stiffness_;  // 1/N, 0 where inextensible
+  double damping_;            // s
   bool tension_only_;
   std::vector<Link> links_;
 };

@@ -18,10 +18,15 @@ Spine::Spine(const CordDef& def, double stiffness)
       low_((rows_ - 1) / 2),
       high_(rows_ / 2),
       inverse_stiffness_(1.0 / stiffness),
+      damping_(def.damping),
       rest_(static_cast<std::size_t>(def.points) - 1) {}
 
 void Spine::set_rest_lengths(std::span<const double> lengths) {
   std::copy(lengths.begin(), lengths.end(), rest_.begin());
+}
+
+void Spine::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] = (length(link(x, e)) - rest_[e]) / compliance(e);
 }
 
 Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
@@ -71,9 +76,16 @@ double Spine::potential(const Shape& shape, std::span<const double> most) const 
   return sum;
 }
 
-double Spine::energy(std::span<const Vec2> /*x*/, std::span<const double> tensions) const {
+double Spine::energy(const Motion& at, std::span<const double> tensions) const {
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) sum += 0.5 * compliance(e) * tensions[e] * tensions[e];
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    double rate = 0.0;
+    if (damping_ > 0.0) {
+      const Vec2 ab = link(at.x, e);
+      rate = dot(ab, link(at.v, e)) / std::max(length(ab), shortest_share * rest_[e]);
+    }
+    sum += elastic_energy(tensions[e], compliance(e), damping_, rate);
+  }
   return sum;
 }
 

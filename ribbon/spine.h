@@ -16,12 +16,13 @@ class Spine final : public Term {
   Spine(const CordDef& def, double stiffness);
 
   std::size_t tension_count() const override { return rest_.size(); }
+  void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
   double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(std::span<const Vec2> x, std::span<const double> tensions) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
 
  private:
   Vec2 middle(std::span<const Vec2> x, std::size_t column) const;
@@ -33,6 +34,7 @@ class Spine final : public Term {
   std::size_t low_;  // rows of the two middle points
   std::size_t high_;
   double inverse_stiffness_;  // 1/N
+  double damping_;            // s
   std::vector<double> rest_;  // m
 };
 

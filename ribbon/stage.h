@@ -6,6 +6,19 @@
 
 namespace ribbon {
 
+/// Where points are [m] and go [m/s].
+struct Motion {
+  std::span<const Vec2> x;
+  std::span<const Vec2> v;
+};
+
+/// How fast two points part, m/s.
+inline double extension_rate(const Motion& at, std::size_t a, std::size_t b) {
+  const Vec2 ab = at.x[b] - at.x[a];
+  const double size = length(ab);
+  return size > 0.0 ? dot(ab, at.v[b] - at.v[a]) / size : 0.0;
+}
+
 /// One implicit stage of a time step: find x with M·a = forces at (x, v), where x = x̃ + q²·a and v = ṽ + q·a. With drag
 /// C and constant forces f that is, W being the elastic energy and its dissipation,
 ///

@@ -63,6 +63,8 @@ class Term {
 
   /// Its tensions, unknowns of mixed Newton.
   virtual std::size_t tension_count() const { return 0; }
+  /// See Elasticity.
+  virtual void find_tensions(std::span<const Vec2> /*x*/, std::span<double> /*tensions*/) const {}
   /// The rest lengths of the links along the cord, m.
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;
   /// Adds the part of the Hessian that does not depend on where the points are.
@@ -75,7 +77,7 @@ class Term {
   /// See Elasticity. A quadratic term's is its energy at the damped positions over the stiffening, whose gradient is
   /// the elastic and the damping force.
   virtual double potential(const Shape& shape, std::span<const double> most) const = 0;
-  virtual double energy(std::span<const Vec2> x, std::span<const double> tensions) const = 0;
+  virtual double energy(const Motion& at, std::span<const double> tensions) const = 0;
   /// See Elasticity.
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
   virtual std::span<char> unlocked() { return {}; }

@@ -6,33 +6,48 @@
 namespace tradeoff {
 namespace {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+using Clock = std::chrono::steady_clock;
+
+/// The smallest value that `share` of them do not exceed.
+double quantile(std::vector<double> values, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
 }
 
-double microseconds_a_tick(const Tick& tick, int ticks) {
-  const auto start = std::chrono::steady_clock::now();
-  for (int k = 0; k < ticks; ++k) tick();
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-  return spent.count() / ticks;
+double microseconds(Clock::duration spent) { return std::chrono::duration<double, std::micro>(spent).count(); }
+
+struct Samples {
+  std::vector<double> means;  // µs a tick, of each repeat
+  std::vector<double> ticks;  // µs, of each tick
+};
+
+void repeat_once(const Timed& contestant, int ticks, Samples& samples) {
+  if (contestant.reset) contestant.reset();
+  const Clock::time_point start = Clock::now();
+  Clock::time_point last = start;
+  for (int k = 0; k < ticks; ++k) {
+    contestant.tick();
+    const Clock::time_point now = Clock::now();
+    samples.ticks.push_back(microseconds(now - last));
+    last = now;
+  }
+  samples.means.push_back(microseconds(last - start) / ticks);
 }
 
 }  // namespace
 
-std::vector<double> interleaved_medians(const std::vector<Tick>& contestants, int ticks, int repeats,
+std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
                                         const std::function<void(double)>& progress) {
-  std::vector<std::vector<double>> spent(contestants.size());
+  std::vector<Samples> samples(contestants.size());
+  for (Samples& s : samples) s.ticks.reserve(static_cast<std::size_t>(ticks) * static_cast<std::size_t>(repeats));
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (std::size_t c = 0; c < contestants.size(); ++c) {
-      spent[c].push_back(microseconds_a_tick(contestants[c], ticks));
-    }
+    for (std::size_t c = 0; c < contestants.size(); ++c) repeat_once(contestants[c], ticks, samples[c]);
     progress(static_cast<double>(repeat + 1) / repeats);
   }
-  std::vector<double> medians;
-  for (const auto& values : spent) medians.push_back(median(values));
-  return medians;
+  std::vector<Timing> timings;
+  for (const Samples& s : samples) timings.push_back({quantile(s.means, 0.5), quantile(s.ticks, 0.99)});
+  return timings;
 }
 
 }  // namespace tradeoff

@@ -1,73 +1,43 @@
 #include "tests/tradeoff/scenes.h"
 
 #include <algorithm>
-#include <limits>
-#include <memory>
+#include <array>
+#include <cstdio>
 
-#include "tests/support/heavy_swing.h"
-#include "tests/support/thesis_scenes.h"
-#include "tests/tradeoff/dense_inverse.h"
+#include "tests/tradeoff/scene_lists.h"
 
 namespace tradeoff {
-namespace {
 
-using ribbon::ThesisCord;
-using test_support::earth_gravity;
-using test_support::frame_dt;
-
-Contestant contestant(const char* method, const ribbon::ThesisDef& def, std::unique_ptr<ribbon::LinearSolver> solver) {
-  const auto cord = std::make_shared<ThesisCord>(def, std::move(solver));
-  return {method, "substeps=" + std::to_string(def.substeps), cord->mesh().size(),
-          [cord] { cord->step(frame_dt, earth_gravity); }};
+Column us_per_tick() {
+  return {"us_per_tick", 3, [](const Row& row) { return row.timing.median_us; }};
 }
 
-/// The thesis's step, with our banded solve and with its dense inverse: a hanging cord, self-collision on.
-template <int Row>
-std::vector<Contestant> thesis_condition() {
-  const ribbon::ThesisDef def = test_support::hanging(test_support::thesis_conditions[Row]);
-  std::vector<Contestant> both;
-  both.push_back(contestant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
-  both.push_back(contestant("dense_inverse", def, std::make_unique<DenseInverse>()));
-  return both;
+Column p99_us() {
+  return {"p99_us", 3, [](const Row& row) { return row.timing.p99_us; }};
 }
 
-/// The same material, longer and longer, without collision: what a point costs.
-std::vector<Contestant> scaling() {
-  std::vector<Contestant> lengths;
-  for (const int w : {25, 250, 2500}) {
-    test_support::ThesisCondition condition = test_support::thesis_conditions[0];
-    condition.w = w;
-    ribbon::ThesisDef def = test_support::hanging(condition);
-    def.self_collision = false;
-    lengths.push_back(contestant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
-  }
-  return lengths;
+Column frames_per_second() {
+  return {"frames_per_second", 1, [](const Row& row) { return 1e6 / row.timing.median_us; }};
 }
 
-/// The direct solver with 70 kg on 1 kg of cord, by substeps, cords that do not stretch.
-std::vector<Contestant> heavy_swing() {
-  std::vector<Contestant> settings;
-  for (const int substeps : {1, 2, 4, 8}) {
-    const auto rope = std::make_shared<ribbon::Cord>(test_support::heavy_swing(
-        std::numeric_limits<double>::infinity(), {ribbon::Integrator::tr_bdf2, substeps, 8, 5e-4}));
-    settings.push_back({"rope", "substeps=" + std::to_string(substeps), rope->def().points,
-                        [rope] { rope->step(frame_dt, earth_gravity); }});
-  }
-  return settings;
+Column figure(std::string name, std::size_t index) {
+  return {std::move(name), -1, [index](const Row& row) { return row.figures[index]; }};
 }
 
-}  // namespace
+std::string number(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g", value);
+  return buffer.data();
+}
 
 const std::vector<Scene>& scenes() {
-  static const std::vector<Scene> all = {
-      {"thesis_a", "25 x 2 points, 8 substeps, self-collision: banded against dense inverse", 20, thesis_condition<0>},
-      {"thesis_b", "10 x 5 points, 8 substeps, self-collision: banded against dense inverse", 20, thesis_condition<1>},
-      {"thesis_c", "35 x 2 points, 8 substeps, self-collision: banded against dense inverse", 20, thesis_condition<2>},
-      {"thesis_d", "35 x 2 points, 4 substeps, self-collision: banded against dense inverse", 20, thesis_condition<3>},
-      {"heavy_swing", "51 points and a load of 70 times their weight, swinging: the direct solver by substeps", 300,
-       heavy_swing},
-      {"scaling", "25, 250 and 2500 x 2 points, no collision: cost a point", 10, scaling},
-  };
+  static const std::vector<Scene> all = [] {
+    std::vector<Scene> together;
+    for (const auto& list : {thesis_scenes(), swing_scenes(), reference_scenes(), cost_scenes()}) {
+      together.insert(together.end(), list.begin(), list.end());
+    }
+    return together;
+  }();
   return all;
 }
 

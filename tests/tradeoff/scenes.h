@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,36 @@ namespace tradeoff {
 
 /// One way of running a scene.
 struct Contestant {
-  std::string method;   ///< banded, dense_inverse
+  std::string method;   ///< cord, box2d_chain, dense_inverse
   std::string setting;  ///< the dials: substeps=8
   int points = 0;
+  std::function<void()> reset;  ///< see Timed
   Tick tick;
+  std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
+                                                 ///< columns ask for. Empty if they ask for none
 };
+
+/// What is told of a contestant.
+struct Row {
+  const Contestant& contestant;
+  Timing timing;
+  std::vector<double> figures;
+};
+
+struct Column {
+  std::string name;
+  int decimals = 0;                         ///< below 0: four significant digits instead
+  std::function<double(const Row&)> value;  ///< NaN leaves the cell empty
+};
+
+Column us_per_tick();
+Column p99_us();
+Column frames_per_second();
+/// The index-th of a contestant's figures.
+Column figure(std::string name, std::size_t index);
+
+/// As it stands in a setting: 0.001, 1e+08, inf.
+std::string number(double value);
 
 /// A scene and the ways of running it, to be timed side by side.
 struct Scene {
@@ -21,6 +47,8 @@ struct Scene {
   std::string description;
   int ticks = 0;  ///< a repeat
   std::vector<Contestant> (*contestants)();
+  std::vector<Column> columns = {us_per_tick(), p99_us()};
+  std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
 };
 
 const std::vector<Scene>& scenes();

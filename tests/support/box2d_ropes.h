@@ -1,0 +1,53 @@
+#pragma once
+
+#include <box2d/b2_rope.h>
+#include <box2d/box2d.h>
+
+#include <vector>
+
+namespace test_support {
+
+/// The rope of the heavy_swing scene (tests/support/exact_chain.h) as Box2D's joints make it: rigid links without
+/// shapes, revolute joints between them, the load a body of its own. A link's moment of inertia is that of its mass at
+/// its two ends, so that the exact solution is that of the chain of points. Neither the order in which bodies and
+/// joints are made nor a load that is part of the last link makes it better: the order changes nothing, the other is
+/// worse.
+class Box2dChain {
+ public:
+  enum class Limit { none, max_distance };
+  /// `max_distance` adds a joint that keeps the load no further from the pin than the rope is long.
+  explicit Box2dChain(Limit limit);
+
+  void step(float dt, int velocity_iterations, int position_iterations) {
+    world_.Step(dt, velocity_iterations, position_iterations);
+  }
+  const std::vector<b2Body*>& links() const { return links_; }
+  const b2Body& load() const { return *load_; }
+
+ private:
+  b2Body* make_body(float x, float mass, float inertia);
+  void join(b2Body* a, b2Body* b, float x);
+  void keep_near(b2Body* pin);
+
+  b2World world_;
+  std::vector<b2Body*> links_;
+  b2Body* load_ = nullptr;
+};
+
+/// The same rope as Box2D's own rope: point masses, position-based dynamics, stretch alone.
+class Box2dRope {
+ public:
+  explicit Box2dRope(const b2RopeTuning& tuning);
+
+  void step(float dt, int iterations) { rope_.Step(dt, iterations, b2Vec2_zero); }
+  std::vector<b2Vec2> positions() const;
+
+ private:
+  b2Rope rope_;
+};
+
+/// Its tuning: stretch by `model`, neither damping nor bending. `hertz` is the stiffness of XPBD's stretch, as the
+/// frequency of two points on a link.
+b2RopeTuning without_bending(b2StretchingModel model, float hertz);
+
+}  // namespace test_support

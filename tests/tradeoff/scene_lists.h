@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/tradeoff/scenes.h"
+
+namespace tradeoff {
+
+std::vector<Scene> thesis_scenes();     ///< the thesis's step with the banded solve and with a dense inverse
+std::vector<Scene> swing_scenes();      ///< a heavy load on a rope: the direct solver against others' methods
+std::vector<Scene> reference_scenes();  ///< the direct solver against exact solutions
+std::vector<Scene> cost_scenes();       ///< what long cords, ribbons and many of them cost
+
+}  // namespace tradeoff

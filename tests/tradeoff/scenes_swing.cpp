@@ -1,0 +1,170 @@
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "tests/support/exact_chain.h"
+#include "tests/support/heavy_swing.h"
+#include "tests/tradeoff/scene_lists.h"
+#include "tests/tradeoff/swing_box2d.h"
+#include "tests/tradeoff/swing_cords.h"
+
+namespace tradeoff {
+namespace {
+
+using ribbon::Accuracy;
+using ribbon::Integrator;
+using ribbon::Vec2;
+using test_support::Box2dChain;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr int points = test_support::heavy::links + 1;
+
+const std::vector<Vec2>& exact_load() {
+  static const std::vector<Vec2> path = test_support::exact_heavy_load();
+  return path;
+}
+
+/// The load of an elastic cord in 128 substeps, which are converged to some micrometres; of one that does not stretch,
+/// the exact chain.
+const std::vector<Vec2>& converged_load(double stiffness) {
+  if (stiffness == infinity) return exact_load();
+  static std::map<double, std::vector<Vec2>> known;
+  const auto found = known.find(stiffness);
+  if (found != known.end()) return found->second;
+  return known[stiffness] = test_support::run_heavy_swing(stiffness, {Integrator::tr_bdf2, 128, 8, 1e-9}).load;
+}
+
+/// By the columns of the scene. The chain that does not stretch is also what every baseline converges to, or would if
+/// single precision let it, so that the error of its own is asked of our elastic cords alone, and of a baseline left
+/// out.
+std::vector<double> figures_of(Swing& swing, double own_stiffness) {
+  const SwingFigures run_figures = run(swing);
+  const double own =
+      std::isnan(own_stiffness) ? none : test_support::rms_distance(run_figures.load, converged_load(own_stiffness));
+  return {test_support::rms_distance(run_figures.load, exact_load()), 100.0 * run_figures.max_stretch,
+          100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : none, own};
+}
+
+Contestant contestant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = points,
+                      double own_stiffness = none) {
+  return {method,
+          std::move(setting),
+          point_count,
+          [swing] { swing->reset(); },
+          [swing] { swing->tick(); },
+          [swing, own_stiffness] { return figures_of(*swing, own_stiffness); }};
+}
+
+std::string dials(double stiffness, const Accuracy& accuracy) {
+  return std::string(accuracy.integrator == Integrator::tr_bdf2 ? "tr_bdf2" : "implicit_euler") +
+         " EA=" + number(stiffness) + " substeps=" + std::to_string(accuracy.substeps) +
+         " tolerance=" + number(accuracy.tolerance);
+}
+
+Contestant cord(const std::string& name, double stiffness, const Accuracy& accuracy) {
+  return contestant("cord", name.empty() ? dials(stiffness, accuracy) : name, cord_swing(stiffness, accuracy), points,
+                    stiffness);
+}
+
+void add_presets(std::vector<Contestant>& list) {
+  list.push_back(cord("fast", infinity, Accuracy::fast()));
+  list.push_back(cord("balanced", infinity, Accuracy::balanced()));
+  list.push_back(cord("accurate", infinity, Accuracy::accurate()));
+}
+
+/// One dial at a time away from `balanced`, and substeps for every stiffness.
+void add_dials(std::vector<Contestant>& list) {
+  for (const double stiffness : {infinity, 1e8, 1e7}) {
+    for (const int substeps : {1, 2, 4, 8}) {
+      list.push_back(cord("", stiffness, {Integrator::tr_bdf2, substeps, 8, 1e-3}));
+    }
+  }
+  for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6}) {
+    list.push_back(cord("", infinity, {Integrator::tr_bdf2, 1, 8, tolerance}));
+  }
+  for (const int substeps : {1, 4, 16, 64}) {
+    list.push_back(cord("", infinity, {Integrator::implicit_euler, substeps, 8, 1e-3}));
+  }
+}
+
+void add_chain(std::vector<Contestant>& list, const char* method, Box2dChain::Limit limit, const Box2dDials& dials) {
+  list.push_back(contestant(method,
+                            "substeps=" + std::to_string(dials.substeps) +
+                                " iterations=" + std::to_string(dials.velocity_iterations) + "/" +
+                                std::to_string(dials.position_iterations),
+                            box2d_chain(limit, dials)));
+}
+
+/// More iterations in the proportion of Box2D's own 8 to 3.
+void add_chains(std::vector<Contestant>& list) {
+  for (const int substeps : {1, 4, 16, 64}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 8, 3});
+  for (const int substeps : {1, 4}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 128, 48});
+  add_chain(list, "box2d_chain", Box2dChain::Limit::none, {64, 32, 12});
+  for (const int substeps : {1, 4, 16, 64}) {
+    add_chain(list, "box2d_max_distance", Box2dChain::Limit::max_distance, {substeps, 8, 3});
+  }
+}
+
+struct RopeDials {
+  b2StretchingModel model;
+  float hertz;  // of XPBD alone
+  int substeps;
+  int iterations;
+};
+
+/// The best at each cost. XPBD is best at 1 to 2 kHz; damping, or the load as the first point, gains nothing. With more
+/// substeps all are worse: single precision rounds away what a point moves in one.
+constexpr std::array<RopeDials, 13> rope_dials = {{
+    {b2_pbdStretchingModel, 0.0F, 1, 50},
+    {b2_pbdStretchingModel, 0.0F, 16, 1},
+    {b2_pbdStretchingModel, 0.0F, 16, 8},
+    {b2_pbdStretchingModel, 0.0F, 50, 1},
+    {b2_pbdStretchingModel, 0.0F, 64, 1},
+    {b2_xpbdStretchingModel, 1000.0F, 1, 50},
+    {b2_xpbdStretchingModel, 1000.0F, 16, 8},
+    {b2_xpbdStretchingModel, 1000.0F, 16, 50},
+    {b2_xpbdStretchingModel, 1000.0F, 50, 1},
+    {b2_xpbdStretchingModel, 1000.0F, 64, 1},
+    {b2_xpbdStretchingModel, 2000.0F, 16, 8},
+    {b2_xpbdStretchingModel, 2000.0F, 50, 1},
+    {b2_xpbdStretchingModel, 2000.0F, 64, 1},
+}};
+
+void add_ropes(std::vector<Contestant>& list) {
+  for (const RopeDials& dials : rope_dials) {
+    const bool xpbd = dials.model == b2_xpbdStretchingModel;
+    list.push_back(contestant(
+        xpbd ? "b2rope_xpbd" : "b2rope_pbd",
+        "substeps=" + std::to_string(dials.substeps) + " iterations=" + std::to_string(dials.iterations) +
+            (xpbd ? " hertz=" + number(static_cast<double>(dials.hertz)) : ""),
+        box2d_rope(test_support::without_bending(dials.model, dials.hertz), dials.substeps, dials.iterations)));
+  }
+}
+
+std::vector<Contestant> heavy_swing() {
+  std::vector<Contestant> list;
+  add_presets(list);
+  add_dials(list);
+  add_chains(list);
+  add_ropes(list);
+  for (const int substeps : {8, 32, 128}) {
+    list.push_back(contestant("thesis", "substeps=" + std::to_string(substeps), thesis_swing(substeps), 2 * points));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<Scene> swing_scenes() {
+  return {{"heavy_swing",
+           "51 points of 1 kg and a load of 70 kg, released from the horizontal: cords, Box2D's, the thesis's",
+           test_support::heavy::ticks,
+           heavy_swing,
+           {us_per_tick(), p99_us(), figure("rms_error_m", 0), figure("max_stretch_pct", 1),
+            figure("energy_drift_pct", 2), figure("unconverged", 3), figure("own_error_m", 4)},
+           "balanced"}};
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/tradeoff/scenes.h"
+
+namespace tradeoff {
+
+/// Prints rows to the standard output: as comma-separated values, or as a table with what a point costs and how many
+/// times the scene's yardstick.
+void print_csv(const Scene& scene, const std::vector<Row>& rows);
+void print_table(const Scene& scene, const std::vector<Row>& rows);
+
+}  // namespace tradeoff
