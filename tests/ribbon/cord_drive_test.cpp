@@ -1,0 +1,290 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ribbon/cord.h"
+
+namespace ribbon {
+namespace {
+
+constexpr Vec2 gravity{0.0, -9.81};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+CordDef hanging(int points, double length) {
+  CordDef def;
+  def.points = points;
+  def.length = length;
+  def.pins = {0};
+  for (int p = 0; p < points; ++p) def.positions.push_back({0.0, -length * p / (points - 1)});
+  return def;
+}
+
+double rest_length(const Cord& cord) {
+  double sum = 0.0;
+  for (int i = 0; i + 1 < cord.def().points; ++i) sum += cord.rest_length(i);
+  return sum;
+}
+
+// --- reeling ---------------------------------------------------------------------------------------------------------
+
+TEST(CordReel, LiftsItsLoadAtItsSpeedAndStops) {
+  for (const double stiffness : {infinity, 1e6}) {
+    CordDef def = hanging(51, 10.0);
+    def.stretch_stiffness = stiffness;
+    Cord cord(def);
+    cord.attach_mass(50, 70.0);
+    for (int k = 0; k < 60; ++k) cord.step(1.0 / 60.0, gravity);
+    cord.reel(0, 50, 5.0, 1.0);
+    double fastest = 0.0;
+    for (int k = 0; k < 400; ++k) {
+      cord.step(1.0 / 60.0, gravity);
+      fastest = std::max(fastest, length(cord.velocities()[50]));
+    }
+    EXPECT_NEAR(rest_length(cord), 5.0, 1e-12);
+    EXPECT_NEAR(cord.positions()[50].y, -5.0, stiffness == infinity ? 1e-6 : 0.06);
+    EXPECT_NEAR(cord.positions()[50].x, 0.0, 1e-9);
+    // An inextensible one moves its load as fast as the winch; an elastic one bobs.
+    EXPECT_LT(fastest, stiffness == infinity ? 1.2 : 2.1);
+  }
+}
+
+/// The winch's work is its pull times what it takes in: Σ λ·(−dl) over the links.
+TEST(CordReel, AddsTheWorkOfTheWinchAndNoMore) {
+  CordDef def = hanging(21, 4.0);
+  def.accuracy = Accuracy::accurate();
+  Cord cord(def);
+  cord.attach_mass(20, 20.0);
+  for (int p = 0; p <= 20; ++p) cord.set_velocity(p, {0.15 * p, 0.0});  // swinging
+  cord.step(1.0 / 240.0, gravity);
+  cord.reel(0, 20, 2.0, 0.5);
+  double work = 0.0;
+  double before = cord.energy(gravity).total();
+  const double start = before;
+  for (int k = 0; k < 4 * 240; ++k) {
+    std::vector<double> rest;
+    for (int i = 0; i < 20; ++i) rest.push_back(cord.rest_length(i));
+    const std::vector<double> pull(cord.tensions().begin(), cord.tensions().end());
+    cord.step(1.0 / 240.0, gravity);
+    for (int i = 0; i < 20; ++i) {
+      const auto e = static_cast<std::size_t>(i);
+      work += 0.5 * (pull[e] + cord.tensions()[e]) * (rest[e] - cord.rest_length(i));
+    }
+  }
+  const double gained = cord.energy(gravity).total() - start;
+  EXPECT_GT(gained, 20.0 * 9.81 * 1.0);
+  EXPECT_NEAR(gained / work, 1.0, 0.02);
+}
+
+/// Start, turn and stop of a fast winch under a thousandfold load: what moves is never faster than the winch, and once
+/// it stands the energy only falls.
+TEST(CordReel, NoBurstWhenItStartsTurnsAndStops) {
+  CordDef def = hanging(31, 3.0);
+  Cord cord(def);
+  cord.attach_mass(30, 300.0);
+  double fastest = 0.0;
+  CordReport report;
+  const auto run = [&](int ticks) {
+    for (int k = 0; k < ticks; ++k) {
+      report += cord.step(1.0 / 60.0, gravity);
+      for (const Vec2 v : cord.velocities()) fastest = std::max(fastest, length(v));
+    }
+  };
+  run(30);
+  cord.reel(0, 30, 0.3, 3.0);
+  run(20);
+  cord.reel(0, 30, 3.0, 3.0);
+  run(20);
+  cord.reel(0, 30, 0.03, 3.0);
+  run(120);
+  EXPECT_NEAR(rest_length(cord), 0.03, 1e-12);
+  // Falls at most as long as the winch lets it: 3 m/s up, and 3 m/s and g/3 s down.
+  EXPECT_LT(fastest, 3.0 + 9.81 / 3.0 + 0.5);
+  EXPECT_EQ(report.unconverged, 0);
+  double last = cord.energy(gravity).total();
+  for (int k = 0; k < 300; ++k) {
+    cord.step(1.0 / 60.0, gravity);
+    const double now = cord.energy(gravity).total();
+    EXPECT_LE(now, last + 1e-3 * 301.0 * 9.81 * 3.0);
+    last = std::min(last, now);
+  }
+}
+
+TEST(CordReel, TakesPartOfTheCord) {
+  Cord cord(hanging(11, 1.0));
+  cord.reel(0, 3, 0.15, 0.5);
+  for (int k = 0; k < 60; ++k) cord.step(1.0 / 60.0, gravity);
+  for (int i = 0; i < 10; ++i) EXPECT_NEAR(cord.rest_length(i), i < 3 ? 0.05 : 0.1, 1e-15);
+  EXPECT_NEAR(length(cord.positions()[2] - cord.positions()[1]), 0.05, 1e-7);
+  EXPECT_NEAR(cord.positions()[10].y, -0.85, 0.01);
+}
+
+TEST(CordReel, OfARopeThatBendsAndOfARibbon) {
+  CordDef rope = hanging(11, 1.0);
+  rope.bending_stiffness = 0.01;
+  CordDef ribbon;
+  ribbon.points = 11;
+  ribbon.rows = 3;
+  ribbon.length = 1.0;
+  ribbon.width = 0.2;
+  ribbon.damping = 0.02;
+  solid(1e6, 0.2, 0.05, 0.2).apply_to(ribbon);
+  ribbon.pins = {0, 1, 2};
+  for (int i = 0; i < 11; ++i) {
+    for (int j = 0; j < 3; ++j) ribbon.positions.push_back({0.1 * j, -0.1 * i});
+  }
+  for (const CordDef& def : {rope, ribbon}) {
+    Cord cord(def);
+    cord.reel(0, 10, 0.6, 0.5);
+    CordReport report;
+    for (int k = 0; k < 600; ++k) report += cord.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(report.unconverged, 0);
+    EXPECT_NEAR(cord.positions().back().y, -0.6, 5e-3) << def.rows;
+  }
+}
+
+TEST(CordReel, RefusesWhatItCannotDo) {
+  Cord cord(hanging(11, 1.0));
+  const Cord::State before = cord.save();
+  EXPECT_THROW(cord.reel(-1, 5, 0.5, 1.0), DefinitionError);
+  EXPECT_THROW(cord.reel(5, 5, 0.5, 1.0), DefinitionError);
+  EXPECT_THROW(cord.reel(0, 11, 0.5, 1.0), DefinitionError);
+  EXPECT_THROW(cord.reel(0, 10, 0.0, 1.0), DefinitionError);
+  EXPECT_THROW(cord.reel(0, 10, nan, 1.0), DefinitionError);
+  EXPECT_THROW(cord.reel(0, 10, 0.5, 0.0), DefinitionError);
+  EXPECT_THROW(cord.reel(0, 10, 0.5, infinity), DefinitionError);
+  EXPECT_EQ(cord.save(), before);
+}
+
+// --- loads and driven points -----------------------------------------------------------------------------------------
+
+TEST(CordLoad, PullsUntilItIsSetAgain) {
+  Cord cord(hanging(11, 1.0));
+  cord.set_load(10, {50.0, 0.0});
+  for (int k = 0; k < 2000; ++k) cord.step(1.0, gravity);
+  // Force balance at the lowest link: its direction is that of the load and half a link's weight.
+  const Vec2 link = cord.positions()[10] - cord.positions()[9];
+  EXPECT_NEAR(link.y / link.x, -cord.mass(10) * 9.81 / 50.0, 1e-9);
+  EXPECT_NEAR(cord.tensions()[9], std::hypot(50.0, cord.mass(10) * 9.81), 1e-6);
+  cord.set_load(10, {});
+  for (int k = 0; k < 2000; ++k) cord.step(1.0, gravity);
+  EXPECT_NEAR(cord.positions()[10].x, 0.0, 1e-6);
+}
+
+TEST(CordOperated, FollowsTheHandAndKeepsItsVelocityWhenLetGo) {
+  Cord cord(hanging(11, 1.0));
+  EXPECT_EQ(cord.kind(0), PointKind::constrained);
+  EXPECT_EQ(cord.kind(5), PointKind::free);
+  for (int k = 1; k <= 30; ++k) {
+    const Vec2 hand = Vec2{0.02 * k, -0.5 + 0.005 * k};
+    cord.operate(5, hand);
+    EXPECT_EQ(cord.kind(5), PointKind::operated);
+    EXPECT_EQ(cord.target(5), hand);
+    cord.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(cord.positions()[5], hand);
+  }
+  cord.release(5);
+  EXPECT_EQ(cord.kind(5), PointKind::free);
+  EXPECT_NEAR(cord.velocities()[5].x, 1.2, 1e-9);
+}
+
+/// A hand that pulls an inextensible cord further than it is long: nothing is infinite, and it says so by its length.
+TEST(CordOperated, PulledTooFarItStaysFinite) {
+  Cord cord(hanging(11, 1.0));
+  for (int k = 1; k <= 60; ++k) {
+    cord.operate(10, {0.1 * k, -1.0});
+    cord.step(1.0 / 60.0, gravity);
+    for (const Vec2 p : cord.positions()) ASSERT_TRUE(is_finite(p));
+  }
+  cord.release(10);
+  for (int k = 0; k < 120; ++k) cord.step(1.0 / 60.0, gravity);
+  double sum = 0.0;
+  for (std::size_t p = 1; p < 11; ++p) sum += length(cord.positions()[p] - cord.positions()[p - 1]);
+  EXPECT_NEAR(sum, 1.0, 1e-3);
+}
+
+// --- tension only ----------------------------------------------------------------------------------------------------
+
+TEST(CordTensionOnly, NeverPushes) {
+  for (const double stiffness : {infinity, 1e5}) {
+    for (const double bending : {0.0, 1e-4}) {
+      CordDef def = hanging(21, 2.0);
+      def.stretch_stiffness = stiffness;
+      def.bending_stiffness = bending;
+      def.tension_only = true;
+      def.accuracy.tolerance = 1e-9;  // what a link may push is that much times its points' inertia
+      Cord cord(def);
+      for (int p = 1; p <= 20; ++p) cord.set_velocity(p, {0.3, 6.0});  // thrown upwards, past the pin
+      CordReport report;
+      double shortest = 2.0;
+      for (int k = 0; k < 180; ++k) {
+        report += cord.step(1.0 / 60.0, gravity);
+        double sum = 0.0;
+        for (std::size_t p = 1; p <= 20; ++p) sum += length(cord.positions()[p] - cord.positions()[p - 1]);
+        shortest = std::min(shortest, sum);
+        EXPECT_LE(sum, 2.0 * (1.0 + 2e-3));
+        for (const double tension : cord.tensions()) EXPECT_GE(tension, -1e-6);
+      }
+      EXPECT_EQ(report.unconverged, 0);
+      EXPECT_LT(shortest, 1.95) << "its links give way to a push";
+    }
+  }
+}
+
+TEST(CordTensionOnly, HangsAsAnyOther) {
+  CordDef def = hanging(21, 2.0);
+  def.tension_only = true;
+  def.pins = {0, 20};
+  for (int p = 0; p <= 20; ++p)
+    def.positions[static_cast<std::size_t>(p)] = {1.5 * p / 20.0, -0.6 * (1.0 - std::abs(p / 10.0 - 1.0))};
+  CordDef both = def;
+  both.tension_only = false;
+  Cord pulling(def);
+  Cord bars(both);
+  for (int k = 0; k < 3000; ++k) {
+    pulling.step(1.0, gravity);
+    bars.step(1.0, gravity);
+  }
+  for (std::size_t p = 0; p <= 20; ++p) EXPECT_NEAR(length(pulling.positions()[p] - bars.positions()[p]), 0.0, 1e-6);
+}
+
+// --- what is not declared is not there -------------------------------------------------------------------------------
+
+TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
+  CordDef def;
+  def.points = 12;
+  def.rows = 3;
+  def.length = 1.1;
+  def.width = 0.2;
+  solid(1e5, 0.1, 0.1, 0.2).apply_to(def);
+  def.area_stiffness = 1.0;
+  def.damping = 0.01;
+  def.drag = 0.1;
+  def.pins = {0, 1};
+  for (int p = 0; p < 36; ++p) def.positions.push_back({0.3 * std::sin(5.0 * p), 0.3 * std::cos(7.0 * p)});
+  Cord cord(def);
+  cord.attach_mass(34, 2.0);
+  cord.set_load(20, {0.0, 1.0});
+  cord.reel(2, 9, 0.4, 0.3);
+  for (int k = 0; k < 60; ++k) {
+    const Cord::State state = cord.save();
+    cord.step(1.0 / 60.0, gravity);
+    Cord other(def);
+    other.restore(state);
+    EXPECT_EQ(other.save(), state);
+    other.step(1.0 / 60.0, gravity);
+    ASSERT_EQ(other.save(), cord.save()) << "tick " << k;
+  }
+  Cord::State bad = cord.save();
+  bad.unlocked.pop_back();
+  EXPECT_THROW(cord.restore(bad), DefinitionError);
+  bad = cord.save();
+  bad.rest_speeds.clear();
+  EXPECT_THROW(cord.restore(bad), DefinitionError);
+}
+
+}  // namespace
+}  // namespace ribbon

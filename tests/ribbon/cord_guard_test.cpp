@@ -1,0 +1,282 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "ribbon/cell.h"
+#include "ribbon/cord.h"
+
+namespace ribbon {
+namespace {
+
+constexpr Vec2 gravity{0.0, -9.81};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// 0 … 1, the same numbers on every machine.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double operator()() { return static_cast<double>(random_()) / 4294967296.0; }
+
+ private:
+  std::mt19937 random_;
+};
+
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+// --- ribbons from starts that no motion leads to ---------------------------------------------------------------------
+
+int inverted_corners(const Cord& cord) {
+  const auto x = cord.positions();
+  int count = 0;
+  for (int i = 0; i + 1 < cord.def().points; ++i) {
+    for (int j = 0; j + 1 < cord.def().rows; ++j) {
+      const Corners corners{x[slot(cord.index(i, j))], x[slot(cord.index(i, j + 1))], x[slot(cord.index(i + 1, j))],
+                            x[slot(cord.index(i + 1, j + 1))]};
+      for (const double area : doubled_corner_areas(corners)) count += area <= 0.0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+/// How far any side or diagonal of a cell is off its rest length, relative.
+double worst_strain(const Cord& cord) {
+  const CordDef& def = cord.def();
+  const Vec2 rest{def.length / (def.points - 1), def.width / (def.rows - 1)};
+  double worst = 0.0;
+  for (int i = 0; i < def.points; ++i) {
+    for (int j = 0; j < def.rows; ++j) {
+      for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
+        if (i + di >= def.points || j + dj >= def.rows) continue;
+        const Vec2 side = cord.positions()[slot(cord.index(i + di, j + dj))] - cord.positions()[slot(cord.index(i, j))];
+        worst = std::max(worst, std::abs(length(side) / length({di * rest.x, dj * rest.y}) - 1.0));
+      }
+    }
+  }
+  return worst;
+}
+
+enum class Start { random, collapsed, mirrored, folded };
+
+struct Crushed {
+  int columns;
+  int rows;
+  Start start;
+};
+
+CordDef crushed(const Crushed& what, unsigned seed) {
+  CordDef def;
+  def.points = what.columns;
+  def.rows = what.rows;
+  def.length = 0.05 * (what.columns - 1);
+  def.width = 0.05 * (what.rows - 1);
+  def.mass_per_length = 0.5;
+  solid(2e5, 0.0, 0.1, def.width).apply_to(def);
+  def.area_stiffness = 1.0;
+  def.damping = 0.05;
+  def.accuracy = Accuracy::balanced();
+  Dice dice(seed);
+  const Cord rest(def);
+  const double fold = def.length * (0.3 + 0.4 * dice());
+  for (Vec2 p : rest.positions()) {
+    const Vec2 off{1e-3 * dice(), 1e-3 * dice()};
+    switch (what.start) {
+      case Start::random: p = {dice() * def.length, dice() * def.length}; break;
+      case Start::collapsed: p = off; break;
+      case Start::mirrored: p = Vec2{p.x, -p.y} + off; break;
+      case Start::folded: p = Vec2{p.x > fold ? 2.0 * fold - p.x : p.x, p.y} + off; break;
+    }
+    def.positions.push_back(p);
+  }
+  return def;
+}
+
+class LongCrushedRibbon : public testing::TestWithParam<Crushed> {};
+
+TEST_P(LongCrushedRibbon, IsItselfAgainAfterFourSeconds) {
+  CordReport report;
+  double worst = 0.0;
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    Cord cord(crushed(GetParam(), seed));
+    for (int k = 0; k < 240; ++k) report += cord.step(1.0 / 60.0, {});
+    EXPECT_EQ(inverted_corners(cord), 0) << "seed " << seed;
+    worst = std::max(worst, worst_strain(cord));
+  }
+  EXPECT_LE(worst, 1e-3);
+  EXPECT_GT(report.unlocked, 0);
+  RecordProperty("worst_strain", std::to_string(worst));
+  RecordProperty("unconverged", report.unconverged);
+}
+
+std::vector<Crushed> all_crushed() {
+  std::vector<Crushed> all;
+  for (const auto& [columns, rows] : {std::pair{25, 2}, {12, 3}, {10, 5}}) {
+    for (const Start start : {Start::random, Start::collapsed, Start::mirrored, Start::folded}) {
+      all.push_back({columns, rows, start});
+    }
+  }
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(All, LongCrushedRibbon, testing::ValuesIn(all_crushed()));
+
+TEST(CordGuard, WithoutAreaStiffnessAnInvertedRibbonMayStaySo) {
+  int inverted = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CordDef def = crushed({12, 3, Start::random}, seed);
+    def.area_stiffness = 0.0;
+    Cord cord(def);
+    for (int k = 0; k < 240; ++k) EXPECT_EQ(cord.step(1.0 / 60.0, {}).unlocked, 0);
+    inverted += inverted_corners(cord) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(inverted, 0);
+}
+
+// --- slack cords snapping taut ---------------------------------------------------------------------------------------
+
+struct Snap {
+  int points;
+  int rows;
+  double stiffness;  // EA, N
+  double bending;    // EI of a rope, N·m², or of a ribbon as a share of a solid's
+};
+
+/// Held at one end, thrown, and folded like a hairpin, so that the other end, loaded, falls and is caught.
+Cord slack(const Snap& snap, unsigned seed, const Accuracy& accuracy) {
+  Dice dice(seed + 1);
+  CordDef def;
+  def.points = snap.points;
+  def.rows = snap.rows;
+  def.length = 2.0;
+  def.mass_per_length = 0.5;
+  def.stretch_stiffness = snap.stiffness;
+  def.bending_stiffness = snap.bending;
+  def.accuracy = accuracy;
+  const double link = def.length / (def.points - 1);
+  if (def.rows > 1) {
+    def.width = link * (def.rows - 1);
+    def.bending_stiffness *= def.stretch_stiffness * def.width * def.width / 12.0;
+  }
+  const double there = 2.0 * std::numbers::pi * dice();
+  const double corner = 0.3 + 0.6 * dice();
+  const double turn = std::numbers::pi * (0.6 + 0.8 * dice());
+  Vec2 middle;
+  for (int i = 0; i < def.points; ++i) {
+    const double angle =
+        there + turn * std::clamp((static_cast<double>(i) / (def.points - 1) - corner) / 0.1 + 0.5, 0.0, 1.0);
+    const Vec2 along{std::cos(angle), std::sin(angle)};
+    for (int j = 0; j < def.rows; ++j) {
+      const double across = def.rows > 1 ? def.width * (static_cast<double>(j) / (def.rows - 1) - 0.5) : 0.0;
+      def.positions.push_back(middle + across * perp(along));
+    }
+    middle += link * along;
+  }
+  for (int j = 0; j < (seed % 3 == 0 ? 1 : def.rows); ++j) def.pins.push_back(j);  // by a corner too
+  Cord cord(def);
+  const Vec2 thrown{4.0 * dice() - 2.0, 4.0 * dice() - 2.0};
+  constexpr double loads[] = {0.0, 1.0, 10.0, 100.0, 1000.0};  // cord: 1 kg
+  for (int j = 0; j < def.rows; ++j) {
+    for (int i = 1; i < def.points; ++i) {
+      cord.set_velocity(cord.index(i, j), (static_cast<double>(i) / (def.points - 1)) * thrown);
+    }
+    cord.attach_mass(cord.index(def.points - 1, j), loads[seed % 5] / def.rows);
+  }
+  return cord;
+}
+
+class LongSnap : public testing::TestWithParam<Snap> {};
+
+TEST_P(LongSnap, NeverGainsEnergy) {
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    CordReport report;
+    double worst = 0.0;
+    for (unsigned seed = 0; seed < 45; ++seed) {
+      Cord cord = slack(GetParam(), seed, accuracy);
+      double mass = 0.0;
+      for (int p = 0; p < cord.size(); ++p) mass += cord.mass(p);
+      const double scale = mass * 9.81 * cord.def().length;
+      const double start = cord.energy(gravity).total();
+      for (int k = 0; k < 240; ++k) {
+        report += cord.step(1.0 / 60.0, gravity);
+        const double gain = (cord.energy(gravity).total() - start) / scale;
+        ASSERT_LE(gain, 1e-3) << "seed " << seed << ", tick " << k;
+        worst = std::max(worst, gain);
+      }
+    }
+    EXPECT_EQ(report.unconverged, 0);
+    const std::string setting =
+        std::to_string(accuracy.substeps) + "_" + std::to_string(static_cast<int>(accuracy.integrator));
+    RecordProperty("worst_gain_" + setting, std::to_string(worst));
+    RecordProperty("redone_" + setting, report.energy_gains + report.fallbacks);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ropes, LongSnap,
+                         testing::Values(Snap{51, 1, infinity, 0.0}, Snap{51, 1, 1e7, 0.0}, Snap{51, 1, 1e4, 0.0},
+                                         Snap{51, 1, infinity, 1e-3}));
+INSTANTIATE_TEST_SUITE_P(Ribbons, LongSnap,
+                         testing::Values(Snap{25, 2, 1e6, 1.0}, Snap{25, 2, 1e6, 1e-3}, Snap{25, 2, 1e4, 0.0},
+                                         Snap{10, 5, 1e6, 1.0}, Snap{10, 5, 1e6, 1e-2}));
+
+// --- every load on every stiffness -----------------------------------------------------------------------------------
+
+class LongMassRatios : public testing::TestWithParam<int> {};
+
+TEST_P(LongMassRatios, ConvergeEverywhere) {
+  const int links = GetParam();
+  CordReport all;
+  for (const double load : {0.0, 1.0, 1e3, 1e6}) {
+    for (const double ratio : {10.0, 1e3, 1e5, 1e7, 1e9, infinity}) {
+      CordDef def;
+      def.points = links + 1;
+      def.stretch_stiffness = ratio * 9.81 * (1.0 + load);
+      def.pins = {0};
+      Cord cord(def);
+      cord.attach_mass(links, load);
+      const double start = cord.energy(gravity).total();
+      CordReport report;
+      for (int k = 0; k < 300; ++k) report += cord.step(1.0 / 60.0, gravity);
+      EXPECT_EQ(report.unconverged, 0) << load << " : 1, EA/(Mg) = " << ratio;
+      EXPECT_LE(report.iterations, 4.0 * report.stages) << load << " : 1, EA/(Mg) = " << ratio;
+      EXPECT_LE(cord.energy(gravity).total() - start, 1e-3 * (1.0 + load) * 9.81 * 10.0);
+      all += report;
+    }
+  }
+  RecordProperty("iterations_a_stage", std::to_string(static_cast<double>(all.iterations) / all.stages));
+  RecordProperty("searches", all.searches);
+  RecordProperty("fallbacks", all.fallbacks);
+  RecordProperty("energy_gains", all.energy_gains);
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, LongMassRatios, testing::Values(50, 500));
+
+/// Each guard can be seen at work, and is counted.
+TEST(CordGuard, CountsWhatItMends) {
+  CordReport report;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    Cord cord = slack({51, 1, 1e7, 0.0}, seed, Accuracy::balanced());
+    for (int k = 0; k < 240; ++k) report += cord.step(1.0 / 60.0, gravity);
+  }
+  EXPECT_GT(report.searches, 0);
+  EXPECT_GT(report.energy_gains, 0);
+  EXPECT_GT(report.iterations, report.stages);
+  EXPECT_EQ(report.unlocked, 0);
+}
+
+/// What cannot be solved stays finite and is said: one Newton step a stage, and a tolerance that nothing meets.
+TEST(CordGuard, ReportsWhatStaysUnconvergedAndStaysFinite) {
+  Cord cord = slack({51, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
+  CordReport report;
+  for (int k = 0; k < 120; ++k) report += cord.step(0.5, gravity);
+  EXPECT_GT(report.unconverged, 0);
+  EXPECT_GT(report.halvings, 0);
+  EXPECT_GT(report.fallbacks, 0);
+  for (const Vec2 p : cord.positions()) EXPECT_TRUE(is_finite(p));
+  for (const Vec2 v : cord.velocities()) EXPECT_TRUE(is_finite(v));
+}
+
+}  // namespace
+}  // namespace ribbon
