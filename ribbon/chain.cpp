@@ -82,7 +82,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
 
     const double across = g * (1.0 - g * dot(u, su));
     xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
-    xy = across * u.x * u.y + p.x * slope.y;
+    xy = without_dust(across * u.x * u.y + p.x * slope.y);
     yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
     r = stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p;
   }
@@ -95,7 +95,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Eliminated& link = eliminated_[e];
     const Vec2 before = direction[e];
     next[e] = link.tension + dot(link.slope, before);
-    direction[e + 1] = link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)};
+    direction[e + 1] = without_dust(link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)});
   }
   return true;
 }

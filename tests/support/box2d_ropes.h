@@ -9,9 +9,9 @@ namespace test_support {
 
 /// The rope of the heavy_swing scene (tests/support/exact_chain.h) as Box2D's joints make it: rigid links without
 /// shapes, revolute joints between them, the load a body of its own. A link's moment of inertia is that of its mass at
-/// its two ends, so that the exact solution is that of the chain of points. Neither the order in which bodies and
-/// joints are made nor a load that is part of the last link makes it better: the order changes nothing, the other is
-/// worse.
+/// its two ends, so that the exact solution is that of the chain of points. Tried and left: bodies and joints in the
+/// reverse order (the same from 16 substeps on), a load that is part of the last link (0.89 instead of 0.94 m at 16
+/// substeps, worse at 64 and with the max-distance joint).
 class Box2dChain {
  public:
   enum class Limit { none, max_distance };
