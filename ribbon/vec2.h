@@ -38,6 +38,7 @@ constexpr Vec2 perp(Vec2 a) { return {-a.y, a.x}; }
 /// 0 for what is too small to mean anything. A disturbance that decays from link to link along a straight cord would
 /// otherwise become subnormal, and arithmetic with such numbers takes some fifty times as long.
 inline double without_dust(double a) { return std::abs(a) < 1e-40 ? 0.0 : a; }
+inline Vec2 without_dust(Vec2 a) { return {without_dust(a.x), without_dust(a.y)}; }
 
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
