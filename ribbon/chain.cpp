@@ -84,7 +84,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
     xy = without_dust(across * u.x * u.y + p.x * slope.y);
     yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
-    r = stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p;
+    r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
   }
 
   direction[0] = {};
