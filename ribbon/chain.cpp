@@ -95,7 +95,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Eliminated& link = eliminated_[e];
     const Vec2 before = direction[e];
     next[e] = link.tension + dot(link.slope, before);
-    direction[e + 1] = without_dust(link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)});
+    direction[e + 1] = link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)};
   }
   return true;
 }
