@@ -56,20 +56,20 @@ TEST_P(LongCantilever, BendsAsTheElasticaDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Ropes, LongCantilever, testing::Values(Beam{51, 1, 0.0, 0.005}));
 INSTANTIATE_TEST_SUITE_P(Ribbons, LongCantilever,
-                         testing::Values(Beam{21, 2, 20.0, 0.004}, Beam{21, 2, 100.0, 0.004}, Beam{21, 3, 20.0, 0.004},
-                                         Beam{21, 3, 100.0, 0.004}, Beam{21, 4, 20.0, 0.004}, Beam{21, 4, 100.0, 0.004},
-                                         Beam{21, 5, 20.0, 0.004}, Beam{21, 5, 100.0, 0.004}));
+                         testing::Values(Beam{20, 2, 20.0, 0.004}, Beam{20, 2, 100.0, 0.004}, Beam{20, 3, 20.0, 0.004},
+                                         Beam{20, 3, 100.0, 0.004}, Beam{20, 4, 20.0, 0.004}, Beam{20, 4, 100.0, 0.004},
+                                         Beam{20, 5, 20.0, 0.004}, Beam{20, 5, 100.0, 0.004}));
 
 /// EI does not follow from EA: a strip a hundredth as stiff against bending as a solid bends a hundred times as far.
 TEST(LongCantileverOfASoftStrip, BendsByItsOwnStiffness) {
   for (const int rows : {2, 3, 5}) {
     for (const test_support::Cantilever& row : test_support::cantilevers) {
-      const Cord solid = test_support::clamped_beam(21, rows, 0.05, row, test_support::tight());
+      const Cord solid = test_support::clamped_beam(20, rows, 0.05, row, test_support::tight());
       CordDef def = solid.def();
       def.stretch_stiffness *= 100.0;  // and EI as it was
       Cord cord(def);
       for (int p = 0; p < cord.size(); ++p) {
-        if (p / rows != 20) continue;
+        if (p / rows != 19) continue;
         const bool middle = p % rows == (rows - 1) / 2 || p % rows == rows / 2;
         if (middle) cord.set_load(p, {0.0, rows % 2 == 1 ? -row.load : -0.5 * row.load});
       }
@@ -118,14 +118,19 @@ TEST(LongHangingChain, SwingsAtItsFrequencies) {
   }
 }
 
+struct OrderCase {
+  double stiffness;
+  double bending;
+};
+
 /// A chain swinging from a smooth start, at dt against a 32nd of it.
-double error_at(Integrator integrator, double stiffness, double bending, int steps) {
+double error_at(Integrator integrator, const OrderCase& chain, int steps) {
   const auto end = [&](int n, Integrator with) {
     CordDef def;
     def.points = 6;
     def.length = 1.0;
-    def.stretch_stiffness = stiffness;
-    def.bending_stiffness = bending;
+    def.stretch_stiffness = chain.stiffness;
+    def.bending_stiffness = chain.bending;
     def.accuracy = {with, 1, 50, 1e-12};
     def.pins = {0};
     for (int p = 0; p < 6; ++p) def.positions.push_back({0.0, -0.2 * p});
@@ -138,18 +143,13 @@ double error_at(Integrator integrator, double stiffness, double bending, int ste
   return length(end(steps, integrator) - exact);
 }
 
-struct OrderCase {
-  double stiffness;
-  double bending;
-};
-
 class LongConvergence : public testing::TestWithParam<OrderCase> {};
 
 TEST_P(LongConvergence, OrderInTheTimeStep) {
-  const auto [stiffness, bending] = GetParam();
+  const OrderCase chain = GetParam();
   for (const int steps : {400, 800}) {
     const auto order = [&](Integrator with) {
-      return std::log2(error_at(with, stiffness, bending, steps) / error_at(with, stiffness, bending, 2 * steps));
+      return std::log2(error_at(with, chain, steps) / error_at(with, chain, 2 * steps));
     };
     EXPECT_NEAR(order(Integrator::tr_bdf2), 2.0, 0.1) << steps;
     EXPECT_NEAR(order(Integrator::implicit_euler), 1.0, 0.1) << steps;

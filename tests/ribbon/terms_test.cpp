@@ -71,45 +71,45 @@ class Terms : public testing::TestWithParam<int> {
   }
 
   Terms() : Terms(0.0) {}
-  explicit Terms(double damping) : damping_(damping) {}
+  explicit Terms(double time) : damping(time) {}
 
   void SetUp() override {
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(tested.name);
     std::mt19937 random(7);
     const auto uniform = [&] { return 2.0 * static_cast<double>(random()) / 4294967296.0 - 1.0; };
-    const int rows = case_.def.rows;
-    const double link = case_.def.length / (case_.def.points - 1);
+    const int rows = tested.def.rows;
+    const double link = tested.def.length / (tested.def.points - 1);
     // Stretched by a tenth, so that every tension is positive and the geometric stiffness counts whole.
-    for (int i = 0; i < case_.def.points; ++i) {
+    for (int i = 0; i < tested.def.points; ++i) {
       for (int j = 0; j < rows; ++j) {
-        const Vec2 at{1.1 * link * i, rows > 1 ? 1.1 * case_.def.width * j / (rows - 1) : 0.0};
-        x_.push_back(at + case_.disorder * Vec2{uniform(), uniform()});
-        predicted_.push_back(at);
-        velocity_.push_back({uniform(), uniform()});
-        direction_.push_back({uniform(), uniform()});
+        const Vec2 at{1.1 * link * i, rows > 1 ? 1.1 * tested.def.width * j / (rows - 1) : 0.0};
+        here.push_back(at + tested.disorder * Vec2{uniform(), uniform()});
+        predicted.push_back(at);
+        rates.push_back({uniform(), uniform()});
+        direction.push_back({uniform(), uniform()});
       }
     }
-    inertia_.assign(x_.size(), 1.0);
-    force_.resize(x_.size());
-    constrained_.resize(x_.size());
-    term_->set_rest_lengths(std::vector<double>(static_cast<std::size_t>(case_.def.points) - 1, link));
-    most_.assign(term_->tension_count(), 1e9);
+    inertia.assign(here.size(), 1.0);
+    no_force.resize(here.size());
+    constrained.resize(here.size());
+    term->set_rest_lengths(std::vector<double>(static_cast<std::size_t>(tested.def.points) - 1, link));
+    most.assign(term->tension_count(), 1e9);
   }
 
-  Stage stage() const { return {q_, predicted_, velocity_, inertia_, force_, constrained_}; }
+  Stage stage() const { return {q, predicted, rates, inertia, no_force, constrained}; }
   std::vector<Vec2> damped(const std::vector<Vec2>& x) const {
     std::vector<Vec2> y;
-    for (std::size_t p = 0; p < x.size(); ++p) y.push_back(x[p] + damping_ * stage().velocity_at(p, x[p]));
+    for (std::size_t p = 0; p < x.size(); ++p) y.push_back(x[p] + damping * stage().velocity_at(p, x[p]));
     return y;
   }
   Shape shape(const Stage& stage, const std::vector<Vec2>& x, const std::vector<Vec2>& y) const {
-    return {stage, x, y, 1.0 + damping_ / q_};
+    return {stage, x, y, 1.0 + damping / q};
   }
 
   double potential(const std::vector<Vec2>& x) const {
     const Stage at = stage();
     const std::vector<Vec2> y = damped(x);
-    return term_->potential(shape(at, x, y), most_);
+    return term->potential(shape(at, x, y), most);
   }
   struct Loaded {
     std::vector<Vec2> force;
@@ -119,11 +119,11 @@ class Terms : public testing::TestWithParam<int> {
     const Stage at = stage();
     const std::vector<Vec2> y = damped(x);
     const int n = 2 * static_cast<int>(x.size());
-    Loaded out{std::vector<Vec2>(x.size()), BandedMatrix(n, 2 * case_.def.rows + 3)};
-    BandedMatrix constant(n, 2 * case_.def.rows + 3);
-    term_->add_constant(constant);
-    out.matrix.set_scaled(constant, 1.0 + damping_ / q_);
-    term_->load({shape(at, x, y), out.matrix, out.force}, tensions);
+    Loaded out{std::vector<Vec2>(x.size()), BandedMatrix(n, 2 * tested.def.rows + 3)};
+    BandedMatrix constant(n, 2 * tested.def.rows + 3);
+    term->add_constant(constant);
+    out.matrix.set_scaled(constant, 1.0 + damping / q);
+    term->load({shape(at, x, y), out.matrix, out.force}, tensions);
     return out;
   }
   /// The tensions at x: those after a step of nothing.
@@ -131,16 +131,16 @@ class Terms : public testing::TestWithParam<int> {
     const Stage at = stage();
     const std::vector<Vec2> y = damped(x);
     std::vector<Vec2> nothing(x.size());
-    BandedMatrix unused(2 * static_cast<int>(x.size()), 2 * case_.def.rows + 3);
-    std::vector<double> found(term_->tension_count());
+    BandedMatrix unused(2 * static_cast<int>(x.size()), 2 * tested.def.rows + 3);
+    std::vector<double> found(term->tension_count());
     const std::vector<double> before(found.size(), 1.0);
-    term_->update({shape(at, x, y), unused, nothing}, before, nothing, found);
+    term->update({shape(at, x, y), unused, nothing}, before, nothing, found);
     return found;
   }
   std::vector<Vec2> moved(double share) const {
-    std::vector<Vec2> x = x_;
-    for (std::size_t p = 0; p < x.size(); ++p) x[p] += share * direction_[p];
-    return x;
+    std::vector<Vec2> there = here;
+    for (std::size_t p = 0; p < there.size(); ++p) there[p] += share * direction[p];
+    return there;
   }
   static double along(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
     double sum = 0.0;
@@ -148,13 +148,13 @@ class Terms : public testing::TestWithParam<int> {
     return sum;
   }
 
-  Case case_ = the_case(GetParam());
-  std::unique_ptr<Term> term_ = case_.make(case_.def);
-  double damping_;
-  double q_ = 0.01;
-  std::vector<Vec2> x_, predicted_, velocity_, direction_, force_;
-  std::vector<double> inertia_, most_;
-  std::vector<char> constrained_;
+  Case tested = the_case(GetParam());
+  std::unique_ptr<Term> term = tested.make(tested.def);
+  double damping;
+  double q = 0.01;
+  std::vector<Vec2> here, predicted, rates, direction, no_force;
+  std::vector<double> inertia, most;
+  std::vector<char> constrained;
 };
 
 class ExactTerms : public Terms {};
@@ -164,32 +164,33 @@ class DampedTerms : public Terms {
   DampedTerms() : Terms(0.02) {}
   void SetUp() override {
     Terms::SetUp();
-    predicted_ = x_;
-    for (Vec2& v : velocity_) v = 0.01 * v;
+    predicted = here;
+    for (Vec2& v : rates) v = 0.01 * v;
   }
 };
 
 TEST_P(Terms, ForcesAreMinusTheGradient) {
   constexpr double h = 1e-6;
   const double slope = (potential(moved(h)) - potential(moved(-h))) / (2.0 * h);
-  EXPECT_NEAR(-along(load(x_, tensions(x_)).force, direction_), slope, 1e-6 * (1.0 + std::abs(slope))) << case_.name;
+  EXPECT_NEAR(-along(load(here, tensions(here)).force, direction), slope, 1e-6 * (1.0 + std::abs(slope)))
+      << tested.name;
 }
 
 TEST_P(ExactTerms, MatrixIsTheDerivativeOfTheForces) {
   constexpr double h = 1e-6;
-  const Loaded here = load(x_, tensions(x_));
+  const Loaded loaded = load(here, tensions(here));
   const auto plus = load(moved(h), tensions(moved(h))).force;
   const auto minus = load(moved(-h), tensions(moved(-h))).force;
-  for (int r = 0; r < here.matrix.size(); ++r) {
+  for (int r = 0; r < loaded.matrix.size(); ++r) {
     double sum = 0.0;
-    for (int c = std::max(0, r - here.matrix.half_bandwidth());
-         c < std::min(here.matrix.size(), r + here.matrix.half_bandwidth() + 1); ++c) {
-      const Vec2 d = direction_[static_cast<std::size_t>(c / 2)];
-      sum += here.matrix.at(r, c) * (c % 2 == 0 ? d.x : d.y);
+    for (int c = std::max(0, r - loaded.matrix.half_bandwidth());
+         c < std::min(loaded.matrix.size(), r + loaded.matrix.half_bandwidth() + 1); ++c) {
+      const Vec2 d = direction[static_cast<std::size_t>(c / 2)];
+      sum += loaded.matrix.at(r, c) * (c % 2 == 0 ? d.x : d.y);
     }
     const Vec2 change = (-0.5 / h) * (plus[static_cast<std::size_t>(r / 2)] - minus[static_cast<std::size_t>(r / 2)]);
     // Cells share one geometric stiffness a column, so nothing but one row of them is exact.
-    EXPECT_NEAR(sum, r % 2 == 0 ? change.x : change.y, 1e-4 * (1.0 + std::abs(sum))) << case_.name << ", row " << r;
+    EXPECT_NEAR(sum, r % 2 == 0 ? change.x : change.y, 1e-4 * (1.0 + std::abs(sum))) << tested.name << ", row " << r;
   }
 }
 
@@ -197,33 +198,33 @@ TEST_P(Terms, MatrixIsPositiveSemidefiniteFromAnyShape) {
   std::mt19937 random(11);
   const auto uniform = [&] { return 2.0 * static_cast<double>(random()) / 4294967296.0 - 1.0; };
   for (int k = 0; k < 100; ++k) {
-    for (Vec2& x : x_) x = {uniform(), uniform()};
-    std::vector<double> any(term_->tension_count());
+    for (Vec2& point : here) point = {uniform(), uniform()};
+    std::vector<double> any(term->tension_count());
     for (double& tension : any) tension = 1000.0 * uniform();
-    const Loaded loaded = load(x_, any);
+    const Loaded loaded = load(here, any);
     BandedMatrix shifted = loaded.matrix;
     double largest = 0.0;
     for (int r = 0; r < shifted.size(); ++r) largest = std::max(largest, shifted.at(r, r));
     for (int r = 0; r < shifted.size(); ++r) shifted.row(r)[0] += 1e-9 * largest;
     std::vector<double> b(static_cast<std::size_t>(shifted.size()), 1.0);
-    EXPECT_TRUE(BandedLdlt().solve(shifted, b)) << case_.name << ", try " << k;
+    EXPECT_TRUE(BandedLdlt().solve(shifted, b)) << tested.name << ", try " << k;
   }
 }
 
 TEST_P(Terms, KnowNothingOfWhereTheyAre) {
-  const double before = potential(x_);
+  const double before = potential(here);
   const Vec2 turn{std::cos(0.7), std::sin(0.7)};
   std::vector<Vec2> elsewhere;
-  for (const Vec2 p : x_) elsewhere.push_back(p.x * turn + p.y * perp(turn) + Vec2{5.0, -3.0});
-  EXPECT_NEAR(potential(elsewhere), before, 1e-9 * (1.0 + before)) << case_.name;
-  const auto force = load(x_, tensions(x_)).force;
+  for (const Vec2 p : here) elsewhere.push_back(p.x * turn + p.y * perp(turn) + Vec2{5.0, -3.0});
+  EXPECT_NEAR(potential(elsewhere), before, 1e-9 * (1.0 + before)) << tested.name;
+  const auto force = load(here, tensions(here)).force;
   const auto turned = load(elsewhere, tensions(elsewhere)).force;
   Vec2 sum;
   double moment = 0.0;
   for (std::size_t p = 0; p < force.size(); ++p) {
-    EXPECT_NEAR(length(turned[p] - (force[p].x * turn + force[p].y * perp(turn))), 0.0, 1e-8) << case_.name;
+    EXPECT_NEAR(length(turned[p] - (force[p].x * turn + force[p].y * perp(turn))), 0.0, 1e-8) << tested.name;
     sum += force[p];
-    moment += cross(x_[p], force[p]);
+    moment += cross(here[p], force[p]);
   }
   EXPECT_NEAR(length(sum), 0.0, 1e-9);
   EXPECT_NEAR(moment, 0.0, 1e-9);
@@ -232,10 +233,10 @@ TEST_P(Terms, KnowNothingOfWhereTheyAre) {
 TEST_P(DampedTerms, ForcesAreMinusTheGradientToo) {
   constexpr double h = 1e-6;
   const double slope = (potential(moved(h)) - potential(moved(-h))) / (2.0 * h);
-  const double found = -along(load(x_, tensions(x_)).force, direction_);
+  const double found = -along(load(here, tensions(here)).force, direction);
   // The direction of a bar's damping force is held while it turns: an error of first order in the rates, which are
   // small.
-  EXPECT_NEAR(found, slope, 1e-3 * (1.0 + std::abs(slope))) << case_.name;
+  EXPECT_NEAR(found, slope, 1e-3 * (1.0 + std::abs(slope))) << tested.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Terms, testing::Range(0, 7));
