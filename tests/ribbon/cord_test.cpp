@@ -25,6 +25,12 @@ double cord_length(const Cord& cord) {
   return sum;
 }
 
+void make_ribbon(CordDef& def, int rows) {
+  def.rows = rows;
+  def.width = 0.5;
+  solid(1e6, 0.0, 0.01, def.width).apply_to(def);
+}
+
 /// Steps of a second are so strongly damped by an L-stable method that a few dozen bring any cord to rest.
 void come_to_rest(Cord& cord) {
   for (int k = 0; k < 3000; ++k) cord.step(1.0, gravity);
@@ -190,12 +196,32 @@ TEST(Cord, AMovingPinArrivesExactlyAndIsFollowed) {
 }
 
 TEST(Cord, TakesNoHeapMemoryInAStep) {
-  CordDef def;
-  def.pins = {0};
-  Cord cord(def);
-  const test_support::AllocationCount count;
-  for (int k = 0; k < 60; ++k) cord.step(1.0 / 60.0, gravity);
-  EXPECT_EQ(count.so_far(), 0);
+  CordDef rope;
+  rope.pins = {0};
+  CordDef bending = rope;
+  bending.bending_stiffness = 0.1;
+  bending.damping = 0.01;
+  bending.drag = 0.1;
+  CordDef ribbon;
+  ribbon.points = 12;
+  make_ribbon(ribbon, 3);
+  ribbon.area_stiffness = 1.0;
+  for (int p = 0; p < 36; ++p) ribbon.positions.push_back({0.1 * ((7 * p) % 11), 0.1 * ((5 * p) % 13)});
+  CordDef bars = ribbon;
+  bars.elements = Elements::bars;
+  bars.bending_stiffness = 0.0;
+  bars.area_stiffness = 0.0;
+  CordReport report;
+  for (const CordDef& def : {rope, bending, ribbon, bars}) {
+    Cord cord(def);
+    cord.attach_mass(cord.size() - 1, 100.0);
+    cord.set_load(cord.size() - 1, {1.0, 0.0});
+    cord.reel(0, 5, 0.3 * def.length, 0.5);
+    const test_support::AllocationCount count;
+    for (int k = 0; k < 60; ++k) report += cord.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(count.so_far(), 0);
+  }
+  EXPECT_GT(report.searches + report.energy_gains, 0) << "the guard takes none either";
 }
 
 TEST(CordSameBits, SavedAndRestoredItRunsTheSame) {
@@ -216,6 +242,29 @@ TEST(CordSameBits, SavedAndRestoredItRunsTheSame) {
   }
 }
 
+TEST(CordDef, RibbonsOfSolidMaterialAreAccepted) {
+  for (const int rows : {2, 3, 64}) {
+    CordDef def;
+    make_ribbon(def, rows);
+    EXPECT_NO_THROW(check(def));
+    def.elements = Elements::bars;
+    def.bending_stiffness = 0.0;
+    EXPECT_NO_THROW(check(def));
+  }
+  // The same strip by Young's modulus and by its stiffnesses against shear and change of area.
+  const RibbonMaterial by_modulus = solid(2e5, 0.25, 0.1, 0.5);
+  const double modulus = 2e5 * 0.1;
+  const RibbonMaterial by_shear = solid_of_shear_and_area(modulus / 2.5, modulus / 1.5, 0.5);
+  EXPECT_NEAR(by_shear.stretch_stiffness, by_modulus.stretch_stiffness, 1e-9 * by_modulus.stretch_stiffness);
+  EXPECT_NEAR(by_shear.bending_stiffness, by_modulus.bending_stiffness, 1e-9 * by_modulus.bending_stiffness);
+  EXPECT_NEAR(by_shear.poisson_ratio, 0.25, 1e-12);
+  EXPECT_THROW(solid(-1.0, 0.0, 0.1, 0.5), DefinitionError);
+  EXPECT_THROW(solid(1e5, 1.0, 0.1, 0.5), DefinitionError);
+  EXPECT_THROW(solid(1e5, 0.0, 0.0, 0.5), DefinitionError);
+  EXPECT_THROW(solid(1e5, 0.0, 0.1, nan), DefinitionError);
+  EXPECT_THROW(solid_of_shear_and_area(0.0, 1.0, 0.5), DefinitionError);
+}
+
 TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
   struct Bad {
     const char* field;
@@ -231,6 +280,70 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
       {"accuracy.substeps", [](CordDef& d) { d.accuracy.substeps = 0; }},
       {"accuracy.tolerance", [](CordDef& d) { d.accuracy.tolerance = 0.0; }},
       {"accuracy.max_iterations", [](CordDef& d) { d.accuracy.max_iterations = 0; }},
+      {"points", [](CordDef& d) { d.points = 1000001; }},
+      {"points",
+       [](CordDef& d) {
+         d.rows = 2;
+         d.points = 500001;
+       }},
+      {"rows", [](CordDef& d) { d.rows = 0; }},
+      {"rows", [](CordDef& d) { d.rows = 65; }},
+      {"radius", [](CordDef& d) { d.radius = -0.1; }},
+      {"bending_stiffness", [](CordDef& d) { d.bending_stiffness = -1.0; }},
+      {"bending_stiffness", [](CordDef& d) { d.bending_stiffness = infinity; }},
+      {"damping", [](CordDef& d) { d.damping = nan; }},
+      {"drag", [](CordDef& d) { d.drag = -1.0; }},
+      // of a rope
+      {"width", [](CordDef& d) { d.width = 0.1; }},
+      {"poisson_ratio", [](CordDef& d) { d.poisson_ratio = 0.3; }},
+      {"area_stiffness", [](CordDef& d) { d.area_stiffness = 1.0; }},
+      {"elements", [](CordDef& d) { d.elements = Elements::bars; }},
+      {"bending_stiffness",
+       [](CordDef& d) {
+         d.points = 2;
+         d.bending_stiffness = 1.0;
+       }},
+      // of a ribbon
+      {"width",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.width = 0.0;
+       }},
+      {"stretch_stiffness",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.stretch_stiffness = infinity;
+       }},
+      {"poisson_ratio",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.poisson_ratio = 1.0;
+       }},
+      {"area_stiffness",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.area_stiffness = -1.0;
+       }},
+      {"tension_only",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.tension_only = true;
+       }},
+      {"bending_stiffness",
+       [](CordDef& d) {
+         make_ribbon(d, 3);
+         d.bending_stiffness = 0.0;
+       }},
+      {"bending_stiffness",
+       [](CordDef& d) {
+         make_ribbon(d, 3);
+         d.bending_stiffness *= 1.01;
+       }},
+      {"bending_stiffness",
+       [](CordDef& d) {
+         make_ribbon(d, 2);
+         d.elements = Elements::bars;
+       }},
       {"positions", [](CordDef& d) { d.positions.resize(50); }},
       {"positions[3]",
        [](CordDef& d) {
