@@ -50,10 +50,17 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
                         std::span<Vec2> direction, std::span<double> next) {
   const double least_sigma = singular_share / stage.inertia[0];
   const std::size_t n = x.size();
-  double xx = stage.inertia[n - 1];  // A of the point that is eliminated next
-  double xy = 0.0;
-  double yy = xx;
+  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the point that is eliminated next
   Vec2 r = stage.residual(n - 1, x[n - 1]);
+  std::size_t carried = stage.carried.size();
+  const auto carry = [&](std::size_t point) {
+    while (carried > 0 && stage.carried[carried - 1].point == point) {
+      --carried;
+      a = a + stage.carried[carried].stiffness;
+      r += stage.carried[carried].residual;
+    }
+  };
+  carry(n - 1);
 
   for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
     const Vec2 ab = x[e] - x[e + 1];
@@ -66,11 +73,11 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
         size > 0.0 && !slack
             ? std::max(tensions[e] / size, stage.least_geometric * std::min(stage.inertia[e], stage.inertia[e + 1]))
             : 0.0;
-    xx += g * u.x * u.x;
-    xy += g * u.x * u.y;
-    yy += g * u.y * u.y;
-    const double inverse_det = stage.constrained[e + 1] != 0 ? 0.0 : 1.0 / (xx * yy - xy * xy);
-    const auto s = [&](Vec2 v) { return inverse_det * Vec2{yy * v.x - xy * v.y, xx * v.y - xy * v.x}; };
+    a.xx += g * u.x * u.x;
+    a.xy += g * u.x * u.y;
+    a.yy += g * u.y * u.y;
+    const double inverse_det = stage.constrained[e + 1] != 0 ? 0.0 : 1.0 / (a.xx * a.yy - a.xy * a.xy);
+    const auto s = [&](Vec2 v) { return inverse_det * Vec2{a.yy * v.x - a.xy * v.y, a.xx * v.y - a.xy * v.x}; };
     const Vec2 sd = s(d);
     const Vec2 su = s(u);
     const Vec2 sr = s(r);
@@ -81,15 +88,16 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     eliminated_[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
 
     const double across = g * (1.0 - g * dot(u, su));
-    xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
-    xy = without_dust(across * u.x * u.y + p.x * slope.y);
-    yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
+    a.xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
+    a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
+    a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
     r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
+    carry(e);
   }
 
   direction[0] = {};
   if (stage.constrained[0] == 0) {
-    direction[0] = (1.0 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
+    direction[0] = (1.0 / (a.xx * a.yy - a.xy * a.xy)) * Vec2{a.yy * r.x - a.xy * r.y, a.xx * r.y - a.xy * r.x};
   }
   for (std::size_t e = 0; e + 1 < n; ++e) {
     const Eliminated& link = eliminated_[e];

@@ -10,6 +10,8 @@
 namespace ribbon {
 namespace {
 
+constexpr std::size_t usual_grips = 4;
+
 const CordDef& checked(const CordDef& def) {
   check(def);
   return def;
@@ -78,6 +80,7 @@ Cord::Cord(const CordDef& def)
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
   elasticity_->set_rest_lengths(rest_);
   elasticity_->find_tensions(positions_, tensions_);
+  reserve(usual_grips);
 }
 
 /// An equal share of each link or cell around the point.
@@ -91,8 +94,8 @@ double Cord::own_mass(std::size_t point) const {
 
 Cord::Energy Cord::energy(Vec2 gravity) const {
   Energy sum;
-  sum.elastic = elasticity_->energy({positions_, velocities_}, tensions_);
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  sum.elastic = elasticity_->energy({positions(), velocities()}, tensions_);
+  for (std::size_t p = 0; p < count(); ++p) {
     sum.kinetic += 0.5 * masses_[p] * dot(velocities_[p], velocities_[p]);
     sum.potential -= masses_[p] * dot(gravity, positions_[p]);
   }
@@ -112,7 +115,7 @@ void Cord::attach_mass(int point, double mass) {
 void Cord::set_load(int point, Vec2 force) {
   check_point(point);
   check_coordinates("load", force);
-  loads_.resize(positions_.size());
+  loads_.resize(count());
   loads_[slot(point)] = force;
   restart_ = true;
 }
@@ -165,15 +168,54 @@ void Cord::reel(int first, int last, double length, double speed) {
   restart_ = true;
 }
 
+void Cord::reserve(std::size_t grips) {
+  const std::size_t held = held_.size();
+  held_.reserve(grips);
+  held_steps_.reserve(grips);
+  carried_.reserve(grips);
+  holders_.reserve(grips);
+  set_slots(std::max(grips, held));
+  set_slots(held);
+}
+
+/// Makes every array long enough for the slots of so many bodies.
+void Cord::set_slots(std::size_t bodies) {
+  const std::size_t size = count() + 2 * bodies;
+  for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x1_, &v1_, &predicted_, &velocity_,
+                    &guess_, &force_, &direction_, &trial_}) {
+    all->resize(size);
+  }
+  masses_.resize(size);
+  inertia_.resize(size);
+  constrained_.resize(size);
+}
+
 Cord::State Cord::save() const {
+  const auto of_points = [this](const auto& all) {
+    return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count()));
+  };
   const std::span<const char> unlocked = elasticity_->unlocked();
-  return {positions_, velocities_, accelerations_, targets_,      kinds_,       masses_,
-          loads_,     tensions_,   rest_,          rest_targets_, rest_speeds_, {unlocked.begin(), unlocked.end()},
-          ledger_,    restart_};
+  State state;
+  state.positions = of_points(positions_);
+  state.velocities = of_points(velocities_);
+  state.accelerations = of_points(accelerations_);
+  state.targets = targets_;
+  state.kinds = kinds_;
+  state.masses = of_points(masses_);
+  state.loads = loads_;
+  state.tensions = tensions_;
+  state.rest = rest_;
+  state.rest_targets = rest_targets_;
+  state.rest_speeds = rest_speeds_;
+  state.unlocked = {unlocked.begin(), unlocked.end()};
+  state.holders = holders_;
+  state.ledger = ledger_;
+  state.restart = restart_;
+  return state;
 }
 
 void Cord::restore(const State& state) {
-  const std::size_t n = positions_.size();
+  const std::size_t n = count();
   const auto fits = [](std::size_t size, std::size_t wanted, bool optional) {
     return size == wanted || (optional && size == 0);
   };
@@ -200,6 +242,9 @@ void Cord::restore(const State& state) {
   rest_end_ = state.rest_targets;
   rest_speeds_ = state.rest_speeds;
   std::copy(state.unlocked.begin(), state.unlocked.end(), elasticity_->unlocked().begin());
+  holders_ = state.holders;
+  held_.clear();
+  set_slots(0);
   ledger_ = state.ledger;
   restart_ = state.restart;
   elasticity_->set_rest_lengths(rest_);

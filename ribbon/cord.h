@@ -7,6 +7,8 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/definition.h"
 #include "ribbon/elasticity.h"
+#include "ribbon/held_body.h"
+#include "ribbon/rigid_circle.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -39,8 +41,8 @@ class Cord {
   int size() const { return def_.points * def_.rows; }
   /// The point i = 0 … points − 1 along the cord, j = 0 … rows − 1 across it, upwards in the initial layout.
   int index(int i, int j) const { return i * def_.rows + j; }
-  std::span<const Vec2> positions() const { return positions_; }    ///< m, by index
-  std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by index
+  std::span<const Vec2> positions() const { return points(positions_); }    ///< m, by index
+  std::span<const Vec2> velocities() const { return points(velocities_); }  ///< m/s, by index
   /// N, of a rope's links or a ribbon's bars; negative where one is pushed together. After those of its bars a ribbon's
   /// cells follow, column by column: (μ + λ)·area·(|z| − 2) of each, J.
   std::span<const double> tensions() const { return tensions_; }
@@ -79,8 +81,23 @@ class Cord {
   /// proportions. What a winch of that speed does to the load, it does; nothing jumps.
   void reel(int first, int last, double length, double speed);
 
-  /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²].
-  CordReport step(double dt, Vec2 gravity);
+  /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of which
+  /// no two have the same body) move with it: each is given the impulses that take it to its velocity at the end of the
+  /// step, and is told how far it `moved` and `turned`. Circles are not met yet.
+  CordReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
+
+  /// Takes the memory for steps with up to this many grips, so that none takes any later; 4 from the start.
+  void reserve(std::size_t grips);
+
+  /// What is remembered of a body that held the cord in the last step.
+  struct Holder {
+    int point = 0;
+    Vec2 velocity;
+    double turning = 0.0;  // rad/s
+    Vec2 acceleration;
+    double angular_acceleration = 0.0;
+    bool operator==(const Holder&) const = default;
+  };
 
   /// All that a later step depends on but for the definition.
   struct State {
@@ -96,6 +113,7 @@ class Cord {
     std::vector<double> rest_targets;  // these two empty as long as nothing was ever reeled
     std::vector<double> rest_speeds;
     std::vector<char> unlocked;  // by cell, if the cord declares area stiffness
+    std::vector<Holder> holders;
     double ledger = 0.0;
     bool restart = true;
     bool operator==(const State&) const = default;
@@ -107,12 +125,29 @@ class Cord {
  private:
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   void check_point(int point) const;
+  std::size_t count() const { return targets_.size(); }
+  template <typename T>
+  std::span<T> points(std::vector<T>& all) const {
+    return std::span(all).first(count());
+  }
+  template <typename T>
+  std::span<const T> points(const std::vector<T>& all) const {
+    return std::span(all).first(count());
+  }
+  std::size_t center(std::size_t held) const { return count() + 2 * held; }
+  std::size_t angle(std::size_t held) const { return count() + 2 * held + 1; }
+  void set_slots(std::size_t bodies);
+  Energy total_energy() const;
   void drive(int point, Vec2 target, PointKind kind);
   double own_mass(std::size_t point) const;
 
-  void begin_step(double dt, Vec2 gravity);
+  void begin_step(double dt, Vec2 gravity, const Surroundings& surroundings);
+  void drive_points(double dt);
+  void take_hold(double dt, const Surroundings& surroundings);
+  void add_holder(const Grip& grip, const RigidBody& body);
   void wind(double dt);
-  void finish_step(CordReport& report);
+  void finish_step(double dt, const Surroundings& surroundings, CordReport& report);
+  void let_go(double dt, const Surroundings& surroundings);
   void damp_deformation();
 
   void substep(double start, double dt, CordReport& report);
@@ -131,13 +166,18 @@ class Cord {
   void place_driven(double time);
   void add_drag(double q);
   double furthest() const;
-  bool full_steps(const Stage& stage, CordReport& report);
-  bool searched_steps(const Stage& stage, CordReport& report);
+  bool newton_step(Stage& stage);
+  void move(std::span<Vec2> x, double share) const;
+  void close_arms(std::span<Vec2> x) const;
+  bool full_steps(Stage& stage, CordReport& report);
+  bool searched_steps(Stage& stage, CordReport& report);
   double merit(const Stage& stage, std::span<const Vec2> x);
 
   CordDef def_;
   std::unique_ptr<Elasticity> elasticity_;
 
+  // Of the points; and behind them, in the order of held_, two slots of each body that holds one: its centre of mass,
+  // and (φ, 0) of the angle it has turned by in the step. The integrators make no difference between them.
   std::vector<Vec2> positions_;
   std::vector<Vec2> velocities_;
   std::vector<Vec2> accelerations_;
@@ -150,7 +190,8 @@ class Cord {
   std::vector<double> rest_targets_;  // m, where a reel is taking it
   std::vector<double> rest_speeds_;   // m/s, how fast
   double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
-  bool restart_ = true;               // accelerations_ are not those of this state
+  std::vector<Holder> holders_;
+  bool restart_ = true;  // accelerations_ are not those of this state
 
   // The step's own: nothing below outlives one.
   Vec2 gravity_;
@@ -160,7 +201,10 @@ class Cord {
   bool arriving_ = false;  // and stops
   bool unlocking_ = false;
   Energy energy_after_;
-  double weight_scale_ = 0.0;  // J, M·g·L
+  double weight_scale_ = 0.0;   // J, M·g·L
+  std::vector<HeldBody> held_;  // by point, ascending
+  std::vector<HeldStep> held_steps_;
+  std::vector<CarriedLoad> carried_;
   std::vector<char> constrained_;
   std::vector<Vec2> starts_, drives_;          // of driven points: where the step found them, and their velocity
   std::vector<double> rest_start_, rest_end_;  // while something is reeled

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "ribbon/complex.h"
 #include "ribbon/cord.h"
 
 namespace ribbon {
@@ -14,8 +15,11 @@ constexpr double penalty_factor = 2.0;   // by which the exact penalty of a sear
 // negative one, and without it Newton converges slowly; two bars a point of 2·share each leave the matrix positive
 // definite.
 constexpr double bearable_push = -0.24;
-constexpr double shortest_step = 1e-6;  // of a Newton step, below which a line search gives up
-constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
+constexpr double shortest_step = 1e-6;    // of a Newton step, below which a line search gives up
+constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
+constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
+constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
+constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
@@ -27,23 +31,32 @@ const double sqrt2 = std::sqrt(2.0);
 
 }  // namespace
 
-CordReport Cord::step(double dt, Vec2 gravity) {
+CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
   CordReport report;
-  begin_step(dt, gravity);
+  begin_step(dt, gravity, surroundings);
   const double substep_dt = dt / def_.accuracy.substeps;
   for (int n = 0; n < def_.accuracy.substeps; ++n) substep(n * substep_dt, substep_dt, report);
-  finish_step(report);
+  finish_step(dt, surroundings, report);
   return report;
 }
 
-void Cord::begin_step(double dt, Vec2 gravity) {
+void Cord::begin_step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   gravity_ = gravity;
   step_dt_ = dt;
   driven_ = false;
+  drive_points(dt);
+  take_hold(dt, surroundings);
+  wind(dt);
   double mass = 0.0;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    mass += masses_[p];
+  for (std::size_t p = 0; p < count(); ++p) mass += masses_[p];
+  for (std::size_t k = 0; k < held_.size(); ++k) mass += masses_[center(k)];
+  weight_scale_ = mass * length(gravity) * def_.length;
+  unlocking_ = elasticity_->unlock(positions());
+}
+
+void Cord::drive_points(double dt) {
+  for (std::size_t p = 0; p < count(); ++p) {
     constrained_[p] = kinds_[p] == PointKind::free ? 0 : 1;
     if (constrained_[p] == 0) continue;
     starts_[p] = positions_[p];
@@ -52,9 +65,67 @@ void Cord::begin_step(double dt, Vec2 gravity) {
     restart_ = restart_ || !(velocities_[p] == drives_[p]);
     velocities_[p] = drives_[p];
   }
-  weight_scale_ = mass * length(gravity) * def_.length;
-  wind(dt);
-  unlocking_ = elasticity_->unlock(positions_);
+}
+
+/// Bodies that nothing pushes drive the points that they hold, the others are solved with the cord. One that has
+/// another velocity than it was left with, by something else it met, makes the acceleration from before worthless.
+void Cord::take_hold(double dt, const Surroundings& surroundings) {
+  held_.clear();
+  for (const Grip& grip : surroundings.grips) {
+    const RigidBody& body = surroundings.bodies[slot(grip.body)];
+    if (body.inverse_mass > 0.0) {
+      add_holder(grip, body);
+    } else if (constrained_[slot(grip.point)] == 0) {
+      const std::size_t p = slot(grip.point);
+      const Vec2 hand = times(rotation(dt * body.angular_velocity), grip.offset + grip.travel);
+      constrained_[p] = 1;
+      starts_[p] = positions_[p];
+      drives_[p] = (1.0 / dt) * (body.position + dt * body.velocity + hand - positions_[p]);
+      driven_ = driven_ || !(drives_[p] == Vec2{});
+      restart_ = restart_ || !(velocities_[p] == drives_[p]);
+      velocities_[p] = drives_[p];
+    }
+  }
+  set_slots(held_.size());
+  held_steps_.resize(held_.size());
+  carried_.resize(held_.size());
+  restart_ = restart_ || held_.size() != holders_.size();
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const RigidBody& body = surroundings.bodies[slot(held_[k].body)];
+    positions_[center(k)] = body.position;
+    positions_[angle(k)] = {};
+    velocities_[center(k)] = body.velocity + body.inverse_mass * body.impulse;
+    velocities_[angle(k)] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
+    masses_[center(k)] = 1.0 / body.inverse_mass;
+    masses_[angle(k)] = held_[k].turns ? 1.0 / body.inverse_inertia : 1.0;
+    driven_ = driven_ || length(held_[k].travel) > unworthy_travel * rest_[0];
+    if (restart_) continue;
+    const Holder& before = holders_[k];
+    accelerations_[center(k)] = before.acceleration;
+    accelerations_[angle(k)] = {before.angular_acceleration, 0.0};
+    const double jump = length(velocities_[center(k)] - before.velocity);
+    const double turn = std::abs(velocities_[angle(k)].x - before.turning);
+    restart_ = before.point != static_cast<int>(held_[k].point) ||
+               jump > same_velocity * (1.0 + length(before.velocity)) ||
+               turn > same_velocity * (1.0 + std::abs(before.turning));
+  }
+}
+
+/// The arm begins where the point is, so that nothing jumps, and ends at the hand, or as much nearer as a point may be
+/// drawn in a step.
+void Cord::add_holder(const Grip& grip, const RigidBody& body) {
+  HeldBody held;
+  held.point = slot(grip.point);
+  held.body = grip.body;
+  held.turns = body.inverse_inertia > 0.0;
+  held.acceleration = body.acceleration;
+  held.arm = positions_[held.point] - body.position;
+  const Vec2 off = grip.offset - held.arm;
+  const double most = drawn_share * rest_[0];
+  held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
+  const auto after = std::upper_bound(held_.begin(), held_.end(), held.point,
+                                      [](std::size_t point, const HeldBody& other) { return point < other.point; });
+  held_.insert(after, held);
 }
 
 /// Where the reels take the links' rest lengths in this step. One that arrives makes its speed jump.
@@ -72,10 +143,11 @@ void Cord::wind(double dt) {
   restart_ = restart_ || arriving_;
 }
 
-void Cord::finish_step(CordReport& report) {
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (constrained_[p] != 0) positions_[p] = targets_[p];  // to the last bit
+void Cord::finish_step(double dt, const Surroundings& surroundings, CordReport& report) {
+  for (std::size_t p = 0; p < count(); ++p) {
+    if (kinds_[p] != PointKind::free) positions_[p] = targets_[p];  // to the last bit
   }
+  let_go(dt, surroundings);
   if (winding_) {
     rest_ = rest_end_;
     elasticity_->set_rest_lengths(rest_);
@@ -89,13 +161,29 @@ void Cord::finish_step(CordReport& report) {
   }
 }
 
+/// Tells the bodies how they moved, and gives them what took them there.
+void Cord::let_go(double dt, const Surroundings& surroundings) {
+  holders_.resize(held_.size());
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    RigidBody& body = surroundings.bodies[slot(held_[k].body)];
+    const Vec2 velocity = velocities_[center(k)];
+    const double turning = velocities_[angle(k)].x;
+    holders_[k] = {static_cast<int>(held_[k].point), velocity, turning, accelerations_[center(k)],
+                   accelerations_[angle(k)].x};
+    body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - dt * body.acceleration);
+    if (held_[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
+    body.moved = positions_[center(k)] - body.position;
+    body.turned = positions_[angle(k)].x;
+  }
+}
+
 /// What crushed or turned cells give back when they open would go on as a swing: half the velocity at which the free
 /// points deform is taken away, and none of that at which they move and turn as one.
 void Cord::damp_deformation() {
   double mass = 0.0;
   Vec2 center;
   Vec2 momentum;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  for (std::size_t p = 0; p < count(); ++p) {
     mass += masses_[p];
     center += masses_[p] * positions_[p];
     momentum += masses_[p] * velocities_[p];
@@ -104,13 +192,13 @@ void Cord::damp_deformation() {
   const Vec2 mean = (1.0 / mass) * momentum;
   double inertia = 0.0;
   double spin = 0.0;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  for (std::size_t p = 0; p < count(); ++p) {
     const Vec2 arm = positions_[p] - center;
     inertia += masses_[p] * dot(arm, arm);
     spin += masses_[p] * cross(arm, velocities_[p]);
   }
   const double turning = inertia > 0.0 ? spin / inertia : 0.0;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  for (std::size_t p = 0; p < count(); ++p) {
     if (constrained_[p] != 0) continue;
     const Vec2 rigid = mean + turning * perp(positions_[p] - center);
     velocities_[p] = 0.5 * (velocities_[p] + rigid);
@@ -120,7 +208,7 @@ void Cord::damp_deformation() {
 /// One substep from `start` on, s since the step began, and its guard: what Newton does not solve, or what gains energy
 /// all the same, is taken again by implicit Euler, and that by halves.
 void Cord::substep(double start, double dt, CordReport& report) {
-  const Energy before = driven_ ? Energy{} : energy(gravity_);
+  const Energy before = driven_ ? Energy{} : total_energy();
   begin_substep();
   if (second_order(start, dt, before, report)) return;
   if (!implicit_euler(start, dt, report)) {
@@ -129,7 +217,7 @@ void Cord::substep(double start, double dt, CordReport& report) {
     if (!halves(start, dt, 1, report)) ++report.unconverged;
   }
   if (driven_) return;
-  energy_after_ = energy(gravity_);
+  energy_after_ = total_energy();
   account(before);
 }
 
@@ -164,7 +252,7 @@ void Cord::return_to_start() {
 /// and the tolerance, until as much has been lost again. That is all a cord that nothing drives can ever gain.
 bool Cord::gained_energy(const Energy& before) {
   if (driven_) return false;
-  energy_after_ = energy(gravity_);
+  energy_after_ = total_energy();
   return !(energy_after_.total() - before.total() <= ledger_ + tolerated_gain * energy_scale(before));
 }
 
@@ -173,6 +261,16 @@ void Cord::account(const Energy& before) {
   const double scale = energy_scale(before);
   ledger_ =
       std::clamp(kept + before.total() - energy_after_.total(), -tolerated_gain * scale, returnable_share * scale);
+}
+
+Cord::Energy Cord::total_energy() const {
+  Energy sum = energy(gravity_);
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    for (const std::size_t i : {center(k), angle(k)})
+      sum.kinetic += 0.5 * masses_[i] * dot(velocities_[i], velocities_[i]);
+    sum.potential -= masses_[center(k)] * dot(held_[k].acceleration, positions_[center(k)]);
+  }
+  return sum;
 }
 
 double Cord::energy_scale(const Energy& energy) const {
@@ -265,11 +363,17 @@ bool Cord::solve_stage(double time, double q, CordReport& report) {
     inertia_[p] = masses_[p] * inverse_q2;
     force_[p] = masses_[p] * gravity_;
   }
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    held_[k].share = time / step_dt_;
+    force_[center(k)] = masses_[center(k)] * held_[k].acceleration;
+    force_[angle(k)] = {};
+  }
   for (std::size_t p = 0; p < loads_.size(); ++p) force_[p] += loads_[p];
   if (def_.drag > 0.0) add_drag(q);
   guess_ = positions_;
   tension_guess_ = tensions_;
-  Stage stage{q, predicted_, velocity_, inertia_, force_, constrained_};
+  Stage stage{q,       points(predicted_), points(velocity_), points(inertia_), points(force_), points(constrained_),
+              carried_};
   bool converged = full_steps(stage, report);
   if (!converged) {
     ++report.searches;
@@ -287,7 +391,7 @@ bool Cord::solve_stage(double time, double q, CordReport& report) {
 
 /// Driven points go evenly from where the step found them to their targets, rest lengths likewise.
 void Cord::place_driven(double time) {
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  for (std::size_t p = 0; p < count(); ++p) {
     if (constrained_[p] == 0) continue;
     positions_[p] = predicted_[p] = starts_[p] + time * drives_[p];
     velocity_[p] = drives_[p];
@@ -302,7 +406,7 @@ void Cord::place_driven(double time) {
 
 /// The cord's own points are slowed, and not what hangs on them: −c·v = −c·ṽ − q·c·a, c = drag · mass.
 void Cord::add_drag(double q) {
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
+  for (std::size_t p = 0; p < count(); ++p) {
     const double c = def_.drag * own_mass(p);
     inertia_[p] += c / q;
     force_[p] -= c * velocity_[p];
@@ -312,20 +416,53 @@ void Cord::add_drag(double q) {
 /// How far the point that moves most goes, m.
 double Cord::furthest() const {
   double most2 = 0.0;
-  for (const Vec2 step : direction_) {
+  const auto take = [&most2](Vec2 step) {
     const double size2 = dot(step, step);
     if (!(size2 <= most2)) most2 = size2;  // NaN stays
-  }
+  };
+  for (const Vec2 step : points(direction_)) take(step);
+  for (std::size_t k = 0; k < held_.size(); ++k) take(direction_[angle(k)].x * held_steps_[k].u);
   return std::sqrt(most2);
 }
 
-bool Cord::full_steps(const Stage& stage, CordReport& report) {
+/// Where a body is follows from its point and its angle.
+void Cord::close_arms(std::span<Vec2> x) const {
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    x[center(k)] = x[held_[k].point] - held_[k].arm_at(x[angle(k)].x);
+  }
+}
+
+/// The bodies' part first, then the points', then how far the bodies turn.
+bool Cord::newton_step(Stage& stage) {
+  close_arms(positions_);
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const auto residual = [&](std::size_t i) { return force_[i] - inertia_[i] * (positions_[i] - predicted_[i]); };
+    held_steps_[k] = held_step(held_[k], held_[k].arm_at(positions_[angle(k)].x), inertia_[center(k)],
+                               inertia_[angle(k)], residual(center(k)), residual(angle(k)).x);
+    carried_[k] = held_steps_[k].load(held_[k].point, residual(center(k)));
+  }
+  if (!elasticity_->newton_step(stage, positions(), tensions_, points(direction_), next_)) return false;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const double turning = held_steps_[k].turning(direction_[held_[k].point]);
+    direction_[angle(k)] = {turning, 0.0};
+    direction_[center(k)] = direction_[held_[k].point] - turning * held_steps_[k].u;
+  }
+  return true;
+}
+
+/// From positions_ by a share of the step. Bodies go straight, so that forces are balanced and momentum is kept to the
+/// last bits; the arm that this leaves open is of second order in a step below the tolerance.
+void Cord::move(std::span<Vec2> x, double share) const {
+  for (std::size_t p = 0; p < x.size(); ++p) x[p] = positions_[p] + share * direction_[p];
+}
+
+bool Cord::full_steps(Stage& stage, CordReport& report) {
   for (int iteration = 0; iteration < def_.accuracy.max_iterations; ++iteration) {
     ++report.iterations;
-    if (!elasticity_->newton_step(stage, positions_, tensions_, direction_, next_)) return false;
+    if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
-    for (std::size_t p = 0; p < positions_.size(); ++p) positions_[p] += direction_[p];
+    move(positions_, 1.0);
     tensions_.swap(next_);
     if (moved <= def_.accuracy.tolerance) return true;
   }
@@ -334,11 +471,11 @@ bool Cord::full_steps(const Stage& stage, CordReport& report) {
 
 /// Newton's direction is one of descent, for its matrix is positive definite; each step is halved until the stage's
 /// energy falls.
-bool Cord::searched_steps(const Stage& stage, CordReport& report) {
+bool Cord::searched_steps(Stage& stage, CordReport& report) {
   std::fill(most_tensions_.begin(), most_tensions_.end(), 0.0);
   for (int iteration = 0; iteration < searched_iterations; ++iteration) {
     ++report.iterations;
-    if (!elasticity_->newton_step(stage, positions_, tensions_, direction_, next_)) return false;
+    if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
     for (std::size_t e = 0; e < next_.size(); ++e) {
@@ -347,8 +484,10 @@ bool Cord::searched_steps(const Stage& stage, CordReport& report) {
     const double value = merit(stage, positions_);
     for (double share = 1.0;; share *= 0.5) {
       if (share < shortest_step) return false;
-      for (std::size_t p = 0; p < positions_.size(); ++p) trial_[p] = positions_[p] + share * direction_[p];
-      if (moved <= def_.accuracy.tolerance || merit(stage, trial_) < value) break;
+      move(trial_, share);
+      if (moved <= def_.accuracy.tolerance) break;
+      close_arms(trial_);
+      if (merit(stage, trial_) < value) break;
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
@@ -359,11 +498,11 @@ bool Cord::searched_steps(const Stage& stage, CordReport& report) {
 
 /// What the stage minimises, J.
 double Cord::merit(const Stage& stage, std::span<const Vec2> x) {
-  double sum = elasticity_->potential(stage, x, most_tensions_);
+  double sum = elasticity_->potential(stage, x.first(count()), most_tensions_);
   for (std::size_t p = 0; p < x.size(); ++p) {
-    if (stage.constrained[p] != 0) continue;
-    const Vec2 moved = x[p] - stage.predicted[p];
-    sum += 0.5 * stage.inertia[p] * dot(moved, moved) - dot(stage.force[p], moved);
+    if (constrained_[p] != 0) continue;
+    const Vec2 moved = x[p] - predicted_[p];
+    sum += 0.5 * inertia_[p] * dot(moved, moved) - dot(force_[p], moved);
   }
   return sum;
 }

@@ -82,6 +82,10 @@ bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span
     direction[p] = stage.residual(p, x[p]);
     system.add(static_cast<int>(p), static_cast<int>(p), {stage.inertia[p], 0.0, stage.inertia[p]});
   }
+  for (const CarriedLoad& load : stage.carried) {
+    direction[load.point] += load.residual;
+    system.add(static_cast<int>(load.point), static_cast<int>(load.point), load.stiffness);
+  }
   std::size_t first = 0;
   for (const auto& term : terms_) {
     term->load(system, tensions.subspan(first, term->tension_count()));

@@ -19,6 +19,22 @@ inline double extension_rate(const Motion& at, std::size_t a, std::size_t b) {
   return size > 0.0 ? dot(ab, at.v[b] - at.v[a]) / size : 0.0;
 }
 
+/// A symmetric 2 × 2 block.
+struct Block {
+  double xx;
+  double xy;
+  double yy;
+};
+constexpr Block operator+(Block a, Block b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
+constexpr Block operator*(double s, Block b) { return {s * b.xx, s * b.xy, s * b.yy}; }
+
+/// What a body adds to the point that holds it, in a Newton step.
+struct CarriedLoad {
+  std::size_t point;
+  Block stiffness;  ///< N/m
+  Vec2 residual;    ///< N
+};
+
 /// One implicit stage of a time step: find x with M·a = forces at (x, v), where x = x̃ + q²·a and v = ṽ + q·a. With drag
 /// C and constant forces f that is, W being the elastic energy and its dissipation,
 ///
@@ -32,6 +48,7 @@ struct Stage {
   std::span<const double> inertia;  ///< (m + q·c)/q² [N/m]
   std::span<const Vec2> force;      ///< f − c·ṽ [N]
   std::span<const char> constrained;
+  std::span<const CarriedLoad> carried = {};  ///< by point, ascending
   /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar is given.
   double least_geometric = 0.0;
 

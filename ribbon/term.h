@@ -7,14 +7,6 @@
 
 namespace ribbon {
 
-/// A symmetric 2 × 2 block.
-struct Block {
-  double xx;
-  double xy;
-  double yy;
-};
-constexpr Block operator*(double s, Block b) { return {s * b.xx, s * b.xy, s * b.yy}; }
-
 /// along·d·dᵀ + across·u·uᵀ with u = perp(d), |d| = 1.
 constexpr Block directed(Vec2 d, double along, double across) {
   return {along * d.x * d.x + across * d.y * d.y, (along - across) * d.x * d.y, along * d.y * d.y + across * d.x * d.x};

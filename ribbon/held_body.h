@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ribbon/rigid_circle.h"
+#include "ribbon/stage.h"
+
+namespace ribbon {
+
+/// A rotation by `angle` [rad] as a complex number, by + − × alone: the same bits everywhere.
+Vec2 rotation(double angle);
+
+/// A body that holds a point of a cord, solved with it. Where its centre of mass is, X = x − s, follows from the point
+/// x and the arm s, from the centre of mass to the hand, that has turned by φ; so the body brings the cord one more
+/// unknown, φ, and that is eliminated on the spot. With M = m/q² and J = I/q² its inertia, R and P the residuals of X
+/// and φ, u = perp(s) = −∂X/∂φ and p = P − u·R:
+///
+///     D = J + M·|s|² + max(0, −R·s)                the last term geometric: of an arm that is pulled outwards
+///     A_x ← A_x + M − M²·u·uᵀ/D        r_x ← r_x + R + M·u·p/D        δφ = (p + M·u·δx)/D
+///
+/// A body that does not turn has D = ∞.
+struct HeldBody {
+  std::size_t point = 0;
+  int body = 0;        ///< index into the step's bodies
+  bool turns = true;   ///< its moment of inertia is finite
+  Vec2 arm;            ///< s at the start of the step, m
+  Vec2 travel;         ///< of the hand on the body during the step, m, in the directions of its start
+  Vec2 acceleration;   ///< m/s², free motion
+  double share = 0.0;  ///< of the step that has gone by at the end of the stage, 0 … 1
+
+  Vec2 arm_at(double angle) const;
+};
+
+/// A body's part in a Newton step.
+struct HeldStep {
+  Vec2 u;             ///< m
+  double inertia;     ///< M, N/m
+  double moment;      ///< p, N·m
+  double compliance;  ///< 1/D, 1/(N·m)
+
+  /// What the body adds to the point that it holds.
+  CarriedLoad load(std::size_t point, Vec2 residual) const;
+  /// δφ for a step of the point.
+  double turning(Vec2 step) const { return compliance * (moment + inertia * dot(u, step)); }
+};
+
+/// `arm` s, M, J, and the residuals of X [N] and φ [N·m].
+HeldStep held_step(const HeldBody& held, Vec2 arm, double inertia, double angular_inertia, Vec2 residual,
+                   double angular_residual);
+
+}  // namespace ribbon
