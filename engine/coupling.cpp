@@ -71,7 +71,18 @@ RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
 
 CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
   cord.reserve(usual_bodies, usual_bodies, usual_grips);
-  cords_.push_back({std::move(cord), filter, {}, {}, {}, {}, {}});
+  return add(CoupledCord{std::move(cord), filter, {}, {}, {}, {}, {}, {}});
+}
+
+CordIndex Coupling::add(ribbon::Cord cord) {
+  cord.reserve(usual_grips);
+  b2Filter none;
+  none.maskBits = 0;
+  return add(CoupledCord{std::move(cord), none, {}, {}, {}, {}, {}, {}});
+}
+
+CordIndex Coupling::add(CoupledCord coupled) {
+  cords_.push_back(std::move(coupled));
   cords_.back().circles.reserve(usual_bodies);
   cords_.back().grips.reserve(usual_grips);
   gathered_.reserve(usual_bodies);
@@ -85,7 +96,9 @@ void Coupling::gather(b2World& world, double dt) {
   gathered_.clear();
   rigid_.clear();
   for (CoupledCord& coupled : cords_) {
-    coupled.reach = reach_of(coupled.cord, gravity_, dt);
+    if (const auto* thesis = std::get_if<ribbon::ThesisCord>(&coupled.cord)) {
+      coupled.reach = reach_of(*thesis, gravity_, dt);
+    }
     coupled.circles.clear();
     coupled.grips.clear();
   }
@@ -117,6 +130,7 @@ void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
     const double speed = static_cast<double>(body.GetLinearVelocityFromLocalPoint(circle.m_p).Length());
     const Box swept = reach_of(center, radius, speed, gravity_, dt);
     for (CoupledCord& coupled : cords_) {
+      if (!std::holds_alternative<ribbon::ThesisCord>(coupled.cord)) continue;
       if (!should_collide(fixture->GetFilterData(), coupled.filter)) continue;
       if (!overlap(swept, coupled.reach)) continue;
       coupled.circles.push_back({body_index(body, gravity), center - center_of_mass, radius});
@@ -145,8 +159,13 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
 void Coupling::step() {
   for (CordIndex c = 0; c < size(); ++c) {
     CoupledCord& coupled = cords_[at(c)];
-    coupled.report = coupled.cord.step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
-    coupled.total += coupled.report;
+    if (auto* direct = std::get_if<ribbon::Cord>(&coupled.cord)) {
+      coupled.direct_report = direct->step(dt_, gravity_, {rigid_, {}, coupled.grips});
+    } else {
+      coupled.report =
+          std::get<ribbon::ThesisCord>(coupled.cord).step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
+      coupled.total += coupled.report;
+    }
     for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
     for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].met = c;
   }
@@ -172,7 +191,7 @@ void Coupling::push(const GatheredBody& gathered, const RigidBody& rigid) {
   body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
   body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
   const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
-  cords_[at(gathered.met)].cord.add_momentum(rigid.impulse - given);
+  std::get<ribbon::ThesisCord>(cords_[at(gathered.met)].cord).add_momentum(rigid.impulse - given);
 }
 
 /// Makes world.Step take a holder to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D gets
@@ -197,7 +216,7 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
     throw ribbon::DefinitionError("cord is " + std::to_string(cord) + "; accepted is an index from 0 to " +
                                   std::to_string(size() - 1));
   }
-  cords_[at(cord)].cord.check_point(point);
+  std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
   if (Holder* held = holder(body)) {
     if (held->cord != cord || held->point != point) held->local_hand = local_hand;
     held->cord = cord;
@@ -249,10 +268,14 @@ std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   return CordPoint{held->cord, held->point, 0.0};
 }
 
+std::span<const Vec2> Coupling::positions(CordIndex index) const {
+  return std::visit([](const auto& cord) { return cord.positions(); }, cords_[at(index)].cord);
+}
+
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
   std::optional<CordPoint> nearest;
   for (CordIndex c = 0; c < size(); ++c) {
-    const auto positions = cord(c).positions();
+    const auto positions = this->positions(c);
     for (std::size_t p = 0; p < positions.size(); ++p) {
       const double distance = length(positions[p] - position);
       if (distance > reach || (nearest && distance >= nearest->distance)) continue;

@@ -3,8 +3,11 @@
 #include <box2d/box2d.h>
 
 #include <optional>
+#include <span>
+#include <variant>
 #include <vector>
 
+#include "ribbon/cord.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_cord.h"
 
@@ -37,6 +40,9 @@ struct CordPoint {
 /// GetLinearVelocity shows of a holder is the mean of the last tick, and `velocity` the momentary one. Letting go gives
 /// the difference back.
 ///
+/// Cords of both solvers live in it side by side. One of the direct solver is held, carried and swung on as any other,
+/// with its holders part of its solve; it does not meet circles yet.
+///
 /// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept
 /// but for those that hold a cord, and a held cord is let go when its holder is no longer in the world.
 class Coupling {
@@ -44,9 +50,19 @@ class Coupling {
   /// `filter` decides as between two Box2D fixtures which circles the cord meets.
   CordIndex add(ribbon::ThesisCord cord, const b2Filter& filter = {});
 
+  /// One of the direct solver. It is held; circles it does not meet yet.
+  CordIndex add(ribbon::Cord cord);
+
   int size() const { return static_cast<int>(cords_.size()); }
-  ribbon::ThesisCord& cord(CordIndex index) { return cords_[at(index)].cord; }
-  const ribbon::ThesisCord& cord(CordIndex index) const { return cords_[at(index)].cord; }
+  /// A cord of the thesis's solver; std::bad_variant_access for one of the direct solver, and the other way round.
+  ribbon::ThesisCord& cord(CordIndex index) { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
+  const ribbon::ThesisCord& cord(CordIndex index) const { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
+  ribbon::Cord& direct_cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
+  const ribbon::Cord& direct_cord(CordIndex index) const { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
+  /// m, by point, of a cord of either solver.
+  std::span<const ribbon::Vec2> positions(CordIndex index) const;
+  /// What happened in the last step of a cord of the direct solver.
+  const ribbon::CordReport& direct_report(CordIndex index) const { return cords_[at(index)].direct_report; }
   /// What happened in the cord's last step.
   const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
   /// What has happened to the cord since it was added, summed up.
@@ -82,8 +98,9 @@ class Coupling {
 
  private:
   struct CoupledCord {
-    ribbon::ThesisCord cord;
+    std::variant<ribbon::ThesisCord, ribbon::Cord> cord;
     b2Filter filter;
+    ribbon::CordReport direct_report;
     ribbon::StepReport report;
     ribbon::StepReport total;
     ribbon::Box reach;  // of this tick
@@ -105,6 +122,7 @@ class Coupling {
   };
 
   void forget(const b2Body& body);
+  CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   void drop_holders_gone_from(const b2World& world);
   void gather_body(b2Body& body, b2Vec2 gravity, double dt);

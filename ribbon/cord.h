@@ -62,6 +62,9 @@ class Cord {
   /// J, in this gravity [m/s²].
   Energy energy(Vec2 gravity) const;
 
+  /// Throws DefinitionError unless the cord has a point of that index.
+  void check_point(int point) const;
+
   /// Each of these throws DefinitionError for an unknown point or a number out of range, and then changes nothing.
 
   /// Attaches a point mass [kg], 0 … 1e12, instead of the one attached before.
@@ -124,7 +127,6 @@ class Cord {
 
  private:
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
-  void check_point(int point) const;
   std::size_t count() const { return targets_.size(); }
   template <typename T>
   std::span<T> points(std::vector<T>& all) const {

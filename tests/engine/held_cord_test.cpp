@@ -1,0 +1,163 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+#include "tests/support/allocations.h"
+#include "tests/support/exact_chain.h"
+#include "tests/support/heavy_swing.h"
+
+// A Box2D body held by a cord of the direct solver.
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct World {
+  b2World world{{0.0F, -9.81F}};
+  Coupling coupling;
+  b2Body* body = nullptr;
+
+  void make_body(Vec2 position, double mass, double inertia) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = to_float(position);
+    definition.allowSleep = false;
+    body = world.CreateBody(&definition);
+    b2MassData data;
+    data.mass = static_cast<float>(mass);
+    data.center.SetZero();
+    data.I = static_cast<float>(inertia);
+    body->SetMassData(&data);
+  }
+  void tick() {
+    coupling.gather(world, dt);
+    coupling.step();
+    coupling.apply();
+    world.Step(static_cast<float>(dt), 8, 3);
+  }
+};
+
+double path_length(const ribbon::Cord& cord) {
+  double sum = 0.0;
+  for (std::size_t p = 1; p < cord.positions().size(); ++p) {
+    sum += length(cord.positions()[p] - cord.positions()[p - 1]);
+  }
+  return sum;
+}
+
+/// heavy_swing with the load a body of Box2D's, held at its centre: 2 cm and 0.05 % are the bars.
+TEST(HeldCord, HeavySwingThroughBox2D) {
+  const std::vector<Vec2> exact = test_support::exact_heavy_load();
+  for (const double inertia : {0.0, 7.0}) {
+    World scene;
+    ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
+    cord.attach_mass(50, 0.0);
+    scene.coupling.add(std::move(cord));
+    scene.make_body({10.0, 0.0}, 70.0, inertia);
+    scene.coupling.hold(0, 50, *scene.body, {0.0F, 0.0F});
+    std::vector<Vec2> path;
+    double stretch = 0.0;
+    for (int k = 0; k < 300; ++k) {
+      scene.tick();
+      path.push_back(to_double(scene.body->GetPosition()));
+      stretch = std::max(stretch, path_length(scene.coupling.direct_cord(0)) / 10.0 - 1.0);
+    }
+    EXPECT_LE(test_support::rms_distance(path, exact), 0.02);
+    EXPECT_LE(stretch, 5e-4);
+    RecordProperty("rms_mm", std::to_string(1e3 * test_support::rms_distance(path, exact)));
+    RecordProperty("stretch_percent", std::to_string(100.0 * stretch));
+  }
+}
+
+class HeldMassRatio : public testing::TestWithParam<double> {};
+
+/// Dropped from a little slack, it stretches no more than its elasticity says, and comes to rest without jitter.
+TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
+  const double ratio = GetParam();
+  for (const double stiffness : {infinity, 1e3}) {  // EA / Mg
+    ribbon::CordDef def;
+    def.points = 31;
+    def.length = 3.0;
+    def.mass_per_length = 1.0 / 3.0;
+    def.stretch_stiffness = stiffness * (1.0 + ratio) * 9.81;
+    def.damping = 0.02;
+    def.pins = {0};
+    for (int p = 0; p <= 30; ++p) def.positions.push_back({0.0, -0.1 * p});
+    World scene;
+    scene.coupling.add(ribbon::Cord(def));
+    scene.make_body({0.0, -3.0}, ratio, 0.1 * ratio);
+    scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
+    double stretch = 0.0;
+    for (int k = 0; k < 600; ++k) {
+      scene.tick();
+      stretch = std::max(stretch, path_length(scene.coupling.direct_cord(0)) / 3.0 - 1.0);
+    }
+    const double elastic = 2.0 / stiffness;  // let go at rest length it goes down twice as far as it hangs
+    EXPECT_LE(stretch, 1.05 * elastic + 5e-4);
+    double jitter = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      const Vec2 before = to_double(scene.body->GetPosition());
+      scene.tick();
+      jitter = std::max(jitter, length(to_double(scene.body->GetPosition()) - before));
+    }
+    EXPECT_LE(jitter, 1e-6 * 3.0);
+    const double pull = scene.coupling.direct_cord(0).tensions()[29];
+    EXPECT_NEAR(pull, (ratio + scene.coupling.direct_cord(0).mass(30)) * 9.81, 1e-3 * ratio * 9.81);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6));
+
+TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
+  World scene;
+  ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
+  cord.attach_mass(50, 0.0);
+  scene.coupling.add(std::move(cord));
+  scene.make_body({10.0, 0.0}, 70.0, 0.0);
+  scene.coupling.hold(0, 50, *scene.body, {0.0F, 0.0F});
+  for (int k = 0; k < 80; ++k) scene.tick();
+  const Vec2 velocity = scene.coupling.velocity(*scene.body);
+  EXPECT_TRUE(scene.coupling.release(*scene.body));
+  scene.tick();
+  const Vec2 after = to_double(scene.body->GetLinearVelocity());
+  EXPECT_NEAR(length(after - (velocity + dt * Vec2{0.0, -9.81})), 0.0, 1e-4);
+  for (int k = 0; k < 60; ++k) scene.tick();
+  EXPECT_GT(length(to_double(scene.body->GetPosition())), 10.1);
+  EXPECT_EQ(scene.coupling.direct_report(0).unconverged, 0);
+}
+
+TEST(HeldCord, OneOfEachSolverLiveSideBySide) {
+  World scene;
+  scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
+  scene.coupling.add(test_support::heavy_swing(infinity, ribbon::Accuracy::fast()));
+  EXPECT_EQ(scene.coupling.positions(0).size(), 50U);
+  EXPECT_EQ(scene.coupling.positions(1).size(), 51U);
+  EXPECT_THROW(scene.coupling.cord(1), std::bad_variant_access);
+  EXPECT_THROW(scene.coupling.direct_cord(0), std::bad_variant_access);
+  scene.make_body({10.0, 0.0}, 5.0, 1.0);
+  EXPECT_THROW(scene.coupling.hold(1, 51, *scene.body, {}), ribbon::DefinitionError);
+  const auto nearest = scene.coupling.nearest_point({10.0, 0.1}, 0.5);
+  ASSERT_TRUE(nearest.has_value());
+  EXPECT_EQ(nearest->cord, 1);
+  EXPECT_EQ(nearest->point, 50);
+  scene.coupling.hold(1, 50, *scene.body, {0.0F, 0.0F});
+  scene.tick();
+  const test_support::AllocationCount count;
+  scene.coupling.gather(scene.world, dt);
+  scene.coupling.step();
+  scene.coupling.apply();
+  EXPECT_EQ(count.so_far(), 0);
+}
+
+}  // namespace
+}  // namespace engine
