@@ -8,6 +8,7 @@
 #include "tests/tradeoff/scene_lists.h"
 #include "tests/tradeoff/swing_box2d.h"
 #include "tests/tradeoff/swing_cords.h"
+#include "tests/tradeoff/swing_held.h"
 
 namespace tradeoff {
 namespace {
@@ -163,16 +164,38 @@ std::vector<Contestant> heavy_swing() {
   return list;
 }
 
+/// The load a body of Box2D's, held by the cord; beside the same cord with a point mass, and the world by itself, which
+/// has no path to compare.
+std::vector<Contestant> held_swings() {
+  std::vector<Contestant> list;
+  const std::shared_ptr<Swing> alone = falling_body();
+  for (const auto& [name, accuracy] :
+       {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
+    list.push_back(cord(name, infinity, accuracy));
+    list.push_back(contestant("held", name, held_swing(accuracy)));
+  }
+  list.push_back({"b2world_step", "one body", 1, [alone] { alone->reset(); }, [alone] { alone->tick(); },
+                  [] { return std::vector<double>(4, none); }});
+  return list;
+}
+
 }  // namespace
 
 std::vector<Scene> swing_scenes() {
+  const std::vector<Column> columns = {us_per_tick(),
+                                       p99_us(),
+                                       figure("rms_error_m", 0),
+                                       figure("max_stretch_pct", 1),
+                                       figure("energy_drift_pct", 2),
+                                       figure("unconverged", 3)};
+  std::vector<Column> with_own = columns;
+  with_own.push_back(figure("own_error_m", 4));
   return {{"heavy_swing",
            "51 points of 1 kg and a load of 70 kg, released from the horizontal: cords, Box2D's, the thesis's",
-           test_support::heavy::ticks,
-           heavy_swing,
-           {us_per_tick(), p99_us(), figure("rms_error_m", 0), figure("max_stretch_pct", 1),
-            figure("energy_drift_pct", 2), figure("unconverged", 3), figure("own_error_m", 4)},
-           "balanced"}};
+           test_support::heavy::ticks, heavy_swing, with_own, "balanced"},
+          {"held_swing",
+           "the same with the load a body of Box2D's that the cord carries, and what b2World::Step takes of it",
+           test_support::heavy::ticks, held_swings, columns, "balanced"}};
 }
 
 }  // namespace tradeoff
