@@ -53,6 +53,17 @@ void Cells::find_tensions(std::span<const Vec2> x, std::span<double> tensions) c
   }
 }
 
+void Cells::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+  Vec2 d{1.0, 0.0};
+  for (std::size_t i = 0; i < columns_; ++i) {
+    for (std::size_t j = 0; j < rows_; ++j) {
+      d = direction_of(modes(shapes_[i], corners(at.x, i, j)).z, d);
+      const double rate = dot(d, modes(shapes_[i], corners(at.v, i, j)).z);
+      tensions[i * rows_ + j] += sign * damping_ * rate * shapes_[i].stretch;
+    }
+  }
+}
+
 Corners Cells::corners(std::span<const Vec2> x, std::size_t column, std::size_t row) const {
   const std::size_t first = point(column, row);
   const std::size_t second = point(column + 1, row);
@@ -206,7 +217,7 @@ double Cells::energy(const Motion& at, std::span<const double> tensions) const {
       const Corners x = corners(at.x, i, j);
       const CellModes shape = modes(cell, x);
       double rate = 0.0;
-      if (damping_ > 0.0) {
+      if (damping_ > 0.0 && !at.v.empty()) {
         d = direction_of(shape.z, d);
         rate = dot(d, modes(cell, corners(at.v, i, j)).z);
       }

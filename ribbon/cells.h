@@ -21,6 +21,7 @@ class Cells final : public Term {
 
   std::size_t tension_count() const override { return columns_ * rows_; }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
+  void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void add_constant(BandedMatrix& matrix) const override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;

@@ -24,6 +24,14 @@ void Chain::find_tensions(std::span<const Vec2> x, std::span<double> tensions) c
   }
 }
 
+void Chain::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+  if (damping_ == 0.0) return;
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    if (tension_only_ && tensions[e] == 0.0) continue;
+    tensions[e] += sign * damping_ * extension_rate(at, e, e + 1) / compliance(e);
+  }
+}
+
 MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
   const MixedBar undamped{size - rest_[link], compliance(link)};
   if (damping_ == 0.0) return undamped;

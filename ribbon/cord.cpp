@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "ribbon/chain.h"
@@ -64,6 +65,9 @@ Cord::Cord(const CordDef& def)
       x0_(positions_),
       v0_(velocities_),
       tension0_(tensions_),
+      x_start_(positions_),
+      v_start_(velocities_),
+      tension_start_(tensions_),
       x1_(positions_),
       v1_(velocities_),
       predicted_(positions_),
@@ -94,13 +98,28 @@ double Cord::own_mass(std::size_t point) const {
 
 Cord::Energy Cord::energy(Vec2 gravity) const {
   Energy sum;
-  sum.elastic = elasticity_->energy({positions(), velocities()}, tensions_);
+  const Motion at{positions(), damping_apart_ ? std::span<const Vec2>{} : velocities()};
+  sum.elastic = elasticity_->energy(at, tensions_);
   for (std::size_t p = 0; p < count(); ++p) {
     sum.kinetic += 0.5 * masses_[p] * dot(velocities_[p], velocities_[p]);
     sum.potential -= masses_[p] * dot(gravity, positions_[p]);
   }
   for (std::size_t p = 0; p < loads_.size(); ++p) sum.potential -= dot(loads_[p], positions_[p]);
   return sum;
+}
+
+/// A tension is elastic and damping together, and the damping one jumps with a velocity that is set from outside: the
+/// elastic one does not.
+void Cord::set_damping_apart() {
+  if (def_.damping == 0.0 || damping_apart_) return;
+  elasticity_->add_damping({positions(), velocities()}, -1.0, tensions_);
+  damping_apart_ = true;
+}
+
+void Cord::put_damping_back() {
+  if (!damping_apart_) return;
+  elasticity_->add_damping({positions(), velocities()}, 1.0, tensions_);
+  damping_apart_ = false;
 }
 
 void Cord::check_point(int point) const { check_range("point", point, 0, size() - 1); }
@@ -141,6 +160,7 @@ void Cord::release(int point) {
 void Cord::set_velocity(int point, Vec2 velocity) {
   check_point(point);
   check_coordinates("velocity", velocity);
+  set_damping_apart();
   velocities_[slot(point)] = velocity;
   restart_ = true;
 }
@@ -153,14 +173,19 @@ void Cord::reel(int first, int last, double length, double speed) {
   if (!(speed > 0.0)) refuse("speed", speed, "above 0, up to 1e+06");
   check_range("speed", speed, 0.0, 1e6);
 
+  double now = 0.0;
+  for (std::size_t e = slot(first); e < slot(last); ++e) now += rest_[e];
+  const double link = def_.length / (def_.points - 1);
+  for (std::size_t e = slot(first); e < slot(last); ++e) {
+    // A millionth more, for sums that round.
+    check_range("length of a reeled link", rest_[e] * (length / now), 0.999999e-3 * link, 1.000001e3 * link);
+  }
   if (rest_targets_.empty()) {
     rest_targets_ = rest_;
     rest_start_ = rest_;
     rest_end_ = rest_;
     rest_speeds_.resize(rest_.size());
   }
-  double now = 0.0;
-  for (std::size_t e = slot(first); e < slot(last); ++e) now += rest_[e];
   for (std::size_t e = slot(first); e < slot(last); ++e) {
     rest_targets_[e] = rest_[e] * (length / now);
     rest_speeds_[e] = speed * (rest_[e] / now);
@@ -181,8 +206,8 @@ void Cord::reserve(std::size_t grips) {
 /// Makes every array long enough for the slots of so many bodies.
 void Cord::set_slots(std::size_t bodies) {
   const std::size_t size = count() + 2 * bodies;
-  for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x1_, &v1_, &predicted_, &velocity_,
-                    &guess_, &force_, &direction_, &trial_}) {
+  for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x_start_, &v_start_, &x1_, &v1_,
+                    &predicted_, &velocity_, &guess_, &force_, &direction_, &trial_}) {
     all->resize(size);
   }
   masses_.resize(size);
@@ -210,24 +235,53 @@ Cord::State Cord::save() const {
   state.unlocked = {unlocked.begin(), unlocked.end()};
   state.holders = holders_;
   state.ledger = ledger_;
+  state.damping_apart = damping_apart_;
   state.restart = restart_;
   return state;
 }
 
-void Cord::restore(const State& state) {
+/// Throws DefinitionError unless the state is one of a cord of this size and these terms, with numbers that a cord can
+/// have.
+void Cord::check_state(const State& state) const {
   const std::size_t n = count();
-  const auto fits = [](std::size_t size, std::size_t wanted, bool optional) {
-    return size == wanted || (optional && size == 0);
-  };
+  const auto is_optional = [](std::size_t size, std::size_t wanted) { return size == wanted || size == 0; };
   if (state.positions.size() != n || state.velocities.size() != n || state.accelerations.size() != n ||
       state.targets.size() != n || state.kinds.size() != n || state.masses.size() != n ||
-      !fits(state.loads.size(), n, true) || !fits(state.tensions.size(), tensions_.size(), false) ||
-      state.rest.size() != rest_.size() || !fits(state.rest_targets.size(), rest_.size(), true) ||
+      !is_optional(state.loads.size(), n) || state.tensions.size() != tensions_.size() ||
+      state.rest.size() != rest_.size() || !is_optional(state.rest_targets.size(), rest_.size()) ||
       state.rest_speeds.size() != state.rest_targets.size() ||
       state.unlocked.size() != elasticity_->unlocked().size()) {
     throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(def_.points) + " x " +
                           std::to_string(def_.rows) + " points with the same terms");
   }
+  constexpr double anything = std::numeric_limits<double>::max();
+  constexpr double something = std::numeric_limits<double>::min();
+  const auto check_all = [](const char* field, std::span<const double> values, double low, double high) {
+    for (const double value : values) check_range(field, value, low, high);
+  };
+  const auto check_vectors = [](const char* field, std::span<const Vec2> values) {
+    for (const Vec2 value : values) {
+      check_range(field, value.x, -anything, anything);
+      check_range(field, value.y, -anything, anything);
+    }
+  };
+  check_vectors("state.positions", state.positions);
+  check_vectors("state.velocities", state.velocities);
+  check_vectors("state.accelerations", state.accelerations);
+  check_vectors("state.targets", state.targets);
+  check_vectors("state.loads", state.loads);
+  check_all("state.masses", state.masses, something, anything);
+  check_all("state.tensions", state.tensions, -anything, anything);
+  check_all("state.rest", state.rest, something, anything);
+  check_all("state.rest_targets", state.rest_targets, something, anything);
+  check_all("state.rest_speeds", state.rest_speeds, 0.0, anything);
+  check_range("state.ledger", state.ledger, -anything, anything);
+  for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
+  for (const Holder& holder : state.holders) check_range("state.holders.point", holder.point, 0, size() - 1);
+}
+
+void Cord::restore(const State& state) {
+  check_state(state);
   positions_ = state.positions;
   velocities_ = state.velocities;
   accelerations_ = state.accelerations;
@@ -246,6 +300,7 @@ void Cord::restore(const State& state) {
   held_.clear();
   set_slots(0);
   ledger_ = state.ledger;
+  damping_apart_ = state.damping_apart;
   restart_ = state.restart;
   elasticity_->set_rest_lengths(rest_);
 }

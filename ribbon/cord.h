@@ -20,7 +20,8 @@ struct CordReport {
   int iterations = 0;    ///< Newton steps in them: linear systems solved, each O(points)
   int searches = 0;      ///< stages that full Newton steps did not solve, begun again with a line search
   int fallbacks = 0;     ///< substeps taken again by implicit Euler because a stage had not converged
-  int energy_gains = 0;  ///< substeps taken again by implicit Euler because energy had come from nowhere
+  int energy_gains = 0;  ///< substeps taken again, by implicit Euler or to a sharper tolerance, because energy had come
+                         ///< from nowhere; not looked for while something drives the cord
   int halvings = 0;      ///< substeps of implicit Euler that had not converged either, taken as two
   int unlocked = 0;      ///< steps in which cells that were inside out were turned back
   int unconverged = 0;   ///< substeps left as they are after all that
@@ -43,9 +44,11 @@ class Cord {
   int index(int i, int j) const { return i * def_.rows + j; }
   std::span<const Vec2> positions() const { return points(positions_); }    ///< m, by index
   std::span<const Vec2> velocities() const { return points(velocities_); }  ///< m/s, by index
-  /// N, of a rope's links or a ribbon's bars; negative where one is pushed together. After those of its bars a ribbon's
-  /// cells follow, column by column: (μ + λ)·area·(|z| − 2) of each, J.
+  /// N, of a rope's links or the bars of a ribbon; negative where one is pushed together. Of a ribbon of cells first
+  /// those of the cells, column by column, (μ + λ)·area·(|z| − 2) of each [J], then the bars of its spine, if it has
+  /// one [N].
   std::span<const double> tensions() const { return tensions_; }
+  /// Of this and the next three the caller sees to it that there is such a point, or link.
   PointKind kind(int point) const { return kinds_[slot(point)]; }
   /// Where a constrained or operated point is going, m.
   Vec2 target(int point) const { return targets_[slot(point)]; }
@@ -54,9 +57,9 @@ class Cord {
   /// The rest length of the link from column i to i + 1, m.
   double rest_length(int i) const { return rest_[slot(i)]; }
   struct Energy {
-    double kinetic = 0.0;
-    double elastic = 0.0;    // of stretched bars and cells by their tensions
-    double potential = 0.0;  // in gravity and under the loads
+    double kinetic = 0.0;    ///< J, as the others
+    double elastic = 0.0;    ///< of stretched bars and cells by their tensions
+    double potential = 0.0;  ///< in gravity and under the loads
     double total() const { return kinetic + elastic + potential; }
   };
   /// J, in this gravity [m/s²].
@@ -117,15 +120,18 @@ class Cord {
     std::vector<double> rest_speeds;
     std::vector<char> unlocked;  // by cell, if the cord declares area stiffness
     std::vector<Holder> holders;
-    double ledger = 0.0;
-    bool restart = true;
+    double ledger = 0.0;         ///< J, see CordReport::energy_gains
+    bool damping_apart = false;  ///< the tensions are without damping
+    bool restart = true;         ///< the accelerations are not those of this state
     bool operator==(const State&) const = default;
   };
   State save() const;
-  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size.
+  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size, or has a number
+  /// that no cord can have.
   void restore(const State& state);
 
  private:
+  void check_state(const State& state) const;
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
   template <typename T>
@@ -139,11 +145,14 @@ class Cord {
   std::size_t center(std::size_t held) const { return count() + 2 * held; }
   std::size_t angle(std::size_t held) const { return count() + 2 * held + 1; }
   void set_slots(std::size_t bodies);
+  void set_damping_apart();
+  void put_damping_back();
   Energy total_energy() const;
   void drive(int point, Vec2 target, PointKind kind);
   double own_mass(std::size_t point) const;
 
   void begin_step(double dt, Vec2 gravity, const Surroundings& surroundings);
+  void find_tolerance();
   void drive_points(double dt);
   void take_hold(double dt, const Surroundings& surroundings);
   void add_holder(const Grip& grip, const RigidBody& body);
@@ -156,13 +165,14 @@ class Cord {
   void begin_substep();
   void return_to_start();
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
-  bool gained_energy(const Energy& before);
+  bool gained_energy(const Energy& before, double tolerated);
   void account(const Energy& before);
   double energy_scale(const Energy& energy) const;
   bool tr_bdf2(double start, double dt, CordReport& report);
   bool sdirk2(double start, double dt, CordReport& report);
   bool implicit_euler(double start, double dt, CordReport& report);
-  bool halves(double start, double dt, int depth, CordReport& report);
+  bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
+  bool halves(double start, double dt, int depth, int most_iterations, CordReport& report);
 
   bool solve_stage(double time, double q, CordReport& report);
   void place_driven(double time);
@@ -193,14 +203,17 @@ class Cord {
   std::vector<double> rest_speeds_;   // m/s, how fast
   double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
   std::vector<Holder> holders_;
-  bool restart_ = true;  // accelerations_ are not those of this state
+  bool damping_apart_ = false;  // tensions_ are the elastic ones alone, for velocities may be changed
+  bool restart_ = true;         // accelerations_ are not those of this state
 
   // The step's own: nothing below outlives one.
   Vec2 gravity_;
   double step_dt_ = 0.0;
-  bool driven_ = false;    // something moves the cord that the energy guard does not account for
-  bool winding_ = false;   // a reel changes rest lengths
-  bool arriving_ = false;  // and stops
+  double tolerance_ = 0.0;        // m, of this step
+  double least_tolerance_ = 0.0;  // m
+  bool driven_ = false;           // something moves the cord that the energy guard does not account for
+  bool winding_ = false;          // a reel changes rest lengths
+  bool arriving_ = false;         // and stops
   bool unlocking_ = false;
   Energy energy_after_;
   double weight_scale_ = 0.0;   // J, M·g·L
@@ -212,6 +225,8 @@ class Cord {
   std::vector<double> rest_start_, rest_end_;  // while something is reeled
   std::vector<Vec2> x0_, v0_;                  // at the start of the substep
   std::vector<double> tension0_;
+  std::vector<Vec2> x_start_, v_start_;  // the same, while it is taken by halves
+  std::vector<double> tension_start_;
   std::vector<Vec2> x1_, v1_;               // after its first stage
   std::vector<Vec2> predicted_, velocity_;  // x̃ and ṽ of the stage
   std::vector<Vec2> guess_;                 // where the stage's Newton steps begin

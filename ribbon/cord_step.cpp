@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "ribbon/complex.h"
 #include "ribbon/cord.h"
@@ -9,6 +11,8 @@ namespace ribbon {
 namespace {
 
 constexpr int searched_iterations = 24;  // Newton steps of a stage with a line search
+constexpr int sharper_tries = 3;         // of a substep of implicit Euler that gained energy
+constexpr int most_work = 2000;          // Newton steps in the halves of a substep
 constexpr int most_halves = 6;           // times a substep of implicit Euler is halved
 constexpr double penalty_factor = 2.0;   // by which the exact penalty of a search is above the tensions
 // Least geometric stiffness of a bar in a search, as a share of the inertia of its ends: what is pushed together has a
@@ -19,15 +23,18 @@ constexpr double shortest_step = 1e-6;    // of a Newton step, below which a lin
 constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
 constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
+constexpr double loosest_share = 0.05;    // of a link, above which no tolerance is taken
+constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
 constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
 constexpr double tolerated_gain = 5e-4;
+constexpr double gross_gain = 1e-2;  // what a substep of implicit Euler may: there is nothing more damped to turn to
 constexpr double returnable_share = 2e-3;
 constexpr double ledger_decay = 0.9;
 
-const double sqrt2 = std::sqrt(2.0);
+using std::numbers::sqrt2;
 
 }  // namespace
 
@@ -45,14 +52,26 @@ void Cord::begin_step(double dt, Vec2 gravity, const Surroundings& surroundings)
   gravity_ = gravity;
   step_dt_ = dt;
   driven_ = false;
+  find_tolerance();
+  set_damping_apart();
   drive_points(dt);
   take_hold(dt, surroundings);
   wind(dt);
+  put_damping_back();
   double mass = 0.0;
   for (std::size_t p = 0; p < count(); ++p) mass += masses_[p];
   for (std::size_t k = 0; k < held_.size(); ++k) mass += masses_[center(k)];
   weight_scale_ = mass * length(gravity) * def_.length;
   unlocking_ = elasticity_->unlock(positions());
+}
+
+/// A tolerance above a twentieth of a link would not hold it, one below what a coordinate can resolve could not be met.
+void Cord::find_tolerance() {
+  double largest = def_.length;
+  for (const Vec2 p : positions()) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  least_tolerance_ = resolved_digits * std::numeric_limits<double>::epsilon() * largest;
+  const double shortest = *std::min_element(rest_.begin(), rest_.end());
+  tolerance_ = std::max(std::min(def_.accuracy.tolerance, loosest_share * shortest), least_tolerance_);
 }
 
 void Cord::drive_points(double dt) {
@@ -211,11 +230,7 @@ void Cord::substep(double start, double dt, CordReport& report) {
   const Energy before = driven_ ? Energy{} : total_energy();
   begin_substep();
   if (second_order(start, dt, before, report)) return;
-  if (!implicit_euler(start, dt, report)) {
-    return_to_start();
-    ++report.halvings;
-    if (!halves(start, dt, 1, report)) ++report.unconverged;
-  }
+  if (!damped_substep(start, dt, before, report)) ++report.unconverged;
   if (driven_) return;
   energy_after_ = total_energy();
   account(before);
@@ -226,7 +241,7 @@ bool Cord::second_order(double start, double dt, const Energy& before, CordRepor
   if (def_.accuracy.integrator == Integrator::implicit_euler || unlocking_) return false;
   const bool converged = restart_ ? sdirk2(start, dt, report) : tr_bdf2(start, dt, report);
   restart_ = false;
-  if (converged && !gained_energy(before)) {
+  if (converged && !gained_energy(before, tolerated_gain)) {
     if (!driven_) account(before);
     return true;
   }
@@ -234,6 +249,35 @@ bool Cord::second_order(double start, double dt, const Energy& before, CordRepor
   restart_ = true;  // the acceleration of implicit Euler is one of first order
   return_to_start();
   return false;
+}
+
+/// Implicit Euler, by halves where it does not converge. Of a stiff cord what the tolerance leaves open, times a
+/// tension, can be energy too: then all of it again to a hundredth of the tolerance.
+bool Cord::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
+  const double tolerance = tolerance_;
+  bool converged = false;
+  for (int k = 0;; ++k) {
+    converged = implicit_euler(start, dt, report);
+    if (!converged) {
+      return_to_start();
+      ++report.halvings;
+      x_start_ = x0_;
+      v_start_ = v0_;
+      tension_start_ = tension0_;
+      converged = halves(start, dt, 1, report.iterations + most_work, report);
+      x0_ = x_start_;
+      v0_ = v_start_;
+      tension0_ = tension_start_;
+    }
+    if (!gained_energy(before, gross_gain)) break;
+    converged = false;
+    if (k == sharper_tries) break;
+    ++report.energy_gains;
+    return_to_start();
+    tolerance_ = std::max(1e-2 * tolerance_, least_tolerance_);
+  }
+  tolerance_ = tolerance;
+  return converged;
 }
 
 void Cord::begin_substep() {
@@ -250,10 +294,10 @@ void Cord::return_to_start() {
 
 /// A ledger: what waves lost they may give back in the next substeps, and beyond that a little may come from rounding
 /// and the tolerance, until as much has been lost again. That is all a cord that nothing drives can ever gain.
-bool Cord::gained_energy(const Energy& before) {
+bool Cord::gained_energy(const Energy& before, double tolerated) {
   if (driven_) return false;
   energy_after_ = total_energy();
-  return !(energy_after_.total() - before.total() <= ledger_ + tolerated_gain * energy_scale(before));
+  return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
 }
 
 void Cord::account(const Energy& before) {
@@ -336,19 +380,20 @@ bool Cord::implicit_euler(double start, double dt, CordReport& report) {
   return solve_stage(start + dt, dt, report);
 }
 
-/// Implicit Euler by two halves, each of them halved again where it does not converge.
-bool Cord::halves(double start, double dt, int depth, CordReport& report) {
+/// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps are
+/// spent.
+bool Cord::halves(double start, double dt, int depth, int most_iterations, CordReport& report) {
   bool all = true;
   for (const double from : {start, start + 0.5 * dt}) {
     begin_substep();
     if (implicit_euler(from, 0.5 * dt, report)) continue;
-    if (depth == most_halves) {
+    if (depth == most_halves || report.iterations > most_iterations) {
       all = false;
       continue;
     }
     return_to_start();
     ++report.halvings;
-    all = halves(from, 0.5 * dt, depth + 1, report) && all;
+    all = halves(from, 0.5 * dt, depth + 1, most_iterations, report) && all;
   }
   return all;
 }
@@ -464,7 +509,7 @@ bool Cord::full_steps(Stage& stage, CordReport& report) {
     if (!(moved <= most_motion)) return false;
     move(positions_, 1.0);
     tensions_.swap(next_);
-    if (moved <= def_.accuracy.tolerance) return true;
+    if (moved <= tolerance_) return true;
   }
   return false;
 }
@@ -485,13 +530,13 @@ bool Cord::searched_steps(Stage& stage, CordReport& report) {
     for (double share = 1.0;; share *= 0.5) {
       if (share < shortest_step) return false;
       move(trial_, share);
-      if (moved <= def_.accuracy.tolerance) break;
+      if (moved <= tolerance_) break;
       close_arms(trial_);
       if (merit(stage, trial_) < value) break;
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (moved <= def_.accuracy.tolerance) return true;
+    if (moved <= tolerance_) return true;
   }
   return false;
 }

@@ -23,6 +23,9 @@ class Elasticity {
   /// Tensions of these positions at rest; 0 of what does not stretch.
   virtual void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const = 0;
 
+  /// Adds `sign` times what damping is of the tensions, β·ċ/α, at these velocities.
+  virtual void add_damping(const Motion& at, double sign, std::span<double> tensions) const = 0;
+
   /// One step of mixed Newton from positions x and the tensions of the iteration before, O(points): `direction` is by
   /// how much the points move, `next` are the tensions after a full step. False if the system was singular.
   virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
@@ -32,7 +35,7 @@ class Elasticity {
   /// elements with a tension the exact penalty that grows no steeper than `most`, one a tension. See `exact_penalty`.
   virtual double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) = 0;
 
-  /// The elastic energy, J, of elements with a tension by that, less what of it is damping.
+  /// The elastic energy, J, of elements with a tension by that, less what of it is damping: nothing without velocities.
   virtual double energy(const Motion& at, std::span<const double> tensions) const = 0;
 
   /// Looks for cells that are turned inside out, at the start of a step, and makes their energy for this step one that

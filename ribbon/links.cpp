@@ -33,6 +33,16 @@ void Links::find_tensions(std::span<const Vec2> x, std::span<double> tensions) c
   }
 }
 
+void Links::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+  if (inverse_stiffness_ == 0.0) return;
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    if (tension_only_ && tensions[e] == 0.0) continue;
+    const double rate =
+        extension_rate(at, static_cast<std::size_t>(links_[e].a), static_cast<std::size_t>(links_[e].b));
+    tensions[e] += sign * damping_ * rate / compliance(links_[e]);
+  }
+}
+
 MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
   const auto a = static_cast<std::size_t>(link.a);
   const auto b = static_cast<std::size_t>(link.b);

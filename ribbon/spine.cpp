@@ -29,6 +29,16 @@ void Spine::find_tensions(std::span<const Vec2> x, std::span<double> tensions) c
   for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] = (length(link(x, e)) - rest_[e]) / compliance(e);
 }
 
+double Spine::rate(const Motion& at, std::size_t e) const {
+  if (at.v.empty()) return 0.0;
+  const Vec2 ab = link(at.x, e);
+  return dot(ab, link(at.v, e)) / std::max(length(ab), shortest_share * rest_[e]);
+}
+
+void Spine::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] += sign * damping_ * rate(at, e) / compliance(e);
+}
+
 Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
   return 0.5 * (x[column * rows_ + low_] + x[column * rows_ + high_]);
 }
@@ -79,12 +89,7 @@ double Spine::potential(const Shape& shape, std::span<const double> most) const 
 double Spine::energy(const Motion& at, std::span<const double> tensions) const {
   double sum = 0.0;
   for (std::size_t e = 0; e < rest_.size(); ++e) {
-    double rate = 0.0;
-    if (damping_ > 0.0) {
-      const Vec2 ab = link(at.x, e);
-      rate = dot(ab, link(at.v, e)) / std::max(length(ab), shortest_share * rest_[e]);
-    }
-    sum += elastic_energy(tensions[e], compliance(e), damping_, rate);
+    sum += elastic_energy(tensions[e], compliance(e), damping_, damping_ > 0.0 ? rate(at, e) : 0.0);
   }
   return sum;
 }

@@ -6,7 +6,7 @@
 
 namespace ribbon {
 
-/// Where points are [m] and go [m/s].
+/// Where points are [m] and go [m/s]; without velocities they rest.
 struct Motion {
   std::span<const Vec2> x;
   std::span<const Vec2> v;
@@ -14,6 +14,7 @@ struct Motion {
 
 /// How fast two points part, m/s.
 inline double extension_rate(const Motion& at, std::size_t a, std::size_t b) {
+  if (at.v.empty()) return 0.0;
   const Vec2 ab = at.x[b] - at.x[a];
   const double size = length(ab);
   return size > 0.0 ? dot(ab, at.v[b] - at.v[a]) / size : 0.0;
@@ -49,7 +50,7 @@ struct Stage {
   std::span<const Vec2> force;      ///< f − c·ṽ [N]
   std::span<const char> constrained;
   std::span<const CarriedLoad> carried = {};  ///< by point, ascending
-  /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar is given.
+  /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar of a chain is given.
   double least_geometric = 0.0;
 
   Vec2 residual(std::size_t p, Vec2 x) const { return force[p] - inertia[p] * (x - predicted[p]); }

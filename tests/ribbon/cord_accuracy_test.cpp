@@ -167,6 +167,30 @@ TEST(HeavySwingBalanced, LosesLittleEnergy) {
   RecordProperty("lost_percent", std::to_string(100.0 * run.lost_energy));
 }
 
+/// A solid strip that is pulled by P at both ends gets longer by P·L/EA and narrower by ν times that strain.
+TEST(CordStretch, ASolidStripNarrowsByPoissonsRatio) {
+  for (const int rows : {2, 3}) {
+    CordDef def;
+    def.points = 41;
+    def.rows = rows;
+    def.length = 4.0;
+    def.width = 0.2;
+    solid(1e5, 0.3, 0.1, def.width).apply_to(def);
+    def.damping = 0.05;
+    Cord cord(def);
+    const double pull = 0.01 * def.stretch_stiffness;
+    for (int j = 0; j < rows; ++j) {
+      const double share = (j == 0 || j == rows - 1 ? 0.5 : 1.0) / (rows - 1);
+      cord.set_load(cord.index(40, j), {share * pull, 0.0});
+      cord.set_load(cord.index(0, j), {-share * pull, 0.0});
+    }
+    test_support::come_to_rest(cord, {}, 600);
+    const auto at = [&](int i, int j) { return cord.positions()[static_cast<std::size_t>(cord.index(i, j))]; };
+    EXPECT_NEAR(length(at(30, 0) - at(10, 0)) / 2.0 - 1.0, 0.01, 1e-4) << rows;
+    EXPECT_NEAR(length(at(20, rows - 1) - at(20, 0)) / 0.2 - 1.0, -0.3 * 0.01, 1e-4) << rows;
+  }
+}
+
 /// One link with EA and the damping time β is an oscillator of ω² = EA/(l·m) and damping ratio β·ω/2.
 TEST(CordDamping, TakesFromAnOscillationWhatItsTimeSays) {
   CordDef def;
