@@ -23,7 +23,7 @@ constexpr double shortest_step = 1e-6;    // of a Newton step, below which a lin
 constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
 constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
-constexpr double loosest_share = 0.05;    // of a link, above which no tolerance is taken
+constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
 constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
@@ -65,12 +65,12 @@ void Cord::begin_step(double dt, Vec2 gravity, const Surroundings& surroundings)
   unlocking_ = elasticity_->unlock(positions());
 }
 
-/// A tolerance above a twentieth of a link would not hold it, one below what a coordinate can resolve could not be met.
+/// A tolerance above a fifth of a link would not hold it, one below what a coordinate can resolve could not be met.
 void Cord::find_tolerance() {
-  double largest = def_.length;
-  for (const Vec2 p : positions()) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double largest = std::abs(positions_[0].x) + std::abs(positions_[0].y) + def_.length;  // of a coordinate, about
   least_tolerance_ = resolved_digits * std::numeric_limits<double>::epsilon() * largest;
-  const double shortest = *std::min_element(rest_.begin(), rest_.end());
+  double shortest = def_.length / (def_.points - 1);
+  for (std::size_t e = 0; e < rest_targets_.size(); ++e) shortest = std::min({shortest, rest_[e], rest_targets_[e]});
   tolerance_ = std::max(std::min(def_.accuracy.tolerance, loosest_share * shortest), least_tolerance_);
 }
 
