@@ -211,7 +211,7 @@ class Cord {
   double step_dt_ = 0.0;
   double tolerance_ = 0.0;        // m, of this step
   double least_tolerance_ = 0.0;  // m
-  bool driven_ = false;           // something moves the cord that the energy guard does not account for
+  bool driven_ = false;           // something moves or turns the cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool arriving_ = false;         // and stops
   bool unlocking_ = false;

@@ -63,6 +63,7 @@ void Cord::begin_step(double dt, Vec2 gravity, const Surroundings& surroundings)
   for (std::size_t k = 0; k < held_.size(); ++k) mass += masses_[center(k)];
   weight_scale_ = mass * length(gravity) * def_.length;
   unlocking_ = elasticity_->unlock(positions());
+  driven_ = driven_ || unlocking_;
 }
 
 /// A tolerance above a fifth of a link would not hold it, one below what a coordinate can resolve could not be met.
@@ -175,6 +176,7 @@ void Cord::finish_step(double dt, const Surroundings& surroundings, CordReport& 
   }
   if (unlocking_) {
     ++report.unlocked;
+    set_damping_apart();
     damp_deformation();
     restart_ = true;
   }
