@@ -1,0 +1,174 @@
+#include "ribbon/block_ldlt.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace ribbon {
+
+void BlockLdlt::begin_pattern(std::span<const int> order) {
+  order_.assign(order.begin(), order.end());
+  row_of_.resize(order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  couplings_.clear();
+}
+
+void BlockLdlt::couple(int a, int b) {
+  if (a == b) return;
+  const int row_a = row_of_[at(a)];
+  const int row_b = row_of_[at(b)];
+  couplings_.push_back({std::min(row_a, row_b), std::max(row_a, row_b)});
+}
+
+/// The columns of a row are its own and those of its children in the elimination tree, whose first column it is
+/// (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
+void BlockLdlt::end_pattern() {
+  const std::size_t n = order_.size();
+  coupling_first_.assign(n + 1, 0);
+  for (const auto& coupling : couplings_) ++coupling_first_[at(coupling[0]) + 1];
+  for (std::size_t k = 0; k < n; ++k) coupling_first_[k + 1] += coupling_first_[k];
+  coupled_.resize(couplings_.size());
+  for (const auto& coupling : couplings_) coupled_[coupling_first_[at(coupling[0])]++] = coupling[1];
+  for (std::size_t k = n; k > 0; --k) coupling_first_[k] = coupling_first_[k - 1];
+  coupling_first_[0] = 0;
+
+  first_child_.assign(n, -1);
+  next_child_.assign(n, -1);
+  mark_.assign(n, -1);
+  first_.assign(1, 0);
+  columns_.clear();
+  for (std::size_t k = 0; k < n; ++k) {
+    const int row = static_cast<int>(k);
+    mark_[k] = row;
+    const auto take = [&](int column) {
+      if (mark_[at(column)] == row) return;
+      mark_[at(column)] = row;
+      columns_.push_back(column);
+    };
+    for (std::size_t i = coupling_first_[k]; i < coupling_first_[k + 1]; ++i) take(coupled_[i]);
+    for (int child = first_child_[k]; child >= 0; child = next_child_[at(child)]) {
+      for (std::size_t i = first_[at(child)]; i < first_[at(child) + 1]; ++i) take(columns_[i]);
+    }
+    std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(first_[k]), columns_.end());
+    first_.push_back(columns_.size());
+    if (first_[k] == first_[k + 1]) continue;
+    const std::size_t parent = at(columns_[first_[k]]);
+    next_child_[k] = first_child_[parent];
+    first_child_[parent] = row;
+  }
+  blocks_.resize(columns_.size());
+  diagonals_.resize(n);
+  held_.resize(n);
+  right_side_.resize(n);
+}
+
+/// The place of a block in its row, or the end of all if it is none of the pattern.
+std::size_t BlockLdlt::find(int row, int column) const {
+  const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row)]);
+  const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row) + 1]);
+  const auto found = std::lower_bound(begin, end, column);
+  return found != end && *found == column ? static_cast<std::size_t>(found - columns_.begin()) : columns_.size();
+}
+
+bool BlockLdlt::is_coupled(int a, int b) const {
+  const int row_a = row_of_[at(a)];
+  const int row_b = row_of_[at(b)];
+  return a == b || find(std::min(row_a, row_b), std::max(row_a, row_b)) < columns_.size();
+}
+
+void BlockLdlt::set_zero() {
+  std::fill(blocks_.begin(), blocks_.end(), Block{});
+  std::fill(diagonals_.begin(), diagonals_.end(), Diagonal{});
+  std::fill(held_.begin(), held_.end(), 0);
+}
+
+void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
+  int row = row_of_[at(a)];
+  int column = row_of_[at(b)];
+  if (row > column) {
+    std::swap(row, column);
+    std::swap(xy, yx);
+  }
+  const std::size_t place = find(row, column);
+  assert(place < columns_.size());
+  Block& block = blocks_[place];
+  block.xx += xx;
+  block.xy += xy;
+  block.yx += yx;
+  block.yy += yy;
+}
+
+void BlockLdlt::add(int a, double xx, double xy, double yy) {
+  Diagonal& diagonal = diagonals_[at(row_of_[at(a)])];
+  diagonal.xx += xx;
+  diagonal.xy += xy;
+  diagonal.yy += yy;
+}
+
+bool BlockLdlt::solve(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
+  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!eliminate(k)) return false;
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    const Diagonal& inverse = diagonals_[k];
+    const Vec2 r = right_side_[k];
+    Vec2 x{inverse.xx * r.x + inverse.xy * r.y, inverse.xy * r.x + inverse.yy * r.y};
+    for (std::size_t i = first_[k + 1]; i-- > first_[k];) {
+      const Block& l = blocks_[i];
+      const Vec2 later = right_side_[at(columns_[i])];
+      x -= {l.xx * later.x + l.xy * later.y, l.yx * later.x + l.yy * later.y};
+    }
+    right_side_[k] = x;
+  }
+  for (std::size_t k = 0; k < n; ++k) b[at(order_[k])] = right_side_[k];
+  return true;
+}
+
+/// With D the row's diagonal block and B_i those right of it: A_ij ← A_ij − B_iᵀ·D⁻¹·B_j for all its columns i ≤ j,
+/// which are coupled with each other, r_i ← r_i − B_iᵀ·D⁻¹·r. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
+bool BlockLdlt::eliminate(std::size_t row) {
+  const std::size_t end = first_[row + 1];
+  if (held_[row] != 0) {
+    diagonals_[row] = {1.0, 0.0, 1.0};
+    std::fill(blocks_.begin() + static_cast<std::ptrdiff_t>(first_[row]),
+              blocks_.begin() + static_cast<std::ptrdiff_t>(end), Block{});
+    return true;
+  }
+  Diagonal& d = diagonals_[row];
+  const double inverse_det = 1.0 / (d.xx * d.yy - d.xy * d.xy);
+  if (!(d.xx > 0.0 && inverse_det > 0.0 && inverse_det < std::numeric_limits<double>::infinity())) return false;
+  const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
+  d = inverse;
+  const Vec2 r = right_side_[row];
+  for (std::size_t i = first_[row]; i < end; ++i) {
+    if (held_[at(columns_[i])] != 0) {
+      blocks_[i] = {};
+      continue;
+    }
+    const Block b = blocks_[i];
+    const Block l{inverse.xx * b.xx + inverse.xy * b.yx, inverse.xx * b.xy + inverse.xy * b.yy,
+                  inverse.xy * b.xx + inverse.yy * b.yx, inverse.xy * b.xy + inverse.yy * b.yy};
+    const std::size_t target = at(columns_[i]);
+    right_side_[target] -= {l.xx * r.x + l.yx * r.y, l.xy * r.x + l.yy * r.y};
+    Diagonal& diagonal = diagonals_[target];
+    diagonal.xx -= l.xx * b.xx + l.yx * b.yx;
+    diagonal.xy -= l.xx * b.xy + l.yx * b.yy;
+    diagonal.yy -= l.xy * b.xy + l.yy * b.yy;
+    std::size_t place = first_[target];
+    for (std::size_t j = i + 1; j < end; ++j) {
+      while (columns_[place] != columns_[j]) ++place;
+      const Block& c = blocks_[j];
+      Block& t = blocks_[place];
+      t.xx -= l.xx * c.xx + l.yx * c.yx;
+      t.xy -= l.xx * c.xy + l.yx * c.yy;
+      t.yx -= l.xy * c.xx + l.yy * c.yx;
+      t.yy -= l.xy * c.xy + l.yy * c.yy;
+    }
+    blocks_[i] = l;
+  }
+  return true;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ribbon/vec2.h"
+
+namespace ribbon {
+
+/// A symmetric matrix of 2 × 2 blocks in any pattern, and the solve of a system with it by LDLᵀ without pivoting, for
+/// what couples further than a band reaches. Slots of the unknowns are eliminated in a given order; eliminating one
+/// couples all later ones that it is coupled with, and the blocks that this fills are part of the pattern. Once it has
+/// been as large as it gets, nothing takes memory.
+class BlockLdlt {
+ public:
+  /// Begins a pattern of diagonal blocks. order[k] is the slot that is eliminated as the k-th; each occurs once.
+  void begin_pattern(std::span<const int> order);
+  /// Adds the blocks of two slots with each other; either way round, and as often as one likes.
+  void couple(int a, int b);
+  /// Completes the pattern by what elimination fills.
+  void end_pattern();
+  bool is_coupled(int a, int b) const;
+  /// How many blocks right of the diagonal there are.
+  std::size_t blocks() const { return columns_.size(); }
+
+  void set_zero();
+  /// Adds [xx, xy; yx, yy] to the block of slots a and b ≠ a, its transpose to that of b and a.
+  void add(int a, int b, double xx, double xy, double yx, double yy);
+  /// Adds a symmetric block to the diagonal.
+  void add(int a, double xx, double xy, double yy);
+  /// Makes the slot's rows and columns those of the identity, until the next set_zero.
+  void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
+
+  /// Overwrites the right-hand side, by slot, with the solution, and the matrix with its factors. False if it is not
+  /// positive definite in double precision; the right-hand side is then undefined.
+  bool solve(std::span<Vec2> b);
+
+ private:
+  struct Block {
+    double xx, xy, yx, yy;
+  };
+  struct Diagonal {
+    double xx, xy, yy;
+  };
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::size_t find(int row, int column) const;
+  bool eliminate(std::size_t row);
+
+  std::vector<int> order_;                     // slot by row
+  std::vector<int> row_of_;                    // row by slot
+  std::vector<std::array<int, 2>> couplings_;  // rows a < b, in any order, some more than once
+  std::vector<std::size_t> coupling_first_;    // by row, while the pattern is made
+  std::vector<int> coupled_;
+  std::vector<int> first_child_, next_child_;
+  std::vector<int> mark_;
+  std::vector<std::size_t> first_;  // of each row in columns_, and the end of the last
+  std::vector<int> columns_;        // rising within a row
+  std::vector<Block> blocks_;
+  std::vector<Diagonal> diagonals_;
+  std::vector<char> held_;
+  std::vector<Vec2> right_side_;
+};
+
+}  // namespace ribbon

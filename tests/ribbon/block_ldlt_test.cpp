@@ -1,0 +1,124 @@
+#include "ribbon/block_ldlt.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace ribbon {
+namespace {
+
+Eigen::Index row(int slot) { return 2 * static_cast<Eigen::Index>(slot); }
+
+/// The same matrix as BlockLdlt and as a dense one of Eigen's.
+struct Pair {
+  BlockLdlt sparse;
+  Eigen::MatrixXd dense;
+};
+
+/// A chain of n slots, some of them coupled with far ones, some held, eliminated in a random order.
+Pair random_pair(int n, int far, std::mt19937& random) {
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  std::uniform_int_distribution<int> slot(0, n - 1);
+  std::vector<int> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<std::pair<int, int>> couplings;
+  for (int k = 0; k + 1 < n; ++k) couplings.emplace_back(k, k + 1);
+  for (int k = 0; k < far; ++k) couplings.emplace_back(slot(random), slot(random));
+
+  Pair pair;
+  pair.sparse.begin_pattern(order);
+  for (const auto& [a, b] : couplings) pair.sparse.couple(a, b);
+  pair.sparse.end_pattern();
+  pair.sparse.set_zero();
+  pair.dense = Eigen::MatrixXd::Zero(row(n), row(n));
+  const double dominant = 2.0 * (far + 4.0);
+  for (int k = 0; k < n; ++k) {
+    const double xy = entry(random);
+    pair.sparse.add(k, dominant, xy, dominant);
+    pair.dense.block<2, 2>(row(k), row(k)) << dominant, xy, xy, dominant;
+  }
+  for (const auto& [a, b] : couplings) {
+    if (a == b) continue;
+    Eigen::Matrix2d block;
+    block << entry(random), entry(random), entry(random), entry(random);
+    pair.sparse.add(a, b, block(0, 0), block(0, 1), block(1, 0), block(1, 1));
+    pair.dense.block<2, 2>(row(a), row(b)) += block;
+    pair.dense.block<2, 2>(row(b), row(a)) += block.transpose();
+  }
+  return pair;
+}
+
+TEST(BlockLdlt, AgreesWithEigenWhateverIsCoupledAndHeld) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  for (const int n : {1, 2, 7, 40}) {
+    for (const int far : {0, 1, 5, 60}) {
+      for (const int held : {-1, 0, n / 2}) {
+        Pair pair = random_pair(n, far, random);
+        std::vector<Vec2> b(static_cast<std::size_t>(n));
+        for (Vec2& value : b) value = {entry(random), entry(random)};
+        if (held >= 0) {
+          pair.sparse.hold(held);
+          b[static_cast<std::size_t>(held)] = {};
+          pair.dense.middleRows(row(held), 2).setZero();
+          pair.dense.middleCols(row(held), 2).setZero();
+          pair.dense.block<2, 2>(row(held), row(held)).setIdentity();
+        }
+        Eigen::VectorXd right(row(n));
+        for (int k = 0; k < n; ++k)
+          right.segment<2>(row(k)) << b[static_cast<std::size_t>(k)].x, b[static_cast<std::size_t>(k)].y;
+        const Eigen::VectorXd expected = pair.dense.ldlt().solve(right);
+        ASSERT_TRUE(pair.sparse.solve(b));
+        for (int k = 0; k < n; ++k) {
+          EXPECT_NEAR(b[static_cast<std::size_t>(k)].x, expected(row(k)), 1e-12);
+          EXPECT_NEAR(b[static_cast<std::size_t>(k)].y, expected(row(k) + 1), 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(BlockLdlt, KnowsWhatEliminationFills) {
+  BlockLdlt matrix;
+  matrix.begin_pattern(std::vector<int>{0, 1, 2, 3});
+  matrix.couple(0, 2);
+  matrix.couple(3, 0);
+  matrix.couple(0, 2);
+  matrix.end_pattern();
+  EXPECT_TRUE(matrix.is_coupled(0, 2));
+  EXPECT_TRUE(matrix.is_coupled(3, 2));
+  EXPECT_FALSE(matrix.is_coupled(0, 1));
+  EXPECT_EQ(matrix.blocks(), 3U);
+  matrix.begin_pattern(std::vector<int>{2, 3, 0, 1});
+  matrix.couple(0, 2);
+  matrix.couple(0, 3);
+  matrix.end_pattern();
+  EXPECT_EQ(matrix.blocks(), 2U);  // 0 last of them: nothing fills
+}
+
+TEST(BlockLdlt, RefusesWhatIsNotPositiveDefinite) {
+  const auto solves = [](double diagonal, double off) {
+    BlockLdlt matrix;
+    matrix.begin_pattern(std::vector<int>{0, 1});
+    matrix.couple(0, 1);
+    matrix.end_pattern();
+    matrix.set_zero();
+    matrix.add(0, diagonal, 0.0, diagonal);
+    matrix.add(1, diagonal, 0.0, diagonal);
+    matrix.add(0, 1, off, 0.0, 0.0, 0.0);
+    std::vector<Vec2> b(2, {1.0, 1.0});
+    return matrix.solve(b);
+  };
+  EXPECT_TRUE(solves(2.0, 1.0));
+  EXPECT_FALSE(solves(1.0, 2.0));
+  EXPECT_FALSE(solves(1.0, 1.0));
+  EXPECT_FALSE(solves(-1.0, 0.0));
+}
+
+}  // namespace
+}  // namespace ribbon
