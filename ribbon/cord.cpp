@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ribbon/chain.h"
+#include "ribbon/island.h"
 #include "ribbon/lattice.h"
 
 namespace ribbon {
@@ -18,8 +19,10 @@ const CordDef& checked(const CordDef& def) {
   return def;
 }
 
+bool is_chain(const CordDef& def) { return def.rows == 1 && def.bending_stiffness == 0.0; }
+
 std::unique_ptr<Elasticity> make_elasticity(const CordDef& def) {
-  if (def.rows == 1 && def.bending_stiffness == 0.0) return std::make_unique<Chain>(def);
+  if (is_chain(def)) return std::make_unique<Chain>(def);
   return std::make_unique<Lattice>(def);
 }
 
@@ -35,6 +38,19 @@ std::vector<Vec2> start_positions(const CordDef& def) {
   return straight;
 }
 
+/// A rope from end to end, a ribbon around, below from its start to its end and back above.
+std::vector<int> outline_of(const CordDef& def) {
+  std::vector<int> outline;
+  const int n = def.points;
+  const int rows = def.rows;
+  for (int i = 0; i < n; ++i) outline.push_back(i * rows);
+  if (rows == 1) return outline;
+  for (int j = 1; j < rows; ++j) outline.push_back((n - 1) * rows + j);
+  for (int i = n - 2; i >= 0; --i) outline.push_back(i * rows + rows - 1);
+  for (int j = rows - 2; j > 0; --j) outline.push_back(j);
+  return outline;
+}
+
 }  // namespace
 
 CordReport& CordReport::operator+=(const CordReport& other) {
@@ -44,6 +60,7 @@ CordReport& CordReport::operator+=(const CordReport& other) {
   fallbacks += other.fallbacks;
   energy_gains += other.energy_gains;
   halvings += other.halvings;
+  impacts += other.impacts;
   unlocked += other.unlocked;
   unconverged += other.unconverged;
   return *this;
@@ -59,32 +76,26 @@ Cord::Cord(const CordDef& def)
       kinds_(positions_.size(), PointKind::free),
       tensions_(elasticity_->tension_count()),
       rest_(slot(def.points) - 1, def.length / (def.points - 1)),
-      constrained_(positions_.size()),
-      starts_(positions_),
-      drives_(velocities_),
-      x0_(positions_),
-      v0_(velocities_),
-      tension0_(tensions_),
-      x_start_(positions_),
-      v_start_(velocities_),
-      tension_start_(tensions_),
-      x1_(positions_),
-      v1_(velocities_),
-      predicted_(positions_),
-      velocity_(velocities_),
-      guess_(positions_),
-      tension_guess_(tensions_),
-      inertia_(positions_.size()),
-      force_(positions_.size()),
-      direction_(positions_.size()),
-      trial_(positions_.size()),
-      next_(tensions_),
-      most_tensions_(tensions_) {
+      outline_(outline_of(def)),
+      alone_(std::make_unique<Island>()) {
   for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
   elasticity_->set_rest_lengths(rest_);
   elasticity_->find_tensions(positions_, tensions_);
+  if (is_chain(def)) bars_ = std::make_unique<Lattice>(def);
   reserve(usual_grips);
+}
+
+Cord::Cord(Cord&& other) noexcept = default;
+Cord& Cord::operator=(Cord&& other) noexcept = default;
+Cord::~Cord() = default;
+
+/// What its elasticity is as a band, with the rest lengths of now.
+Lattice& Cord::lattice() { return bars_ ? *bars_ : static_cast<Lattice&>(*elasticity_); }
+
+CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
+  const IslandCord alone{this, surroundings};
+  return alone_->step({&alone, 1}, surroundings.bodies, dt, gravity);
 }
 
 /// An equal share of each link or cell around the point.
@@ -194,39 +205,19 @@ void Cord::reel(int first, int last, double length, double speed) {
 }
 
 void Cord::reserve(std::size_t grips) {
-  const std::size_t held = held_.size();
-  held_.reserve(grips);
-  held_steps_.reserve(grips);
-  carried_.reserve(grips);
   holders_.reserve(grips);
-  set_slots(std::max(grips, held));
-  set_slots(held);
-}
-
-/// Makes every array long enough for the slots of so many bodies.
-void Cord::set_slots(std::size_t bodies) {
-  const std::size_t size = count() + 2 * bodies;
-  for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x_start_, &v_start_, &x1_, &v1_,
-                    &predicted_, &velocity_, &guess_, &force_, &direction_, &trial_}) {
-    all->resize(size);
-  }
-  masses_.resize(size);
-  inertia_.resize(size);
-  constrained_.resize(size);
+  alone_->reserve(*this, grips);
 }
 
 Cord::State Cord::save() const {
-  const auto of_points = [this](const auto& all) {
-    return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count()));
-  };
   const std::span<const char> unlocked = elasticity_->unlocked();
   State state;
-  state.positions = of_points(positions_);
-  state.velocities = of_points(velocities_);
-  state.accelerations = of_points(accelerations_);
+  state.positions = positions_;
+  state.velocities = velocities_;
+  state.accelerations = accelerations_;
   state.targets = targets_;
   state.kinds = kinds_;
-  state.masses = of_points(masses_);
+  state.masses = masses_;
   state.loads = loads_;
   state.tensions = tensions_;
   state.rest = rest_;
@@ -234,6 +225,8 @@ Cord::State Cord::save() const {
   state.rest_speeds = rest_speeds_;
   state.unlocked = {unlocked.begin(), unlocked.end()};
   state.holders = holders_;
+  state.touches = touches_;
+  state.touch_changed = touch_changed_;
   state.ledger = ledger_;
   state.damping_apart = damping_apart_;
   state.restart = restart_;
@@ -297,8 +290,8 @@ void Cord::restore(const State& state) {
   rest_speeds_ = state.rest_speeds;
   std::copy(state.unlocked.begin(), state.unlocked.end(), elasticity_->unlocked().begin());
   holders_ = state.holders;
-  held_.clear();
-  set_slots(0);
+  touches_ = state.touches;
+  touch_changed_ = state.touch_changed;
   ledger_ = state.ledger;
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;

@@ -9,9 +9,13 @@
 #include "ribbon/elasticity.h"
 #include "ribbon/held_body.h"
 #include "ribbon/rigid_circle.h"
+#include "ribbon/touch.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
+
+class Island;
+class Lattice;
 
 /// What happened in one step, summed over its substeps. All but the first two count what went wrong and was mended,
 /// the last what was not.
@@ -23,6 +27,7 @@ struct CordReport {
   int energy_gains = 0;  ///< substeps taken again, by implicit Euler or to a sharper tolerance, because energy had come
                          ///< from nowhere; not looked for while something drives the cord
   int halvings = 0;      ///< substeps of implicit Euler that had not converged either, taken as two
+  int impacts = 0;       ///< substeps in which somebody began or ceased to touch, taken by implicit Euler and BDF2
   int unlocked = 0;      ///< steps in which cells that were inside out were turned back
   int unconverged = 0;   ///< substeps left as they are after all that
 
@@ -37,13 +42,16 @@ class Cord {
  public:
   /// At rest. Throws DefinitionError where check(def) does.
   explicit Cord(const CordDef& def);
+  Cord(Cord&& other) noexcept;
+  Cord& operator=(Cord&& other) noexcept;
+  ~Cord();
 
   const CordDef& def() const { return def_; }
   int size() const { return def_.points * def_.rows; }
   /// The point i = 0 … points − 1 along the cord, j = 0 … rows − 1 across it, upwards in the initial layout.
   int index(int i, int j) const { return i * def_.rows + j; }
-  std::span<const Vec2> positions() const { return points(positions_); }    ///< m, by index
-  std::span<const Vec2> velocities() const { return points(velocities_); }  ///< m/s, by index
+  std::span<const Vec2> positions() const { return positions_; }    ///< m, by index
+  std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by index
   /// N, of a rope's links or the bars of a ribbon; negative where one is pushed together. Of a ribbon of cells first
   /// those of the cells, column by column, (μ + λ)·area·(|z| − 2) of each [J], then the bars of its spine, if it has
   /// one [N].
@@ -89,11 +97,14 @@ class Cord {
 
   /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of which
   /// no two have the same body) move with it: each is given the impulses that take it to its velocity at the end of the
-  /// step, and is told how far it `moved` and `turned`. Circles are not met yet.
+  /// step, and is told how far it `moved` and `turned`, and so are bodies whose circles and segments touch it.
   CordReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Takes the memory for steps with up to this many grips, so that none takes any later; 4 from the start.
   void reserve(std::size_t grips);
+
+  /// Contacts of the last step with what the step's surroundings gave an id.
+  std::span<const Touch> touches() const { return touches_; }
 
   /// What is remembered of a body that held the cord in the last step.
   struct Holder {
@@ -120,6 +131,8 @@ class Cord {
     std::vector<double> rest_speeds;
     std::vector<char> unlocked;  // by cell, if the cord declares area stiffness
     std::vector<Holder> holders;
+    std::vector<Touch> touches;
+    bool touch_changed = false;  ///< in the last step
     double ledger = 0.0;         ///< J, see CordReport::energy_gains
     bool damping_apart = false;  ///< the tensions are without damping
     bool restart = true;         ///< the accelerations are not those of this state
@@ -131,65 +144,21 @@ class Cord {
   void restore(const State& state);
 
  private:
+  friend class Island;
+
   void check_state(const State& state) const;
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
-  template <typename T>
-  std::span<T> points(std::vector<T>& all) const {
-    return std::span(all).first(count());
-  }
-  template <typename T>
-  std::span<const T> points(const std::vector<T>& all) const {
-    return std::span(all).first(count());
-  }
-  std::size_t center(std::size_t held) const { return count() + 2 * held; }
-  std::size_t angle(std::size_t held) const { return count() + 2 * held + 1; }
-  void set_slots(std::size_t bodies);
+  Lattice& lattice();
   void set_damping_apart();
   void put_damping_back();
-  Energy total_energy() const;
   void drive(int point, Vec2 target, PointKind kind);
   double own_mass(std::size_t point) const;
 
-  void begin_step(double dt, Vec2 gravity, const Surroundings& surroundings);
-  void find_tolerance();
-  void drive_points(double dt);
-  void take_hold(double dt, const Surroundings& surroundings);
-  void add_holder(const Grip& grip, const RigidBody& body);
-  void wind(double dt);
-  void finish_step(double dt, const Surroundings& surroundings, CordReport& report);
-  void let_go(double dt, const Surroundings& surroundings);
-  void damp_deformation();
-
-  void substep(double start, double dt, CordReport& report);
-  void begin_substep();
-  void return_to_start();
-  bool second_order(double start, double dt, const Energy& before, CordReport& report);
-  bool gained_energy(const Energy& before, double tolerated);
-  void account(const Energy& before);
-  double energy_scale(const Energy& energy) const;
-  bool tr_bdf2(double start, double dt, CordReport& report);
-  bool sdirk2(double start, double dt, CordReport& report);
-  bool implicit_euler(double start, double dt, CordReport& report);
-  bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
-  bool halves(double start, double dt, int depth, int most_iterations, CordReport& report);
-
-  bool solve_stage(double time, double q, CordReport& report);
-  void place_driven(double time);
-  void add_drag(double q);
-  double furthest() const;
-  bool newton_step(Stage& stage);
-  void move(std::span<Vec2> x, double share) const;
-  void close_arms(std::span<Vec2> x) const;
-  bool full_steps(Stage& stage, CordReport& report);
-  bool searched_steps(Stage& stage, CordReport& report);
-  double merit(const Stage& stage, std::span<const Vec2> x);
-
   CordDef def_;
   std::unique_ptr<Elasticity> elasticity_;
+  std::unique_ptr<Lattice> bars_;  // the same terms as a band, where elasticity_ is a chain
 
-  // Of the points; and behind them, in the order of held_, two slots of each body that holds one: its centre of mass,
-  // and (φ, 0) of the angle it has turned by in the step. The integrators make no difference between them.
   std::vector<Vec2> positions_;
   std::vector<Vec2> velocities_;
   std::vector<Vec2> accelerations_;
@@ -203,39 +172,14 @@ class Cord {
   std::vector<double> rest_speeds_;   // m/s, how fast
   double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
   std::vector<Holder> holders_;
+  std::vector<Touch> touches_;
+  bool touch_changed_ = false;  // in the last step
   bool damping_apart_ = false;  // tensions_ are the elastic ones alone, for velocities may be changed
   bool restart_ = true;         // accelerations_ are not those of this state
 
-  // The step's own: nothing below outlives one.
-  Vec2 gravity_;
-  double step_dt_ = 0.0;
-  double tolerance_ = 0.0;        // m, of this step
-  double least_tolerance_ = 0.0;  // m
-  bool driven_ = false;           // something moves or turns the cord that the energy guard does not know
-  bool winding_ = false;          // a reel changes rest lengths
-  bool arriving_ = false;         // and stops
-  bool unlocking_ = false;
-  Energy energy_after_;
-  double weight_scale_ = 0.0;   // J, M·g·L
-  std::vector<HeldBody> held_;  // by point, ascending
-  std::vector<HeldStep> held_steps_;
-  std::vector<CarriedLoad> carried_;
-  std::vector<char> constrained_;
-  std::vector<Vec2> starts_, drives_;          // of driven points: where the step found them, and their velocity
-  std::vector<double> rest_start_, rest_end_;  // while something is reeled
-  std::vector<Vec2> x0_, v0_;                  // at the start of the substep
-  std::vector<double> tension0_;
-  std::vector<Vec2> x_start_, v_start_;  // the same, while it is taken by halves
-  std::vector<double> tension_start_;
-  std::vector<Vec2> x1_, v1_;               // after its first stage
-  std::vector<Vec2> predicted_, velocity_;  // x̃ and ṽ of the stage
-  std::vector<Vec2> guess_;                 // where the stage's Newton steps begin
-  std::vector<double> tension_guess_;
-  std::vector<double> inertia_;
-  std::vector<Vec2> force_;
-  std::vector<Vec2> direction_, trial_;
-  std::vector<double> next_;
-  std::vector<double> most_tensions_;
+  std::vector<double> rest_start_, rest_end_;  // of this step, while something is reeled
+  std::vector<int> outline_;                   // points around which the cord is touched, in order
+  std::unique_ptr<Island> alone_;              // for steps by itself
 };
 
 }  // namespace ribbon

@@ -56,6 +56,9 @@ struct CordDef {
   double damping = 0.0;       ///< s, 0 … 1e3: damping forces are this times the rate of the elastic ones
   double drag = 0.0;          ///< 1/s, 0 … 1e6, rate at which the cord's own motion dies away
   bool tension_only = false;  ///< a rope whose links pull and never push
+  double friction = 0.0;      ///< μ of its surface, 0 … 10; with another's √(μ₁·μ₂) holds, as in Box2D
+  double restitution = 0.0;   ///< 0 … 1; with another's the greater holds, as in Box2D
+  bool self_contact = false;  ///< it does not pass through itself
   Elements elements = Elements::cells;
   Accuracy accuracy;
 

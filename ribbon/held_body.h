@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "ribbon/rigid_circle.h"
 #include "ribbon/stage.h"
 
@@ -19,14 +22,18 @@ Vec2 rotation(double angle);
 /// A body that does not turn has D = ∞.
 struct HeldBody {
   std::size_t point = 0;
-  int body = 0;        ///< index into the step's bodies
-  bool turns = true;   ///< its moment of inertia is finite
-  Vec2 arm;            ///< s at the start of the step, m
-  Vec2 travel;         ///< of the hand on the body during the step, m, in the directions of its start
-  Vec2 acceleration;   ///< m/s², free motion
-  double share = 0.0;  ///< of the step that has gone by at the end of the stage, 0 … 1
+  std::size_t next = 0;  ///< between this point and `point` it is held,
+  double along = 0.0;    ///< at this share of the way
+  int rigid = 0;         ///< index into the step's bodies,
+  std::size_t body = 0;  ///< and among those solved with the cord
+  bool turns = true;     ///< its moment of inertia is finite
+  Vec2 arm;              ///< s at the start of the step, m
+  Vec2 travel;           ///< of the hand on the body during the step, m, in the directions of its start
+  double share = 0.0;    ///< of the step that has gone by at the end of the stage, 0 … 1
 
   Vec2 arm_at(double angle) const;
+  /// Where the cord is held, m.
+  Vec2 hold(std::span<const Vec2> x) const { return x[point] + along * (x[next] - x[point]); }
 };
 
 /// A body's part in a Newton step.

@@ -42,6 +42,9 @@ Terms declared_terms(const CordDef& def) {
 
 Lattice::Lattice(const CordDef& def)
     : damping_(def.damping),
+      reach_(def.rows > 1                  ? def.rows + 1
+             : def.bending_stiffness > 0.0 ? 2
+                                           : 1),
       terms_(declared_terms(def)),
       constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
       matrix_(constant_),
@@ -84,14 +87,23 @@ Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
 /// Hessian, its geometric stiffness by the tensions of the iteration before, r the residual of the stage.
 bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                           std::span<Vec2> direction, std::span<double> next) {
-  const NewtonSystem system{shape(stage, x), matrix_, direction};
+  assemble(stage, x, tensions, direction);
+  hold_constrained(stage, direction);
+  if (!solve(direction)) return false;
+  update(stage, x, tensions, direction, next);
+  return true;
+}
+
+void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                       std::span<Vec2> force) {
+  const NewtonSystem system{shape(stage, x), matrix_, force};
   matrix_.set_scaled(constant_, system.stiffening);
   for (std::size_t p = 0; p < x.size(); ++p) {
-    direction[p] = stage.residual(p, x[p]);
+    force[p] = stage.residual(p, x[p]);
     system.add(static_cast<int>(p), static_cast<int>(p), {stage.inertia[p], 0.0, stage.inertia[p]});
   }
   for (const CarriedLoad& load : stage.carried) {
-    direction[load.point] += load.residual;
+    force[load.point] += load.residual;
     system.add(static_cast<int>(load.point), static_cast<int>(load.point), load.stiffness);
   }
   std::size_t first = 0;
@@ -99,15 +111,30 @@ bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span
     term->load(system, tensions.subspan(first, term->tension_count()));
     first += term->tension_count();
   }
-  hold_constrained(stage, direction);
-  if (!solve(direction)) return false;
-  first = 0;
+}
+
+void Lattice::add_to(BlockLdlt& blocks, int first) const {
+  const int n = matrix_.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    const double* upper = matrix_.row(2 * p);
+    const double* lower = matrix_.row(2 * p + 1);
+    blocks.add(first + p, upper[0], upper[1], lower[0]);
+    for (int k = 1; k <= reach_ && p + k < n; ++k) {
+      const int q = 2 * k;
+      blocks.add(first + p, first + p + k, upper[q], upper[q + 1], lower[q - 1], lower[q]);
+    }
+  }
+}
+
+void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                     std::span<const Vec2> direction, std::span<double> next) {
+  const NewtonSystem system{shape(stage, x), matrix_, {}};
+  std::size_t first = 0;
   for (const auto& term : terms_) {
     const std::size_t count = term->tension_count();
     term->update(system, tensions.subspan(first, count), direction, next.subspan(first, count));
     first += count;
   }
-  return true;
 }
 
 /// A constrained point's rows and columns become those of the identity.

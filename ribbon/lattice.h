@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ribbon/banded_ldlt.h"
+#include "ribbon/block_ldlt.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/elasticity.h"
 #include "ribbon/term.h"
@@ -22,6 +23,14 @@ class Lattice final : public Elasticity {
   void set_rest_lengths(std::span<const double> lengths) override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
+  /// The same in parts, for what solves it together with others: the system's matrix and its right-hand side, without
+  /// holding constrained points; the matrix as blocks of slots from `first` on; the tensions after the step.
+  void assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, std::span<Vec2> force);
+  void add_to(BlockLdlt& blocks, int first) const;
+  void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+              std::span<const Vec2> direction, std::span<double> next);
+  /// How many points further than a point are coupled with it.
+  int reach() const { return reach_; }
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
   double energy(const Motion& at, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
@@ -33,6 +42,7 @@ class Lattice final : public Elasticity {
   bool solve(std::span<Vec2> residual);
 
   double damping_;  // s
+  int reach_;
   std::vector<std::unique_ptr<Term>> terms_;
   std::size_t tension_count_ = 0;
   BandedMatrix constant_;  // the Hessian's part that only rest lengths change

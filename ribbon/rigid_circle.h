@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "ribbon/vec2.h"
@@ -19,6 +20,7 @@ struct RigidBody {
   double angular_impulse = 0.0;   ///< N·m·s, the same about the centre of mass
   Vec2 moved;                     ///< m, in the step of the cord that it holds; of no meaning for other bodies
   double turned = 0.0;            ///< rad, in the same step
+  bool met = false;               ///< the direct solver has moved it with a cord
 };
 
 /// A circle fixed to a body.
@@ -26,14 +28,30 @@ struct RigidCircle {
   int body = 0;         ///< index into the step's bodies
   Vec2 offset;          ///< m, from the body's centre of mass to the circle's centre, world directions
   double radius = 0.0;  ///< m, above 0
+  // Of the direct solver's contact:
+  double friction = 0.0;     ///< of its surface, 0 … 10
+  double restitution = 0.0;  ///< 0 … 1
+  std::uint64_t id = 0;      ///< the same from step to step, so that what touches it is remembered
 };
 
-/// A body that holds a point of the cord.
+/// A straight edge fixed to a body, without its ends: give those as circles of the same radius.
+struct RigidSegment {
+  int body = 0;         ///< index into the step's bodies
+  Vec2 a;               ///< m, from the body's centre of mass, world directions
+  Vec2 b;               ///< m
+  double radius = 0.0;  ///< m, 0 or more
+  double friction = 0.0;
+  double restitution = 0.0;
+  std::uint64_t id = 0;
+};
+
+/// A body that holds a cord at a point, or between two.
 struct Grip {
-  int point = 0;  ///< index of the cord's point
-  int body = 0;   ///< index into the step's bodies
-  Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
-  Vec2 travel{};  ///< m, how far the hand moves on the body during the step, evenly
+  int point = 0;       ///< index of the cord's point
+  int body = 0;        ///< index into the step's bodies
+  Vec2 offset;         ///< m, from the body's centre of mass to the hand, world directions
+  Vec2 travel{};       ///< m, how far the hand moves on the body during the step, evenly
+  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1: of the direct solver only
 };
 
 /// What a cord meets in one step.
@@ -41,6 +59,7 @@ struct Surroundings {
   std::span<RigidBody> bodies = {};
   std::span<const RigidCircle> circles = {};
   std::span<const Grip> grips = {};
+  std::span<const RigidSegment> segments = {};  ///< met by the direct solver only
 };
 
 }  // namespace ribbon

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "ribbon/block_ldlt.h"
+#include "ribbon/gap.h"
+#include "ribbon/touch.h"
+
+namespace ribbon {
+
+/// A spot fixed to a body. `center` is the slot of the body's centre of mass, the next one that of its angle; −1 for a
+/// body that nothing pushes, whose spot goes from `here` to `goal` in a stage.
+struct Spot {
+  int center = -1;
+  Vec2 arm;  ///< m, from the centre of mass, as the step found it
+  // Of one that nothing pushes:
+  Vec2 from;             ///< m, its body's centre of mass when the step began
+  Vec2 velocity;         ///< m/s, and the body's
+  double turning = 0.0;  ///< rad/s
+  Vec2 here;             ///< m, where it is
+  Vec2 goal;             ///< m, and where it is at the end of the stage
+  double turned = 0.0;   ///< rad, since the step began
+  double turned_goal = 0.0;
+};
+
+/// A disc and a segment that may touch in a substep. Their places are anchors: a point of a cord by its slot, or behind
+/// the points a spot.
+struct ContactPair {
+  int disc = 0;
+  int a = 0;
+  int b = 0;
+  int before = -1;           ///< the anchor before a on what the segment is part of, −1 where that ends there
+  int after = -1;            ///< the same after b
+  bool ends = true;          ///< false where the segment's ends are somebody else's
+  bool mutual = false;       ///< the disc is a point whose own links meet the segment's ends: one of both counts
+  double reach = 0.0;        ///< m, the radii together
+  double disc_radius = 0.0;  ///< m
+  double stiffness = 0.0;    ///< k, N/m
+  double friction = 0.0;     ///< μ
+  double restitution = 0.0;
+  std::size_t cord = 0;  ///< that remembers it
+  Touch touch;
+};
+
+/// Contact as a term of the solve: each pair that is nearer than its reach has the energy ½·k·(reach − d)², and Coulomb
+/// friction by an anchored spring of k/10 that slides where it would pull with more than μ times the normal force
+/// (return mapping; Wriggers 2006, 5.2). One contact a local minimum of the distance: a vertex is touched only if both
+/// its segments end there.
+class Contacts {
+ public:
+  /// Forgets all pairs and spots; points are the anchors before the spots.
+  void clear(std::size_t points);
+  int add(const Spot& spot);
+  void add(const ContactPair& pair) { pairs_.push_back(pair); }
+  bool empty() const { return pairs_.empty(); }
+  std::span<ContactPair> pairs() { return pairs_; }
+  std::span<Spot> spots() { return spots_; }
+
+  /// Begins a substep: where everything is now is from where friction slides.
+  void begin(std::span<const Vec2> x);
+  /// Finds out who touches at x, with the bodies' slots behind the points. True if others do than the last time.
+  bool evaluate(std::span<const Vec2> x);
+  /// Whether anybody touches, as evaluated last.
+  bool any() const { return !active_.empty(); }
+  /// Whether others touch at x than when the substep began.
+  bool change(std::span<const Vec2> x);
+  /// The same, as evaluated last.
+  bool changed() const { return touching_ != first_; }
+  /// Remembers the forces and friction's anchors at x.
+  void finish(std::span<const Vec2> x, double dt);
+
+  /// J, of those who touch at x, as evaluated last: their friction by the forces of the last linear solve.
+  double potential(std::span<const Vec2> x);
+  /// J, of those who touch, as evaluated last.
+  double energy() const;
+  /// The largest share of the way from x to `to` on which nobody comes nearer than nine tenths of his reach; who is
+  /// nearer already may come two hundredths nearer (conservative advancement, Mirtich 1996). `led` moves bodies that
+  /// nothing pushes towards their goals too. At most `most`.
+  double free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most);
+  /// Takes bodies that nothing pushes to where they are `time` after the step began, or sets that as their goal, or
+  /// moves them a share of what is left of their way.
+  void place_led(double time);
+  void aim(double time);
+  void lead(double share);
+
+  /// The blocks that those who touch couple.
+  bool are_coupled(const BlockLdlt& matrix) const;
+  void couple(BlockLdlt& matrix) const;
+  /// Tells visit(body's centre slot, point's slot) who touches whom.
+  template <typename Visit>
+  void for_each_touched(Visit&& visit) const {
+    for (const Active& active : active_) {
+      const ContactPair& pair = pairs_[active.pair];
+      for (const int body : {pair.disc, pair.a, pair.b}) {
+        if (!is_moved_spot(body)) continue;
+        for (const int point : {pair.disc, pair.a, pair.b}) {
+          if (at(point) < points_) visit(spot(body).center, point);
+        }
+      }
+    }
+  }
+  /// Adds forces and the positive semidefinite part of the Hessian, at x as evaluated last.
+  void load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force);
+  /// After a linear solve: what the normal forces are by it.
+  void update(std::span<const Vec2> direction);
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  /// A row of derivatives: by slot.
+  struct Row {
+    std::array<int, 4> slot;
+    std::array<Vec2, 4> by;
+    int size = 0;
+    void add(int s, Vec2 d);
+    double along(std::span<const Vec2> step) const;
+    std::span<const int> slots() const { return std::span(slot).first(at(size)); }
+    std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
+  };
+  struct Active {
+    std::size_t pair;
+    Gap gap;
+  };
+
+  const Spot& spot(int anchor) const { return spots_[at(anchor) - points_]; }
+  bool is_moved_spot(int anchor) const { return at(anchor) >= points_ && spot(anchor).center >= 0; }
+  void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
+  void find_touching(std::span<const Vec2> x);
+  bool is_minimum(const ContactPair& pair, const Gap& gap) const;
+  void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
+  Vec2 lever(int anchor, std::span<const Vec2> x) const;
+  Row normal_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
+  Row tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
+  Row turning_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
+  double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
+  double free_share(const ContactPair& pair, double most) const;
+  Row slots_of(const ContactPair& pair) const;
+
+  std::size_t points_ = 0;
+  std::vector<Spot> spots_;
+  std::vector<ContactPair> pairs_;
+  std::vector<Active> active_;
+  std::vector<double> forces_;            // N, by pair, after the last linear solve
+  std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve
+  std::vector<char> touching_, touched_;  // by pair: as evaluated last, and before
+  std::vector<char> first_;               // when the substep began
+  std::vector<double> turned_then_;       // by spot, when the substep began
+  std::vector<Vec2> anchors_, starts_;    // where they are, and were when the substep began
+  std::vector<Vec2> slots_then_;          // the slots when the substep began
+  std::vector<Vec2> from_, to_;           // of free_way
+};
+
+}  // namespace ribbon

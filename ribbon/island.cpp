@@ -1,0 +1,361 @@
+#include "ribbon/island.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "ribbon/complex.h"
+#include "ribbon/lattice.h"
+
+// How a step begins and ends: what the cords have, who drives and holds them, and what they and the bodies get back.
+
+namespace ribbon {
+namespace {
+
+constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
+constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
+constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
+constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
+constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
+constexpr double wider_room = 8.0;        // times the room, in which contacts were looked for, if it was left
+constexpr double most_room = 500.0;
+
+Accuracy sharper(const Accuracy& a, const Accuracy& b) {
+  return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator, std::max(a.substeps, b.substeps),
+          std::max(a.max_iterations, b.max_iterations), std::min(a.tolerance, b.tolerance)};
+}
+
+}  // namespace
+
+CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity) {
+  assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
+  gravity_ = gravity;
+  step_dt_ = dt;
+  rigid_ = bodies;
+  CordReport report;
+  for (double room = 1.0;; room *= wider_room) {
+    begin_step(cords, dt, room);
+    const double substep_dt = dt / accuracy_.substeps;
+    for (int n = 0; n < accuracy_.substeps; ++n) substep(n * substep_dt, substep_dt, report);
+    if (room > most_room || !left_room()) break;
+  }
+  finish_step(dt, report);
+  return report;
+}
+
+void Island::begin_step(std::span<const IslandCord> cords, double dt, double room) {
+  driven_ = winding_ = unlocking_ = restart_ = false;
+  ledger_ = 0.0;
+  members_.clear();
+  bodies_.clear();
+  held_.clear();
+  count_ = 0;
+  std::size_t tensions = 0;
+  accuracy_ = cords[0].cord->def_.accuracy;
+  for (const IslandCord& cord : cords) {
+    const std::size_t size = cord.cord->count();
+    members_.push_back(
+        {cord.cord, cord.met, count_, size, tensions, cord.cord->tensions_.size(), held_.size(), held_.size()});
+    count_ += size;
+    tensions += cord.cord->tensions_.size();
+    accuracy_ = sharper(accuracy_, cord.cord->def_.accuracy);
+  }
+  set_sizes(count_, tensions);
+  for (const Member& member : members_) take_over(member);
+  find_tolerance();
+  for (Member& member : members_) {
+    drive_points(member, dt);
+    take_hold(member);
+    wind(member, dt);
+    member.cord->put_damping_back();
+    std::copy(member.cord->tensions_.begin(), member.cord->tensions_.end(),
+              tensions_.begin() + static_cast<std::ptrdiff_t>(member.first_tension));
+    unlocking_ = member.cord->elasticity_->unlock(member.cord->positions_) || unlocking_;
+  }
+  find_contacts(dt, room);
+  set_sizes(count_ + 2 * bodies_.size(), tensions + 2 * held_.size());
+  place_bodies();
+  for (const Member& member : members_) remember_bodies(member);
+  together_ = !is_alone();
+  if (!contacts_.empty()) step_start_ = positions_;
+  driven_ = driven_ || unlocking_;
+  double mass = 0.0;
+  double longest = 0.0;
+  for (const Member& member : members_) longest = std::max(longest, member.cord->def_.length);
+  for (std::size_t p = 0; p < count_; ++p) mass += masses_[p];
+  for (std::size_t k = 0; k < bodies_.size(); ++k) mass += masses_[center(k)];
+  weight_scale_ = mass * length(gravity_) * longest;
+}
+
+/// Whether it is one cord of which every body holds another point, so that its own elasticity can do the solve.
+bool Island::is_alone() const {
+  if (members_.size() != 1 || held_.size() != bodies_.size()) return false;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    if (held_[k].body != k || held_[k].along != 0.0) return false;
+    if (k > 0 && held_[k].point <= held_[k - 1].point) return false;
+  }
+  return true;
+}
+
+/// Makes every array long enough.
+void Island::set_sizes(std::size_t slots, std::size_t tensions) {
+  for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x_start_, &v_start_, &x1_, &v1_,
+                    &predicted_, &velocity_, &guess_, &force_, &direction_, &trial_, &starts_, &drives_}) {
+    all->resize(slots);
+  }
+  for (auto* all : {&tensions_, &tension0_, &tension_start_, &tension_guess_, &next_, &most_tensions_}) {
+    all->resize(tensions);
+  }
+  masses_.resize(slots);
+  inertia_.resize(slots);
+  constrained_.resize(slots);
+  held_steps_.resize(held_.size());
+  carried_.resize(held_.size());
+}
+
+void Island::reserve(const Cord& cord, std::size_t grips) {
+  const std::size_t slots = cord.count() + 2 * grips;
+  held_.reserve(grips);
+  bodies_.reserve(grips);
+  held_steps_.reserve(grips);
+  carried_.reserve(grips);
+  members_.reserve(1);
+  set_sizes(slots, cord.tensions_.size() + 2 * grips);
+}
+
+void Island::take_over(const Member& member) {
+  Cord& cord = *member.cord;
+  cord.set_damping_apart();
+  const auto to = static_cast<std::ptrdiff_t>(member.first);
+  std::copy(cord.positions_.begin(), cord.positions_.end(), positions_.begin() + to);
+  std::copy(cord.velocities_.begin(), cord.velocities_.end(), velocities_.begin() + to);
+  std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
+  std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
+  ledger_ += cord.ledger_;
+  restart_ = restart_ || cord.restart_;
+}
+
+/// A tolerance above a fifth of a link would not hold it, one below what a coordinate can resolve could not be met.
+void Island::find_tolerance() {
+  tolerance_ = accuracy_.tolerance;
+  least_tolerance_ = 0.0;
+  for (const Member& member : members_) {
+    const Cord& cord = *member.cord;
+    const Vec2 x = cord.positions_[0];
+    const double largest = std::abs(x.x) + std::abs(x.y) + cord.def_.length;  // of a coordinate, about
+    least_tolerance_ = std::max(least_tolerance_, resolved_digits * std::numeric_limits<double>::epsilon() * largest);
+    double shortest = cord.def_.length / (cord.def_.points - 1);
+    for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
+      shortest = std::min({shortest, cord.rest_[e], cord.rest_targets_[e]});
+    }
+    tolerance_ = std::min(tolerance_, loosest_share * shortest);
+  }
+  tolerance_ = std::max(tolerance_, least_tolerance_);
+}
+
+void Island::drive_points(const Member& member, double dt) {
+  for (std::size_t i = 0; i < member.count; ++i) {
+    const std::size_t p = member.first + i;
+    constrained_[p] = member.cord->kinds_[i] == PointKind::free ? 0 : 1;
+    if (constrained_[p] != 0) drive(p, (1.0 / dt) * (member.cord->targets_[i] - positions_[p]));
+  }
+}
+
+void Island::drive(std::size_t p, Vec2 velocity) {
+  constrained_[p] = 1;
+  starts_[p] = positions_[p];
+  drives_[p] = velocity;
+  driven_ = driven_ || !(drives_[p] == Vec2{});
+  restart_ = restart_ || !(velocities_[p] == drives_[p]);
+  velocities_[p] = drives_[p];
+}
+
+/// Bodies that nothing pushes drive the points that they hold, the others are solved with the cord.
+void Island::take_hold(Member& member) {
+  member.first_hold = held_.size();
+  for (const Grip& grip : member.met.grips) {
+    const RigidBody& body = rigid_[at(grip.body)];
+    if (body.inverse_mass > 0.0) {
+      add_hold(member, grip);
+    } else if (const std::size_t p = member.first + at(grip.point); constrained_[p] == 0) {
+      const Vec2 hand = times(rotation(step_dt_ * body.angular_velocity), grip.offset + grip.travel);
+      drive(p, (1.0 / step_dt_) * (body.position + step_dt_ * body.velocity + hand - positions_[p]));
+    }
+  }
+  member.last_hold = held_.size();
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) held_[k].body = body_slot(held_[k].rigid);
+}
+
+/// The arm begins where the cord is, so that nothing jumps, and ends at the hand, or as much nearer as a point may be
+/// drawn in a step.
+void Island::add_hold(Member& member, const Grip& grip) {
+  const RigidBody& body = rigid_[at(grip.body)];
+  const Cord& cord = *member.cord;
+  HeldBody held;
+  held.point = member.first + at(grip.point);
+  held.next = held.point;
+  if (grip.along > 0.0) {
+    held.along = grip.along;
+    held.next += at(cord.def_.rows);
+  }
+  held.rigid = grip.body;
+  held.turns = body.inverse_inertia > 0.0;
+  held.arm = held.hold(positions_) - body.position;
+  const Vec2 off = grip.offset - held.arm;
+  const double most = drawn_share * cord.rest_[0];
+  held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
+  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0];
+  const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
+  const auto after = std::upper_bound(first, held_.end(), held.point,
+                                      [](std::size_t point, const HeldBody& other) { return point < other.point; });
+  held_.insert(after, held);
+}
+
+/// Which of the island's bodies this one is; one more, if it is new.
+std::size_t Island::body_slot(int index) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k].index == index) return k;
+  }
+  const RigidBody& body = rigid_[at(index)];
+  bodies_.push_back({index, body.inverse_inertia > 0.0, body.acceleration});
+  return bodies_.size() - 1;
+}
+
+void Island::place_bodies() {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const RigidBody& body = rigid_[at(bodies_[k].index)];
+    positions_[center(k)] = body.position;
+    positions_[angle(k)] = {};
+    velocities_[center(k)] = body.velocity + body.inverse_mass * body.impulse;
+    velocities_[angle(k)] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
+    accelerations_[center(k)] = {};
+    accelerations_[angle(k)] = {};
+    masses_[center(k)] = 1.0 / body.inverse_mass;
+    masses_[angle(k)] = bodies_[k].turns ? 1.0 / body.inverse_inertia : 1.0;
+    constrained_[center(k)] = 0;
+    constrained_[angle(k)] = bodies_[k].turns ? 0 : 1;
+    starts_[angle(k)] = {};
+    drives_[angle(k)] = velocities_[angle(k)];
+  }
+}
+
+/// The acceleration of a body that held the same point in the last step. Another velocity than it was left with, by
+/// something else it met, makes it worthless.
+void Island::remember_bodies(const Member& member) {
+  const auto& holders = member.cord->holders_;
+  restart_ = restart_ || holders.size() != member.last_hold - member.first_hold;
+  for (std::size_t k = member.first_hold; k < member.last_hold && !restart_; ++k) {
+    const Cord::Holder& before = holders[k - member.first_hold];
+    const std::size_t body = held_[k].body;
+    accelerations_[center(body)] = before.acceleration;
+    accelerations_[angle(body)] = {before.angular_acceleration, 0.0};
+    const double jump = length(velocities_[center(body)] - before.velocity);
+    const double turn = std::abs(velocities_[angle(body)].x - before.turning);
+    restart_ = at(before.point) + member.first != held_[k].point ||
+               jump > same_velocity * (1.0 + length(before.velocity)) ||
+               turn > same_velocity * (1.0 + std::abs(before.turning));
+  }
+}
+
+/// Where the reels take the links' rest lengths in this step. One that arrives makes its speed jump.
+void Island::wind(const Member& member, double dt) {
+  Cord& cord = *member.cord;
+  bool winding = false;
+  for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
+    const double left = cord.rest_targets_[e] - cord.rest_[e];
+    const double most = cord.rest_speeds_[e] * dt;
+    cord.rest_start_[e] = cord.rest_[e];
+    cord.rest_end_[e] = std::abs(left) <= most ? cord.rest_targets_[e] : cord.rest_[e] + std::copysign(most, left);
+    winding = winding || left != 0.0;
+    restart_ = restart_ || (left != 0.0 && std::abs(left) <= most);
+  }
+  winding_ = winding_ || winding;
+  driven_ = driven_ || winding;
+}
+
+void Island::finish_step(double dt, CordReport& report) {
+  if (unlocking_) ++report.unlocked;
+  for (const Member& member : members_) finish_member(member);
+  let_go(dt);
+}
+
+void Island::finish_member(const Member& member) {
+  Cord& cord = *member.cord;
+  const auto from = static_cast<std::ptrdiff_t>(member.first);
+  const auto to = from + static_cast<std::ptrdiff_t>(member.count);
+  std::copy(positions_.begin() + from, positions_.begin() + to, cord.positions_.begin());
+  std::copy(velocities_.begin() + from, velocities_.begin() + to, cord.velocities_.begin());
+  std::copy(accelerations_.begin() + from, accelerations_.begin() + to, cord.accelerations_.begin());
+  const auto tension = tensions_.begin() + static_cast<std::ptrdiff_t>(member.first_tension);
+  std::copy(tension, tension + static_cast<std::ptrdiff_t>(member.tensions), cord.tensions_.begin());
+  for (std::size_t p = 0; p < member.count; ++p) {
+    if (cord.kinds_[p] != PointKind::free) cord.positions_[p] = cord.targets_[p];  // to the last bit
+  }
+  cord.ledger_ = ledger_ / static_cast<double>(members_.size());
+  cord.restart_ = restart_;
+  for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
+    cord.restart_ =
+        cord.restart_ || (cord.rest_end_[e] == cord.rest_targets_[e] && cord.rest_start_[e] != cord.rest_end_[e]);
+  }
+  if (!cord.rest_targets_.empty()) {
+    cord.rest_ = cord.rest_end_;
+    cord.elasticity_->set_rest_lengths(cord.rest_);
+  }
+  cord.holders_.clear();
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
+    const std::size_t body = held_[k].body;
+    cord.holders_.push_back({static_cast<int>(held_[k].point - member.first), velocities_[center(body)],
+                             velocities_[angle(body)].x, accelerations_[center(body)], accelerations_[angle(body)].x});
+  }
+  remember_contacts(member);
+  if (!unlocking_) return;
+  cord.set_damping_apart();
+  damp_deformation(member);
+  cord.restart_ = true;
+}
+
+/// Tells the bodies how they moved, and gives them what took them there.
+void Island::let_go(double dt) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    RigidBody& body = rigid_[at(bodies_[k].index)];
+    const Vec2 velocity = velocities_[center(k)];
+    const double turning = velocities_[angle(k)].x;
+    body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - dt * body.acceleration);
+    if (bodies_[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
+    body.moved = positions_[center(k)] - body.position;
+    body.turned = positions_[angle(k)].x;
+    body.met = true;
+  }
+}
+
+/// What crushed or turned cells give back when they open would go on as a swing: half the velocity at which the free
+/// points deform is taken away, and none of that at which they move and turn as one.
+void Island::damp_deformation(const Member& member) {
+  Cord& cord = *member.cord;
+  double mass = 0.0;
+  Vec2 middle;
+  Vec2 momentum;
+  for (std::size_t p = 0; p < member.count; ++p) {
+    mass += cord.masses_[p];
+    middle += cord.masses_[p] * cord.positions_[p];
+    momentum += cord.masses_[p] * cord.velocities_[p];
+  }
+  middle = (1.0 / mass) * middle;
+  const Vec2 mean = (1.0 / mass) * momentum;
+  double inertia = 0.0;
+  double spin = 0.0;
+  for (std::size_t p = 0; p < member.count; ++p) {
+    const Vec2 arm = cord.positions_[p] - middle;
+    inertia += cord.masses_[p] * dot(arm, arm);
+    spin += cord.masses_[p] * cross(arm, cord.velocities_[p]);
+  }
+  const double turning = inertia > 0.0 ? spin / inertia : 0.0;
+  for (std::size_t p = 0; p < member.count; ++p) {
+    if (constrained_[member.first + p] != 0) continue;
+    const Vec2 rigid = mean + turning * perp(cord.positions_[p] - middle);
+    cord.velocities_[p] = 0.5 * (cord.velocities_[p] + rigid);
+  }
+}
+
+}  // namespace ribbon

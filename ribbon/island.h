@@ -1,0 +1,200 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ribbon/block_ldlt.h"
+#include "ribbon/contacts.h"
+#include "ribbon/cord.h"
+#include "ribbon/held_body.h"
+#include "ribbon/quadtree.h"
+#include "ribbon/stage.h"
+
+namespace ribbon {
+
+/// A cord in an island, and what it alone meets.
+struct IslandCord {
+  Cord* cord = nullptr;
+  Surroundings met;  ///< its circles, segments and grips; the bodies are those of all
+};
+
+/// Cords that are solved together, for they hold the same bodies or touch each other: the step of the direct solver. It
+/// keeps memory only, nothing of one step is needed in the next.
+class Island {
+ public:
+  /// Advances the cords by dt seconds. All of them meet the same `bodies`.
+  CordReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity);
+
+  /// Takes the memory for steps of a cord with up to this many grips.
+  void reserve(const Cord& cord, std::size_t grips);
+
+ private:
+  struct Member {
+    Cord* cord;
+    Surroundings met;
+    std::size_t first;          // of its points among all
+    std::size_t count;          // of them
+    std::size_t first_tension;  // among all
+    std::size_t tensions;       // how many
+    std::size_t first_hold;     // of its grips among all, and the end of them
+    std::size_t last_hold;
+  };
+  struct Body {
+    int index;          // into the step's bodies
+    bool turns;         // its moment of inertia is finite
+    Vec2 acceleration;  // m/s², free motion
+  };
+  using Energy = Cord::Energy;
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::size_t count() const { return count_; }
+  std::size_t center(std::size_t body) const { return count_ + 2 * body; }
+  std::size_t angle(std::size_t body) const { return count_ + 2 * body + 1; }
+  template <typename T>
+  static std::span<T> part(std::vector<T>& all, std::size_t first, std::size_t size) {
+    return std::span(all).subspan(first, size);
+  }
+  void set_sizes(std::size_t slots, std::size_t tensions);
+
+  void begin_step(std::span<const IslandCord> cords, double dt, double room);
+  void add_member(const IslandCord& cord);
+  void take_over(const Member& member);
+  void find_tolerance();
+  bool is_alone() const;
+  void drive_points(const Member& member, double dt);
+  void drive(std::size_t slot, Vec2 velocity);
+  void take_hold(Member& member);
+  void add_hold(Member& member, const Grip& grip);
+  std::size_t body_slot(int index);
+  void place_bodies();
+  void remember_bodies(const Member& member);
+  bool left_room() const;
+  void wind(const Member& member, double dt);
+  void finish_step(double dt, CordReport& report);
+  void finish_member(const Member& member);
+  void remember_contacts(const Member& member);
+
+  void find_contacts(double dt, double room);
+  void find_outline(const Member& member);
+  double room_of(const RigidBody& body, Vec2 arm) const;
+  int add_spot(int body, Vec2 arm);
+  double contact_stiffness(const Member& member, double other_mass) const;
+  static int links(const Cord& cord);
+  ContactPair pair_with_link(const Member& member, int k) const;
+  void add_pair(const Member& member, ContactPair& pair, const RigidBody* body, double friction, double restitution,
+                std::uint64_t id, int feature);
+  void meet_circle(const Member& member, const RigidCircle& circle);
+  void meet_segment(const Member& member, const RigidSegment& segment);
+  void meet_itself(const Member& member);
+  void let_go(double dt);
+  void damp_deformation(const Member& member);
+
+  void substep(double start, double dt, CordReport& report);
+  void begin_substep(double start);
+  void return_to_start();
+  bool second_order(double start, double dt, const Energy& before, CordReport& report);
+  bool gained_energy(const Energy& before, double tolerated);
+  void account(const Energy& before);
+  double energy_scale(const Energy& energy) const;
+  Energy total_energy();
+  bool tr_bdf2(double start, double dt, CordReport& report);
+  bool sdirk2(double start, double dt, CordReport& report);
+  bool euler_bdf2(double start, double dt, CordReport& report);
+  bool bdf2_stage(double start, double dt, double gamma, CordReport& report);
+  bool implicit_euler(double start, double dt, CordReport& report);
+  bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
+  bool halves(double start, double dt, int depth, int most_iterations, CordReport& report);
+  bool will_touch(double start, double dt);
+  bool is_good(bool converged, const Energy& before, CordReport& report);
+
+  bool solve_stage(double time, double q, std::span<const Vec2> from, CordReport& report);
+  void place_driven(double time);
+  void load_member(const Member& member, double time, double q);
+  void add_drag(const Member& member, double q);
+  bool free_steps(Stage& stage, CordReport& report);
+  double furthest() const;
+  bool newton_step(Stage& stage);
+  bool newton_step_alone(Stage& stage);
+  bool newton_step_together(Stage& stage);
+  static Stage stage_of(const Stage& all, const Member& member);
+  void make_pattern();
+  void load_holds();
+  void update_holds();
+  std::array<int, 4> hold_slots(const HeldBody& held) const;
+  Vec2 hold_gap(const HeldBody& held, std::span<const Vec2> x) const;
+  Vec2 hold_pull(std::span<const double> tensions, std::size_t hold) const;
+  double hold_stiffness(const HeldBody& held) const;
+  double hold_potential(std::span<const Vec2> x) const;
+  void move(std::span<Vec2> x, double share) const;
+  void close_arms(std::span<Vec2> x) const;
+  bool full_steps(Stage& stage, CordReport& report);
+  bool searched_steps(Stage& stage, CordReport& report);
+  bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
+  void go_led(double& left);
+  bool search(const Stage& stage, double share, bool small);
+  double merit(const Stage& stage, std::span<const Vec2> x);
+
+  // Who is solved, and with what.
+  std::vector<Member> members_;
+  std::span<RigidBody> rigid_;
+  std::vector<Body> bodies_;    // that are solved with the cords
+  std::vector<HeldBody> held_;  // by member and point, ascending
+  std::size_t count_ = 0;       // points of all cords
+  Accuracy accuracy_;           // the best that one of the cords asks for
+  Contacts contacts_;
+  bool together_ = false;  // solved by blocks: not one cord whose bodies hold a point each
+
+  // Of the points of all cords; and behind them, in the order of bodies_, two slots of each: its centre of mass, and
+  // (φ, 0) of the angle it has turned by in the step. The integrators make no difference between them.
+  std::vector<Vec2> positions_;
+  std::vector<Vec2> velocities_;
+  std::vector<Vec2> accelerations_;
+  std::vector<double> masses_;
+  std::vector<double> tensions_;
+  std::vector<char> constrained_;
+  double ledger_ = 0.0;         // J, of the energy guard: lost lately, or gained if negative
+  bool restart_ = false;        // accelerations_ are not those of this state
+  bool touch_changed_ = false;  // in the last substep
+
+  Vec2 gravity_;
+  double step_dt_ = 0.0;
+  double tolerance_ = 0.0;        // m, of this step
+  double least_tolerance_ = 0.0;  // m
+  bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
+  bool winding_ = false;          // a reel changes rest lengths
+  bool unlocking_ = false;
+  double begin_ = 0.0;  // s, of the substep
+  double room_ = 0.0;   // m, how far in a step anything may go that contacts are looked for
+  Energy energy_after_;
+  double weight_scale_ = 0.0;  // J, M·g·L
+  std::vector<HeldStep> held_steps_;
+  std::vector<CarriedLoad> carried_;
+  std::vector<Vec2> starts_, drives_;  // of driven points: where the step found them, and their velocity
+  std::vector<Vec2> x0_, v0_;          // at the start of the substep
+  std::vector<double> tension0_;
+  std::vector<Vec2> x_start_, v_start_;  // the same, while it is taken by halves
+  std::vector<double> tension_start_;
+  std::vector<Vec2> x1_, v1_;               // after its first stage
+  std::vector<Vec2> predicted_, velocity_;  // x̃ and ṽ of the stage
+  std::vector<Vec2> guess_;                 // where the stage's Newton steps begin
+  std::vector<double> tension_guess_;
+  std::vector<double> inertia_;
+  std::vector<Vec2> force_;
+  std::vector<Vec2> direction_, trial_;
+  std::vector<double> next_;
+  std::vector<double> most_tensions_;  // the slopes of the exact penalty
+  std::vector<double> values_;         // of the merit, lately
+  std::vector<Vec2> step_start_;
+  Box reach_;  // of the cord whose contacts are looked for
+  bool has_pattern_ = false;
+
+  // Of the solve by blocks.
+  BlockLdlt blocks_;
+  std::vector<int> order_;
+  std::vector<int> last_point_;  // by body: the last point that it is coupled with
+};
+
+}  // namespace ribbon

@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ribbon/island.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int sharper_tries = 3;  // of a substep of implicit Euler that gained energy
+constexpr int most_work = 2000;   // Newton steps in the halves of a substep
+constexpr int most_halves = 6;    // times a substep of implicit Euler is halved
+
+// Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
+// take back of recent losses, and how much of those is forgotten a substep.
+constexpr double tolerated_gain = 5e-4;
+constexpr double gross_gain = 1e-2;  // what a substep of implicit Euler may: there is nothing more damped to turn to
+constexpr double returnable_share = 2e-3;
+constexpr double ledger_decay = 0.9;
+
+using std::numbers::sqrt2;
+
+}  // namespace
+
+/// One substep from `start` on, s since the step began, and its guard: what Newton does not solve, or what gains energy
+/// all the same, is taken again by implicit Euler, and that by halves.
+void Island::substep(double start, double dt, CordReport& report) {
+  begin_substep(start);
+  const Energy before = driven_ ? Energy{} : total_energy();
+  if (!second_order(start, dt, before, report)) {
+    if (!damped_substep(start, dt, before, report)) ++report.unconverged;
+    if (!driven_) energy_after_ = total_energy();
+  }
+  if (!driven_) account(before);
+  if (contacts_.empty()) return;
+  touch_changed_ = contacts_.changed();
+  contacts_.finish(positions_, dt);
+}
+
+/// False, and back at the start, if the substep is one for implicit Euler. Where somebody begins or ceases to touch,
+/// what is of second order rebounds as nothing does: there implicit Euler goes first, and BDF2 after it.
+bool Island::second_order(double start, double dt, const Energy& before, CordReport& report) {
+  if (accuracy_.integrator == Integrator::implicit_euler || unlocking_) return false;
+  const bool touching = !contacts_.empty() && contacts_.any();
+  const bool calm = !touching && (contacts_.empty() || !will_touch(start, dt));
+  if (calm || (touching && !touch_changed_)) {
+    const bool converged = calm && !restart_ ? tr_bdf2(start, dt, report) : sdirk2(start, dt, report);
+    restart_ = !calm;
+    if (contacts_.empty() || !contacts_.change(positions_)) return is_good(converged, before, report);
+    return_to_start();
+  }
+  restart_ = true;
+  ++report.impacts;
+  return is_good(euler_bdf2(start, dt, report), before, report);
+}
+
+/// If not, back at the start.
+bool Island::is_good(bool converged, const Energy& before, CordReport& report) {
+  if (converged && !gained_energy(before, tolerated_gain)) return true;
+  converged ? ++report.energy_gains : ++report.fallbacks;
+  restart_ = true;  // the acceleration of implicit Euler is one of first order
+  return_to_start();
+  return false;
+}
+
+/// Whether somebody would touch who went on as before, and fell.
+bool Island::will_touch(double start, double dt) {
+  contacts_.aim(start + dt);
+  const Vec2 fall = (dt * dt) * gravity_;
+  for (std::size_t p = 0; p < trial_.size(); ++p) trial_[p] = x0_[p] + dt * v0_[p] + (p < count_ ? fall : Vec2{});
+  for (std::size_t k = 0; k < bodies_.size(); ++k) trial_[center(k)] += (dt * dt) * bodies_[k].acceleration;
+  return contacts_.free_way(x0_, trial_, true, 1.0) < 1.0;
+}
+
+/// Implicit Euler, by halves where it does not converge. Of a stiff cord what the tolerance leaves open, times a
+/// tension, can be energy too: then all of it again to a hundredth of the tolerance.
+bool Island::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
+  const double tolerance = tolerance_;
+  bool converged = false;
+  for (int k = 0;; ++k) {
+    converged = implicit_euler(start, dt, report);
+    if (!converged) {
+      return_to_start();
+      ++report.halvings;
+      x_start_ = x0_;
+      v_start_ = v0_;
+      tension_start_ = tension0_;
+      converged = halves(start, dt, 1, report.iterations + most_work, report);
+      x0_ = x_start_;
+      v0_ = v_start_;
+      tension0_ = tension_start_;
+      begin_ = start;
+    }
+    if (!gained_energy(before, gross_gain)) break;
+    converged = false;
+    if (k == sharper_tries) break;
+    ++report.energy_gains;
+    return_to_start();
+    tolerance_ = std::max(1e-2 * tolerance_, least_tolerance_);
+  }
+  tolerance_ = tolerance;
+  return converged;
+}
+
+void Island::begin_substep(double start) {
+  begin_ = start;
+  x0_ = positions_;
+  v0_ = velocities_;
+  tension0_ = tensions_;
+  if (contacts_.empty()) return;
+  contacts_.place_led(start);
+  contacts_.begin(positions_);
+}
+
+void Island::return_to_start() {
+  contacts_.place_led(begin_);
+  positions_ = x0_;
+  velocities_ = v0_;
+  tensions_ = tension0_;
+}
+
+/// A ledger: what waves lost they may give back in the next substeps, and beyond that a little may come from rounding
+/// and the tolerance, until as much has been lost again. That is all a cord that nothing drives can ever gain.
+bool Island::gained_energy(const Energy& before, double tolerated) {
+  if (driven_) return false;
+  energy_after_ = total_energy();
+  return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
+}
+
+void Island::account(const Energy& before) {
+  const double kept = ledger_ > 0.0 ? ledger_decay * ledger_ : ledger_;
+  const double scale = energy_scale(before);
+  ledger_ =
+      std::clamp(kept + before.total() - energy_after_.total(), -tolerated_gain * scale, returnable_share * scale);
+}
+
+Cord::Energy Island::total_energy() {
+  Energy sum;
+  for (const Member& member : members_) {
+    const Cord& cord = *member.cord;
+    const Motion at{part(positions_, member.first, member.count), part(velocities_, member.first, member.count)};
+    sum.elastic += cord.elasticity_->energy(at, part(tensions_, member.first_tension, member.tensions));
+    for (std::size_t p = 0; p < cord.loads_.size(); ++p) {
+      sum.potential -= dot(cord.loads_[p], positions_[member.first + p]);
+    }
+  }
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    sum.kinetic += 0.5 * masses_[p] * dot(velocities_[p], velocities_[p]);
+  }
+  for (std::size_t p = 0; p < count_; ++p) sum.potential -= masses_[p] * dot(gravity_, positions_[p]);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    sum.potential -= masses_[center(k)] * dot(bodies_[k].acceleration, positions_[center(k)]);
+  }
+  if (!contacts_.empty()) {
+    contacts_.evaluate(positions_);
+    sum.elastic += contacts_.energy();
+  }
+  return sum;
+}
+
+double Island::energy_scale(const Energy& energy) const {
+  return std::max(weight_scale_, energy.kinetic + energy.elastic);
+}
+
+// Every stage has the form x = x̃ + q²·a, v = ṽ + q·a; x̃ is called predicted_ and ṽ velocity_. Its Newton steps begin
+// where positions_ are.
+
+/// Trapezoidal rule over γ·dt, then BDF2 over the whole, γ = 2 − √2, which gives both the same q = γ·dt/2 (Hosea &
+/// Shampine 1996).
+bool Island::tr_bdf2(double start, double dt, CordReport& report) {
+  const double gamma = 2.0 - sqrt2;
+  const double q = 0.5 * gamma * dt;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    velocity_[p] = v0_[p] + q * accelerations_[p];
+    predicted_[p] = x0_[p] + q * (v0_[p] + velocity_[p]);
+    positions_[p] = predicted_[p] + (q * q) * accelerations_[p];
+  }
+  return solve_stage(start + gamma * dt, q, x0_, report) && bdf2_stage(start, dt, gamma, report);
+}
+
+/// The same, its first stage by implicit Euler.
+bool Island::euler_bdf2(double start, double dt, CordReport& report) {
+  const double gamma = 2.0 - sqrt2;
+  return implicit_euler(start, gamma * dt, report) && bdf2_stage(start, dt, gamma, report);
+}
+
+/// From the start of a substep and a stage at γ·dt to its end.
+bool Island::bdf2_stage(double start, double dt, double gamma, CordReport& report) {
+  x1_ = positions_;
+  v1_ = velocities_;
+  const double q = 0.5 * gamma * dt;
+  const double c1 = 1.0 / (gamma * (2.0 - gamma));
+  const double c0 = (1.0 - gamma) * (1.0 - gamma) * c1;
+  const double rest = (1.0 - gamma) * dt;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    velocity_[p] = c1 * v1_[p] - c0 * v0_[p];
+    predicted_[p] = c1 * x1_[p] - c0 * x0_[p] + q * velocity_[p];
+    positions_[p] = x1_[p] + rest * v1_[p] + (0.5 * rest * rest) * accelerations_[p];
+  }
+  return solve_stage(start + dt, q, x1_, report);
+}
+
+/// Two implicit stages at γ·dt and dt, γ = 1 − 1/√2, stiffly accurate (Alexander 1977): of the same order, and for it
+/// needs no acceleration from before, the first step after something was constrained, released, loaded or moved.
+bool Island::sdirk2(double start, double dt, CordReport& report) {
+  const double gamma = 1.0 - 1.0 / sqrt2;
+  const double q = gamma * dt;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    velocity_[p] = v0_[p];
+    predicted_[p] = x0_[p] + q * velocity_[p];
+    positions_[p] = predicted_[p];
+  }
+  if (!solve_stage(start + q, q, x0_, report)) return false;
+  x1_ = positions_;
+  v1_ = velocities_;
+
+  const double rest = (1.0 - gamma) * dt;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    velocity_[p] = v0_[p] + rest * accelerations_[p];
+    predicted_[p] = x0_[p] + rest * v1_[p] + q * velocity_[p];
+    positions_[p] = predicted_[p];
+  }
+  return solve_stage(start + dt, q, x1_, report);
+}
+
+bool Island::implicit_euler(double start, double dt, CordReport& report) {
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    velocity_[p] = v0_[p];
+    predicted_[p] = x0_[p] + dt * velocity_[p];
+    positions_[p] = predicted_[p];
+  }
+  return solve_stage(start + dt, dt, x0_, report);
+}
+
+/// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps are
+/// spent.
+bool Island::halves(double start, double dt, int depth, int most_iterations, CordReport& report) {
+  bool all = true;
+  for (const double from : {start, start + 0.5 * dt}) {
+    begin_substep(from);
+    if (implicit_euler(from, 0.5 * dt, report)) continue;
+    if (depth == most_halves || report.iterations > most_iterations) {
+      all = false;
+      continue;
+    }
+    return_to_start();
+    ++report.halvings;
+    all = halves(from, 0.5 * dt, depth + 1, most_iterations, report) && all;
+  }
+  return all;
+}
+
+}  // namespace ribbon
