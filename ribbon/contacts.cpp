@@ -11,9 +11,11 @@ namespace {
 
 constexpr double friction_share = 0.1;   // of a contact's stiffness, that friction's anchor has
 constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobody comes in a move
+constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
 constexpr double approach_share = 0.98;  // of the distance, if that is less already
 constexpr double arrived_share = 1e-3;   // of the reach: no use in creeping nearer to the limit than this
 constexpr int most_advances = 32;
+constexpr double settled_share = 1e-3;
 
 void add_outer(BlockLdlt& matrix, double factor, std::span<const int> slots, std::span<const Vec2> by) {
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -86,6 +88,19 @@ bool Contacts::evaluate(std::span<const Vec2> x) {
   touched_.swap(touching_);
   find_touching(x);
   return touched_ != touching_;
+}
+
+bool Contacts::is_settled(std::span<const Vec2> x) {
+  if (evaluate(x)) return false;
+  double sum = 0.0;
+  double off = 0.0;
+  for (const Active& active : active_) {
+    const ContactPair& pair = pairs_[active.pair];
+    const double force = pair.stiffness * (pair.reach - active.gap.distance);
+    sum += force;
+    off = std::max(off, std::abs(force - forces_[active.pair]));
+  }
+  return off <= settled_share * sum;
 }
 
 bool Contacts::change(std::span<const Vec2> x) {
@@ -278,12 +293,22 @@ double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, boo
   place(x, false, from_);
   place(to, led, to_);
   double share = most;
-  for (const ContactPair& pair : pairs_) share = std::min(share, free_share(pair, share));
+  for (const ContactPair& pair : pairs_) share = free_share(pair, nearest_share, share);
   return share;
 }
 
+bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) {
+  place(from, false, from_);
+  place(x, false, to_);
+  for (std::size_t k = 0; k < spots_.size(); ++k) {
+    if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
+  }
+  return std::all_of(pairs_.begin(), pairs_.end(),
+                     [this](const ContactPair& pair) { return free_share(pair, passing_share, 1.0) == 1.0; });
+}
+
 /// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.
-double Contacts::free_share(const ContactPair& pair, double most) const {
+double Contacts::free_share(const ContactPair& pair, double share_of_reach, double most) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
   const double speed = std::max(length(disc - way(pair.a)), length(disc - way(pair.b)));
@@ -293,7 +318,7 @@ double Contacts::free_share(const ContactPair& pair, double most) const {
     return gap_between(there(pair.disc), there(pair.a), there(pair.b)).distance;
   };
   double now = distance(0.0);
-  const double nearest = std::min(nearest_share * pair.reach, approach_share * now);
+  const double nearest = std::min(share_of_reach * pair.reach, approach_share * now);
   double share = 0.0;
   for (int k = 0; k < most_advances; ++k) {
     if (now - nearest <= arrived_share * pair.reach && k > 0) break;
@@ -307,6 +332,7 @@ double Contacts::free_share(const ContactPair& pair, double most) const {
 void Contacts::aim(double time) {
   for (Spot& spot : spots_) {
     if (spot.center >= 0) continue;
+    spot.begun = spot.here;
     spot.turned_goal = time * spot.turning;
     spot.goal = spot.from + time * spot.velocity + times(rotation(spot.turned_goal), spot.arm);
   }

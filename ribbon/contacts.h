@@ -19,6 +19,7 @@ struct Spot {
   Vec2 from;             ///< m, its body's centre of mass when the step began
   Vec2 velocity;         ///< m/s, and the body's
   double turning = 0.0;  ///< rad/s
+  Vec2 begun;            ///< m, where it was when the stage began,
   Vec2 here;             ///< m, where it is
   Vec2 goal;             ///< m, and where it is at the end of the stage
   double turned = 0.0;   ///< rad, since the step began
@@ -62,6 +63,8 @@ class Contacts {
   void begin(std::span<const Vec2> x);
   /// Finds out who touches at x, with the bodies' slots behind the points. True if others do than the last time.
   bool evaluate(std::span<const Vec2> x);
+  /// Whether at x the same touch as at the last linear solve, with the forces that it expected to a thousandth of all.
+  bool is_settled(std::span<const Vec2> x);
   /// Whether anybody touches, as evaluated last.
   bool any() const { return !active_.empty(); }
   /// Whether others touch at x than when the substep began.
@@ -79,6 +82,9 @@ class Contacts {
   /// nearer already may come two hundredths nearer (conservative advancement, Mirtich 1996). `led` moves bodies that
   /// nothing pushes towards their goals too. At most `most`.
   double free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most);
+  /// Whether everybody could have come to x straight from where he was when the stage began without anybody's going
+  /// through another. If not, x is a solution on the other side of something.
+  bool is_straight(std::span<const Vec2> from, std::span<const Vec2> x);
   /// Takes bodies that nothing pushes to where they are `time` after the step began, or sets that as their goal, or
   /// moves them a share of what is left of their way.
   void place_led(double time);
@@ -134,7 +140,7 @@ class Contacts {
   Row tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
   Row turning_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
-  double free_share(const ContactPair& pair, double most) const;
+  double free_share(const ContactPair& pair, double nearest_share, double most) const;
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;

@@ -80,9 +80,9 @@ Cord::Cord(const CordDef& def)
       alone_(std::make_unique<Island>()) {
   for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
-  elasticity_->set_rest_lengths(rest_);
-  elasticity_->find_tensions(positions_, tensions_);
   if (is_chain(def)) bars_ = std::make_unique<Lattice>(def);
+  set_rest_lengths();
+  elasticity_->find_tensions(positions_, tensions_);
   reserve(usual_grips);
 }
 
@@ -90,7 +90,11 @@ Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
 
-/// What its elasticity is as a band, with the rest lengths of now.
+void Cord::set_rest_lengths() {
+  elasticity_->set_rest_lengths(rest_);
+  if (bars_) bars_->set_rest_lengths(rest_);
+}
+
 Lattice& Cord::lattice() { return bars_ ? *bars_ : static_cast<Lattice&>(*elasticity_); }
 
 CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
@@ -295,7 +299,7 @@ void Cord::restore(const State& state) {
   ledger_ = state.ledger;
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;
-  elasticity_->set_rest_lengths(rest_);
+  set_rest_lengths();
 }
 
 }  // namespace ribbon

@@ -150,6 +150,7 @@ class Cord {
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
   Lattice& lattice();
+  void set_rest_lengths();
   void set_damping_apart();
   void put_damping_back();
   void drive(int point, Vec2 target, PointKind kind);

@@ -300,7 +300,7 @@ void Island::finish_member(const Member& member) {
   }
   if (!cord.rest_targets_.empty()) {
     cord.rest_ = cord.rest_end_;
-    cord.elasticity_->set_rest_lengths(cord.rest_);
+    cord.set_rest_lengths();
   }
   cord.holders_.clear();
   for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {

@@ -134,7 +134,7 @@ class Island {
   bool searched_steps(Stage& stage, CordReport& report);
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void go_led(double& left);
-  bool search(const Stage& stage, double share, bool small);
+  bool search(const Stage& stage, double share, int iteration);
   double merit(const Stage& stage, std::span<const Vec2> x);
 
   // Who is solved, and with what.

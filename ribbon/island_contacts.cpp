@@ -12,11 +12,13 @@ namespace {
 // Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as its
 // own way in a step is divided by that.
 constexpr double firmness = 2e3;
-constexpr int touching_iterations = 40;  // Newton steps of a stage near contacts
-constexpr int remembered_values = 3;     // of the merit, none of which a step has to go below but the greatest
-constexpr double penalty_factor = 2.0;   // by which the exact penalty of a search is above the tensions
-constexpr double shortest_step = 1e-6;   // of a Newton step, below which a search gives up
-constexpr double most_motion = 1e12;     // m, of a Newton step, beyond which it is none
+constexpr int touching_iterations = 40;       // Newton steps of a stage near contacts
+constexpr std::size_t remembered_values = 3;  // of the merit, none of which a step has to go below but the greatest
+constexpr int patient_iterations = 10;
+constexpr double negligible_share = 1e-3;
+constexpr double penalty_factor = 2.0;  // by which the exact penalty of a search is above the tensions
+constexpr double shortest_step = 1e-6;  // of a Newton step, below which a search gives up
+constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
 
 Box box_around(Vec2 a, Vec2 b, double margin) {
   return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
@@ -233,10 +235,12 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     move(trial_, 1.0);
     const double free = contacts_.free_way(positions_, trial_, false, 1.0);
     const bool small = moved <= tolerance_ && free == 1.0;
-    if (!search(stage, free, small)) return false;
+    if (!(moved <= negligible_share * tolerance_) && !search(stage, free, iteration)) {
+      return small && left == 0.0 && contacts_.is_straight(from, positions_);  // nearer than the merit can tell
+    }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (small && left == 0.0 && !contacts_.evaluate(positions_)) return true;
+    if (small && left == 0.0 && contacts_.is_settled(positions_)) return contacts_.is_straight(from, positions_);
   }
   return false;
 }
@@ -256,16 +260,13 @@ void Island::go_led(double& left) {
   }
 }
 
-/// The first of share, share/2, … of the direction that takes the merit below one of the last few: a merit that only
-/// falls cuts steps along curved ways short (Grippo, Lampariello & Lucidi 1986).
-bool Island::search(const Stage& stage, double share, bool small) {
-  if (small) {
-    move(trial_, share);
-    return true;
+/// The first of share, share/2, … of the direction that takes the merit below one of the last few, for one that only
+/// falls cuts steps along curved ways short (Grippo, Lampariello & Lucidi 1986); in the end only one that falls.
+bool Island::search(const Stage& stage, double share, int iteration) {
+  values_.push_back(merit(stage, positions_));
+  {
+    while (values_.size() > (iteration > patient_iterations ? 1U : remembered_values)) values_.erase(values_.begin());
   }
-  const double value = merit(stage, positions_);
-  values_.push_back(value);
-  if (values_.size() > remembered_values) values_.erase(values_.begin());
   const double most = *std::max_element(values_.begin(), values_.end());
   for (; share >= shortest_step; share *= 0.5) {
     move(trial_, share);

@@ -64,8 +64,7 @@ void Island::load_member(const Member& member, double time, double q) {
     for (std::size_t e = 0; e < cord.rest_.size(); ++e) {
       cord.rest_[e] = cord.rest_start_[e] + share * (cord.rest_end_[e] - cord.rest_start_[e]);
     }
-    cord.elasticity_->set_rest_lengths(cord.rest_);
-    if (cord.bars_) cord.bars_->set_rest_lengths(cord.rest_);
+    cord.set_rest_lengths();
   }
 }
 
