@@ -1,0 +1,55 @@
+#include "ribbon/direct_solver.h"
+
+namespace ribbon {
+
+void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
+                        std::span<CordReport> reports) {
+  find_islands(cords, bodies);
+  for (std::size_t first = 0; first < cords.size(); ++first) {
+    if (root(first) != first) continue;
+    members_.clear();
+    for (std::size_t k = first; k < cords.size(); ++k) {
+      if (root(k) == first) members_.push_back(cords[k]);
+    }
+    const CordReport report = island_.step(members_, bodies, dt, gravity);
+    for (std::size_t k = first; k < cords.size(); ++k) {
+      if (root(k) == first) reports[k] = report;
+    }
+  }
+}
+
+void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies) {
+  parents_.resize(cords.size());
+  for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = k;
+  first_cords_.assign(bodies.size(), -1);
+  for (std::size_t k = 0; k < cords.size(); ++k) {
+    for (const Grip& grip : cords[k].met.grips) share(k, grip.body, bodies);
+    for (const RigidCircle& circle : cords[k].met.circles) share(k, circle.body, bodies);
+    for (const RigidSegment& segment : cords[k].met.segments) share(k, segment.body, bodies);
+  }
+}
+
+/// A body that nothing pushes passes nothing on.
+void DirectSolver::share(std::size_t cord, int body, std::span<const RigidBody> bodies) {
+  if (bodies[static_cast<std::size_t>(body)].inverse_mass == 0.0) return;
+  int& first = first_cords_[static_cast<std::size_t>(body)];
+  if (first < 0) {
+    first = static_cast<int>(cord);
+  } else {
+    join(static_cast<std::size_t>(first), cord);
+  }
+}
+
+/// The first cord of an island.
+std::size_t DirectSolver::root(std::size_t cord) const {
+  while (parents_[cord] != cord) cord = parents_[cord];
+  return cord;
+}
+
+void DirectSolver::join(std::size_t a, std::size_t b) {
+  const std::size_t root_a = root(a);
+  const std::size_t root_b = root(b);
+  parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+}
+
+}  // namespace ribbon

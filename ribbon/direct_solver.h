@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ribbon/island.h"
+
+namespace ribbon {
+
+/// Steps many cords of the direct solver that share bodies or meet each other: those that do are one island, solved at
+/// once; the others are solved one by one. It keeps memory only.
+class DirectSolver {
+ public:
+  /// Advances all cords by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first cords;
+  /// all meet the same `bodies`. reports[k] is what happened in the island of cords[k].
+  void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
+            std::span<CordReport> reports);
+
+ private:
+  void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
+  void share(std::size_t cord, int body, std::span<const RigidBody> bodies);
+  std::size_t root(std::size_t cord) const;
+  void join(std::size_t a, std::size_t b);
+
+  std::vector<std::size_t> parents_;  // by cord: another of its island, or itself
+  std::vector<int> first_cords_;      // by body: the first cord that it is near, −1 if none
+  std::vector<IslandCord> members_;
+  Island island_;
+};
+
+}  // namespace ribbon
