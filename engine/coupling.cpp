@@ -161,6 +161,7 @@ void Coupling::step() {
     CoupledCord& coupled = cords_[at(c)];
     if (auto* direct = std::get_if<ribbon::Cord>(&coupled.cord)) {
       coupled.direct_report = direct->step(dt_, gravity_, {rigid_, {}, coupled.grips});
+      coupled.direct_total += coupled.direct_report;
     } else {
       coupled.report =
           std::get<ribbon::ThesisCord>(coupled.cord).step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
@@ -266,10 +267,6 @@ std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   const Holder* held = holder(body);
   if (held == nullptr) return std::nullopt;
   return CordPoint{held->cord, held->point, 0.0};
-}
-
-std::span<const Vec2> Coupling::positions(CordIndex index) const {
-  return std::visit([](const auto& cord) { return cord.positions(); }, cords_[at(index)].cord);
 }
 
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,22 @@ namespace engine {
 
 /// A cord's place in its coupling, in the order of adding.
 using CordIndex = int;
+
+/// The two ways to move a cord.
+enum class Solver : unsigned char {
+  thesis,  ///< ribbon::ThesisCord
+  direct,  ///< ribbon::Cord
+};
+/// "thesis" or "direct".
+std::string_view solver_name(Solver solver);
+
+/// How the points of a cord lie, whichever solver moves them: point (i, j) has the index i·rows + j.
+struct CordShape {
+  int columns = 0;         ///< along the cord
+  int rows = 0;            ///< across it
+  double thickness = 0.0;  ///< m, across it at rest, as it is drawn
+  bool braced = false;     ///< bars join neighbours across the corner as well
+};
 
 /// The nearest cord point to somewhere.
 struct CordPoint {
@@ -59,10 +76,21 @@ class Coupling {
   const ribbon::ThesisCord& cord(CordIndex index) const { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
   ribbon::Cord& direct_cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
   const ribbon::Cord& direct_cord(CordIndex index) const { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
-  /// m, by point, of a cord of either solver.
-  std::span<const ribbon::Vec2> positions(CordIndex index) const;
+  // Of a cord of either solver, for who does not care which (coupling_cords.cpp):
+  Solver solver(CordIndex index) const;
+  CordShape shape(CordIndex index) const;
+  std::span<const ribbon::Vec2> positions(CordIndex index) const;  ///< m, by point
+  ribbon::PointKind kind(CordIndex index, int point) const;
+  /// Drags a point to `target` [m] in the next tick: call it again to drag on. Throws ribbon::DefinitionError for an
+  /// unknown point or a coordinate beyond ±1e9, and so does release.
+  void operate(CordIndex index, int point, ribbon::Vec2 target);
+  /// Lets a dragged or constrained point go with the velocity it has.
+  void release(CordIndex index, int point);
+
   /// What happened in the last step of a cord of the direct solver.
   const ribbon::CordReport& direct_report(CordIndex index) const { return cords_[at(index)].direct_report; }
+  /// What has happened to it since it was added, summed up.
+  const ribbon::CordReport& direct_total(CordIndex index) const { return cords_[at(index)].direct_total; }
   /// What happened in the cord's last step.
   const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
   /// What has happened to the cord since it was added, summed up.
@@ -106,6 +134,7 @@ class Coupling {
     ribbon::Box reach;  // of this tick
     std::vector<ribbon::RigidCircle> circles;
     std::vector<ribbon::Grip> grips;
+    ribbon::CordReport direct_total{};
   };
   struct Holder {
     b2Body* body;

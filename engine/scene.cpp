@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "engine/convert.h"
+#include "engine/scene_cord.h"
 
 namespace engine {
 namespace {
@@ -54,38 +56,6 @@ bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 or
   return true;
 }
 
-ribbon::ThesisDef cord_def(const MapObject& object) {
-  const Properties& p = object.properties;
-  p.check_known_properties({"columns", "rows", "mass", "spring_stiffness", "bar_damping", "drag", "area_stiffness",
-                            "self_collision", "substeps", "pin_first", "pin_last"});
-  ribbon::ThesisDef def;
-  def.w = static_cast<int>(p.integer("columns", {2, 5000}));
-  def.h = static_cast<int>(p.integer_or("rows", 2, {2, 16}));
-  double path_length = 0.0;
-  for (std::size_t k = 1; k < object.points.size(); ++k) {
-    const double segment = length(object.points[k] - object.points[k - 1]);
-    if (!(segment >= 1e-3)) {
-      throw object.error("corners " + std::to_string(k) + " and " + std::to_string(k + 1) +
-                         " of the polyline are in the same place; accepted are corners a millimetre apart or more");
-    }
-    path_length += segment;
-  }
-  def.spacing = path_length / (def.w - 1);
-  def.point_mass = p.number("mass", {1e-6, 1e6}) / (def.w * def.h);
-  def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
-  def.bar_damping = p.number_or("bar_damping", 0.0, {0.0, 1e12});
-  def.drag = p.number_or("drag", 0.0, {0.0, 1e3});
-  def.area_stiffness = p.number_or("area_stiffness", 0.5, {0.0, 1.0});
-  def.self_collision = p.boolean_or("self_collision", false);
-  def.substeps = static_cast<int>(p.integer_or("substeps", 8, {1, 256}));
-  def.positions = ribbon::lay_along(object.points, def.w, def.h, def.spacing);
-  for (int j = 0; j < def.h; ++j) {
-    if (p.boolean_or("pin_first", false)) def.pins.push_back(j);
-    if (p.boolean_or("pin_last", false)) def.pins.push_back((def.w - 1) * def.h + j);
-  }
-  return def;
-}
-
 void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
   Hasher hasher;
   const b2Transform& transform = body.GetTransform();
@@ -97,11 +67,48 @@ void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
   hash.add(Subsystem::body, index, hasher);
 }
 
-void hash_cord(StateHash& hash, std::uint16_t index, const ribbon::ThesisCord& cord) {
-  Hasher hasher;
+void add_state(Hasher& hasher, const ribbon::ThesisCord& cord) {
   for (const Vec2 x : cord.positions()) hasher.add(x);
   for (const Vec2 v : cord.velocities()) hasher.add(v);
   for (int p = 0; p < cord.mesh().size(); ++p) hasher.add(static_cast<int>(cord.kind(p)));
+}
+
+/// How many there are, and all of them: one empty list more must not look like another one's end.
+template <typename T>
+void add_all(Hasher& hasher, const std::vector<T>& values) {
+  hasher.add(values.size());
+  for (const T& value : values) hasher.add(value);
+}
+
+void add_state(Hasher& hasher, const ribbon::Cord& cord) {
+  // By name, one and all: what is new in the state does not compile until it is added here.
+  const ribbon::Cord::State state = cord.save();
+  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
+               rest_speeds, unlocked, holders, ledger, damping_apart, restart] = state;
+  for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
+  for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
+  add_all(hasher, unlocked);
+  for (const ribbon::PointKind kind : kinds) hasher.add(static_cast<int>(kind));
+  hasher.add(holders.size());
+  for (const auto& [point, velocity, turning, acceleration, angular_acceleration] : holders) {
+    hasher.add(point);
+    hasher.add(velocity);
+    hasher.add(turning);
+    hasher.add(acceleration);
+    hasher.add(angular_acceleration);
+  }
+  hasher.add(ledger);
+  hasher.add(static_cast<int>(damping_apart));
+  hasher.add(static_cast<int>(restart));
+}
+
+void hash_cord(StateHash& hash, std::uint16_t index, const Coupling& coupling) {
+  Hasher hasher;
+  if (coupling.solver(index) == Solver::direct) {
+    add_state(hasher, coupling.direct_cord(index));
+  } else {
+    add_state(hasher, coupling.cord(index));
+  }
   hash.add(Subsystem::cord, index, hasher);
 }
 
@@ -177,11 +184,13 @@ void Scene::build_circle(const MapObject& object) {
 }
 
 void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
-  if (object.shape != MapShape::polyline) {
-    throw object.error("the shape of a cord is " + std::string(shape_name(object.shape)) + "; accepted is polyline");
-  }
+  const CordDefinition definition = read_cord(object);
   try {
-    coupling_.add(ribbon::ThesisCord(cord_def(object)), filter);
+    if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+      coupling_.add(ribbon::Cord(*direct));
+    } else {
+      coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), filter);
+    }
   } catch (const ribbon::DefinitionError& error) {
     throw object.error(error.what());
   }
@@ -195,7 +204,7 @@ void Scene::tick(double dt) {
 }
 
 void Scene::add_to(StateHash& hash) const {
-  for (CordIndex c = 0; c < coupling_.size(); ++c) hash_cord(hash, static_cast<std::uint16_t>(c), coupling_.cord(c));
+  for (CordIndex c = 0; c < coupling_.size(); ++c) hash_cord(hash, static_cast<std::uint16_t>(c), coupling_);
   // Box2D lists the newest body first.
   int index = world_.GetBodyCount();
   for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {

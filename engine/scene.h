@@ -15,9 +15,16 @@ namespace engine {
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
 /// - `circle`: ellipse as wide as high; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
 ///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s].
-/// - `cord`: polyline that its middle line follows; columns, rows, mass [kg, all of it], spring_stiffness [N/m],
-///   bar_damping [N·s/m], drag [1/s], area_stiffness, self_collision, substeps, pin_first, pin_last (the points of the
-///   first or last column are constrained).
+/// - `cord`: polyline that its middle line follows; solver ("thesis", the default, or "direct"); columns (how many
+///   points along it), rows, mass [kg, all of it], drag [1/s], substeps, pin_first, pin_last (the points of the first
+///   or last column are constrained).
+///   - "thesis" (ribbon/thesis_def.h), 2 rows unless given: spring_stiffness [N/m], bar_damping [N·s/m],
+///     area_stiffness, self_collision.
+///   - "direct" (ribbon/cord_def.h), 1 row unless given: stretch_stiffness [N, a rope without it does not stretch, a
+///     ribbon needs one], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius
+///     [m], width [m, that of square cells unless given], accuracy ("fast", "balanced" unless given, "accurate"),
+///     tolerance [m]. Its links are all straight and equal, so that it is a little shorter than a polyline with
+///     corners.
 /// The map's own property gravity_y [m/s²] is −9.81 unless given.
 class Scene {
  public:
@@ -40,6 +47,8 @@ class Scene {
   /// Adds every cord and every body, bodies in the order they were made, to a state hash.
   void add_to(StateHash& hash) const;
 
+  /// Of cords that do not ask for one.
+  static constexpr Solver default_solver = Solver::thesis;
   static constexpr int velocity_iterations = 8;
   static constexpr int position_iterations = 3;
 

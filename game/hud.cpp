@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,45 +65,77 @@ std::vector<std::string> keys_in_words() {
           "Esc: leave"};
 }
 
-/// A table whose cells end at the right edges of their columns.
+/// A table whose cells end at the right edges of their columns, below its titles.
 using Table = std::vector<std::vector<std::string>>;
 
-Table counts_table(const engine::Coupling& coupling) {
+std::vector<std::string> in_words(std::initializer_list<int> counts) {
+  std::vector<std::string> row;
+  for (const int count : counts) row.push_back(std::to_string(count));
+  return row;
+}
+
+int points_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  return static_cast<int>(coupling.positions(cord).size());
+}
+
+Table thesis_counts(const engine::Coupling& coupling) {
   Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all"}};
   for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) != engine::Solver::thesis) continue;
     const ribbon::StepReport& report = coupling.report(c);
     const ribbon::StepReport& total = coupling.total(c);
-    std::vector<std::string> row;
-    for (const int count : {c, coupling.cord(c).mesh().size(), report.self_contacts, report.circle_contacts,
-                            report.tangled_columns, total.fem_skipped, total.motion_limited}) {
-      row.push_back(std::to_string(count));
-    }
-    table.push_back(std::move(row));
+    table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
+                              report.tangled_columns, total.fem_skipped, total.motion_limited}));
   }
   return table;
 }
 
-/// At the bottom left, the counts of each cord's last step.
+Table direct_counts(const engine::Coupling& coupling) {
+  Table table = {{"cord", "points", "iterations", "fallbacks in all", "unconverged in all"}};
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) != engine::Solver::direct) continue;
+    const ribbon::CordReport& total = coupling.direct_total(c);
+    table.push_back(in_words(
+        {c, points_of(coupling, c), coupling.direct_report(c).iterations, total.fallbacks, total.unconverged}));
+  }
+  return table;
+}
+
+/// The right edge of each column, px from the panel's left.
+std::vector<double> column_edges(const Canvas& canvas, const Table& table, double size, double margin) {
+  std::vector<double> right;
+  for (const std::string& title : table.front()) {
+    right.push_back((right.empty() ? margin : right.back() + margin) + canvas.text_width(title, size));
+  }
+  return right;
+}
+
+/// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
 void draw_counts(Canvas& canvas, const Simulation& simulation, double scale) {
-  const Table table = counts_table(simulation.scene().coupling());
+  const engine::Coupling& coupling = simulation.scene().coupling();
   const std::string legend = "points: blue free, yellow dragged, red constrained";
   const double size = 14.0 * scale;
   const double margin = 14.0 * scale;
   const double step = canvas.line_height(size);
-  std::vector<double> right;  // of each column
-  for (const std::string& title : table.front()) {
-    right.push_back((right.empty() ? margin : right.back() + margin) + canvas.text_width(title, size));
+  Vec2 box{canvas.text_width(legend, size) + 2.0 * margin, step + margin};
+  std::vector<Table> tables;
+  for (Table& table : std::array{thesis_counts(coupling), direct_counts(coupling)}) {
+    if (table.size() == 1) continue;  // titles alone
+    box.x = std::max(box.x, column_edges(canvas, table, size, margin).back() + margin);
+    box.y += step * static_cast<double>(table.size());
+    tables.push_back(std::move(table));
   }
-  const Vec2 box{std::max(right.back(), canvas.text_width(legend, size) + margin) + margin,
-                 step * static_cast<double>(table.size() + 1) + margin};
   const Vec2 corner{margin, canvas.height() - margin - box.y};
   canvas.panel(corner, box, 0.5 * size, paper);
   double y = 0.5 * margin;
-  for (const std::vector<std::string>& row : table) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      canvas.text(corner + Vec2{right[k], y}, row[k], size, faint, Align::right);
+  for (const Table& table : tables) {
+    const std::vector<double> right = column_edges(canvas, table, size, margin);
+    for (const std::vector<std::string>& row : table) {
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        canvas.text(corner + Vec2{right[k], y}, row[k], size, faint, Align::right);
+      }
+      y += step;
     }
-    y += step;
   }
   canvas.text(corner + Vec2{margin, y}, legend, size, faint);
 }

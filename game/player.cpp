@@ -50,13 +50,14 @@ b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
 }
 
 /// What the held point hangs from: the constrained point nearest to it along the cord, else the cord's first.
-Vec2 anchor_of(const ribbon::ThesisCord& cord, int held) {
+Vec2 anchor_of(const engine::Coupling& coupling, const engine::CordPoint& held) {
+  const auto positions = coupling.positions(held.cord);
   int anchor = -1;
-  for (int p = 0; p < cord.mesh().size(); ++p) {
-    if (cord.kind(p) != ribbon::PointKind::constrained) continue;
-    if (anchor < 0 || std::abs(p - held) < std::abs(anchor - held)) anchor = p;
+  for (int p = 0; p < static_cast<int>(positions.size()); ++p) {
+    if (coupling.kind(held.cord, p) != ribbon::PointKind::constrained) continue;
+    if (anchor < 0 || std::abs(p - held.point) < std::abs(anchor - held.point)) anchor = p;
   }
-  return cord.positions()[static_cast<std::size_t>(std::max(anchor, 0))];
+  return positions[static_cast<std::size_t>(std::max(anchor, 0))];
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ void Player::jump_if_wanted() {
 void Player::catch_cord(engine::Coupling& coupling) {
   const auto nearest = coupling.nearest_point(hand(), tuning_.reach);
   if (!nearest) return;
-  grip_ = coupling.cord(nearest->cord).positions()[static_cast<std::size_t>(nearest->point)] - position();
+  grip_ = coupling.positions(nearest->cord)[static_cast<std::size_t>(nearest->point)] - position();
   coupling.hold(nearest->cord, nearest->point, *body_, to_float(grip_));
 }
 
@@ -137,11 +138,11 @@ void Player::catch_cord(engine::Coupling& coupling) {
 void Player::hang(int direction, engine::Coupling& coupling, const engine::CordPoint& held, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
-  const auto point = coupling.cord(held.cord).positions()[static_cast<std::size_t>(held.point)];
+  const auto point = coupling.positions(held.cord)[static_cast<std::size_t>(held.point)];
   if (length(point - position() - grip_) > tuning_.longest_arm) return let_go(coupling);  // torn out of the hand
   coupling.hold(held.cord, held.point, *body_, to_float(grip_));
 
-  const Vec2 along = anchor_of(coupling.cord(held.cord), held.point) - position();
+  const Vec2 along = anchor_of(coupling, held) - position();
   const double distance = length(along);
   if (direction == 0 || distance == 0.0) return;
   const Vec2 across = (1.0 / distance) * Vec2{along.y, -along.x};  // to the right for a cord that hangs

@@ -70,17 +70,17 @@ void Simulation::restart() {
 void Simulation::drag(const engine::TickInput& input) {
   engine::Coupling& coupling = scene_->coupling();
   if ((input.buttons & button_drag) == 0) {
-    if (dragged_) coupling.cord(dragged_->cord).release(dragged_->point);
+    if (dragged_) coupling.release(dragged_->cord, dragged_->point);
     dragged_.reset();
     return;
   }
   const Vec2 pointer = engine::pointer(input);
   if (!dragged_) {
     const auto nearest = coupling.nearest_point(pointer, drag_reach);
-    if (!nearest || coupling.cord(nearest->cord).kind(nearest->point) != ribbon::PointKind::free) return;
+    if (!nearest || coupling.kind(nearest->cord, nearest->point) != ribbon::PointKind::free) return;
     dragged_ = nearest;
   }
-  coupling.cord(dragged_->cord).operate(dragged_->point, pointer);
+  coupling.operate(dragged_->cord, dragged_->point, pointer);
 }
 
 void Simulation::watch_the_player() {
@@ -100,7 +100,7 @@ void Simulation::take_snapshot(Snapshot& snapshot) const {
   const engine::Coupling& coupling = scene_->coupling();
   snapshot.cords.resize(static_cast<std::size_t>(coupling.size()));
   for (int c = 0; c < coupling.size(); ++c) {
-    const auto positions = coupling.cord(c).positions();
+    const auto positions = coupling.positions(c);
     snapshot.cords[static_cast<std::size_t>(c)].assign(positions.begin(), positions.end());
   }
   auto index = static_cast<std::size_t>(scene_->world().GetBodyCount());
@@ -136,7 +136,7 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.tick_rate = ticks_per_second;
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
-  header.settings["cord_method"] = std::string("thesis");
+  header.settings["cord_method"] = std::string(engine::solver_name(engine::Scene::default_solver));
   return header;
 }
 

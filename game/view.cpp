@@ -90,41 +90,69 @@ void draw_circle_body(Canvas& canvas, const b2CircleShape& shape, const Snapshot
   canvas.circle(center + Vec2{-0.3 * radius, 0.35 * radius}, 0.16 * radius, {255, 255, 255, 120});
 }
 
-std::vector<Vec2> middle_line(const ribbon::Mesh& mesh, const std::vector<Vec2>& points) {
+/// A cord at a moment between two ticks.
+struct DrawnCord {
+  const engine::Coupling& coupling;
+  engine::CordIndex index;
+  engine::CordShape shape;
+  const std::vector<Vec2>& points;
+
+  int size() const { return static_cast<int>(points.size()); }
+  int point(int i, int j) const { return i * shape.rows + j; }
+  Vec2 at(int p) const { return points[static_cast<std::size_t>(p)]; }
+  ribbon::PointKind kind(int p) const { return coupling.kind(index, p); }
+};
+
+std::vector<Vec2> middle_line(const DrawnCord& cord) {
   std::vector<Vec2> line;
-  for (int i = 0; i < mesh.w; ++i) {
+  for (int i = 0; i < cord.shape.columns; ++i) {
     Vec2 sum;
-    for (int j = 0; j < mesh.h; ++j) sum += points[static_cast<std::size_t>(mesh.index(i, j))];
-    line.push_back((1.0 / mesh.h) * sum);
+    for (int j = 0; j < cord.shape.rows; ++j) sum += cord.at(cord.point(i, j));
+    line.push_back((1.0 / cord.shape.rows) * sum);
   }
   return line;
 }
 
-void draw_cord(Canvas& canvas, const ribbon::ThesisCord& cord, const std::vector<Vec2>& points) {
-  const double width = (cord.mesh().h - 1) * cord.mesh().spacing;
-  const std::vector<Vec2> line = middle_line(cord.mesh(), points);
-  canvas.polyline(line, width + 0.05, rope_edge);
-  canvas.polyline(line, width - 0.03, rope);
+void draw_cord(Canvas& canvas, const DrawnCord& cord) {
+  const double width = cord.shape.thickness;
+  const double edge = width + 0.05;
+  const std::vector<Vec2> line = middle_line(cord);
+  canvas.polyline(line, edge, rope_edge);
+  canvas.polyline(line, std::max(width - 0.03, 0.5 * edge), rope);  // a thin one keeps its colour too
   canvas.polyline(line, 0.25 * width, rope_light);
-  for (int p = 0; p < cord.mesh().size(); ++p) {
-    if (cord.kind(p) != ribbon::PointKind::constrained || cord.mesh().row(p) != 0) continue;
-    const Vec2 pin = line[static_cast<std::size_t>(cord.mesh().column(p))];
+  for (int i = 0; i < cord.shape.columns; ++i) {
+    if (cord.kind(cord.point(i, 0)) != ribbon::PointKind::constrained) continue;
+    const Vec2 pin = line[static_cast<std::size_t>(i)];
     canvas.circle(pin, 0.6 * width + 0.08, ink);
     canvas.circle(pin, 0.6 * width + 0.02, peg);
   }
 }
 
-void draw_cord_points(Canvas& canvas, const ribbon::ThesisCord& cord, const std::vector<Vec2>& points) {
-  const auto at = [&](int p) { return points[static_cast<std::size_t>(p)]; };
-  for (const ribbon::Connection& bar : cord.mesh().connections) {
-    canvas.polyline(std::array{at(bar.a), at(bar.b)}, 0.015, {255, 255, 255, 200});
+void draw_bars(Canvas& canvas, const DrawnCord& cord) {
+  const auto draw_bar = [&](int a, int i, int j) {
+    if (i >= cord.shape.columns || j < 0 || j >= cord.shape.rows) return;
+    canvas.polyline(std::array{cord.at(a), cord.at(cord.point(i, j))}, 0.015, {255, 255, 255, 200});
+  };
+  for (int i = 0; i < cord.shape.columns; ++i) {
+    for (int j = 0; j < cord.shape.rows; ++j) {
+      const int a = cord.point(i, j);
+      draw_bar(a, i, j + 1);
+      draw_bar(a, i + 1, j);
+      if (!cord.shape.braced) continue;
+      draw_bar(a, i + 1, j - 1);
+      draw_bar(a, i + 1, j + 1);
+    }
   }
-  for (int p = 0; p < cord.mesh().size(); ++p) {
+}
+
+void draw_cord_points(Canvas& canvas, const DrawnCord& cord) {
+  draw_bars(canvas, cord);
+  for (int p = 0; p < cord.size(); ++p) {
     const ribbon::PointKind kind = cord.kind(p);
     const Color color = kind == ribbon::PointKind::free       ? free_point
                         : kind == ribbon::PointKind::operated ? operated_point
                                                               : constrained_point;
-    canvas.circle(at(p), kind == ribbon::PointKind::operated ? 0.11 : 0.055, color);
+    canvas.circle(cord.at(p), kind == ribbon::PointKind::operated ? 0.11 : 0.055, color);
   }
 }
 
@@ -197,17 +225,17 @@ void View::draw(Canvas& canvas, double alpha, const ViewOptions& options) {
     }
   }
   const engine::Coupling& coupling = scene.coupling();
+  std::vector<DrawnCord> cords;
   for (int c = 0; c < coupling.size(); ++c) {
-    draw_cord(canvas, coupling.cord(c), now.cords[static_cast<std::size_t>(c)]);
+    cords.push_back({coupling, c, coupling.shape(c), now.cords[static_cast<std::size_t>(c)]});
   }
+  for (const DrawnCord& cord : cords) draw_cord(canvas, cord);
   const auto held = coupling.held_by(player.body());
   const Vec2* held_at =
       held ? &now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)] : nullptr;
   draw_player(canvas, player, player_at, held_at);
   if (options.debug) {
-    for (int c = 0; c < coupling.size(); ++c) {
-      draw_cord_points(canvas, coupling.cord(c), now.cords[static_cast<std::size_t>(c)]);
-    }
+    for (const DrawnCord& cord : cords) draw_cord_points(canvas, cord);
   }
   draw_hud(canvas, *simulation_, options);
 }

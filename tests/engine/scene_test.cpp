@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace engine {
 namespace {
@@ -31,16 +36,22 @@ std::string whole(const std::string& name, const std::string& value) {
   return R"({"name":")" + name + R"(","type":"int","value":)" + value + "}";
 }
 
+std::string text(const std::string& name, const std::string& value) {
+  return R"({"name":")" + name + R"(","type":"string","value":")" + value + "\"}";
+}
+
+std::string yes(const std::string& name) { return R"({"name":")" + name + R"(","type":"bool","value":true})"; }
+
 const std::string line = R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":40}])";
 const std::string disc = R"("width":10,"height":10,"ellipse":true)";
 const std::string box = R"("width":40,"height":10)";
+const std::string either_cord = whole("columns", "9") + "," + number("mass", "1.8");
 const std::string cord_properties =
-    whole("columns", "9") + "," + number("mass", "1.8") + "," + number("spring_stiffness", "1000");
+    text("solver", "thesis") + "," + either_cord + "," + number("spring_stiffness", "1000");
+const std::string direct_properties = text("solver", "direct") + "," + either_cord;
 
 TEST(Scene, BuildsWhatTheMapDeclares) {
-  const Scene scene(map_with(object("cord", line,
-                                    cord_properties + "," + whole("rows", "3") +
-                                        R"(,{"name":"pin_first","type":"bool","value":true})")),
+  const Scene scene(map_with(object("cord", line, cord_properties + "," + whole("rows", "3") + "," + yes("pin_first"))),
                     {});
   ASSERT_EQ(scene.coupling().size(), 1);
   const ribbon::ThesisCord& cord = scene.coupling().cord(0);
@@ -56,6 +67,87 @@ TEST(Scene, BuildsWhatTheMapDeclares) {
   EXPECT_NEAR(cord.positions()[1].x, 2.0, 1e-12);  // from (2, 7), the map's y turned up, down to (2, 3)
   EXPECT_NEAR(cord.positions()[1].y, 7.0, 1e-12);
   EXPECT_NEAR(cord.positions()[25].y, 3.0, 1e-12);
+}
+
+TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
+  const std::string declared = direct_properties + "," + whole("rows", "3") + "," + number("width", "0.6") + "," +
+                               number("radius", "0.03") + "," + number("stretch_stiffness", "5000") + "," +
+                               number("bending_stiffness", "7") + "," + number("poisson_ratio", "0.3") + "," +
+                               number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
+                               number("drag", "0.1") + "," + text("accuracy", "accurate") + "," +
+                               number("tolerance", "0.003") + "," + yes("pin_last");
+  const Scene scene(map_with(object("cord", line, declared)));
+  const ribbon::Cord& cord = scene.coupling().direct_cord(0);
+  const ribbon::CordDef& def = cord.def();
+  EXPECT_EQ(def.points, 9);
+  EXPECT_EQ(def.rows, 3);
+  EXPECT_NEAR(def.length, 4.0, 1e-12);
+  EXPECT_EQ(def.width, 0.6);
+  EXPECT_EQ(def.radius, 0.03);
+  EXPECT_NEAR(def.mass_per_length, 1.8 / 4.0, 1e-12);
+  EXPECT_EQ(def.stretch_stiffness, 5000.0);
+  EXPECT_EQ(def.bending_stiffness, 7.0);
+  EXPECT_EQ(def.poisson_ratio, 0.3);
+  EXPECT_EQ(def.area_stiffness, 1.5);
+  EXPECT_EQ(def.damping, 0.02);
+  EXPECT_EQ(def.drag, 0.1);
+  EXPECT_EQ(def.accuracy.substeps, ribbon::Accuracy::accurate().substeps);
+  EXPECT_EQ(def.accuracy.tolerance, 0.003);
+  EXPECT_EQ(def.pins, (std::vector<int>{24, 25, 26}));
+  EXPECT_NEAR(cord.positions()[0].x, 1.7, 1e-12);  // down from (2, 7): the first row to its right
+  EXPECT_NEAR(cord.positions()[2].x, 2.3, 1e-12);
+  EXPECT_NEAR(cord.positions()[25].y, 3.0, 1e-12);
+}
+
+/// A term that is not declared is not there; each preset and `tension_only` arrive.
+TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
+  const auto def_of = [](const std::string& more) {
+    return Scene(map_with(object("cord", line, direct_properties + more))).coupling().direct_cord(0).def();
+  };
+  ribbon::CordDef plain;
+  const ribbon::CordDef def = def_of("");
+  EXPECT_EQ(def.rows, 1);
+  EXPECT_EQ(def.width, 0.0);
+  EXPECT_EQ(def.radius, plain.radius);
+  EXPECT_EQ(def.stretch_stiffness, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(def.bending_stiffness + def.area_stiffness + def.damping + def.drag, 0.0);
+  EXPECT_FALSE(def.tension_only);
+  EXPECT_EQ(def.accuracy, ribbon::Accuracy::balanced());
+  EXPECT_TRUE(def.pins.empty());
+  EXPECT_TRUE(def_of("," + yes("tension_only")).tension_only);
+  EXPECT_EQ(def_of("," + text("accuracy", "fast")).accuracy, ribbon::Accuracy::fast());
+  EXPECT_EQ(def_of("," + text("accuracy", "accurate")).accuracy, ribbon::Accuracy::accurate());
+  EXPECT_EQ(def_of("," + whole("substeps", "3")).accuracy.substeps, 3);
+  const ribbon::CordDef strip = def_of("," + whole("rows", "2") + "," + number("stretch_stiffness", "5000"));
+  EXPECT_NEAR(strip.width, 0.5, 1e-12);  // square cells
+}
+
+TEST(Scene, ACordThatAsksForNoSolverHasTheDefault) {
+  const std::string own =
+      Scene::default_solver == Solver::thesis ? number("spring_stiffness", "1000") : yes("pin_first");
+  const Scene scene(map_with(object("cord", line, either_cord + "," + own)));
+  EXPECT_EQ(scene.coupling().solver(0), Scene::default_solver);
+}
+
+/// Links that cut a corner, and those of a path that folds back on itself, are as long as all others: there is nothing
+/// to put right, so nothing moves.
+TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
+  for (const char* path : {R"({"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5},{"x":60,"y":-5})",
+                           R"({"x":0,"y":0},{"x":50,"y":0},{"x":1,"y":1},{"x":51,"y":2})"}) {
+    TiledMap map = map_with(object("cord", R"("width":0,"height":0,"polyline":[)" + std::string(path) + "]",
+                                   direct_properties + "," + yes("pin_first") + "," + yes("pin_last")));
+    map.properties.insert("gravity_y", 0.0);
+    Scene scene(map);
+    scene.tick(1.0 / 60.0);
+    for (const ribbon::Vec2 v : scene.coupling().direct_cord(0).velocities()) EXPECT_LT(length(v), 1e-9) << path;
+  }
+}
+
+TEST(Scene, ADirectCordReachesFromTheStartOfItsPathToTheEnd) {
+  const std::string path = R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5}])";
+  const Scene scene(map_with(object("cord", path, direct_properties)));
+  EXPECT_LT(length(scene.coupling().positions(0).front() - ribbon::Vec2{2.0, 7.0}), 1e-12);
+  EXPECT_LT(length(scene.coupling().positions(0).back() - ribbon::Vec2{6.0, 7.5}), 1e-9);
 }
 
 TEST(Scene, BuildsGroundAndCircles) {
@@ -94,8 +186,10 @@ TEST(Scene, RefusesWhatItCannotBuild) {
   expect_refused(object("cord", line, cord_properties + "," + number("stiffness", "1")), "stiffness");
   expect_refused(object("cord", line, cord_properties + "," + whole("substeps", "0")), "substeps");
   expect_refused(object("cord", line,
-                        whole("columns", "9") + "," + number("mass", "0") + "," + number("spring_stiffness", "1000")),
+                        text("solver", "thesis") + "," + whole("columns", "9") + "," + number("mass", "0") + "," +
+                            number("spring_stiffness", "1000")),
                  "mass");
+  expect_refused(object("cord", line, text("solver", "magic") + "," + either_cord), "thesis, direct");
   expect_refused(object("cord", R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":0}])", cord_properties),
                  "millimetre");
   expect_refused(object("cord", R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":0,"y":0},{"x":0,"y":40}])",
@@ -116,6 +210,109 @@ TEST(Scene, RefusesWhatItCannotBuild) {
   expect_refused(object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":40,"y":0},{"x":10,"y":10},)"
                                   R"({"x":0,"y":40}])"),
                  "convex");
+}
+
+TEST(Scene, RefusesADirectCordThatItCannotBuild) {
+  const auto refused = [](const std::string& more, const std::string& about) {
+    expect_refused(object("cord", line, direct_properties + "," + more), about);
+  };
+  refused(number("stiffness", "1"), "stretch_stiffness");  // names what is accepted
+  refused(text("accuracy", "perfect"), "fast, balanced, accurate");
+  refused(number("tolerance", "0"), "tolerance");
+  refused(whole("substeps", "0"), "substeps");
+  refused(whole("rows", "0"), "rows");
+  refused(whole("rows", "2"), "stretch_stiffness");  // a ribbon stretches
+  refused(number("stretch_stiffness", "-1"), "stretch_stiffness");
+  refused(number("width", "0.1"), "rope");  // what the definition's own check says
+  refused(whole("rows", "3") + "," + number("stretch_stiffness", "5000"), "bending_stiffness");
+  expect_refused(object("cord", box, direct_properties), "polyline");
+}
+
+/// A cord that was changed from one solver to the other by its `solver` alone is told what stands in the way.
+TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
+  expect_refused(object("cord", line, direct_properties + "," + number("spring_stiffness", "1000")), "another solver");
+  expect_refused(object("cord", line, direct_properties + "," + yes("self_collision")), "\"direct\"");
+  expect_refused(object("cord", line, cord_properties + "," + number("radius", "0.1")), "another solver");
+  expect_refused(object("cord", line, cord_properties + "," + yes("tension_only")), "\"thesis\"");
+  const std::string others = Scene::default_solver == Solver::thesis ? "damping" : "bar_damping";
+  expect_refused(object("cord", line, either_cord + "," + number(others, "0")), "the default");
+}
+
+// --- the state hash of a direct cord
+
+using State = ribbon::Cord::State;
+
+std::uint64_t hash_of(const Scene& scene) {
+  StateHash hash;
+  scene.add_to(hash);
+  return hash.combined();
+}
+
+/// A squashable ribbon in its fifth tick, that has a load and is being reeled, and that a body holds.
+struct SwingingRibbon {
+  Scene scene{
+      map_with(object("cord", line,
+                      direct_properties + "," + whole("rows", "2") + "," + number("stretch_stiffness", "5000") + "," +
+                          number("area_stiffness", "1") + "," + number("damping", "0.01") + "," + yes("pin_first")) +
+               "," + R"({"id":8,"name":"b","type":"circle","x":35,"y":35,"rotation":0,"visible":true,)" + disc + "}")};
+
+  SwingingRibbon() {
+    cord().set_load(16, {2.0, 0.0});
+    cord().reel(0, 8, 3.9, 0.1);
+    scene.coupling().hold(0, 12, *scene.world().GetBodyList(), {-0.4F, 0.0F});
+    for (int k = 0; k < 5; ++k) tick();
+  }
+  ribbon::Cord& cord() { return scene.coupling().direct_cord(0); }
+  void tick() { scene.tick(1.0 / 60.0); }
+};
+
+/// Whatever a later tick depends on: a replay that diverges in it has to be caught in the tick where it does.
+TEST(SceneHash, SeesEachPartOfADirectCordsState) {
+  const std::vector<std::pair<const char*, std::function<void(State&)>>> changes = {
+      {"positions", [](State& s) { s.positions[3].x = std::nextafter(s.positions[3].x, 9.0); }},
+      {"velocities", [](State& s) { s.velocities[3].y = std::nextafter(s.velocities[3].y, 9.0); }},
+      {"accelerations", [](State& s) { s.accelerations[3].x += 1e-9; }},
+      {"targets", [](State& s) { s.targets[3].x += 1e-9; }},
+      {"kinds", [](State& s) { s.kinds[3] = ribbon::PointKind::operated; }},
+      {"masses", [](State& s) { s.masses[3] += 1e-9; }},
+      {"loads", [](State& s) { s.loads[3].x += 1e-9; }},
+      {"tensions", [](State& s) { s.tensions[3] += 1e-6; }},
+      {"rest", [](State& s) { s.rest[3] += 1e-9; }},
+      {"rest_targets", [](State& s) { s.rest_targets[3] += 1e-9; }},
+      {"rest_speeds", [](State& s) { s.rest_speeds[3] += 1e-9; }},
+      {"unlocked", [](State& s) { s.unlocked[3] = 1; }},
+      {"holders.point", [](State& s) { s.holders[0].point = 5; }},
+      {"holders.velocity", [](State& s) { s.holders[0].velocity.x += 1e-9; }},
+      {"holders.turning", [](State& s) { s.holders[0].turning += 1e-9; }},
+      {"holders.acceleration", [](State& s) { s.holders[0].acceleration.y += 1e-9; }},
+      {"holders.angular_acceleration", [](State& s) { s.holders[0].angular_acceleration += 1e-9; }},
+      {"holders", [](State& s) { s.holders.clear(); }},
+      {"ledger", [](State& s) { s.ledger += 1e-9; }},
+      {"damping_apart", [](State& s) { s.damping_apart = !s.damping_apart; }},
+      {"restart", [](State& s) { s.restart = !s.restart; }},
+  };
+  SwingingRibbon ribbon;
+  const State state = ribbon.cord().save();
+  const std::uint64_t hash = hash_of(ribbon.scene);
+  for (const auto& [what, change] : changes) {
+    State changed = state;
+    change(changed);
+    ASSERT_NE(changed, state) << what;
+    ribbon.cord().restore(changed);
+    EXPECT_NE(hash_of(ribbon.scene), hash) << what;
+  }
+  ribbon.cord().restore(state);
+  EXPECT_EQ(hash_of(ribbon.scene), hash);
+}
+
+TEST(SceneHash, SameBitsOfTwoScenesWithDirectCords) {
+  SwingingRibbon one;
+  SwingingRibbon other;
+  for (int k = 0; k < 60; ++k) {
+    one.tick();
+    other.tick();
+    ASSERT_EQ(hash_of(one.scene), hash_of(other.scene)) << "tick " << k;
+  }
 }
 
 TEST(Scene, RefusesUnknownPropertiesOfTheMapAndTooManyObjects) {

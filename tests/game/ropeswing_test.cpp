@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/replay.h"
+#include "tests/support/mixed_level.h"
 
 namespace {
 
@@ -76,6 +77,17 @@ TEST(ReplayProgram, WhatItRecordsItVerifies) {
   const std::string path = scratch("recorded.replay");
   ASSERT_EQ(ropeswing("--headless --ticks 120 --record " + path).status, 0);
   const Ended ended = ropeswing("--headless --verify --replay " + path);
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
+}
+
+TEST(ReplayProgram, WhatItRecordsOfALevelWithDirectCordsItVerifies) {
+  const std::string level = scratch("mixed_swing.tmj");
+  const std::string path = scratch("mixed_swing.replay");
+  write_bytes(level, test_support::mixed_swing_map());
+  const Ended recorded = ropeswing("--headless --ticks 120 --level " + level + " --record " + path);
+  ASSERT_EQ(recorded.status, 0) << recorded.output;
+  const Ended ended = ropeswing("--headless --verify --level " + level + " --replay " + path);
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
 }

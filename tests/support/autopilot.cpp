@@ -18,7 +18,10 @@ Vec2 velocity(const game::Simulation& simulation) {
   return engine::to_double(simulation.player().body().GetLinearVelocity());
 }
 
-bool hangs_free(const ribbon::ThesisCord& cord) { return cord.kind(cord.mesh().size() - 1) == ribbon::PointKind::free; }
+bool hangs_free(const engine::Coupling& coupling, engine::CordIndex cord) {
+  const auto end = static_cast<int>(coupling.positions(cord).size()) - 1;
+  return coupling.kind(cord, end) == ribbon::PointKind::free;
+}
 
 }  // namespace
 
@@ -32,7 +35,7 @@ std::uint16_t Autopilot::buttons(const game::Simulation& simulation) {
 std::uint16_t Autopilot::hang(const game::Simulation& simulation, const engine::CordPoint& held) {
   last_cord_ = held.cord;
   ++ticks_on_cord_;
-  const Vec2 top = simulation.scene().coupling().cord(held.cord).positions()[0];
+  const Vec2 top = simulation.scene().coupling().positions(held.cord)[0];
   const Vec2 from_top = simulation.player().position() - top;
   const Vec2 v = velocity(simulation);
   const bool far_out = from_top.x > let_go_angle * length(from_top);
@@ -52,7 +55,7 @@ std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
     const engine::Coupling& coupling = simulation.scene().coupling();
     const auto near = coupling.nearest_point(player.hand(), player.tuning().reach);
     // Not the cord it has just left, which is the one within reach; and only cords that hang free.
-    if (near && near->cord != last_cord_ && hangs_free(coupling.cord(near->cord))) buttons |= game::button_grab;
+    if (near && near->cord != last_cord_ && hangs_free(coupling, near->cord)) buttons |= game::button_grab;
   }
   return buttons;
 }

@@ -1,0 +1,205 @@
+#include "engine/scene_cord.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/scene.h"
+#include "ribbon/mesh.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+const Choices thesis_properties = {"solver",           "columns",     "rows",      "mass",
+                                   "spring_stiffness", "bar_damping", "drag",      "area_stiffness",
+                                   "self_collision",   "substeps",    "pin_first", "pin_last"};
+const Choices direct_properties = {
+    "solver",        "columns",        "rows",     "mass",      "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",  "drag",      "tension_only",      "radius",
+    "width",         "accuracy",       "substeps", "tolerance", "pin_first",         "pin_last"};
+
+bool contains(Choices choices, std::string_view text) {
+  return std::find(choices.begin(), choices.end(), text) != choices.end();
+}
+
+/// `own` are the properties of the cord's solver, `others` those of the one that it does not have.
+void check_properties(const MapObject& object, Solver solver, Choices own, Choices others) {
+  for (const std::string_view property : others) {
+    if (!object.properties.has(property) || contains(own, property)) continue;
+    throw object.error("property " + in_quotes(property) + " is of another solver; this cord's is " +
+                       in_quotes(solver_name(solver)) + (object.properties.has("solver") ? "" : ", the default") +
+                       ", and accepted are: " + list_in_words(own));
+  }
+  object.properties.check_known_properties(own);
+}
+
+Solver solver_of(const MapObject& object) {
+  const std::string name = object.properties.text_or("solver", solver_name(Scene::default_solver),
+                                                     {solver_name(Solver::thesis), solver_name(Solver::direct)});
+  return name == solver_name(Solver::direct) ? Solver::direct : Solver::thesis;
+}
+
+/// m, along the polyline.
+double path_length(const MapObject& object) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < object.points.size(); ++k) {
+    const double segment = length(object.points[k] - object.points[k - 1]);
+    if (!(segment >= 1e-3)) {
+      throw object.error("corners " + std::to_string(k) + " and " + std::to_string(k + 1) +
+                         " of the polyline are in the same place; accepted are corners a millimetre apart or more");
+    }
+    sum += segment;
+  }
+  return sum;
+}
+
+int columns_of(const Properties& p) { return static_cast<int>(p.integer("columns", {2, 5000})); }
+double mass_of(const Properties& p) { return p.number("mass", {1e-6, 1e6}); }
+double drag_of(const Properties& p) { return p.number_or("drag", 0.0, {0.0, 1e3}); }
+int substeps_of(const Properties& p, int otherwise) {
+  return static_cast<int>(p.integer_or("substeps", otherwise, {1, 256}));
+}
+
+/// The points of the first and last column, as far as they are pinned.
+std::vector<int> pins_of(const Properties& p, int columns, int rows) {
+  std::vector<int> pins;
+  for (int j = 0; j < rows; ++j) {
+    if (p.boolean_or("pin_first", false)) pins.push_back(j);
+    if (p.boolean_or("pin_last", false)) pins.push_back((columns - 1) * rows + j);
+  }
+  return pins;
+}
+
+ribbon::ThesisDef thesis_def(const MapObject& object) {
+  const Properties& p = object.properties;
+  check_properties(object, Solver::thesis, thesis_properties, direct_properties);
+  ribbon::ThesisDef def;
+  def.w = columns_of(p);
+  def.h = static_cast<int>(p.integer_or("rows", 2, {2, 16}));
+  def.spacing = path_length(object) / (def.w - 1);
+  def.point_mass = mass_of(p) / (def.w * def.h);
+  def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
+  def.bar_damping = p.number_or("bar_damping", 0.0, {0.0, 1e12});
+  def.drag = drag_of(p);
+  def.area_stiffness = p.number_or("area_stiffness", 0.5, {0.0, 1.0});
+  def.self_collision = p.boolean_or("self_collision", false);
+  def.substeps = substeps_of(p, 8);
+  def.positions = ribbon::lay_along(object.points, def.w, def.h, def.spacing);
+  def.pins = pins_of(p, def.w, def.h);
+  return def;
+}
+
+struct PathPoint {
+  Vec2 at;
+  std::size_t segment;
+};
+
+/// The first point of the path after `from` that is `link` away from it; the last segment goes on straight.
+PathPoint next_point(const std::vector<Vec2>& path, const PathPoint& from, double link) {
+  std::size_t k = from.segment;
+  while (k + 2 < path.size() && length(path[k + 1] - from.at) < link) ++k;
+  // |o + t·d| = link, where the segment leaves the circle.
+  const Vec2 d = (1.0 / length(path[k + 1] - path[k])) * (path[k + 1] - path[k]);
+  const Vec2 o = path[k] - from.at;
+  const double b = dot(o, d);
+  const double t = std::sqrt(std::max(0.0, b * b - dot(o, o) + link * link)) - b;
+  return {path[k] + t * d, k};
+}
+
+struct Steps {
+  std::vector<Vec2> points;
+  bool arrive;  // at the path's end, or behind it
+};
+
+/// So many points along the path, each `link` from the next.
+Steps step_along(const std::vector<Vec2>& path, double link, int columns) {
+  PathPoint here{path[0], 0};
+  std::vector<Vec2> points{here.at};
+  for (int i = 1; i < columns; ++i) {
+    here = next_point(path, here, link);
+    points.push_back(here.at);
+  }
+  const Vec2 last = path.back() - path[path.size() - 2];
+  return {std::move(points), here.segment + 2 == path.size() && dot(here.at - path.back(), last) >= 0.0};
+}
+
+/// Points from the path's start to its end, each as far from the next as the crow flies. A cord that does not stretch
+/// would otherwise begin with a jerk: a link that cuts a corner is too short, and has to be right after the first tick.
+/// (Where the path folds back on itself there may be no such points; then they stop up to two links before its end.)
+std::vector<Vec2> lay_in_equal_links(const std::vector<Vec2>& path, double path_length, int columns) {
+  double falls_short = 0.0;
+  double arrives = path_length / (columns - 1);  // as long as the path is straight
+  for (int halving = 0; halving < 60; ++halving) {
+    const double link = 0.5 * (falls_short + arrives);
+    (step_along(path, link, columns).arrive ? arrives : falls_short) = link;
+  }
+  return step_along(path, falls_short, columns).points;
+}
+
+/// The rows of a cord whose middle line this is, the first to its right. They lie across the line from the column
+/// before to the one after, which at a corner keeps the cells from crossing as long as they can.
+std::vector<Vec2> lay_across(const std::vector<Vec2>& middle, int rows, double width) {
+  if (rows == 1) return middle;
+  std::vector<Vec2> positions;
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    const Vec2 along = middle[std::min(i + 1, middle.size() - 1)] - middle[i > 0 ? i - 1 : 0];
+    const double distance = length(along);
+    const Vec2 across = distance > 0.0 ? (1.0 / distance) * perp(along) : Vec2{0.0, 1.0};
+    for (int j = 0; j < rows; ++j) positions.push_back(middle[i] + (width * (1.0 * j / (rows - 1) - 0.5)) * across);
+  }
+  return positions;
+}
+
+ribbon::Accuracy accuracy_of(const Properties& p) {
+  const std::string name = p.text_or("accuracy", "balanced", {"fast", "balanced", "accurate"});
+  ribbon::Accuracy accuracy = ribbon::Accuracy::balanced();
+  if (name == "fast") accuracy = ribbon::Accuracy::fast();
+  if (name == "accurate") accuracy = ribbon::Accuracy::accurate();
+  accuracy.substeps = substeps_of(p, accuracy.substeps);
+  accuracy.tolerance = p.number_or("tolerance", accuracy.tolerance, {1e-12, 1.0});
+  return accuracy;
+}
+
+ribbon::CordDef direct_def(const MapObject& object) {
+  const Properties& p = object.properties;
+  check_properties(object, Solver::direct, direct_properties, thesis_properties);
+  ribbon::CordDef def;
+  def.points = columns_of(p);
+  def.rows = static_cast<int>(p.integer_or("rows", 1, {1, 16}));
+  const std::vector<Vec2> middle = lay_in_equal_links(object.points, path_length(object), def.points);
+  def.length = 0.0;
+  for (std::size_t i = 1; i < middle.size(); ++i) def.length += length(middle[i] - middle[i - 1]);
+  const double squares = (def.rows - 1) * def.length / (def.points - 1);
+  def.width = p.number_or("width", squares, {0.0, 1e3});
+  def.radius = p.number_or("radius", def.radius, {0.0, 10.0});
+  def.mass_per_length = mass_of(p) / def.length;
+  const bool stretches = def.rows > 1 || p.has("stretch_stiffness");  // a rope does not unless it is told to
+  if (stretches) def.stretch_stiffness = p.number("stretch_stiffness", {1e-6, 1e12});
+  def.bending_stiffness = p.number_or("bending_stiffness", 0.0, {0.0, 1e12});
+  def.poisson_ratio = p.number_or("poisson_ratio", 0.0, {-0.9, 0.9});
+  def.area_stiffness = p.number_or("area_stiffness", 0.0, {0.0, 1e3});
+  def.damping = p.number_or("damping", 0.0, {0.0, 1e3});
+  def.drag = drag_of(p);
+  def.tension_only = p.boolean_or("tension_only", false);
+  def.accuracy = accuracy_of(p);
+  def.positions = lay_across(middle, def.rows, def.width);
+  def.pins = pins_of(p, def.points, def.rows);
+  return def;
+}
+
+}  // namespace
+
+CordDefinition read_cord(const MapObject& object) {
+  if (object.shape != MapShape::polyline) {
+    throw object.error("the shape of a cord is " + std::string(shape_name(object.shape)) + "; accepted is polyline");
+  }
+  if (solver_of(object) == Solver::direct) return direct_def(object);
+  return thesis_def(object);
+}
+
+}  // namespace engine

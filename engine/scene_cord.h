@@ -1,0 +1,19 @@
+#pragma once
+
+#include <variant>
+
+#include "engine/tiled_map.h"
+#include "ribbon/cord_def.h"
+#include "ribbon/thesis_def.h"
+
+/// One cord of a map. Part of the scene; included by its sources only.
+namespace engine {
+
+/// By the solver that moves it.
+using CordDefinition = std::variant<ribbon::ThesisDef, ribbon::CordDef>;
+
+/// What a cord is made of, as its object says (engine/scene.h has the properties). Throws MapError for a shape,
+/// property or value that it cannot have; which values go together is left to the definition's own check.
+CordDefinition read_cord(const MapObject& object);
+
+}  // namespace engine

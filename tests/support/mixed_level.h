@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "game/level.h"
+
+namespace test_support {
+
+/// The map of first_swing with its hanging cords moved by the direct solver; its hammock stays with the thesis's.
+std::string mixed_swing_map();
+game::Level mixed_swing();
+
+}  // namespace test_support
