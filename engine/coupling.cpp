@@ -1,10 +1,14 @@
 #include "engine/coupling.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "engine/convert.h"
+#include "engine/shapes.h"
 
 namespace engine {
 namespace {
@@ -16,6 +20,8 @@ using ribbon::Vec2;
 // Room that every cord has from the start, so that the first circle to come near takes no memory.
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_grips = 8;
+constexpr double direct_reach = 4.0;      // times the way that a cord goes in a tick
+constexpr double single_roundings = 8.0;  // within which a body is where it was led to
 
 bool has_mass(const b2Body& body) { return body.GetMass() > 0.0F; }
 
@@ -25,9 +31,10 @@ bool should_collide(const b2Filter& a, const b2Filter& b) {
   return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
 }
 
-/// What a cord is likely to reach in dt: the box of its points and of where they are driven to, grown by the way the
-/// fastest point and a fall go in that time, and by a spacing for what pushes and pulls add.
-Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
+/// What a cord is likely to reach in dt: the box of its points and of where they are driven to, grown by `times` the
+/// way that the fastest point goes in that time, and a fall, and by a margin.
+template <typename Cord>
+Box reach_of(const Cord& cord, Vec2 gravity, double dt, double times, double margin) {
   Box box{cord.positions()[0], cord.positions()[0]};
   double speed2 = 0.0;
   for (std::size_t p = 0; p < cord.positions().size(); ++p) {
@@ -41,8 +48,18 @@ Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
     }
     speed2 = std::max(speed2, dot(cord.velocities()[p], cord.velocities()[p]));
   }
-  const double margin = std::sqrt(speed2) * dt + length(gravity) * dt * dt + cord.mesh().spacing;
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+  const double way = times * (std::sqrt(speed2) * dt + length(gravity) * dt * dt) + margin;
+  return {box.low - Vec2{way, way}, box.high + Vec2{way, way}};
+}
+
+/// A spacing more for what pushes and pulls add.
+Box reach_of(const ribbon::ThesisCord& cord, Vec2 gravity, double dt) {
+  return reach_of(cord, gravity, dt, 1.0, cord.mesh().spacing);
+}
+
+/// The direct solver looks as far itself, and further where that is not enough.
+Box reach_of(const ribbon::Cord& cord, Vec2 gravity, double dt) {
+  return reach_of(cord, gravity, dt, direct_reach, cord.rest_length(0) + cord.def().radius);
 }
 
 /// The box that a circle sweeps in dt.
@@ -50,6 +67,30 @@ Box reach_of(Vec2 center, double radius, double speed, Vec2 gravity, double dt) 
   const double margin = radius + speed * dt + length(gravity) * dt * dt;
   return {center - Vec2{margin, margin}, center + Vec2{margin, margin}};
 }
+
+/// m, the furthest that a part of a fixture is from its body's centre of mass, at the most.
+float extent(const b2Fixture& fixture) {
+  b2AABB box;
+  const b2Transform here(b2Vec2_zero, b2Rot(0.0F));
+  float most = 0.0F;
+  for (int child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+    fixture.GetShape()->ComputeAABB(&box, here, child);
+    const b2Vec2 center = fixture.GetBody()->GetLocalCenter();
+    most = std::max({most, (box.lowerBound - center).Length(), (box.upperBound - center).Length()});
+  }
+  return most;
+}
+
+bool is_near(const b2Fixture& fixture, const Box& reach) {
+  for (int child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+    const b2AABB& box = fixture.GetAABB(child);
+    if (overlap({to_double(box.lowerBound), to_double(box.upperBound)}, reach)) return true;
+  }
+  return false;
+}
+
+/// By what Box2D divides velocities in a tick.
+double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
 
 RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
   RigidBody rigid;
@@ -71,19 +112,18 @@ RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
 
 CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
   cord.reserve(usual_bodies, usual_bodies, usual_grips);
-  return add(CoupledCord{std::move(cord), filter, {}, {}, {}, {}, {}, {}});
+  return add(CoupledCord{std::move(cord), filter});
 }
 
-CordIndex Coupling::add(ribbon::Cord cord) {
+CordIndex Coupling::add(ribbon::Cord cord, const b2Filter& filter) {
   cord.reserve(usual_grips);
-  b2Filter none;
-  none.maskBits = 0;
-  return add(CoupledCord{std::move(cord), none, {}, {}, {}, {}, {}, {}});
+  return add(CoupledCord{std::move(cord), filter});
 }
 
 CordIndex Coupling::add(CoupledCord coupled) {
   cords_.push_back(std::move(coupled));
   cords_.back().circles.reserve(usual_bodies);
+  cords_.back().segments.reserve(usual_bodies);
   cords_.back().grips.reserve(usual_grips);
   gathered_.reserve(usual_bodies);
   rigid_.reserve(usual_bodies);
@@ -96,62 +136,94 @@ void Coupling::gather(b2World& world, double dt) {
   gathered_.clear();
   rigid_.clear();
   for (CoupledCord& coupled : cords_) {
-    if (const auto* thesis = std::get_if<ribbon::ThesisCord>(&coupled.cord)) {
-      coupled.reach = reach_of(*thesis, gravity_, dt);
-    }
+    coupled.reach = std::visit([&](const auto& cord) { return reach_of(cord, gravity_, dt); }, coupled.cord);
     coupled.circles.clear();
+    coupled.segments.clear();
     coupled.grips.clear();
   }
-  drop_holders_gone_from(world);
+  fixture_ids_.begin_tick();
+  drop_what_is_gone_from(world);
   // In the world's own order: it depends on when bodies were made, never on where they lie in memory.
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     gather_body(*body, world.GetGravity(), dt);
   }
 }
 
-void Coupling::drop_holders_gone_from(const b2World& world) {
-  const auto is_gone = [&world](const Holder& holder) {
+void Coupling::drop_what_is_gone_from(const b2World& world) {
+  const auto is_in_world = [&world](const b2Body* wanted) {
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-      if (body == holder.body) return !body->IsEnabled();
+      if (body == wanted) return true;
     }
-    return true;
+    return false;
   };
-  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), is_gone), holders_.end());
+  holders_.erase(
+      std::remove_if(holders_.begin(), holders_.end(),
+                     [&](const Holder& holder) { return !is_in_world(holder.body) || !holder.body->IsEnabled(); }),
+      holders_.end());
+  for (LedBody& led : led_) led.led = false;
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (LedBody* found = led(*body)) found->led = true;
+  }
+  led_.erase(std::remove_if(led_.begin(), led_.end(), [](const LedBody& led) { return !led.led; }), led_.end());
 }
 
 void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
-  const Vec2 center_of_mass = to_double(body.GetWorldCenter());
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-    if (fixture->IsSensor() || fixture->GetType() != b2Shape::e_circle) continue;
-    const auto& circle = static_cast<const b2CircleShape&>(*fixture->GetShape());
-    const Vec2 center = to_double(body.GetWorldPoint(circle.m_p));
-    const double radius = static_cast<double>(circle.m_radius);
-    const double speed = static_cast<double>(body.GetLinearVelocityFromLocalPoint(circle.m_p).Length());
-    const Box swept = reach_of(center, radius, speed, gravity_, dt);
-    for (CoupledCord& coupled : cords_) {
-      if (!std::holds_alternative<ribbon::ThesisCord>(coupled.cord)) continue;
-      if (!should_collide(fixture->GetFilterData(), coupled.filter)) continue;
-      if (!overlap(swept, coupled.reach)) continue;
-      coupled.circles.push_back({body_index(body, gravity), center - center_of_mass, radius});
-    }
+    if (!fixture->IsSensor()) gather_fixture(body, *fixture, gravity, dt);
   }
   if (Holder* held = holder(body)) {
+    const Vec2 center_of_mass = to_double(body.GetWorldCenter());
     const Vec2 hand = to_double(body.GetWorldPoint(held->local_hand));
     const Vec2 travel = to_double(body.GetWorldVector(held->next_hand - held->local_hand));
     cords_[at(held->cord)].grips.push_back({held->point, body_index(body, gravity), hand - center_of_mass, travel});
     held->local_hand = held->next_hand;
+  }
+  if (LedBody* found = led(body); found != nullptr && (gathered_.empty() || gathered_.back().body != &body))
+    let_run(body);
+}
+
+void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt) {
+  const b2Shape& shape = *fixture.GetShape();
+  const bool is_circle = fixture.GetType() == b2Shape::e_circle;
+  const Vec2 center_of_mass = to_double(body.GetWorldCenter());
+  Box swept;
+  if (is_circle) {
+    const auto& circle = static_cast<const b2CircleShape&>(shape);
+    swept = reach_of(to_double(body.GetWorldPoint(circle.m_p)), static_cast<double>(circle.m_radius),
+                     static_cast<double>(body.GetLinearVelocityFromLocalPoint(circle.m_p).Length()), gravity_, dt);
+  }
+  for (CoupledCord& coupled : cords_) {
+    if (!should_collide(fixture.GetFilterData(), coupled.filter)) continue;
+    if (std::holds_alternative<ribbon::ThesisCord>(coupled.cord)) {
+      if (!is_circle || !overlap(swept, coupled.reach)) continue;
+      const auto& circle = static_cast<const b2CircleShape&>(shape);
+      coupled.circles.push_back({body_index(body, gravity), to_double(body.GetWorldPoint(circle.m_p)) - center_of_mass,
+                                 static_cast<double>(circle.m_radius)});
+      continue;
+    }
+    const double speed =
+        static_cast<double>(body.GetLinearVelocity().Length() + std::abs(body.GetAngularVelocity()) * extent(fixture));
+    const double way = direct_reach * (speed * dt + length(gravity_) * dt * dt);
+    const Box reach{coupled.reach.low - Vec2{way, way}, coupled.reach.high + Vec2{way, way}};
+    if (!is_near(fixture, reach)) continue;
+    add_shape(fixture, body_index(body, gravity), fixture_ids_.of(fixture), reach, coupled.circles, coupled.segments);
   }
 }
 
 int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
   if (gathered_.empty() || gathered_.back().body != &body) {
     gathered_.push_back({&body, -1});
-    rigid_.push_back(rigid_body(body, gravity));
-    if (const Holder* held = holder(body)) {
-      rigid_.back().velocity += held->ahead;
-      rigid_.back().angular_velocity += held->ahead_turning;
+    RigidBody rigid = rigid_body(body, gravity);
+    if (const LedBody* before = led(body)) {
+      rigid.velocity += before->ahead;
+      rigid.angular_velocity += before->ahead_turning;
+      // What single precision has lost of where it was led to.
+      const double rounding = single_roundings * static_cast<double>(std::numeric_limits<float>::epsilon());
+      const double scale = std::abs(rigid.position.x) + std::abs(rigid.position.y) + 1.0;
+      if (length(rigid.position - before->position) <= rounding * scale) rigid.position = before->position;
     }
+    rigid_.push_back(rigid);
   }
   return static_cast<int>(gathered_.size()) - 1;
 }
@@ -159,16 +231,31 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
 void Coupling::step() {
   for (CordIndex c = 0; c < size(); ++c) {
     CoupledCord& coupled = cords_[at(c)];
-    if (auto* direct = std::get_if<ribbon::Cord>(&coupled.cord)) {
-      coupled.direct_report = direct->step(dt_, gravity_, {rigid_, {}, coupled.grips});
-      coupled.direct_total += coupled.direct_report;
-    } else {
-      coupled.report =
-          std::get<ribbon::ThesisCord>(coupled.cord).step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
-      coupled.total += coupled.report;
-    }
+    auto* thesis = std::get_if<ribbon::ThesisCord>(&coupled.cord);
+    if (thesis == nullptr) continue;
+    coupled.report = thesis->step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
+    coupled.total += coupled.report;
     for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
     for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].met = c;
+  }
+  step_direct();
+}
+
+void Coupling::step_direct() {
+  direct_cords_.clear();
+  for (CoupledCord& coupled : cords_) {
+    auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
+    if (direct != nullptr)
+      direct_cords_.push_back({direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}});
+  }
+  if (direct_cords_.empty()) return;
+  direct_reports_.resize(direct_cords_.size());
+  direct_solver_.step(direct_cords_, rigid_, dt_, gravity_, direct_reports_);
+  std::size_t k = 0;
+  for (CoupledCord& coupled : cords_) {
+    if (!std::holds_alternative<ribbon::Cord>(coupled.cord)) continue;
+    coupled.direct_report = direct_reports_[k++];
+    coupled.direct_total += coupled.direct_report;
   }
 }
 
@@ -176,10 +263,11 @@ void Coupling::apply() {
   for (std::size_t b = 0; b < gathered_.size(); ++b) {
     b2Body& body = *gathered_[b].body;
     if (rigid_[b].inverse_mass == 0.0) continue;
-    if (Holder* held = holder(body)) {
-      lead(*held, rigid_[b], dt_);
+    if (rigid_[b].met || holder(body) != nullptr) {
+      lead(body, rigid_[b]);
     } else {
-      push(gathered_[b], rigid_[b]);
+      let_run(body);
+      if (gathered_[b].met >= 0) push(gathered_[b], rigid_[b]);
     }
   }
 }
@@ -195,21 +283,53 @@ void Coupling::push(const GatheredBody& gathered, const RigidBody& rigid) {
   std::get<ribbon::ThesisCord>(cords_[at(gathered.met)].cord).add_momentum(rigid.impulse - given);
 }
 
-/// Makes world.Step take a holder to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D gets
-/// m·(Δx/dt − a·dt − v), and v⁺ − Δx/dt is carried on.
-void Coupling::lead(Holder& holder, const RigidBody& rigid, double dt) {
-  b2Body& body = *holder.body;
-  const Vec2 fall = dt * rigid.acceleration;  // which world.Step adds
-  const Vec2 wanted = (1.0 / dt) * rigid.moved - fall;
+/// Makes world.Step take a body to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D, which
+/// adds a·dt to a velocity and divides it by 1 + c·dt for damping c, gets m·((1 + c·dt)·Δx/dt − a·dt − v), and v⁺ −
+/// Δx/dt is carried on.
+void Coupling::lead(b2Body& body, const RigidBody& rigid) {
+  LedBody& led = led_or_new(body);
+  const Vec2 fall = dt_ * rigid.acceleration;
+  const double divided = damped(body.GetLinearDamping(), dt_);
+  const Vec2 wanted = (divided / dt_) * rigid.moved - fall;
   body.ApplyLinearImpulseToCenter(to_float((1.0 / rigid.inverse_mass) * (wanted - to_double(body.GetLinearVelocity()))),
                                   true);
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
-  holder.ahead = end - (to_double(body.GetLinearVelocity()) + fall);
+  led.ahead = (1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall));
+  led.position = rigid.position + rigid.moved;
+  led.led = true;
   if (rigid.inverse_inertia == 0.0) return;
   const double turning = static_cast<double>(body.GetAngularVelocity());
-  body.ApplyAngularImpulse(static_cast<float>((rigid.turned / dt - turning) / rigid.inverse_inertia), true);
+  const double divided_turning = damped(body.GetAngularDamping(), dt_);
+  body.ApplyAngularImpulse(static_cast<float>((divided_turning * rigid.turned / dt_ - turning) / rigid.inverse_inertia),
+                           true);
   const double end_turning = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
-  holder.ahead_turning = end_turning - static_cast<double>(body.GetAngularVelocity());
+  led.ahead_turning = (end_turning - static_cast<double>(body.GetAngularVelocity())) / divided_turning;
+}
+
+/// Gives a body that no cord moves any more what Box2D could not show of its velocity.
+void Coupling::let_run(b2Body& body) {
+  const LedBody* before = led(body);
+  if (before == nullptr) return;
+  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + before->ahead));
+  body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + before->ahead_turning));
+  led_.erase(led_place(body));
+}
+
+std::vector<Coupling::LedBody>::iterator Coupling::led_place(const b2Body& body) {
+  return std::lower_bound(led_.begin(), led_.end(), &body,
+                          [](const LedBody& led, const b2Body* wanted) { return std::less<>()(led.body, wanted); });
+}
+
+Coupling::LedBody* Coupling::led(const b2Body& body) {
+  const auto place = led_place(body);
+  return place != led_.end() && place->body == &body ? &*place : nullptr;
+}
+
+const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
+
+Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
+  if (LedBody* before = led(body)) return *before;
+  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, true});
 }
 
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
@@ -224,15 +344,13 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
     held->point = point;
     held->next_hand = local_hand;
   } else {
-    holders_.push_back({&body, cord, point, local_hand, local_hand, {}});
+    holders_.push_back({&body, cord, point, local_hand, local_hand});
   }
 }
 
 bool Coupling::release(b2Body& body) {
-  const Holder* held = holder(body);
-  if (held == nullptr) return false;
-  body.SetLinearVelocity(to_float(velocity(body)));
-  body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + held->ahead_turning));
+  if (holder(body) == nullptr) return false;
+  let_run(body);
   forget(body);
   return true;
 }
@@ -245,11 +363,12 @@ void Coupling::destroy(b2World& world, b2Body& body) {
 void Coupling::forget(const b2Body& body) {
   const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
   holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
+  if (led(body) != nullptr) led_.erase(led_place(body));
 }
 
 Vec2 Coupling::velocity(const b2Body& body) const {
-  const Holder* held = holder(body);
-  return to_double(body.GetLinearVelocity()) + (held != nullptr ? held->ahead : Vec2{});
+  const LedBody* found = led(body);
+  return to_double(body.GetLinearVelocity()) + (found != nullptr ? found->ahead : Vec2{});
 }
 
 const Coupling::Holder* Coupling::holder(const b2Body& body) const {

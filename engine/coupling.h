@@ -8,7 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "engine/fixture_ids.h"
 #include "ribbon/cord.h"
+#include "ribbon/direct_solver.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_cord.h"
 
@@ -57,8 +59,9 @@ struct CordPoint {
 /// GetLinearVelocity shows of a holder is the mean of the last tick, and `velocity` the momentary one. Letting go gives
 /// the difference back.
 ///
-/// Cords of both solvers live in it side by side. One of the direct solver is held, carried and swung on as any other,
-/// with its holders part of its solve; it does not meet circles yet.
+/// Cords of both solvers live in it side by side. One of the thesis's meets circles, and hands each body its impulse.
+/// One of the direct solver meets circles, edges, chains and polygons, and is solved together with all bodies that hold
+/// or touch it and the cords that these touch too; so what is said of holders above holds for all of them.
 ///
 /// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept
 /// but for those that hold a cord, and a held cord is let go when its holder is no longer in the world.
@@ -67,8 +70,7 @@ class Coupling {
   /// `filter` decides as between two Box2D fixtures which circles the cord meets.
   CordIndex add(ribbon::ThesisCord cord, const b2Filter& filter = {});
 
-  /// One of the direct solver. It is held; circles it does not meet yet.
-  CordIndex add(ribbon::Cord cord);
+  CordIndex add(ribbon::Cord cord, const b2Filter& filter = {});
 
   int size() const { return static_cast<int>(cords_.size()); }
   /// A cord of the thesis's solver; std::bad_variant_access for one of the direct solver, and the other way round.
@@ -96,9 +98,9 @@ class Coupling {
   /// What has happened to the cord since it was added, summed up.
   const ribbon::StepReport& total(CordIndex index) const { return cords_[at(index)].total; }
 
-  /// Reads the world as it is before a tick of dt seconds: for each cord the circles of enabled bodies that it may
-  /// reach in that time, offset in their body, several a body, static, kinematic and dynamic. Sensors are ignored, and
-  /// so are dynamic bodies without mass.
+  /// Reads the world as it is before a tick of dt seconds: for each cord the fixtures of enabled bodies that it may
+  /// reach in that time, several a body, static, kinematic and dynamic. Sensors are ignored, and so are dynamic bodies
+  /// without mass.
   void gather(b2World& world, double dt);
   /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
   void step();
@@ -128,46 +130,65 @@ class Coupling {
   struct CoupledCord {
     std::variant<ribbon::ThesisCord, ribbon::Cord> cord;
     b2Filter filter;
-    ribbon::CordReport direct_report;
-    ribbon::StepReport report;
-    ribbon::StepReport total;
-    ribbon::Box reach;  // of this tick
-    std::vector<ribbon::RigidCircle> circles;
-    std::vector<ribbon::Grip> grips;
+    ribbon::CordReport direct_report{};
     ribbon::CordReport direct_total{};
+    ribbon::StepReport report{};
+    ribbon::StepReport total{};
+    ribbon::Box reach{};  // of this tick
+    std::vector<ribbon::RigidCircle> circles{};
+    std::vector<ribbon::RigidSegment> segments{};
+    std::vector<ribbon::Grip> grips{};
   };
   struct Holder {
     b2Body* body;
     CordIndex cord;
     int point;
-    b2Vec2 local_hand;           // at the start of the tick
-    b2Vec2 next_hand;            // and at its end
+    b2Vec2 local_hand;  // at the start of the tick
+    b2Vec2 next_hand;   // and at its end
+  };
+  /// A body that cords move on a curve.
+  struct LedBody {
+    const b2Body* body;
     ribbon::Vec2 ahead;          // m/s, the momentary velocity less Box2D's
     double ahead_turning = 0.0;  // rad/s, the same of the rotation
+    ribbon::Vec2 position;       // m, of the centre of mass, where it was led to
+    bool led;                    // in this tick
   };
   struct GatheredBody {
     b2Body* body;
-    CordIndex met;  // the last cord that it came near or holds
+    CordIndex met;  // the last cord of the thesis's that it came near or holds
   };
 
   void forget(const b2Body& body);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-  void drop_holders_gone_from(const b2World& world);
+  void drop_what_is_gone_from(const b2World& world);
   void gather_body(b2Body& body, b2Vec2 gravity, double dt);
+  void gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt);
   int body_index(b2Body& body, b2Vec2 gravity);
+  void step_direct();
   Holder* holder(const b2Body& body);
   const Holder* holder(const b2Body& body) const;
+  std::vector<LedBody>::iterator led_place(const b2Body& body);
+  LedBody* led(const b2Body& body);
+  const LedBody* led(const b2Body& body) const;
+  LedBody& led_or_new(const b2Body& body);
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
-  static void lead(Holder& holder, const ribbon::RigidBody& rigid, double dt);
+  void lead(b2Body& body, const ribbon::RigidBody& rigid);
+  void let_run(b2Body& body);
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
+  std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
+  FixtureIds fixture_ids_;
+  ribbon::DirectSolver direct_solver_;
   ribbon::Vec2 gravity_;
   double dt_ = 0.0;  // s, of the tick that was gathered for
   // This tick's bodies: Box2D's and the cord's view of each, at the same index.
   std::vector<GatheredBody> gathered_;
   std::vector<ribbon::RigidBody> rigid_;
+  std::vector<ribbon::IslandCord> direct_cords_;
+  std::vector<ribbon::CordReport> direct_reports_;
 };
 
 }  // namespace engine

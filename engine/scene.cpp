@@ -84,7 +84,7 @@ void add_state(Hasher& hasher, const ribbon::Cord& cord) {
   // By name, one and all: what is new in the state does not compile until it is added here.
   const ribbon::Cord::State state = cord.save();
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, ledger, damping_apart, restart] = state;
+               rest_speeds, unlocked, holders, touches, touch_changed, ledger, damping_apart, restart] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -97,6 +97,16 @@ void add_state(Hasher& hasher, const ribbon::Cord& cord) {
     hasher.add(acceleration);
     hasher.add(angular_acceleration);
   }
+  hasher.add(touches.size());
+  for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal] : touches) {
+    hasher.add(static_cast<std::size_t>(other));
+    hasher.add(feature);
+    hasher.add(other_feature);
+    for (const double number : {force, stuck, impulse}) hasher.add(number);
+    hasher.add(point);
+    hasher.add(normal);
+  }
+  hasher.add(static_cast<int>(touch_changed));
   hasher.add(ledger);
   hasher.add(static_cast<int>(damping_apart));
   hasher.add(static_cast<int>(restart));
@@ -187,7 +197,7 @@ void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   const CordDefinition definition = read_cord(object);
   try {
     if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
-      coupling_.add(ribbon::Cord(*direct));
+      coupling_.add(ribbon::Cord(*direct), filter);
     } else {
       coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), filter);
     }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <box2d/b2_fixture.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace engine {
+
+/// A number for each fixture that cords come near, the same from tick to tick, counted in the order of meeting them. An
+/// address serves to find it again and for nothing else.
+class FixtureIds {
+ public:
+  /// Forgets fixtures that were not asked for since the last call.
+  void begin_tick();
+  std::uint64_t of(const b2Fixture& fixture);
+
+ private:
+  struct Known {
+    const b2Fixture* fixture;
+    std::uint64_t id;
+    bool seen;
+  };
+  std::vector<Known> known_;  // by address
+  std::uint64_t next_ = 1;
+};
+
+}  // namespace engine
