@@ -21,6 +21,7 @@ using ribbon::Vec2;
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_grips = 8;
 constexpr double direct_reach = 4.0;      // times the way that a cord goes in a tick
+constexpr double unworthy_push = 1e-5;    // m/s, and as a share, that single precision explains
 constexpr double single_roundings = 8.0;  // within which a body is where it was led to
 
 bool has_mass(const b2Body& body) { return body.GetMass() > 0.0F; }
@@ -215,8 +216,9 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
   if (gathered_.empty() || gathered_.back().body != &body) {
     gathered_.push_back({&body, -1});
     RigidBody rigid = rigid_body(body, gravity);
-    if (const LedBody* before = led(body)) {
-      rigid.velocity += before->ahead;
+    if (LedBody* before = led(body)) {
+      rigid.acceleration += reaction(body, *before);
+      rigid.velocity += ahead(body, *before);
       rigid.angular_velocity += before->ahead_turning;
       // What single precision has lost of where it was led to.
       const double rounding = single_roundings * static_cast<double>(std::numeric_limits<float>::epsilon());
@@ -296,6 +298,8 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
   led.ahead = (1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall));
   led.position = rigid.position + rigid.moved;
+  const Vec2 weight = (dt_ * static_cast<double>(body.GetGravityScale())) * gravity_;
+  led.velocity = (1.0 / divided) * (to_double(body.GetLinearVelocity()) + weight);
   led.led = true;
   if (rigid.inverse_inertia == 0.0) return;
   const double turning = static_cast<double>(body.GetAngularVelocity());
@@ -310,7 +314,7 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
 void Coupling::let_run(b2Body& body) {
   const LedBody* before = led(body);
   if (before == nullptr) return;
-  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + before->ahead));
+  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, *before)));
   body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + before->ahead_turning));
   led_.erase(led_place(body));
 }
@@ -327,9 +331,30 @@ Coupling::LedBody* Coupling::led(const b2Body& body) {
 
 const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
 
+/// What a body that met something else has been pushed by takes what is ahead of its velocity with it: who stands does
+/// not go on falling.
+Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
+  const Vec2 pushed = to_double(body.GetLinearVelocity()) - led.velocity;
+  const double size = length(pushed);
+  if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
+  const Vec2 n = (1.0 / size) * pushed;
+  return led.ahead - std::min(0.0, dot(led.ahead, n)) * n;
+}
+
+/// What holds up a body that stands or leans, m/s²: what Box2D's other contacts have pushed it with in both of the last
+/// two ticks. The cord would let it fall otherwise, and be told after each tick that it did not.
+Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
+  const Vec2 before = led.pushed;
+  led.pushed = to_double(body.GetLinearVelocity()) - led.velocity;
+  const double along = dot(before, led.pushed);
+  if (!(along > 0.0)) return {};
+  const double least = std::min(length(before), length(led.pushed));
+  return (least / (length(led.pushed) * dt_)) * led.pushed;
+}
+
 Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
   if (LedBody* before = led(body)) return *before;
-  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, true});
+  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, {}, {}, true});
 }
 
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
@@ -368,7 +393,7 @@ void Coupling::forget(const b2Body& body) {
 
 Vec2 Coupling::velocity(const b2Body& body) const {
   const LedBody* found = led(body);
-  return to_double(body.GetLinearVelocity()) + (found != nullptr ? found->ahead : Vec2{});
+  return to_double(body.GetLinearVelocity()) + (found != nullptr ? ahead(body, *found) : Vec2{});
 }
 
 const Coupling::Holder* Coupling::holder(const b2Body& body) const {

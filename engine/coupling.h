@@ -152,6 +152,8 @@ class Coupling {
     ribbon::Vec2 ahead;          // m/s, the momentary velocity less Box2D's
     double ahead_turning = 0.0;  // rad/s, the same of the rotation
     ribbon::Vec2 position;       // m, of the centre of mass, where it was led to
+    ribbon::Vec2 velocity;       // m/s, which Box2D leaves it with if it meets nothing
+    ribbon::Vec2 pushed;         // m/s, by which it was more, in the tick before this one
     bool led;                    // in this tick
   };
   struct GatheredBody {
@@ -171,7 +173,9 @@ class Coupling {
   const Holder* holder(const b2Body& body) const;
   std::vector<LedBody>::iterator led_place(const b2Body& body);
   LedBody* led(const b2Body& body);
+  ribbon::Vec2 reaction(const b2Body& body, LedBody& led) const;
   const LedBody* led(const b2Body& body) const;
+  static ribbon::Vec2 ahead(const b2Body& body, const LedBody& led);
   LedBody& led_or_new(const b2Body& body);
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
   void lead(b2Body& body, const ribbon::RigidBody& rigid);

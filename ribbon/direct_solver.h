@@ -11,8 +11,8 @@ namespace ribbon {
 /// once; the others are solved one by one. It keeps memory only.
 class DirectSolver {
  public:
-  /// Advances all cords by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first cords;
-  /// all meet the same `bodies`. reports[k] is what happened in the island of cords[k].
+  /// Advances all cords by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first
+  /// cords; all meet the same `bodies`. reports[k] is what happened in the island of cords[k].
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 

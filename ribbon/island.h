@@ -79,6 +79,7 @@ class Island {
 
   void find_contacts(double dt, double room);
   void find_outline(const Member& member);
+  static bool holds(const Member& member, int body);
   double room_of(const RigidBody& body, Vec2 arm) const;
   int add_spot(int body, Vec2 arm);
   double contact_stiffness(const Member& member, double other_mass) const;

@@ -49,14 +49,23 @@ void Island::find_contacts(double dt, double room) {
   room_ = room * (2.0 * dt * (std::sqrt(speed2) + dt * length(gravity_)) + 0.25 * link);
   for (const Member& member : members_) {
     find_outline(member);
-    for (const RigidCircle& circle : member.met.circles) meet_circle(member, circle);
-    for (const RigidSegment& segment : member.met.segments) meet_segment(member, segment);
+    for (const RigidCircle& circle : member.met.circles) {
+      if (!holds(member, circle.body)) meet_circle(member, circle);
+    }
+    for (const RigidSegment& segment : member.met.segments) {
+      if (!holds(member, segment.body)) meet_segment(member, segment);
+    }
     if (member.cord->def_.self_contact) meet_itself(member);
     touch_changed_ = touch_changed_ || member.cord->touch_changed_;
   }
 }
 
-/// The boxes of a cord's outline, in groups.
+/// What holds a cord is not in its way: as bodies that a joint connects are not in each other's.
+bool Island::holds(const Member& member, int body) {
+  const auto& grips = member.met.grips;
+  return std::any_of(grips.begin(), grips.end(), [body](const Grip& grip) { return grip.body == body; });
+}
+
 void Island::find_outline(const Member& member) {
   const Cord& cord = *member.cord;
   reach_ = {positions_[member.first], positions_[member.first]};
