@@ -59,6 +59,7 @@ struct CordDef {
   double friction = 0.0;      ///< μ of its surface, 0 … 10; with another's √(μ₁·μ₂) holds, as in Box2D
   double restitution = 0.0;   ///< 0 … 1; with another's the greater holds, as in Box2D
   bool self_contact = false;  ///< it does not pass through itself
+  bool cord_contact = false;  ///< nor through others that declare it too
   Elements elements = Elements::cells;
   Accuracy accuracy;
 

@@ -18,6 +18,7 @@ constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on 
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
+constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
 constexpr double wider_room = 8.0;        // times the room, in which contacts were looked for, if it was left
 constexpr double most_room = 500.0;
 
@@ -55,8 +56,8 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
   accuracy_ = cords[0].cord->def_.accuracy;
   for (const IslandCord& cord : cords) {
     const std::size_t size = cord.cord->count();
-    members_.push_back(
-        {cord.cord, cord.met, count_, size, tensions, cord.cord->tensions_.size(), held_.size(), held_.size()});
+    members_.push_back({cord.cord, cord.met, count_, size, tensions, cord.cord->tensions_.size(), held_.size(),
+                        held_.size(), cord.id});
     count_ += size;
     tensions += cord.cord->tensions_.size();
     accuracy_ = sharper(accuracy_, cord.cord->def_.accuracy);
@@ -67,6 +68,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
   for (Member& member : members_) {
     drive_points(member, dt);
     take_hold(member);
+    member.mass = pressing_mass(member);
     wind(member, dt);
     member.cord->put_damping_back();
     std::copy(member.cord->tensions_.begin(), member.cord->tensions_.end(),
@@ -85,7 +87,8 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
   for (const Member& member : members_) longest = std::max(longest, member.cord->def_.length);
   for (std::size_t p = 0; p < count_; ++p) mass += masses_[p];
   for (std::size_t k = 0; k < bodies_.size(); ++k) mass += masses_[center(k)];
-  weight_scale_ = mass * length(gravity_) * longest;
+  const double noise = noise_share * tolerance_ / step_dt_;
+  weight_scale_ = mass * (length(gravity_) * longest + noise * noise);
 }
 
 /// Whether it is one cord of which every body holds another point, so that its own elasticity can do the solve.

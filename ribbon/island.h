@@ -18,7 +18,8 @@ namespace ribbon {
 /// A cord in an island, and what it alone meets.
 struct IslandCord {
   Cord* cord = nullptr;
-  Surroundings met;  ///< its circles, segments and grips; the bodies are those of all
+  Surroundings met;      ///< its circles, segments and grips; the bodies are those of all
+  std::uint64_t id = 0;  ///< the same from step to step, and of no circle or segment
 };
 
 /// Cords that are solved together, for they hold the same bodies or touch each other: the step of the direct solver. It
@@ -41,6 +42,12 @@ class Island {
     std::size_t tensions;       // how many
     std::size_t first_hold;     // of its grips among all, and the end of them
     std::size_t last_hold;
+    std::uint64_t id;
+    double mass = 0.0;  // kg, of the cord and what hangs on it
+  };
+  struct OutlineLink {
+    std::size_t member;
+    int link;
   };
   struct Body {
     int index;          // into the step's bodies
@@ -71,25 +78,29 @@ class Island {
   std::size_t body_slot(int index);
   void place_bodies();
   void remember_bodies(const Member& member);
-  bool left_room() const;
   void wind(const Member& member, double dt);
   void finish_step(double dt, CordReport& report);
   void finish_member(const Member& member);
   void remember_contacts(const Member& member);
 
   void find_contacts(double dt, double room);
-  void find_outline(const Member& member);
+  static bool may_touch(const Member& member);
+  void find_reach(const Member& member);
   static bool holds(const Member& member, int body);
-  double room_of(const RigidBody& body, Vec2 arm) const;
+  Box link_box(const ContactPair& pair) const;
+  Box spot_box(const RigidBody& body, Vec2 arm) const;
   int add_spot(int body, Vec2 arm);
-  double contact_stiffness(const Member& member, double other_mass) const;
+  double pressing_mass(const Member& member) const;
   static int links(const Cord& cord);
   ContactPair pair_with_link(const Member& member, int k) const;
-  void add_pair(const Member& member, ContactPair& pair, const RigidBody* body, double friction, double restitution,
-                std::uint64_t id, int feature);
+  void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
   void meet_circle(const Member& member, const RigidCircle& circle);
   void meet_segment(const Member& member, const RigidSegment& segment);
-  void meet_itself(const Member& member);
+  void meet_each_other();
+  Vec2 mean_way() const;
+  void meet_link(const Member& member, int k, const OutlineLink& link);
+  static bool are_neighbours(const CordDef& def, int k, int link);
+  bool left_room() const;
   void let_go(double dt);
   void damp_deformation(const Member& member);
 
@@ -168,7 +179,7 @@ class Island {
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
   double begin_ = 0.0;  // s, of the substep
-  double room_ = 0.0;   // m, how far in a step anything may go that contacts are looked for
+  double room_ = 0.0;   // m, how far from its straight way anything may go in a step
   Energy energy_after_;
   double weight_scale_ = 0.0;  // J, M·g·L
   std::vector<HeldStep> held_steps_;
@@ -189,6 +200,11 @@ class Island {
   std::vector<double> most_tensions_;  // the slopes of the exact penalty
   std::vector<double> values_;         // of the merit, lately
   std::vector<Vec2> step_start_;
+  std::vector<Vec2> ends_;  // of the step, if nothing is in the way
+  std::vector<Box> link_boxes_;
+  std::vector<OutlineLink> outline_links_;
+  std::unique_ptr<Quadtree> tree_;
+  std::size_t tree_room_ = 0;
   Box reach_;  // of the cord whose contacts are looked for
   bool has_pattern_ = false;
 

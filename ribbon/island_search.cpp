@@ -1,0 +1,323 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/complex.h"
+#include "ribbon/island.h"
+
+// Whom the cords may touch in a step.
+
+namespace ribbon {
+namespace {
+
+// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as its
+// own way in a step is divided by that.
+constexpr double firmness = 2e3;
+// Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
+constexpr double own_neighbourhood = 3.0;
+
+Box box_around(Vec2 a, Vec2 b, double margin) {
+  return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
+          {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
+}
+
+Box joined(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+Box widened(const Box& box, double margin) { return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}}; }
+
+}  // namespace
+
+/// Everything is expected to go straight on in the step, and to fall, and to leave that way by no more than its room: a
+/// quarter of a link and a fall, and where there is something to rebound from its own way once more. Where something
+/// does, the step is taken again with more.
+void Island::find_contacts(double dt, double room) {
+  contacts_.clear(count_);
+  has_pattern_ = false;
+  touch_changed_ = false;
+  const bool any =
+      std::any_of(members_.begin(), members_.end(), [](const Member& member) { return may_touch(member); });
+  if (!any) return;
+  ends_.resize(count_);
+  double speed2 = 0.0;
+  double link = 0.0;
+  for (std::size_t p = 0; p < count_; ++p) {
+    ends_[p] = positions_[p] + dt * velocities_[p];
+    if (constrained_[p] == 0) ends_[p] += (dt * dt) * gravity_;
+    speed2 = std::max(speed2, dot(velocities_[p], velocities_[p]));
+  }
+  for (const RigidBody& body : rigid_) speed2 = std::max(speed2, dot(body.velocity, body.velocity));
+  for (const Member& member : members_) link = std::max(link, member.cord->rest_[0]);
+  room_ = room * (0.25 * link + 2.0 * dt * dt * length(gravity_) + dt * std::sqrt(speed2));
+  for (const Member& member : members_) {
+    find_reach(member);
+    for (const RigidCircle& circle : member.met.circles) {
+      if (!holds(member, circle.body)) meet_circle(member, circle);
+    }
+    for (const RigidSegment& segment : member.met.segments) {
+      if (!holds(member, segment.body)) meet_segment(member, segment);
+    }
+    touch_changed_ = touch_changed_ || member.cord->touch_changed_;
+  }
+  meet_each_other();
+}
+
+bool Island::may_touch(const Member& member) {
+  const CordDef& def = member.cord->def_;
+  return !member.met.circles.empty() || !member.met.segments.empty() || def.self_contact || def.cord_contact;
+}
+
+/// What holds a cord is not in its way: as bodies that a joint connects are not in each other's.
+bool Island::holds(const Member& member, int body) {
+  const auto& grips = member.met.grips;
+  return std::any_of(grips.begin(), grips.end(), [body](const Grip& grip) { return grip.body == body; });
+}
+
+/// The box in which the cord stays.
+void Island::find_reach(const Member& member) {
+  const std::size_t first = member.first + at(member.cord->outline_[0]);
+  reach_ = {positions_[first], positions_[first]};
+  for (const int point : member.cord->outline_) {
+    const std::size_t p = member.first + at(point);
+    reach_ = joined(reach_, box_around(positions_[p], ends_[p], 0.0));
+  }
+  reach_ = widened(reach_, room_);
+}
+
+/// The box in which a link of the outline stays, but for the room.
+Box Island::link_box(const ContactPair& pair) const {
+  return joined(box_around(positions_[at(pair.a)], ends_[at(pair.a)], 0.0),
+                box_around(positions_[at(pair.b)], ends_[at(pair.b)], 0.0));
+}
+
+/// The box in which a spot of a body stays.
+Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
+  const Vec2 here = body.position + arm;
+  const Vec2 there = here + step_dt_ * (body.velocity + body.angular_velocity * perp(arm));
+  const double turned = step_dt_ * body.angular_velocity;
+  return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? room_ : 0.0));
+}
+
+int Island::add_spot(int body, Vec2 arm) {
+  const RigidBody& rigid = rigid_[at(body)];
+  Spot spot;
+  spot.arm = arm;
+  if (rigid.inverse_mass > 0.0) {
+    spot.center = static_cast<int>(center(body_slot(body)));
+  } else {
+    spot.from = rigid.position;
+    spot.velocity = rigid.velocity;
+    spot.turning = rigid.angular_velocity;
+    driven_ = driven_ || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
+  }
+  return contacts_.add(spot);
+}
+
+/// kg, of a cord and what hangs on it.
+double Island::pressing_mass(const Member& member) const {
+  double mass = 0.0;
+  for (const double point : member.cord->masses_) mass += point;
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
+    mass += 1.0 / rigid_[at(held_[k].rigid)].inverse_mass;
+  }
+  return mass;
+}
+
+int Island::links(const Cord& cord) {
+  const int points = static_cast<int>(cord.outline_.size());
+  return cord.def_.rows == 1 ? points - 1 : points;
+}
+
+/// The link k of the outline, as the segment of a pair.
+ContactPair Island::pair_with_link(const Member& member, int k) const {
+  const std::vector<int>& outline = member.cord->outline_;
+  const int n = static_cast<int>(outline.size());
+  const bool closed = member.cord->def_.rows > 1;
+  const auto anchor = [&](int i) {
+    if (closed) return static_cast<int>(member.first) + outline[at((i + n) % n)];
+    return i < 0 || i >= n ? -1 : static_cast<int>(member.first) + outline[at(i)];
+  };
+  ContactPair pair;
+  pair.a = anchor(k);
+  pair.b = anchor(k + 1);
+  pair.before = anchor(k - 1);
+  pair.after = anchor(k + 2);
+  return pair;
+}
+
+/// Adds a pair that the member remembers, of masses that press and surfaces as they are.
+void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
+  pair.cord = static_cast<std::size_t>(&member - members_.data());
+  pair.stiffness = firmness * mass / (step_dt_ * step_dt_);
+  pair.friction = std::sqrt(member.cord->def_.friction * friction);
+  pair.restitution = std::max(member.cord->def_.restitution, restitution);
+  for (const Touch& touch : member.cord->touches_) {
+    if (!touch.same_place(pair.touch)) continue;
+    pair.touch = touch;
+    break;
+  }
+  pair.touch.impulse = 0.0;
+  contacts_.add(pair);
+}
+
+void Island::meet_circle(const Member& member, const RigidCircle& circle) {
+  const RigidBody& body = rigid_[at(circle.body)];
+  const double reach = circle.radius + member.cord->def_.radius;
+  const Box box = widened(spot_box(body, circle.offset), reach);
+  if (!overlap(box, reach_)) return;
+  const Box near = widened(box, room_);
+  const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
+  int disc = -1;
+  for (int k = 0; k < links(*member.cord); ++k) {
+    ContactPair pair = pair_with_link(member, k);
+    if (!overlap(link_box(pair), near)) continue;
+    if (disc < 0) disc = add_spot(circle.body, circle.offset);
+    pair.disc = disc;
+    pair.reach = reach;
+    pair.disc_radius = circle.radius;
+    pair.touch.other = circle.id;
+    pair.touch.feature = 2 * k;
+    add_pair(member, pair, mass, circle.friction, circle.restitution);
+  }
+}
+
+/// The cord's points against the inside of an edge; its ends are circles.
+void Island::meet_segment(const Member& member, const RigidSegment& segment) {
+  const Cord& cord = *member.cord;
+  const RigidBody& body = rigid_[at(segment.body)];
+  const double reach = segment.radius + cord.def_.radius;
+  const Box box = widened(joined(spot_box(body, segment.a), spot_box(body, segment.b)), reach);
+  if (!overlap(box, reach_)) return;
+  const Box near = widened(box, room_);
+  const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
+  int a = -1;
+  int b = -1;
+  for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
+    const std::size_t point = member.first + at(cord.outline_[at(k)]);
+    if (!overlap(box_around(positions_[point], ends_[point], 0.0), near)) continue;
+    if (a < 0) {
+      a = add_spot(segment.body, segment.a);
+      b = add_spot(segment.body, segment.b);
+    }
+    ContactPair pair;
+    pair.disc = static_cast<int>(point);
+    pair.a = a;
+    pair.b = b;
+    pair.ends = false;
+    pair.reach = reach;
+    pair.disc_radius = cord.def_.radius;
+    pair.touch.other = segment.id;
+    pair.touch.feature = 2 * k + 1;
+    add_pair(member, pair, mass, segment.friction, segment.restitution);
+  }
+}
+
+/// Points of cords against links, of the same and of other cords, as far as these declare it.
+void Island::meet_each_other() {
+  link_boxes_.clear();
+  outline_links_.clear();
+  const Vec2 drift = mean_way();
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const CordDef& def = members_[m].cord->def_;
+    if (!def.self_contact && (!def.cord_contact || members_.size() == 1)) continue;
+    for (int k = 0; k < links(*members_[m].cord); ++k) {
+      const ContactPair link = pair_with_link(members_[m], k);
+      const std::size_t a = at(link.a);
+      const std::size_t b = at(link.b);
+      const Box box =
+          joined(box_around(positions_[a], ends_[a] - drift, 0.0), box_around(positions_[b], ends_[b] - drift, 0.0));
+      link_boxes_.push_back(widened(box, def.radius + room_));
+      outline_links_.push_back({m, k});
+    }
+  }
+  if (link_boxes_.empty()) return;
+  if (!tree_ || tree_room_ < link_boxes_.size()) {
+    tree_room_ = 2 * link_boxes_.size();
+    tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_room_));
+  }
+  tree_->build(link_boxes_);
+  for (const Member& member : members_) {
+    const Cord& cord = *member.cord;
+    if (!cord.def_.self_contact && !cord.def_.cord_contact) continue;
+    for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
+      const std::size_t p = member.first + at(cord.outline_[at(k)]);
+      const Box box = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + room_);
+      tree_->query(box, [&](int item) { meet_link(member, k, outline_links_[at(item)]); });
+    }
+  }
+}
+
+/// How far all of it goes in the step, on average: what goes together does not meet.
+Vec2 Island::mean_way() const {
+  Vec2 sum;
+  for (std::size_t p = 0; p < count_; ++p) sum += ends_[p] - positions_[p];
+  return (1.0 / static_cast<double>(count_)) * sum;
+}
+
+/// The outline's point k of a cord against a link of this or another one.
+void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
+  const Member& other = members_[link.member];
+  const bool itself = &other == &member;
+  const CordDef& def = member.cord->def_;
+  if (itself ? !def.self_contact || are_neighbours(def, k, link.link)
+             : !def.cord_contact || !other.cord->def_.cord_contact) {
+    return;
+  }
+  ContactPair pair = pair_with_link(other, link.link);
+  pair.disc = static_cast<int>(member.first) + member.cord->outline_[at(k)];
+  pair.mutual = true;
+  pair.reach = def.radius + other.cord->def_.radius;
+  pair.disc_radius = def.radius;
+  pair.touch.other = other.id;
+  pair.touch.feature = 2 * k + 1;
+  pair.touch.other_feature = link.link + 1;
+  add_pair(member, pair, itself ? member.mass : member.mass + other.mass, other.cord->def_.friction,
+           other.cord->def_.restitution);
+}
+
+/// Whether a point and a link of one outline lie so near each other at rest that they could not be kept apart.
+bool Island::are_neighbours(const CordDef& def, int k, int link) {
+  const double along = def.length / (def.points - 1);
+  const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  const int n = def.points;
+  const int size = def.rows == 1 ? n : 2 * (n + def.rows - 2);
+  const auto at_rest = [&](int i) {
+    i %= size;
+    if (i < n) return Vec2{along * i, 0.0};
+    i -= n - 1;
+    if (i < def.rows) return Vec2{along * (n - 1), across * i};
+    i -= def.rows - 1;
+    if (i < n) return Vec2{along * (n - 1 - i), def.width};
+    return Vec2{0.0, def.width - across * (i - n + 1)};
+  };
+  if (k == link || k == (link + 1) % size) return true;
+  const Gap gap = gap_between(at_rest(k), at_rest(link), at_rest(link + 1));
+  return gap.distance < own_neighbourhood * def.radius;
+}
+
+bool Island::left_room() const {
+  if (contacts_.empty()) return false;
+  for (std::size_t p = 0; p < count_; ++p) {
+    if (!(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= room_)) return true;
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const RigidBody& body = rigid_[at(bodies_[k].index)];
+    const Vec2 end = body.position + step_dt_ * body.velocity;
+    if (!(gap_between(positions_[center(k)], body.position, end).distance <= room_)) return true;
+  }
+  return false;
+}
+
+/// What touches at the end of the step, or did in it.
+void Island::remember_contacts(const Member& member) {
+  Cord& cord = *member.cord;
+  cord.touches_.clear();
+  cord.touch_changed_ = touch_changed_;
+  const auto index = static_cast<std::size_t>(&member - members_.data());
+  for (const ContactPair& pair : contacts_.pairs()) {
+    if (pair.cord == index && (pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) cord.touches_.push_back(pair.touch);
+  }
+}
+
+}  // namespace ribbon
