@@ -45,7 +45,16 @@ double Contacts::Row::along(std::span<const Vec2> step) const {
   return sum;
 }
 
+double Contacts::longest_way(std::span<const Vec2> from, std::span<const Vec2> to) {
+  double most2 = 0.0;
+  for (std::size_t k = 0; k < to.size(); ++k) most2 = std::max(most2, dot(to[k] - from[k], to[k] - from[k]));
+  return std::sqrt(most2);
+}
+
 void Contacts::clear(std::size_t points) {
+  travelled_ = 0.0;
+  clear_until_.clear();
+  anchors_.clear();
   points_ = points;
   spots_.clear();
   pairs_.clear();
@@ -108,13 +117,20 @@ bool Contacts::change(std::span<const Vec2> x) {
   return changed();
 }
 
+/// Who was well apart where he was last looked at need not be looked at again until somebody has come half that way.
 void Contacts::find_touching(std::span<const Vec2> x) {
+  from_.swap(anchors_);
   place(x, false, anchors_);
+  if (from_.size() != anchors_.size()) from_ = anchors_;
+  travelled_ += longest_way(from_, anchors_);
   active_.clear();
   touching_.assign(pairs_.size(), 0);
+  clear_until_.resize(pairs_.size(), 0.0);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (travelled_ < clear_until_[k]) continue;
     const ContactPair& pair = pairs_[k];
     const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
+    clear_until_[k] = travelled_ + 0.5 * (gap.distance - pair.reach);
     if (!(gap.distance < pair.reach) || !is_minimum(pair, gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;
@@ -292,8 +308,11 @@ void Contacts::update(std::span<const Vec2> direction) {
 double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most) {
   place(x, false, from_);
   place(to, led, to_);
+  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
   double share = most;
-  for (const ContactPair& pair : pairs_) share = free_share(pair, nearest_share, share);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (travelled_ + way >= clear_until_[k]) share = free_share(pairs_[k], nearest_share, share);
+  }
   return share;
 }
 
@@ -303,8 +322,11 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   for (std::size_t k = 0; k < spots_.size(); ++k) {
     if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
   }
-  return std::all_of(pairs_.begin(), pairs_.end(),
-                     [this](const ContactPair& pair) { return free_share(pair, passing_share, 1.0) == 1.0; });
+  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (travelled_ + way >= clear_until_[k] && free_share(pairs_[k], passing_share, 1.0) < 1.0) return false;
+  }
+  return true;
 }
 
 /// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.

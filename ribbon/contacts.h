@@ -133,6 +133,7 @@ class Contacts {
   bool is_moved_spot(int anchor) const { return at(anchor) >= points_ && spot(anchor).center >= 0; }
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
   void find_touching(std::span<const Vec2> x);
+  static double longest_way(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
@@ -147,6 +148,10 @@ class Contacts {
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;
   std::vector<Active> active_;
+  // No anchor has gone further than travelled_ [m] since the first was placed, and pair k cannot be nearer than its
+  // reach until that is clear_until_[k].
+  double travelled_ = 0.0;
+  std::vector<double> clear_until_;
   std::vector<double> forces_;            // N, by pair, after the last linear solve
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve
   std::vector<char> touching_, touched_;  // by pair: as evaluated last, and before

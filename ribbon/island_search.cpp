@@ -152,11 +152,10 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
   pair.stiffness = firmness * mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
-  for (const Touch& touch : member.cord->touches_) {
-    if (!touch.same_place(pair.touch)) continue;
-    pair.touch = touch;
-    break;
-  }
+  const auto& touches = member.cord->touches_;
+  const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
+                                       [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
   contacts_.add(pair);
 }
@@ -318,6 +317,8 @@ void Island::remember_contacts(const Member& member) {
   for (const ContactPair& pair : contacts_.pairs()) {
     if (pair.cord == index && (pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) cord.touches_.push_back(pair.touch);
   }
+  std::sort(cord.touches_.begin(), cord.touches_.end(),
+            [](const Touch& a, const Touch& b) { return a.place_before(b); });
 }
 
 }  // namespace ribbon

@@ -18,8 +18,10 @@ struct Touch {
   Vec2 normal;              ///< from the cord's link to what touches it, or from the other's to the cord's point
 
   bool operator==(const Touch&) const = default;
-  bool same_place(const Touch& b) const {
-    return other == b.other && feature == b.feature && other_feature == b.other_feature;
+  /// Orders touches by place: what is touched, and where.
+  bool place_before(const Touch& b) const {
+    if (other != b.other) return other < b.other;
+    return feature != b.feature ? feature < b.feature : other_feature < b.other_feature;
   }
 };
 
