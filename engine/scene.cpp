@@ -90,12 +90,15 @@ void add_state(Hasher& hasher, const ribbon::Cord& cord) {
   add_all(hasher, unlocked);
   for (const ribbon::PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
-  for (const auto& [point, velocity, turning, acceleration, angular_acceleration] : holders) {
+  for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {
     hasher.add(point);
     hasher.add(velocity);
     hasher.add(turning);
     hasher.add(acceleration);
     hasher.add(angular_acceleration);
+    hasher.add(grip);
+    hasher.add(pull);
+    hasher.add(slid);
   }
   hasher.add(touches.size());
   for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal] : touches) {

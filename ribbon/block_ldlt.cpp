@@ -59,6 +59,7 @@ void BlockLdlt::end_pattern() {
   blocks_.resize(columns_.size());
   diagonals_.resize(n);
   held_.resize(n);
+  dual_.resize(n);
   right_side_.resize(n);
 }
 
@@ -80,6 +81,7 @@ void BlockLdlt::set_zero() {
   std::fill(blocks_.begin(), blocks_.end(), Block{});
   std::fill(diagonals_.begin(), diagonals_.end(), Diagonal{});
   std::fill(held_.begin(), held_.end(), 0);
+  std::fill(dual_.begin(), dual_.end(), 0);
 }
 
 void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
@@ -138,7 +140,9 @@ bool BlockLdlt::eliminate(std::size_t row) {
   }
   Diagonal& d = diagonals_[row];
   const double inverse_det = 1.0 / (d.xx * d.yy - d.xy * d.xy);
-  if (!(d.xx > 0.0 && inverse_det > 0.0 && inverse_det < std::numeric_limits<double>::infinity())) return false;
+  if (!((dual_[row] != 0 ? -d.xx : d.xx) > 0.0 && inverse_det > 0.0 &&
+        inverse_det < std::numeric_limits<double>::infinity()))
+    return false;
   const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
   d = inverse;
   const Vec2 r = right_side_[row];

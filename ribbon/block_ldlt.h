@@ -25,7 +25,9 @@ class BlockLdlt {
   /// How many blocks right of the diagonal there are.
   std::size_t blocks() const { return columns_.size(); }
 
+  /// Sets the matrix to zero, with nothing held and nothing dual.
   void set_zero();
+  void make_dual(int slot) { dual_[at(row_of_[at(slot)])] = 1; }
   /// Adds [xx, xy; yx, yy] to the block of slots a and b ≠ a, its transpose to that of b and a.
   void add(int a, int b, double xx, double xy, double yx, double yy);
   /// Adds a symmetric block to the diagonal.
@@ -33,8 +35,8 @@ class BlockLdlt {
   /// Makes the slot's rows and columns those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 
-  /// Overwrites the right-hand side, by slot, with the solution, and the matrix with its factors. False if it is not
-  /// positive definite in double precision; the right-hand side is then undefined.
+  /// Overwrites the right-hand side, by slot, with the solution, and the matrix with its factors. False if in
+  /// double precision it is not as definite as it should be; the right-hand side is then undefined.
   bool solve(std::span<Vec2> b);
 
  private:
@@ -59,7 +61,7 @@ class BlockLdlt {
   std::vector<int> columns_;        // rising within a row
   std::vector<Block> blocks_;
   std::vector<Diagonal> diagonals_;
-  std::vector<char> held_;
+  std::vector<char> held_, dual_;
   std::vector<Vec2> right_side_;
 };
 

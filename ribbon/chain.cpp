@@ -39,6 +39,12 @@ MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t lin
   return damped(undamped.elongation, rate, undamped.compliance, damping_, stage.q);
 }
 
+/// g of a link that is not slack.
+double Chain::geometric(const Stage& stage, std::size_t link, double size, double tension) const {
+  if (size == 0.0) return 0.0;
+  return std::max(tension / size, stage.least_geometric * std::min(stage.inertia[link], stage.inertia[link + 1]));
+}
+
 /// The tension λ of each link is an unknown of its own, so that stiffness does not enter, and EA → ∞ is no special
 /// case. For a link from a to b, d the unit vector from a to b, u = perp(d), L its length, α its compliance, c its
 /// elongation, g = max(0, λ)/L with the λ of the iteration before:
@@ -77,10 +83,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Vec2 u = perp(d);
     const MixedBar mixed = bar(stage, x, e, size, d);
     const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e]);
-    const double g =
-        size > 0.0 && !slack
-            ? std::max(tensions[e] / size, stage.least_geometric * std::min(stage.inertia[e], stage.inertia[e + 1]))
-            : 0.0;
+    const double g = slack ? 0.0 : geometric(stage, e, size, tensions[e]);
     a.xx += g * u.x * u.x;
     a.xy += g * u.x * u.y;
     a.yy += g * u.y * u.y;
@@ -114,6 +117,64 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     direction[e + 1] = link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)};
   }
   return true;
+}
+
+/// A tension after both its points, so that one of them that is constrained leaves it something to act on.
+void Chain::order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const {
+  slots.push_back(first);
+  point_done(first);
+  for (int e = 0; e < static_cast<int>(rest_.size()); ++e) {
+    slots.push_back(first + e + 1);
+    point_done(first + e + 1);
+    slots.push_back(first_dual + e);
+  }
+}
+
+void Chain::couple(BlockLdlt& blocks, int first, int first_dual) const {
+  for (int e = 0; e < static_cast<int>(rest_.size()); ++e) {
+    blocks.couple(first + e, first + e + 1);
+    blocks.couple(first + e, first_dual + e);
+    blocks.couple(first + e + 1, first_dual + e);
+  }
+}
+
+/// The same equations as in newton_step.
+void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
+                 int first, int first_dual, std::span<Vec2> right_side) {
+  const double least = singular_share / stage.inertia[0];
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    right_side[static_cast<std::size_t>(first) + p] = stage.residual(p, x[p]);
+    blocks.add(first + static_cast<int>(p), stage.inertia[p], 0.0, stage.inertia[p]);
+  }
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const int a = first + static_cast<int>(e);
+    const int b = a + 1;
+    const int dual = first_dual + static_cast<int>(e);
+    const Vec2 ab = x[e + 1] - x[e];
+    const double size = length(ab);
+    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, -1.0};
+    const Vec2 u = perp(d);
+    const MixedBar mixed = bar(stage, x, e, size, -d);
+    blocks.make_dual(dual);
+    right_side[static_cast<std::size_t>(dual)] = {};
+    if (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e])) {
+      blocks.add(dual, -1.0, 0.0, -1.0);
+      continue;
+    }
+    const double g = geometric(stage, e, size, tensions[e]);
+    blocks.add(a, g * u.x * u.x, g * u.x * u.y, g * u.y * u.y);
+    blocks.add(b, g * u.x * u.x, g * u.x * u.y, g * u.y * u.y);
+    blocks.add(a, b, -g * u.x * u.x, -g * u.x * u.y, -g * u.x * u.y, -g * u.y * u.y);
+    blocks.add(a, dual, -d.x, 0.0, -d.y, 0.0);
+    blocks.add(b, dual, d.x, 0.0, d.y, 0.0);
+    blocks.add(dual, -std::max(mixed.compliance, least), 0.0, -1.0);
+    right_side[static_cast<std::size_t>(dual)] = {-mixed.elongation, 0.0};
+  }
+}
+
+void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> /*tensions*/,
+                   std::span<const Vec2> /*direction*/, std::span<const Vec2> duals, std::span<double> next) {
+  for (std::size_t e = 0; e < rest_.size(); ++e) next[e] = duals[e].x;
 }
 
 double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {

@@ -19,6 +19,13 @@ class Chain final : public Elasticity {
   void set_rest_lengths(std::span<const double> lengths) override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
+  std::size_t dual_count() const override { return rest_.size(); }
+  void order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const override;
+  void couple(BlockLdlt& blocks, int first, int first_dual) const override;
+  void load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks, int first,
+            int first_dual, std::span<Vec2> right_side) override;
+  void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+              std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
   double energy(const Motion& at, std::span<const double> tensions) const override;
 
@@ -34,6 +41,7 @@ class Chain final : public Elasticity {
   };
 
   double compliance(std::size_t link) const { return rest_[link] * inverse_stiffness_; }
+  double geometric(const Stage& stage, std::size_t link, double size, double tension) const;
   MixedBar bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const;
 
   double inverse_stiffness_;  // 1/EA, 1/N

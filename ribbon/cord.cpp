@@ -19,10 +19,8 @@ const CordDef& checked(const CordDef& def) {
   return def;
 }
 
-bool is_chain(const CordDef& def) { return def.rows == 1 && def.bending_stiffness == 0.0; }
-
 std::unique_ptr<Elasticity> make_elasticity(const CordDef& def) {
-  if (is_chain(def)) return std::make_unique<Chain>(def);
+  if (def.rows == 1 && def.bending_stiffness == 0.0) return std::make_unique<Chain>(def);
   return std::make_unique<Lattice>(def);
 }
 
@@ -80,8 +78,7 @@ Cord::Cord(const CordDef& def)
       alone_(std::make_unique<Island>()) {
   for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
-  if (is_chain(def)) bars_ = std::make_unique<Lattice>(def);
-  set_rest_lengths();
+  elasticity_->set_rest_lengths(rest_);
   elasticity_->find_tensions(positions_, tensions_);
   reserve(usual_grips);
 }
@@ -89,13 +86,6 @@ Cord::Cord(const CordDef& def)
 Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
-
-void Cord::set_rest_lengths() {
-  elasticity_->set_rest_lengths(rest_);
-  if (bars_) bars_->set_rest_lengths(rest_);
-}
-
-Lattice& Cord::lattice() { return bars_ ? *bars_ : static_cast<Lattice&>(*elasticity_); }
 
 CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   const IslandCord alone{this, surroundings};
@@ -299,7 +289,7 @@ void Cord::restore(const State& state) {
   ledger_ = state.ledger;
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;
-  set_rest_lengths();
+  elasticity_->set_rest_lengths(rest_);
 }
 
 }  // namespace ribbon

@@ -15,7 +15,6 @@
 namespace ribbon {
 
 class Island;
-class Lattice;
 
 /// What happened in one step, summed over its substeps. All but the first two count what went wrong and was mended,
 /// the last what was not.
@@ -113,8 +112,13 @@ class Cord {
     double turning = 0.0;  // rad/s
     Vec2 acceleration;
     double angular_acceleration = 0.0;
+    int grip = 0;       ///< which of the step's grips
+    Vec2 pull{};        ///< N, on the body
+    double slid = 0.0;  ///< columns, by which the grip slipped along the cord
     bool operator==(const Holder&) const = default;
   };
+  /// Those of bodies that are pushed, in the last step, by the point that they hold.
+  std::span<const Holder> holders() const { return holders_; }
 
   /// All that a later step depends on but for the definition.
   struct State {
@@ -149,8 +153,6 @@ class Cord {
   void check_state(const State& state) const;
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
-  Lattice& lattice();
-  void set_rest_lengths();
   void set_damping_apart();
   void put_damping_back();
   void drive(int point, Vec2 target, PointKind kind);
@@ -158,7 +160,6 @@ class Cord {
 
   CordDef def_;
   std::unique_ptr<Elasticity> elasticity_;
-  std::unique_ptr<Lattice> bars_;  // the same terms as a band, where elasticity_ is a chain
 
   std::vector<Vec2> positions_;
   std::vector<Vec2> velocities_;

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <vector>
 
+#include "ribbon/block_ldlt.h"
 #include "ribbon/stage.h"
 
 namespace ribbon {
+
+using PointDone = std::function<void(int)>;
 
 /// The elastic terms of a cord, and the solve of their Newton step.
 class Elasticity {
@@ -30,6 +35,20 @@ class Elasticity {
   /// how much the points move, `next` are the tensions after a full step. False if the system was singular.
   virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                            std::span<Vec2> direction, std::span<double> next) = 0;
+
+  // The same for a solve together with others, as blocks: the points' slots follow each other from `first` on, and
+  // those of tensions that stay unknowns from `first_dual` on.
+
+  virtual std::size_t dual_count() const { return 0; }
+  /// Appends the slots in an order to eliminate them in, and tells point_done(i) after each point.
+  virtual void order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const = 0;
+  virtual void couple(BlockLdlt& blocks, int first, int first_dual) const = 0;
+  /// Adds the matrix, inertia included, and the right-hand side by slot; constrained points are the caller's to hold.
+  virtual void load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
+                    int first, int first_dual, std::span<Vec2> right_side) = 0;
+  /// The tensions after the step that solves it.
+  virtual void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                      std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) = 0;
 
   /// What a stage minimises besides inertia and constant forces, J: the elastic energy and what damping takes, but of
   /// elements with a tension the exact penalty that grows no steeper than `most`, one a tension. See `exact_penalty`.

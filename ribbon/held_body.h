@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "ribbon/rigid_circle.h"
@@ -24,14 +25,21 @@ struct HeldBody {
   std::size_t point = 0;
   std::size_t next = 0;  ///< between this point and `point` it is held,
   double along = 0.0;    ///< at this share of the way
+  std::size_t grip = 0;  ///< index into the cord's grips
   int rigid = 0;         ///< index into the step's bodies,
   std::size_t body = 0;  ///< and among those solved with the cord
   bool turns = true;     ///< its moment of inertia is finite
   Vec2 arm;              ///< s at the start of the step, m
   Vec2 travel;           ///< of the hand on the body during the step, m, in the directions of its start
   double share = 0.0;    ///< of the step that has gone by at the end of the stage, 0 … 1
+  double column = 0.0;   ///< where along the cord, in columns, when the step began,
+  double climb = 0.0;    ///< and how far it moves in the step
+  double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
+  double slides = 0.0;  ///< 0, or the sign of the force along the cord with which it does
+  double slid = 0.0;    ///< columns, along the cord in the step
 
   Vec2 arm_at(double angle) const;
+  bool is_plain() const { return along == 0.0 && climb == 0.0 && strength == std::numeric_limits<double>::infinity(); }
   /// Where the cord is held, m.
   Vec2 hold(std::span<const Vec2> x) const { return x[point] + along * (x[next] - x[point]); }
 };

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "ribbon/complex.h"
-#include "ribbon/lattice.h"
 
 // How a step begins and ends: what the cords have, who drives and holds them, and what they and the bodies get back.
 
@@ -52,12 +51,14 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
   bodies_.clear();
   held_.clear();
   count_ = 0;
+  duals_ = 0;
   std::size_t tensions = 0;
   accuracy_ = cords[0].cord->def_.accuracy;
   for (const IslandCord& cord : cords) {
     const std::size_t size = cord.cord->count();
-    members_.push_back({cord.cord, cord.met, count_, size, tensions, cord.cord->tensions_.size(), held_.size(),
-                        held_.size(), cord.id});
+    members_.push_back(
+        {cord.cord, cord.met, count_, size, tensions, cord.cord->tensions_.size(), duals_, 0, 0, cord.id});
+    duals_ += cord.cord->elasticity_->dual_count();
     count_ += size;
     tensions += cord.cord->tensions_.size();
     accuracy_ = sharper(accuracy_, cord.cord->def_.accuracy);
@@ -95,7 +96,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
 bool Island::is_alone() const {
   if (members_.size() != 1 || held_.size() != bodies_.size()) return false;
   for (std::size_t k = 0; k < held_.size(); ++k) {
-    if (held_[k].body != k || held_[k].along != 0.0) return false;
+    if (held_[k].body != k || !held_[k].is_plain() || rigid_[at(held_[k].rigid)].inverse_mass == 0.0) return false;
     if (k > 0 && held_[k].point <= held_[k - 1].point) return false;
   }
   return true;
@@ -174,13 +175,14 @@ void Island::drive(std::size_t p, Vec2 velocity) {
   velocities_[p] = drives_[p];
 }
 
-/// Bodies that nothing pushes drive the points that they hold, the others are solved with the cord.
+/// A body that nothing pushes and that holds a point drives it; all others are solved with the cord.
 void Island::take_hold(Member& member) {
   member.first_hold = held_.size();
-  for (const Grip& grip : member.met.grips) {
+  for (std::size_t k = 0; k < member.met.grips.size(); ++k) {
+    const Grip& grip = member.met.grips[k];
     const RigidBody& body = rigid_[at(grip.body)];
-    if (body.inverse_mass > 0.0) {
-      add_hold(member, grip);
+    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0) {
+      add_hold(member, k);
     } else if (const std::size_t p = member.first + at(grip.point); constrained_[p] == 0) {
       const Vec2 hand = times(rotation(step_dt_ * body.angular_velocity), grip.offset + grip.travel);
       drive(p, (1.0 / step_dt_) * (body.position + step_dt_ * body.velocity + hand - positions_[p]));
@@ -192,27 +194,47 @@ void Island::take_hold(Member& member) {
 
 /// The arm begins where the cord is, so that nothing jumps, and ends at the hand, or as much nearer as a point may be
 /// drawn in a step.
-void Island::add_hold(Member& member, const Grip& grip) {
+void Island::add_hold(Member& member, std::size_t index) {
+  const Grip& grip = member.met.grips[index];
   const RigidBody& body = rigid_[at(grip.body)];
   const Cord& cord = *member.cord;
   HeldBody held;
+  held.grip = index;
+  held.rigid = grip.body;
+  held.turns = body.inverse_inertia > 0.0;
+  held.strength = grip.strength;
+  held.column = grip.point / cord.def_.rows + grip.along;
+  held.climb = std::clamp(held.column + grip.climb, 0.0, cord.def_.points - 1.0) - held.column;
   held.point = member.first + at(grip.point);
   held.next = held.point;
   if (grip.along > 0.0) {
     held.along = grip.along;
     held.next += at(cord.def_.rows);
   }
-  held.rigid = grip.body;
-  held.turns = body.inverse_inertia > 0.0;
   held.arm = held.hold(positions_) - body.position;
   const Vec2 off = grip.offset - held.arm;
   const double most = drawn_share * cord.rest_[0];
   held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
-  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0];
+  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0] || held.climb != 0.0;
   const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
   const auto after = std::upper_bound(first, held_.end(), held.point,
                                       [](std::size_t point, const HeldBody& other) { return point < other.point; });
   held_.insert(after, held);
+}
+
+/// Takes grips that climb to where they are at the end of the stage.
+void Island::climb(const Member& member) {
+  const auto rows = at(member.cord->def_.rows);
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
+    HeldBody& held = held_[k];
+    if (held.climb == 0.0) continue;
+    const double column = held.column + held.share * held.climb;
+    const double whole = std::min(std::floor(column), member.cord->def_.points - 2.0);
+    held.point = member.first + static_cast<std::size_t>(whole) * rows + (held.point - member.first) % rows;
+    held.next = held.point + rows;
+    held.along = column - whole;
+    has_pattern_ = false;
+  }
 }
 
 /// Which of the island's bodies this one is; one more, if it is new.
@@ -234,12 +256,16 @@ void Island::place_bodies() {
     velocities_[angle(k)] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
     accelerations_[center(k)] = {};
     accelerations_[angle(k)] = {};
-    masses_[center(k)] = 1.0 / body.inverse_mass;
-    masses_[angle(k)] = bodies_[k].turns ? 1.0 / body.inverse_inertia : 1.0;
-    constrained_[center(k)] = 0;
-    constrained_[angle(k)] = bodies_[k].turns ? 0 : 1;
-    starts_[angle(k)] = {};
-    drives_[angle(k)] = velocities_[angle(k)];
+    const bool led = body.inverse_mass == 0.0;
+    masses_[center(k)] = led ? 0.0 : 1.0 / body.inverse_mass;
+    masses_[angle(k)] = led ? 0.0 : bodies_[k].turns ? 1.0 / body.inverse_inertia : 1.0;
+    constrained_[center(k)] = led ? 1 : 0;
+    constrained_[angle(k)] = led || !bodies_[k].turns ? 1 : 0;
+    for (const std::size_t slot : {center(k), angle(k)}) {
+      starts_[slot] = positions_[slot];
+      drives_[slot] = velocities_[slot];
+    }
+    driven_ = driven_ || (led && !(body.velocity == Vec2{} && body.angular_velocity == 0.0));
   }
 }
 
@@ -279,6 +305,7 @@ void Island::wind(const Member& member, double dt) {
 
 void Island::finish_step(double dt, CordReport& report) {
   if (unlocking_) ++report.unlocked;
+  if (together_) slip();
   for (const Member& member : members_) finish_member(member);
   let_go(dt);
 }
@@ -303,13 +330,14 @@ void Island::finish_member(const Member& member) {
   }
   if (!cord.rest_targets_.empty()) {
     cord.rest_ = cord.rest_end_;
-    cord.set_rest_lengths();
+    cord.elasticity_->set_rest_lengths(cord.rest_);
   }
   cord.holders_.clear();
   for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
     const std::size_t body = held_[k].body;
     cord.holders_.push_back({static_cast<int>(held_[k].point - member.first), velocities_[center(body)],
-                             velocities_[angle(body)].x, accelerations_[center(body)], accelerations_[angle(body)].x});
+                             velocities_[angle(body)].x, accelerations_[center(body)], accelerations_[angle(body)].x,
+                             static_cast<int>(held_[k].grip), pull_of(k, step_dt_), held_[k].slid});
   }
   remember_contacts(member);
   if (!unlocking_) return;
@@ -318,10 +346,19 @@ void Island::finish_member(const Member& member) {
   cord.restart_ = true;
 }
 
+/// Of the hold's solve, or of what moved the body if nothing else did.
+Vec2 Island::pull_of(std::size_t hold, double dt) const {
+  if (together_) return hold_pull(tensions_, hold);
+  const std::size_t k = held_[hold].body;
+  const RigidBody& body = rigid_[at(bodies_[k].index)];
+  return (1.0 / dt) * (masses_[center(k)] * (velocities_[center(k)] - body.velocity - dt * body.acceleration));
+}
+
 /// Tells the bodies how they moved, and gives them what took them there.
 void Island::let_go(double dt) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     RigidBody& body = rigid_[at(bodies_[k].index)];
+    if (body.inverse_mass == 0.0) continue;
     const Vec2 velocity = velocities_[center(k)];
     const double turning = velocities_[angle(k)].x;
     body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - dt * body.acceleration);

@@ -40,6 +40,7 @@ class Island {
     std::size_t count;          // of them
     std::size_t first_tension;  // among all
     std::size_t tensions;       // how many
+    std::size_t first_dual;     // of its tensions that stay unknowns, among all
     std::size_t first_hold;     // of its grips among all, and the end of them
     std::size_t last_hold;
     std::uint64_t id;
@@ -74,7 +75,10 @@ class Island {
   void drive_points(const Member& member, double dt);
   void drive(std::size_t slot, Vec2 velocity);
   void take_hold(Member& member);
-  void add_hold(Member& member, const Grip& grip);
+  void add_hold(Member& member, std::size_t index);
+  void climb(const Member& member);
+  Vec2 pull_of(std::size_t hold, double dt) const;
+  void slip();
   std::size_t body_slot(int index);
   void place_bodies();
   void remember_bodies(const Member& member);
@@ -138,8 +142,10 @@ class Island {
   std::array<int, 4> hold_slots(const HeldBody& held) const;
   Vec2 hold_gap(const HeldBody& held, std::span<const Vec2> x) const;
   Vec2 hold_pull(std::span<const double> tensions, std::size_t hold) const;
-  double hold_stiffness(const HeldBody& held) const;
+  int first_dual(const Member& member) const;
+  int hold_dual(std::size_t hold) const;
   double hold_potential(std::span<const Vec2> x) const;
+  Vec2 hold_tangent(const HeldBody& held) const;
   void move(std::span<Vec2> x, double share) const;
   void close_arms(std::span<Vec2> x) const;
   bool full_steps(Stage& stage, CordReport& report);
@@ -207,10 +213,13 @@ class Island {
   std::size_t tree_room_ = 0;
   Box reach_;  // of the cord whose contacts are looked for
   bool has_pattern_ = false;
+  bool slips_ = false;  // a grip has begun to in the last linear solve
 
   // Of the solve by blocks.
   BlockLdlt blocks_;
   std::vector<int> order_;
+  std::vector<Vec2> right_side_;
+  std::size_t duals_ = 0;        // tensions that stay unknowns
   std::vector<int> last_point_;  // by body: the last point that it is coupled with
 };
 

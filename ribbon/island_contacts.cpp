@@ -51,7 +51,8 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (small && left == 0.0 && contacts_.is_settled(positions_)) return contacts_.is_straight(from, positions_);
+    if (small && left == 0.0 && !slips_ && contacts_.is_settled(positions_))
+      return contacts_.is_straight(from, positions_);
   }
   return false;
 }

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "ribbon/island.h"
-#include "ribbon/lattice.h"
 
 // The solve of one implicit stage: Newton steps, a line search, and the bodies' part in both.
 
@@ -35,7 +34,10 @@ bool Island::solve_stage(double time, double q, std::span<const Vec2> from, Cord
     force_[angle(k)] = {};
   }
   place_driven(time);
-  for (const Member& member : members_) load_member(member, time, q);
+  for (const Member& member : members_) {
+    load_member(member, time, q);
+    climb(member);
+  }
   Stage stage{q, predicted_, velocity_, inertia_, force_, constrained_, carried_};
   const bool converged = contacts_.empty() ? free_steps(stage, report) : touching_steps(stage, time, from, report);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -64,7 +66,7 @@ void Island::load_member(const Member& member, double time, double q) {
     for (std::size_t e = 0; e < cord.rest_.size(); ++e) {
       cord.rest_[e] = cord.rest_start_[e] + share * (cord.rest_end_[e] - cord.rest_start_[e]);
     }
-    cord.set_rest_lengths();
+    cord.elasticity_->set_rest_lengths(cord.rest_);
   }
 }
 
@@ -165,7 +167,7 @@ bool Island::full_steps(Stage& stage, CordReport& report) {
     if (!(moved <= most_motion)) return false;
     move(positions_, 1.0);
     tensions_.swap(next_);
-    if (moved <= tolerance_) return true;
+    if (moved <= tolerance_ && !slips_) return true;
   }
   return false;
 }
@@ -192,7 +194,7 @@ bool Island::searched_steps(Stage& stage, CordReport& report) {
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (moved <= tolerance_) return true;
+    if (moved <= tolerance_ && !slips_) return true;
   }
   return false;
 }

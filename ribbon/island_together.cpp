@@ -2,15 +2,14 @@
 #include <cmath>
 
 #include "ribbon/island.h"
-#include "ribbon/lattice.h"
 #include "ribbon/link.h"
 
 // The linear solve of several cords, and of bodies that hold or touch them anywhere, as one system of blocks.
 
 namespace ribbon {
 
-/// Points in their order, and each body after the last point that it is coupled with: so what is coupled nearby fills
-/// little.
+/// Points in their order, each body after the last point that it is coupled with, and then its holds: so what is
+/// coupled nearby fills little.
 void Island::make_pattern() {
   last_point_.assign(bodies_.size(), -1);
   const auto take = [this](int center_slot, int point) {
@@ -25,38 +24,32 @@ void Island::make_pattern() {
       if (last_point_[k] != after) continue;
       order_.push_back(static_cast<int>(center(k)));
       order_.push_back(static_cast<int>(angle(k)));
+      for (std::size_t hold = 0; hold < held_.size(); ++hold) {
+        if (held_[hold].body == k) order_.push_back(hold_dual(hold));
+      }
     }
   };
   append_bodies(-1);
-  std::size_t open = static_cast<std::size_t>(
-      std::count_if(last_point_.begin(), last_point_.end(), [](int last) { return last >= 0; }));
-  for (int p = 0; p < static_cast<int>(count_); ++p) {
-    order_.push_back(p);
-    if (open > 0) append_bodies(p);
+  for (const Member& member : members_) {
+    member.cord->elasticity_->order(static_cast<int>(member.first), first_dual(member), order_, append_bodies);
   }
   blocks_.begin_pattern(order_);
   for (const Member& member : members_) {
-    const auto reach = static_cast<std::size_t>(member.cord->lattice().reach());
-    for (std::size_t i = 0; i < member.count; ++i) {
-      for (std::size_t k = 1; k <= reach && i + k < member.count; ++k) {
-        blocks_.couple(static_cast<int>(member.first + i), static_cast<int>(member.first + i + k));
-      }
-    }
+    member.cord->elasticity_->couple(blocks_, static_cast<int>(member.first), first_dual(member));
   }
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     blocks_.couple(static_cast<int>(center(k)), static_cast<int>(angle(k)));
   }
-  for (const HeldBody& held : held_) {
-    const std::array<int, 4> slots = hold_slots(held);
-    for (const int a : slots) {
-      for (const int b : slots) {
-        if (a < b) blocks_.couple(a, b);
-      }
-    }
+  for (std::size_t hold = 0; hold < held_.size(); ++hold) {
+    for (const int slot : hold_slots(held_[hold])) blocks_.couple(slot, hold_dual(hold));
   }
   contacts_.couple(blocks_);
   blocks_.end_pattern();
 }
+
+/// Slots of unknown tensions follow those of points and bodies, those of holds follow them.
+int Island::first_dual(const Member& member) const { return static_cast<int>(positions_.size() + member.first_dual); }
+int Island::hold_dual(std::size_t hold) const { return static_cast<int>(positions_.size() + duals_ + hold); }
 
 std::array<int, 4> Island::hold_slots(const HeldBody& held) const {
   return {static_cast<int>(held.point), static_cast<int>(held.next), static_cast<int>(center(held.body)),
@@ -64,37 +57,37 @@ std::array<int, 4> Island::hold_slots(const HeldBody& held) const {
 }
 
 bool Island::newton_step_together(Stage& stage) {
+  slips_ = false;
   if (!has_pattern_ || !contacts_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
   blocks_.set_zero();
+  right_side_.resize(positions_.size() + duals_ + held_.size());
   for (const Member& member : members_) {
-    Lattice& lattice = member.cord->lattice();
-    Stage own = stage_of(stage, member);
-    own.carried = {};
-    lattice.assemble(own, part(positions_, member.first, member.count),
-                     part(tensions_, member.first_tension, member.tensions),
-                     part(direction_, member.first, member.count));
-    lattice.add_to(blocks_, static_cast<int>(member.first));
+    member.cord->elasticity_->load(stage_of(stage, member), part(positions_, member.first, member.count),
+                                   part(tensions_, member.first_tension, member.tensions), blocks_,
+                                   static_cast<int>(member.first), first_dual(member), right_side_);
   }
   for (std::size_t p = count_; p < positions_.size(); ++p) {
-    direction_[p] = stage.residual(p, positions_[p]);
+    right_side_[p] = stage.residual(p, positions_[p]);
     blocks_.add(static_cast<int>(p), inertia_[p], 0.0, inertia_[p]);
   }
-  for (std::size_t k = 0; k < bodies_.size(); ++k) direction_[angle(k)].y = 0.0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) right_side_[angle(k)].y = 0.0;
   load_holds();
-  contacts_.load(positions_, blocks_, direction_);
+  contacts_.load(positions_, blocks_, right_side_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] == 0) continue;
-    direction_[p] = {};
+    right_side_[p] = {};
     blocks_.hold(static_cast<int>(p));
   }
-  if (!blocks_.solve(direction_)) return false;
+  if (!blocks_.solve(right_side_)) return false;
+  std::copy(right_side_.begin(), right_side_.begin() + static_cast<std::ptrdiff_t>(positions_.size()),
+            direction_.begin());
   for (const Member& member : members_) {
-    Stage own = stage_of(stage, member);
-    own.carried = {};
-    member.cord->lattice().update(
-        own, part(positions_, member.first, member.count), part(tensions_, member.first_tension, member.tensions),
-        part(direction_, member.first, member.count), part(next_, member.first_tension, member.tensions));
+    member.cord->elasticity_->update(stage_of(stage, member), part(positions_, member.first, member.count),
+                                     part(tensions_, member.first_tension, member.tensions),
+                                     part(direction_, member.first, member.count),
+                                     part(right_side_, at(first_dual(member)), member.cord->elasticity_->dual_count()),
+                                     part(next_, member.first_tension, member.tensions));
   }
   update_holds();
   contacts_.update(direction_);
@@ -106,44 +99,80 @@ Vec2 Island::hold_gap(const HeldBody& held, std::span<const Vec2> x) const {
   return held.hold(x) - x[center(held.body)] - held.arm_at(x[angle(held.body)].x);
 }
 
-/// A hold is a bar of no length in each direction that does not give, its pull λ approached as Links does: with α₀ the
-/// least compliance, λ⁺ = λ + (c + J·δ)/α₀, c = x − X − s, ∂c/∂φ = −perp(s), ∂²c/∂φ² = s.
+/// A hold's pull λ on the body is an unknown: with c = x − X − s the gap, which is to close, ∂c/∂φ = −perp(s) and
+/// ∂²c/∂φ² = s. One that slips along the cord does so against its strength, and only closes across.
 void Island::load_holds() {
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const HeldBody& held = held_[k];
-    const double stiffness = hold_stiffness(held);
     const Vec2 arm = held.arm_at(positions_[angle(held.body)].x);
-    const Vec2 pull = hold_pull(tensions_, k) + stiffness * hold_gap(held, positions_);
+    const Vec2 u = -perp(arm);
+    const Vec2 t = hold_tangent(held);
+    const bool slips = held.slides != 0.0;
+    const Block across = slips ? Block{t.y * t.y, -t.x * t.y, t.x * t.x} : Block{1.0, 0.0, 1.0};
+    const auto closing = [&across](Vec2 v) {
+      return Vec2{across.xx * v.x + across.xy * v.y, across.xy * v.x + across.yy * v.y};
+    };
+    const int dual = hold_dual(k);
     const std::array<int, 4> slots = hold_slots(held);
     const std::array<double, 3> weights = {1.0 - held.along, held.along, -1.0};
-    const Vec2 u = -perp(arm);
+    const Vec2 against = (held.slides * (slips ? held.strength : 0.0)) * t;
     for (std::size_t i = 0; i < 3; ++i) {
       if (weights[i] == 0.0) continue;
-      direction_[at(slots[i])] -= weights[i] * pull;
-      const double own = stiffness * weights[i] * weights[i];
-      blocks_.add(slots[i], own, 0.0, own);
-      for (std::size_t j = i + 1; j < 3; ++j) {
-        const double shared = stiffness * weights[i] * weights[j];
-        if (shared != 0.0) blocks_.add(slots[i], slots[j], shared, 0.0, 0.0, shared);
-      }
-      const Vec2 turning = (stiffness * weights[i]) * u;
-      blocks_.add(slots[i], slots[3], turning.x, 0.0, turning.y, 0.0);
+      blocks_.add(slots[i], dual, weights[i] * across.xx, weights[i] * across.xy, weights[i] * across.xy,
+                  weights[i] * across.yy);
+      right_side_[at(slots[i])] -= weights[i] * against;
     }
-    direction_[at(slots[3])].x -= dot(u, pull);
-    blocks_.add(slots[3], stiffness * dot(u, u) + std::max(0.0, dot(hold_pull(tensions_, k), arm)), 0.0, 0.0);
+    const Vec2 turning = closing(u);
+    blocks_.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
+    right_side_[at(slots[3])].x -= dot(u, against);
+    blocks_.add(slots[3], std::max(0.0, dot(hold_pull(tensions_, k), arm)), 0.0, 0.0);
+    const double least = singular_share / std::max(inertia_[held.point], inertia_[held.next]);
+    blocks_.make_dual(dual);
+    blocks_.add(dual, -least - (1.0 - across.xx), across.xy, -least - (1.0 - across.yy));
+    right_side_[at(dual)] = -closing(hold_gap(held, positions_));
   }
 }
 
 void Island::update_holds() {
   for (std::size_t k = 0; k < held_.size(); ++k) {
-    const HeldBody& held = held_[k];
-    const Vec2 u = -perp(held.arm_at(positions_[angle(held.body)].x));
-    const Vec2 gap = hold_gap(held, positions_) + held.hold(direction_) - direction_[center(held.body)] +
-                     direction_[angle(held.body)].x * u;
-    const Vec2 pull = hold_pull(tensions_, k) + hold_stiffness(held) * gap;
+    HeldBody& held = held_[k];
+    const Vec2 t = hold_tangent(held);
+    Vec2 pull = right_side_[at(hold_dual(k))];
+    if (held.slides == 0.0 && std::abs(dot(pull, t)) > held.strength) {
+      held.slides = std::copysign(1.0, dot(pull, t));
+      slips_ = true;
+    }
+    if (held.slides != 0.0) pull += (held.slides * held.strength - dot(pull, t)) * t;
     const std::size_t first = next_.size() - 2 * (held_.size() - k);
     next_[first] = pull.x;
     next_[first + 1] = pull.y;
+  }
+}
+
+/// Along the cord where it is held.
+Vec2 Island::hold_tangent(const HeldBody& held) const {
+  std::size_t a = held.point;
+  std::size_t b = held.next;
+  for (const Member& member : members_) {
+    const auto rows = at(member.cord->def_.rows);
+    if (a != b || a < member.first || a >= member.first + member.count) continue;
+    b + rows < member.first + member.count ? b += rows : a -= rows;
+  }
+  const Vec2 ab = positions_[b] - positions_[a];
+  const double size = length(ab);
+  return size > 0.0 ? (1.0 / size) * ab : Vec2{1.0, 0.0};
+}
+
+/// What a grip that slips has left open along the cord is how far it has slipped.
+void Island::slip() {
+  for (HeldBody& held : held_) {
+    if (held.slides == 0.0) continue;
+    const double along = -dot(hold_gap(held, positions_), hold_tangent(held));
+    for (const Member& member : members_) {
+      if (held.point >= member.first && held.point < member.first + member.count) {
+        held.slid = along / member.cord->rest_[0];
+      }
+    }
   }
 }
 
@@ -152,14 +181,17 @@ Vec2 Island::hold_pull(std::span<const double> tensions, std::size_t hold) const
   return {tensions[first], tensions[first + 1]};
 }
 
-double Island::hold_stiffness(const HeldBody& held) const {
-  return std::max(inertia_[held.point], inertia_[center(held.body)]) / proximal_share;
-}
-
 double Island::hold_potential(std::span<const Vec2> x) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < held_.size(); ++k) {
-    sum += length(hold_pull(most_tensions_, k)) * length(hold_gap(held_[k], x));
+    const Vec2 gap = hold_gap(held_[k], x);
+    const double most = length(hold_pull(most_tensions_, k));
+    if (held_[k].slides == 0.0) {
+      sum += most * length(gap);
+    } else {
+      const Vec2 t = hold_tangent(held_[k]);
+      sum += most * std::abs(cross(t, gap)) + held_[k].slides * held_[k].strength * dot(t, gap);
+    }
   }
   return sum;
 }

@@ -90,7 +90,7 @@ bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span
   assemble(stage, x, tensions, direction);
   hold_constrained(stage, direction);
   if (!solve(direction)) return false;
-  update(stage, x, tensions, direction, next);
+  update(stage, x, tensions, direction, {}, next);
   return true;
 }
 
@@ -113,7 +113,23 @@ void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<co
   }
 }
 
-void Lattice::add_to(BlockLdlt& blocks, int first) const {
+void Lattice::order(int first, int /*first_dual*/, std::vector<int>& slots, const PointDone& point_done) const {
+  for (int p = 0; p < matrix_.size() / 2; ++p) {
+    slots.push_back(first + p);
+    point_done(first + p);
+  }
+}
+
+void Lattice::couple(BlockLdlt& blocks, int first, int /*first_dual*/) const {
+  const int n = matrix_.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    for (int k = 1; k <= reach_ && p + k < n; ++k) blocks.couple(first + p, first + p + k);
+  }
+}
+
+void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
+                   int first, int /*first_dual*/, std::span<Vec2> right_side) {
+  assemble(stage, x, tensions, right_side.subspan(static_cast<std::size_t>(first), x.size()));
   const int n = matrix_.size() / 2;
   for (int p = 0; p < n; ++p) {
     const double* upper = matrix_.row(2 * p);
@@ -127,7 +143,7 @@ void Lattice::add_to(BlockLdlt& blocks, int first) const {
 }
 
 void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                     std::span<const Vec2> direction, std::span<double> next) {
+                     std::span<const Vec2> direction, std::span<const Vec2> /*duals*/, std::span<double> next) {
   const NewtonSystem system{shape(stage, x), matrix_, {}};
   std::size_t first = 0;
   for (const auto& term : terms_) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ribbon/banded_ldlt.h"
-#include "ribbon/block_ldlt.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/elasticity.h"
 #include "ribbon/term.h"
@@ -23,26 +22,25 @@ class Lattice final : public Elasticity {
   void set_rest_lengths(std::span<const double> lengths) override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
-  /// The same in parts, for what solves it together with others: the system's matrix and its right-hand side, without
-  /// holding constrained points; the matrix as blocks of slots from `first` on; the tensions after the step.
-  void assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, std::span<Vec2> force);
-  void add_to(BlockLdlt& blocks, int first) const;
+  void order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const override;
+  void couple(BlockLdlt& blocks, int first, int first_dual) const override;
+  void load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks, int first,
+            int first_dual, std::span<Vec2> right_side) override;
   void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-              std::span<const Vec2> direction, std::span<double> next);
-  /// How many points further than a point are coupled with it.
-  int reach() const { return reach_; }
+              std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
   double energy(const Motion& at, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override;
 
  private:
+  void assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, std::span<Vec2> force);
   Shape shape(const Stage& stage, std::span<const Vec2> x);
   void hold_constrained(const Stage& stage, std::span<Vec2> force);
   bool solve(std::span<Vec2> residual);
 
   double damping_;  // s
-  int reach_;
+  int reach_;       // how many points further than a point are coupled with it
   std::vector<std::unique_ptr<Term>> terms_;
   std::size_t tension_count_ = 0;
   BandedMatrix constant_;  // the Hessian's part that only rest lengths change

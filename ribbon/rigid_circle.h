@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "ribbon/vec2.h"
@@ -47,11 +48,15 @@ struct RigidSegment {
 
 /// A body that holds a cord at a point, or between two.
 struct Grip {
-  int point = 0;       ///< index of the cord's point
-  int body = 0;        ///< index into the step's bodies
-  Vec2 offset;         ///< m, from the body's centre of mass to the hand, world directions
-  Vec2 travel{};       ///< m, how far the hand moves on the body during the step, evenly
-  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1: of the direct solver only
+  int point = 0;  ///< index of the cord's point
+  int body = 0;   ///< index into the step's bodies
+  Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
+  Vec2 travel{};  ///< m, how far the hand moves on the body during the step, evenly
+  // Of the direct solver only:
+  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1
+  double climb = 0.0;  ///< columns, by which the grip moves along the cord in the step, evenly
+  /// N, along the cord, above which it slips: of a body that is pushed.
+  double strength = std::numeric_limits<double>::infinity();
 };
 
 /// What a cord meets in one step.

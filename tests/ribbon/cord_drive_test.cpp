@@ -374,7 +374,7 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
   refused([](Cord::State& s) { s.kinds[1] = static_cast<PointKind>(77); });
   refused([](Cord::State& s) { s.tensions[0] = nan; });
   refused([](Cord::State& s) { s.ledger = nan; });
-  refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0}); });
+  refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0, 0, {}, 0.0}); });
 }
 
 #if defined(__SSE2__)
