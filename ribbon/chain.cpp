@@ -141,7 +141,7 @@ void Chain::couple(BlockLdlt& blocks, int first, int first_dual) const {
 /// The same equations as in newton_step.
 void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                  int first, int first_dual, std::span<Vec2> right_side) {
-  const double least = singular_share / stage.inertia[0];
+  const double least = dual_share / stage.inertia[0];
   for (std::size_t p = 0; p < x.size(); ++p) {
     right_side[static_cast<std::size_t>(first) + p] = stage.residual(p, x[p]);
     blocks.add(first + static_cast<int>(p), stage.inertia[p], 0.0, stage.inertia[p]);

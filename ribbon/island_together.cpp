@@ -126,7 +126,7 @@ void Island::load_holds() {
     blocks_.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
     right_side_[at(slots[3])].x -= dot(u, against);
     blocks_.add(slots[3], std::max(0.0, dot(hold_pull(tensions_, k), arm)), 0.0, 0.0);
-    const double least = singular_share / std::max(inertia_[held.point], inertia_[held.next]);
+    const double least = dual_share / std::max(inertia_[held.point], inertia_[held.next]);
     blocks_.make_dual(dual);
     blocks_.add(dual, -least - (1.0 - across.xx), across.xy, -least - (1.0 - across.yy));
     right_side_[at(dual)] = -closing(hold_gap(held, positions_));

@@ -6,6 +6,7 @@ namespace ribbon {
 
 // Least compliance of a bar, as a share of a point's own give q²/m, that an inextensible one is given
 constexpr double singular_share = 1e-10;  // where the system would be singular: between two constrained points
+constexpr double dual_share = 1e-12;      // where a tension stays an unknown of a system that others are coupled with
 constexpr double proximal_share = 1e-7;   // where tensions are eliminated first, and approached by iteration
 
 /// A bar as mixed Newton sees it: W = ½·c²/α for an elongation c, its tension λ an unknown that obeys
