@@ -201,7 +201,7 @@ std::vector<Vec2> wound(int points, double link, double radius, double pitch) {
 
 void wind_coil(CoupledWorld& world, int rows, double friction) {
   constexpr double post = 0.3;
-  constexpr double link = 0.05;
+  const double link = rows > 1 ? 0.1 : 0.05;
   constexpr double radius = 0.01;
   const double half = radius + (rows > 1 ? 0.5 * strip_width : 0.0);
   const double start = post + 1.2 * half;
@@ -210,7 +210,7 @@ void wind_coil(CoupledWorld& world, int rows, double friction) {
   const int links = static_cast<int>(std::lround(4.0 * 2.0 * pi * (start + 2.0 * pitch) / link));
   std::vector<Vec2> line = wound(links + 1, link, start, pitch);
   const Vec2 last = line.back() - line[line.size() - 2];
-  for (int k = 0; k < 20; ++k) line.push_back(line.back() + last);
+  for (int k = 0; k < std::lround(1.0 / link); ++k) line.push_back(line.back() + last);
   CordDef def = along(std::move(line), link, rows, radius);
   def.friction = friction;
   def.self_contact = true;
@@ -243,7 +243,7 @@ void stand_in_bucket(CoupledWorld& world, int rows, double friction) {
   world.add_edges({{middle - 0.5, 6.0}, {middle - 0.5, 0.0}, {middle + 0.5, 0.0}, {middle + 0.5, 6.0}}, friction);
 }
 
-void drop_strips(CoupledWorld& world, int count) {
+void drop_strips(CoupledWorld& world, int count, bool meeting) {
   constexpr int columns = 10;
   constexpr double cell = 2.0;  // m, of the lattice, and what a strip has
   const double right = columns * cell;
@@ -264,7 +264,8 @@ void drop_strips(CoupledWorld& world, int count) {
     def.mass_per_length = 0.002 * 66 / def.length;
     def.friction = 0.4;
     def.area_stiffness = 1.0;
-    def.self_contact = true;
+    def.self_contact = meeting;
+    def.cord_contact = meeting;
     ribbon::solid(1e5, 0.3, 0.01, def.width).apply_to(def);
     const Vec2 corner{cell * (k % columns) + 0.1 + 0.02 * (k * 7 % 11), 0.4 + 0.3 * row};
     for (int i = 0; i < def.points; ++i) {

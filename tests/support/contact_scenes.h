@@ -42,7 +42,7 @@ void pull_coil(CoupledWorld& world, double force);
 void stand_in_bucket(CoupledWorld& world, int rows, double friction);
 
 /// `count` ribbons of 33 × 2 points, 1.6 m long and 5 cm wide, ten a row, above a lattice of static circles in a shaft
-/// with a floor.
-void drop_strips(CoupledWorld& world, int count = 150);
+/// with a floor. `meeting` each other and themselves, or circles alone.
+void drop_strips(CoupledWorld& world, int count = 150, bool meeting = true);
 
 }  // namespace test_support

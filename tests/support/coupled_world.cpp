@@ -244,12 +244,6 @@ double CoupledWorld::energy_scale() const {
   return force * longest;
 }
 
-ribbon::CordReport CoupledWorld::report() const {
-  ribbon::CordReport sum;
-  for (int c = 0; c < coupling.size(); ++c) sum += coupling.direct_total(c);
-  return sum;
-}
-
 void CoupledWorld::calm(int ticks) {
   damp_bodies(6.0F);
   for (int k = 0; k < ticks; ++k) {

@@ -67,9 +67,6 @@ class CoupledWorld {
   double energy() const;
   /// J, what energies are compared with: the weight of all, and what pulls, times the length of the longest cord.
   double energy_scale() const;
-  /// Summed over all ticks, and cords: of an island's report each cord has its own copy.
-  ribbon::CordReport report() const;
-
   /// Ticks in which all that moves loses a tenth of its velocity each.
   void calm(int ticks);
 

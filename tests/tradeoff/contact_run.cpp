@@ -21,6 +21,14 @@ Accuracy preset(const std::string& name) {
   return name == "accurate" ? Accuracy::accurate() : Accuracy::balanced();
 }
 
+void count_reports(const CoupledWorld& world, ContactFigures& figures) {
+  for (int c = 0; c < world.coupling.size(); ++c) {
+    const ribbon::CordReport& report = world.coupling.direct_report(c);
+    figures.unconverged += report.unconverged > 0 ? 1 : 0;
+    figures.mended += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 std::vector<NamedMethod> presets(const std::vector<std::string>& names) {
@@ -52,12 +60,12 @@ std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<
 
 ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(CoupledWorld&)>& after_tick) {
   ContactFigures figures;
-  const ribbon::CordReport before = world.report();
   double lowest = world.energy();
   double gain = 0.0;
   for (int tick = 0; tick < ticks; ++tick) {
     world.tick();
     if (after_tick) after_tick(world);
+    count_reports(world, figures);
     for (int c = 0; c < world.cords(); ++c) {
       if (world.def(c).rows == 1) figures.max_stretch = std::max(figures.max_stretch, test_support::stretch(world, c));
     }
@@ -67,10 +75,6 @@ ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(Coup
     figures.penetration = std::max(figures.penetration, test_support::penetration(world));
   }
   figures.energy_gain = gain / world.energy_scale();
-  const ribbon::CordReport after = world.report();
-  figures.unconverged = after.unconverged - before.unconverged;
-  figures.mended = after.searches + after.fallbacks + after.energy_gains + after.halvings - before.searches -
-                   before.fallbacks - before.energy_gains - before.halvings;
   figures.self_crossings = test_support::self_crossings(world);
   figures.mutual_crossings = test_support::mutual_crossings(world);
   figures.inverted = test_support::inverted_cells(world);

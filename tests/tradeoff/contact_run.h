@@ -32,8 +32,8 @@ struct ContactFigures {
   double max_stretch = 0.0;  ///< of a rope, the most after any tick, as a share
   double energy_gain = 0.0;  ///< the most that energy rose above the lowest before, as a share of energy_scale
   double penetration = 0.0;  ///< m, the most after any tick
-  int unconverged = 0;       ///< substeps of cords, each as often as its island has cords
-  double mended = 0.0;       ///< searches, fallbacks, energy gains and halvings, the same
+  int unconverged = 0;       ///< ticks in which a substep of a cord's island was left unconverged, of all cords
+  int mended = 0;            ///< the same of searches, fallbacks, energy gains and halvings
   int self_crossings = 0;    ///< these three after the last tick
   int mutual_crossings = 0;
   int inverted = 0;

@@ -12,10 +12,10 @@ constexpr double bar = 16000.0;  // µs
 
 std::vector<Contestant> contestants() {
   std::vector<Contestant> list;
-  for (const NamedMethod& method : presets({"fast", "balanced"})) {
-    list.push_back(contestant({method,
-                               "",
-                               [](CoupledWorld& world) { test_support::drop_strips(world); },
+  for (const bool meeting : {true, false}) {
+    list.push_back(contestant({presets({"fast"}).front(),
+                               meeting ? "meeting each other" : "meeting circles alone",
+                               [meeting](CoupledWorld& world) { test_support::drop_strips(world, 150, meeting); },
                                false,
                                {0.0, -9.81},
                                [](CoupledWorld& world) { return figures_of(world, run(world, ticks), bar); }}));
