@@ -186,7 +186,7 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
 }
 
 std::vector<Vec2> CoupledWorld::outline(int cord) const {
-  const std::vector<Vec2> all = points(cord);
+  std::vector<Vec2> all = points(cord);
   const int rows = defs_[at(cord)].rows;
   const int columns = defs_[at(cord)].points;
   if (rows == 1) return all;
