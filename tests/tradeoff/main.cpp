@@ -14,7 +14,7 @@ using tradeoff::Scene;
 
 void list_scenes() {
   for (const Scene& scene : tradeoff::scenes())
-    std::printf("%-13s %s\n", scene.name.c_str(), scene.description.c_str());
+    std::printf("%-17s %s\n", scene.name.c_str(), scene.description.c_str());
 }
 
 /// On the terminal's error stream, so that a redirected table stays clean.
@@ -37,7 +37,7 @@ std::vector<Row> run_scene(const Scene& scene, const std::vector<Contestant>& co
   std::vector<tradeoff::Timed> timed;
   for (const Contestant& contestant : contestants) {
     rows.push_back({contestant, {}, figures_of(contestant)});
-    timed.push_back({contestant.reset, contestant.tick});
+    timed.push_back({contestant.reset, contestant.tick, contestant.rest});
     show_progress("figures", static_cast<double>(rows.size()) / static_cast<double>(contestants.size()));
   }
   const auto timings =

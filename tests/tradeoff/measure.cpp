@@ -18,21 +18,42 @@ double quantile(std::vector<double> values, double share) {
 double microseconds(Clock::duration spent) { return std::chrono::duration<double, std::micro>(spent).count(); }
 
 struct Samples {
-  std::vector<double> means;  // µs a tick, of each repeat
-  std::vector<double> ticks;  // µs, of each tick
+  std::vector<double> means;               // µs a tick, of each repeat
+  std::vector<double> share_means;         // the same without the rest
+  std::vector<double> ticks;               // µs, of each tick
+  std::vector<std::vector<double>> share;  // µs without the rest, by tick and repeat
 };
 
 void repeat_once(const Timed& contestant, int ticks, Samples& samples) {
   if (contestant.reset) contestant.reset();
   const Clock::time_point start = Clock::now();
   Clock::time_point last = start;
+  Clock::duration share{};
+  samples.share.resize(static_cast<std::size_t>(ticks));
   for (int k = 0; k < ticks; ++k) {
     contestant.tick();
+    if (contestant.rest) {
+      const Clock::duration spent = Clock::now() - last;
+      share += spent;
+      samples.share[static_cast<std::size_t>(k)].push_back(microseconds(spent));
+      contestant.rest();
+    }
     const Clock::time_point now = Clock::now();
     samples.ticks.push_back(microseconds(now - last));
     last = now;
   }
   samples.means.push_back(microseconds(last - start) / ticks);
+  samples.share_means.push_back(microseconds(share) / ticks);
+}
+
+Timing timing_of(const Timed& contestant, const Samples& samples) {
+  Timing timing{quantile(samples.means, 0.5), quantile(samples.ticks, 0.99)};
+  if (!contestant.rest) return timing;
+  timing.share_us = quantile(samples.share_means, 0.5);
+  timing.rest_us = timing.median_us - timing.share_us;
+  for (const std::vector<double>& tick : samples.share)
+    timing.worst_us = std::max(timing.worst_us, quantile(tick, 0.5));
+  return timing;
 }
 
 }  // namespace
@@ -46,7 +67,7 @@ std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, i
     progress(static_cast<double>(repeat + 1) / repeats);
   }
   std::vector<Timing> timings;
-  for (const Samples& s : samples) timings.push_back({quantile(s.means, 0.5), quantile(s.ticks, 0.99)});
+  for (std::size_t c = 0; c < samples.size(); ++c) timings.push_back(timing_of(contestants[c], samples[c]));
   return timings;
 }
 

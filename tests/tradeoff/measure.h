@@ -12,12 +12,18 @@ using Tick = std::function<void()>;
 struct Timed {
   std::function<void()> reset;  ///< back to the start before every repeat, so that all do the same work; empty: goes on
   Tick tick;
+  Tick rest = {};  ///< what belongs to the tick and is to be told apart from it: b2World::Step after our share; may be
+                   ///< empty
 };
 
 struct Timing {
-  double median_us = 0.0;  ///< a tick: the median over the repeats of a repeat's mean
+  double median_us = 0.0;  ///< a tick and its rest: the median over the repeats of a repeat's mean
   double p99_us = 0.0;  ///< that 99 of 100 single ticks of all repeats stay below. The clock is read after each, which
                         ///< costs it some 0.03 µs
+  // If there is a rest:
+  double share_us = 0.0;  ///< of the median's: the tick without its rest
+  double rest_us = 0.0;   ///< and the rest
+  double worst_us = 0.0;  ///< the dearest tick of a repeat without its rest: each taken as its median over the repeats
 };
 
 /// They take turns, `ticks` at a time, `repeats` times over, so that a slow moment of a shared machine strikes all of

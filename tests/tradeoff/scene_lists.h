@@ -11,4 +11,7 @@ std::vector<Scene> swing_scenes();      ///< a heavy load on a rope: the direct 
 std::vector<Scene> reference_scenes();  ///< the direct solver against exact solutions
 std::vector<Scene> cost_scenes();       ///< what long cords, ribbons and many of them cost
 
+/// Cords that touch: the direct solver in a Box2D world against Box2D's own chains.
+std::vector<Scene> contact_scenes();
+
 }  // namespace tradeoff

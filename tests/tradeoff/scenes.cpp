@@ -20,6 +20,18 @@ Column frames_per_second() {
   return {"frames_per_second", 1, [](const Row& row) { return 1e6 / row.timing.median_us; }};
 }
 
+Column our_us() {
+  return {"our_us", 1, [](const Row& row) { return row.timing.share_us; }};
+}
+
+Column our_worst_us() {
+  return {"our_worst_us", 1, [](const Row& row) { return row.timing.worst_us; }};
+}
+
+Column world_step_us() {
+  return {"world_step_us", 1, [](const Row& row) { return row.timing.rest_us; }};
+}
+
 Column figure(std::string name, std::size_t index) {
   return {std::move(name), -1, [index](const Row& row) { return row.figures[index]; }};
 }
@@ -33,7 +45,7 @@ std::string number(double value) {
 const std::vector<Scene>& scenes() {
   static const std::vector<Scene> all = [] {
     std::vector<Scene> together;
-    for (const auto& list : {thesis_scenes(), swing_scenes(), reference_scenes(), cost_scenes()}) {
+    for (const auto& list : {thesis_scenes(), swing_scenes(), reference_scenes(), cost_scenes(), contact_scenes()}) {
       together.insert(together.end(), list.begin(), list.end());
     }
     return together;

@@ -17,6 +17,7 @@ struct Contestant {
   Tick tick;
   std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
                                                  ///< columns ask for. Empty if they ask for none
+  Tick rest = {};                                ///< see Timed
 };
 
 /// What is told of a contestant.
@@ -35,6 +36,10 @@ struct Column {
 Column us_per_tick();
 Column p99_us();
 Column frames_per_second();
+// Of contestants that tell the rest of a tick apart, see Timing:
+Column our_us();
+Column our_worst_us();
+Column world_step_us();
 /// The index-th of a contestant's figures.
 Column figure(std::string name, std::size_t index);
 

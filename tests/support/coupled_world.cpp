@@ -1,0 +1,266 @@
+#include "tests/support/coupled_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/convert.h"
+
+namespace test_support {
+namespace {
+
+using engine::to_double;
+using engine::to_float;
+using ribbon::Vec2;
+
+constexpr uint16 box_category = 2;  // of all chains: with others' boxes they collide as with their own
+
+/// Where a cord without positions lies.
+std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
+  if (!def.positions.empty()) return def.positions;
+  return {ribbon::Cord(def).positions().begin(), ribbon::Cord(def).positions().end()};
+}
+
+}  // namespace
+
+CoupledWorld::CoupledWorld(const CordMethod& method, Vec2 gravity) : world(to_float(gravity)), method_(method) {
+  world.SetAllowSleeping(false);
+  const b2BodyDef fixed;
+  ground_ = world.CreateBody(&fixed);
+}
+
+int CoupledWorld::add(ribbon::CordDef def) {
+  def.positions = laid_out(def);
+  def.accuracy = method_.accuracy;
+  defs_.push_back(std::move(def));
+  if (method_.chain) {
+    add_chain(defs_.back());
+  } else {
+    coupling.add(ribbon::Cord(defs_.back()));
+  }
+  return static_cast<int>(defs_.size()) - 1;
+}
+
+/// A box's skin is half its thickness, for Box2D's own is a centimetre.
+void CoupledWorld::add_chain(const ribbon::CordDef& def) {
+  Chain chain;
+  const auto half_thickness = static_cast<float>(0.5 * def.radius);
+  for (int k = 0; k + 1 < def.points; ++k) {
+    const Vec2 a = def.positions[at(k)];
+    const Vec2 b = def.positions[at(k + 1)];
+    b2BodyDef body;
+    body.type = b2_dynamicBody;
+    body.position = to_float(0.5 * (a + b));
+    body.angle = static_cast<float>(std::atan2(b.y - a.y, b.x - a.x));
+    b2Body* box = world.CreateBody(&body);
+    const double length = ribbon::length(b - a);
+    b2PolygonShape shape;
+    shape.SetAsBox(static_cast<float>(0.5 * length), half_thickness);
+    shape.m_radius = half_thickness;
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = static_cast<float>(def.friction);
+    fixture.restitution = static_cast<float>(def.restitution);
+    fixture.filter.categoryBits = box_category;
+    if (!method_.chain_meets_itself) fixture.filter.maskBits &= static_cast<uint16>(~box_category);
+    box->CreateFixture(&fixture);
+    const double mass = def.mass_per_length * def.length / (def.points - 1);
+    const b2MassData data{static_cast<float>(mass), b2Vec2_zero, static_cast<float>(0.25 * mass * length * length)};
+    box->SetMassData(&data);
+    if (k > 0) {
+      b2RevoluteJointDef joint;
+      joint.Initialize(chain.boxes.back(), box, to_float(a));
+      world.CreateJoint(&joint);
+    }
+    chain.boxes.push_back(box);
+    chain.half_lengths.push_back(static_cast<float>(0.5 * length));
+  }
+  chains_.push_back(std::move(chain));
+  const int cord = static_cast<int>(chains_.size()) - 1;
+  for (const int pin : def.pins) hold_chain(cord, pin, *ground_);
+}
+
+b2Body& CoupledWorld::add_circle(b2BodyType type, Vec2 position, double radius, double mass, double friction) {
+  b2BodyDef def;
+  def.type = type;
+  def.position = to_float(position);
+  b2Body* body = world.CreateBody(&def);
+  b2CircleShape shape;
+  shape.m_radius = static_cast<float>(radius);
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = static_cast<float>(mass) / (b2_pi * shape.m_radius * shape.m_radius);
+  fixture.friction = static_cast<float>(friction);
+  body->CreateFixture(&fixture);
+  return *body;
+}
+
+b2Body& CoupledWorld::add_edges(const std::vector<Vec2>& corners, double friction) {
+  const b2BodyDef def;
+  b2Body* body = world.CreateBody(&def);
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    b2EdgeShape shape;
+    shape.SetTwoSided(to_float(corners[k - 1]), to_float(corners[k]));
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = static_cast<float>(friction);
+    body->CreateFixture(&fixture);
+  }
+  return *body;
+}
+
+b2Body& CoupledWorld::add_load(b2BodyType type, Vec2 position, double mass, double inertia) {
+  b2BodyDef def;
+  def.type = type;
+  def.position = to_float(position);
+  b2Body* body = world.CreateBody(&def);
+  if (type != b2_dynamicBody) return *body;
+  const b2MassData data{static_cast<float>(mass), b2Vec2_zero, static_cast<float>(inertia)};
+  body->SetMassData(&data);
+  return *body;
+}
+
+bool CoupledWorld::is_first(int cord, int point) const { return point < defs_[at(cord)].points / 2; }
+
+b2Vec2 CoupledWorld::end_of(const Chain& chain, bool first) const {
+  return first ? chain.boxes.front()->GetWorldPoint({-chain.half_lengths.front(), 0.0F})
+               : chain.boxes.back()->GetWorldPoint({chain.half_lengths.back(), 0.0F});
+}
+
+void CoupledWorld::hold(int cord, int point, b2Body& body) {
+  if (method_.chain) {
+    hold_chain(cord, point, body);
+  } else {
+    coupling.hold(cord, point, body, body.GetLocalPoint(to_float(coupling.positions(cord)[at(point)])));
+  }
+}
+
+void CoupledWorld::hold_chain(int cord, int point, b2Body& body) {
+  Chain& chain = chains_[at(cord)];
+  const bool first = is_first(cord, point);
+  b2RevoluteJointDef joint;
+  joint.Initialize(&body, first ? chain.boxes.front() : chain.boxes.back(), end_of(chain, first));
+  (first ? chain.first : chain.last) = world.CreateJoint(&joint);
+}
+
+void CoupledWorld::pull(int cord, int point, Vec2 force) {
+  if (!method_.chain) coupling.direct_cord(cord).set_load(point, force);
+  for (Pull& pull : pulls_) {
+    if (pull.cord != cord || pull.point != point) continue;
+    pull.force = force;
+    return;
+  }
+  pulls_.push_back({cord, point, force});
+}
+
+void CoupledWorld::our_share() {
+  if (coupling.size() == 0) return;
+  coupling.gather(world, dt);
+  coupling.step();
+  coupling.apply();
+}
+
+void CoupledWorld::step_world() {
+  const int substeps = method_.chain ? method_.substeps : 1;
+  for (int k = 0; k < substeps; ++k) {
+    for (const Pull& pull : pulls_) {
+      if (!method_.chain) break;
+      const Chain& chain = chains_[at(pull.cord)];
+      const bool first = is_first(pull.cord, pull.point);
+      (first ? chain.boxes.front() : chain.boxes.back())->ApplyForce(to_float(pull.force), end_of(chain, first), true);
+    }
+    world.Step(static_cast<float>(dt / substeps), method_.velocity_iterations, method_.position_iterations);
+  }
+}
+
+std::vector<Vec2> CoupledWorld::points(int cord) const {
+  if (!method_.chain) {
+    const auto positions = coupling.positions(cord);
+    return {positions.begin(), positions.end()};
+  }
+  const Chain& chain = chains_[at(cord)];
+  std::vector<Vec2> points = {to_double(end_of(chain, true))};
+  for (std::size_t k = 0; k < chain.boxes.size(); ++k) {
+    points.push_back(to_double(chain.boxes[k]->GetWorldPoint({chain.half_lengths[k], 0.0F})));
+  }
+  return points;
+}
+
+std::vector<Vec2> CoupledWorld::outline(int cord) const {
+  std::vector<Vec2> all = points(cord);
+  const int rows = defs_[at(cord)].rows;
+  const int columns = defs_[at(cord)].points;
+  if (rows == 1) return all;
+  std::vector<Vec2> around;
+  for (int i = 0; i < columns; ++i) around.push_back(all[at(i * rows)]);
+  for (int j = 1; j + 1 < rows; ++j) around.push_back(all[at((columns - 1) * rows + j)]);
+  for (int i = columns; i-- > 0;) around.push_back(all[at(i * rows + rows - 1)]);
+  for (int j = rows - 1; j-- > 1;) around.push_back(all[at(j)]);
+  return around;
+}
+
+double CoupledWorld::tension(int cord, int point) const {
+  const bool first = is_first(cord, point);
+  if (!method_.chain) {
+    const auto tensions = coupling.direct_cord(cord).tensions();
+    return first ? tensions.front() : tensions.back();
+  }
+  const Chain& chain = chains_[at(cord)];
+  b2Joint* joint = first ? chain.first : chain.last;
+  const float rate = static_cast<float>(method_.substeps / dt);
+  return joint == nullptr ? 0.0 : static_cast<double>(joint->GetReactionForce(rate).Length());
+}
+
+double CoupledWorld::energy() const {
+  const Vec2 gravity = to_double(world.GetGravity());
+  double sum = 0.0;
+  for (int c = 0; c < coupling.size(); ++c) sum += coupling.direct_cord(c).energy(gravity).total();
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (body->GetType() != b2_dynamicBody) continue;
+    const Vec2 v = velocity(*body);
+    const double mass = static_cast<double>(body->GetMass());
+    const double turning = static_cast<double>(body->GetAngularVelocity());
+    sum += mass * (0.5 * dot(v, v) - dot(gravity, to_double(body->GetWorldCenter())));
+    sum += 0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
+  }
+  for (const Pull& pull : pulls_) {
+    if (!method_.chain) break;  // the cord's own energy has it
+    sum -= dot(pull.force, to_double(end_of(chains_[at(pull.cord)], is_first(pull.cord, pull.point))));
+  }
+  return sum;
+}
+
+double CoupledWorld::energy_scale() const {
+  double mass = 0.0;
+  double longest = 0.0;
+  for (const ribbon::CordDef& def : defs_) {
+    longest = std::max(longest, def.length);
+    if (!method_.chain) mass += def.mass_per_length * def.length;
+  }
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    mass += static_cast<double>(body->GetMass());
+  }
+  double force = mass * length(to_double(world.GetGravity()));
+  for (const Pull& pull : pulls_) force += length(pull.force);
+  return force * longest;
+}
+
+void CoupledWorld::calm(int ticks) {
+  damp_bodies(6.0F);
+  for (int k = 0; k < ticks; ++k) {
+    tick();
+    for (int c = 0; c < coupling.size(); ++c) {
+      ribbon::Cord& cord = coupling.direct_cord(c);
+      for (int p = 0; p < cord.size(); ++p) cord.set_velocity(p, 0.9 * cord.velocities()[at(p)]);
+    }
+  }
+  damp_bodies(0.0F);
+}
+
+void CoupledWorld::damp_bodies(float damping) {
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    body->SetLinearDamping(damping);
+    body->SetAngularDamping(damping);
+  }
+}
+
+}  // namespace test_support

@@ -1,0 +1,131 @@
+#include "tests/tradeoff/contact_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "tests/support/contact_figures.h"
+
+namespace tradeoff {
+
+using ribbon::Accuracy;
+using test_support::CordMethod;
+using test_support::CoupledWorld;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Accuracy preset(const std::string& name) {
+  if (name == "fast") return Accuracy::fast();
+  return name == "accurate" ? Accuracy::accurate() : Accuracy::balanced();
+}
+
+void count_reports(const CoupledWorld& world, ContactFigures& figures) {
+  for (int c = 0; c < world.coupling.size(); ++c) {
+    const ribbon::CordReport& report = world.coupling.direct_report(c);
+    figures.unconverged += report.unconverged > 0 ? 1 : 0;
+    figures.mended += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<NamedMethod> presets(const std::vector<std::string>& names) {
+  std::vector<NamedMethod> list;
+  for (const std::string& name : names) {
+    CordMethod how;
+    how.accuracy = preset(name);
+    list.push_back({"cord", name, how});
+  }
+  return list;
+}
+
+std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_itself) {
+  std::vector<NamedMethod> list;
+  for (const int count : substeps) {
+    CordMethod how;
+    how.chain = true;
+    how.substeps = count;
+    how.chain_meets_itself = meets_itself;
+    list.push_back({"box2d_chain", "substeps=" + std::to_string(count), how});
+  }
+  return list;
+}
+
+std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<NamedMethod>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(CoupledWorld&)>& after_tick) {
+  ContactFigures figures;
+  double lowest = world.energy();
+  double gain = 0.0;
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.tick();
+    if (after_tick) after_tick(world);
+    count_reports(world, figures);
+    for (int c = 0; c < world.cords(); ++c) {
+      if (world.def(c).rows == 1) figures.max_stretch = std::max(figures.max_stretch, test_support::stretch(world, c));
+    }
+    const double energy = world.energy();
+    gain = std::max(gain, energy - lowest);
+    lowest = std::min(lowest, energy);
+    figures.penetration = std::max(figures.penetration, test_support::penetration(world));
+  }
+  figures.energy_gain = gain / world.energy_scale();
+  figures.self_crossings = test_support::self_crossings(world);
+  figures.mutual_crossings = test_support::mutual_crossings(world);
+  figures.inverted = test_support::inverted_cells(world);
+  return figures;
+}
+
+std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& figures, std::optional<double> bar_us) {
+  const bool chain = world.method().chain;
+  const bool ropes = world.def(0).rows == 1;
+  return {chain ? none : bar_us.value_or(none),
+          ropes ? 100.0 * figures.max_stretch : none,
+          100.0 * figures.energy_gain,
+          chain ? none : figures.mended,
+          chain ? none : figures.unconverged,
+          figures.penetration,
+          static_cast<double>(figures.self_crossings),
+          static_cast<double>(figures.mutual_crossings),
+          ropes ? none : figures.inverted};
+}
+
+Contestant contestant(const ContactContestant& how) {
+  const auto world = std::make_shared<std::unique_ptr<CoupledWorld>>();
+  const auto set_up = [world, how] {
+    *world = std::make_unique<CoupledWorld>(how.method.how, how.gravity);
+    how.set_up(**world);
+  };
+  set_up();
+  int points = 0;
+  for (int c = 0; c < (*world)->cords(); ++c) points += static_cast<int>((*world)->points(c).size());
+  world->reset();
+  return {how.method.method,
+          how.method.setting + (how.setting.empty() ? "" : " " + how.setting),
+          points,
+          how.goes_on ? std::function<void()>() : set_up,
+          [world] { (*world)->our_share(); },
+          [world, set_up, how] {
+            set_up();
+            return how.figures(**world);
+          },
+          [world] { (*world)->step_world(); }};
+}
+
+std::vector<Column> contact_columns(const std::vector<std::string>& more) {
+  std::vector<Column> columns = {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us()};
+  std::size_t index = 0;
+  for (const char* name : {"our_bar_us", "max_stretch_pct", "energy_gain_pct", "mended", "unconverged", "penetration_m",
+                           "crossings", "mutual_crossings", "inverted"}) {
+    columns.push_back(figure(name, index++));
+  }
+  for (const std::string& name : more) columns.push_back(figure(name, index++));
+  return columns;
+}
+
+}  // namespace tradeoff

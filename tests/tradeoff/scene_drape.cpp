@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "tests/support/contact_scenes.h"
+#include "tests/tradeoff/contact_run.h"
+#include "tests/tradeoff/scenes_contact.h"
+
+namespace tradeoff {
+namespace {
+
+using test_support::CoupledWorld;
+
+constexpr int ticks = 120;
+constexpr double falling_bar = 200.0;  // µs
+constexpr double resting_bar = 60.0;
+
+double fastest(const CoupledWorld& world) {
+  double speed = 0.0;
+  if (world.method().chain) {
+    for (const b2Body* body = world.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+      speed = std::max(speed, static_cast<double>(body->GetLinearVelocity().Length()));
+    }
+    return speed;
+  }
+  for (const ribbon::Vec2 v : world.coupling.direct_cord(0).velocities()) speed = std::max(speed, length(v));
+  return speed;
+}
+
+std::vector<double> with_speed(CoupledWorld& world, double bar) {
+  std::vector<double> figures = figures_of(world, run(world, ticks), bar);
+  figures.push_back(fastest(world));
+  return figures;
+}
+
+/// The first two seconds; two more after eight, when only the ends still swing; and two after it has been calmed. What
+/// is timed goes on from there.
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> list;
+  for (const double friction : {0.0, 0.5}) {
+    for (const NamedMethod& method : together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16}))) {
+      const auto set_up = [=](CoupledWorld& world) { test_support::lay_over_circles(world, friction); };
+      const std::string setting = "friction=" + number(friction);
+      list.push_back(contestant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
+                                   return with_speed(world, falling_bar);
+                                 }}));
+      if (friction == 0.0) continue;  // it slides off, sooner or later
+      list.push_back(contestant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
+                                   for (int k = 0; k < 480; ++k) world.tick();
+                                   return with_speed(world, falling_bar);
+                                 }}));
+      list.push_back(contestant({method, setting + " at rest", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
+                                   world.calm(900);
+                                   return with_speed(world, resting_bar);
+                                 }}));
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+Scene drape_scene() {
+  return {"drape", "a cord of 50 points that falls over 20 static circles, and lies on them", ticks, contestants,
+          contact_columns({"speed_m_s"})};
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/convert.h"
+#include "tests/support/contact_figures.h"
+#include "tests/support/contact_scenes.h"
+#include "tests/tradeoff/contact_run.h"
+#include "tests/tradeoff/scenes_contact.h"
+
+namespace tradeoff {
+namespace {
+
+using ribbon::Vec2;
+using test_support::CoupledWorld;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Ten seconds from the start, and one more for the jitter: the most that the body moves in a tick, and the mean pull.
+std::vector<double> figures(CoupledWorld& world, double ratio, double stiffness) {
+  const auto run_figures = run(world, 600);
+  const b2Body& load = *world.world.GetBodyList();  // the last made is the first there
+  const int last = world.def(0).points - 1;
+  Vec2 before = engine::to_double(load.GetPosition());
+  double jitter = 0.0;
+  double pull = 0.0;
+  run(world, 60, [&](CoupledWorld& now) {
+    const Vec2 here = engine::to_double(load.GetPosition());
+    jitter = std::max(jitter, length(here - before));
+    before = here;
+    pull += now.tension(0, last) / 60.0;
+  });
+  const double link_share = world.method().chain ? 0.0 : 0.5 / (last);  // kg, of the cord's last point
+  const bool chain = world.method().chain;
+  return {100.0 * run_figures.max_stretch,
+          std::isinf(stiffness) ? 0.0 : 200.0 / stiffness,
+          jitter,
+          100.0 * (pull / ((ratio + link_share) * 9.81) - 1.0),
+          100.0 * run_figures.energy_gain,
+          chain ? none : run_figures.mended,
+          chain ? none : run_figures.unconverged};
+}
+
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> list;
+  for (const double ratio : {168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6}) {
+    const auto add = [&](const NamedMethod& method, double stiffness) {
+      list.push_back(contestant({method,
+                                 "ratio=" + number(ratio) + " EA/Mg=" + number(stiffness),
+                                 [=](CoupledWorld& world) { test_support::hang_load(world, ratio, stiffness); },
+                                 false,
+                                 {0.0, -9.81},
+                                 [=](CoupledWorld& world) { return figures(world, ratio, stiffness); }}));
+    };
+    for (const NamedMethod& method : presets({"fast", "balanced"})) add(method, infinity);
+    for (const NamedMethod& method : presets({"balanced"})) add(method, 1e3);
+    for (const NamedMethod& method : chains({4, 16, 64})) add(method, infinity);
+  }
+  return list;
+}
+
+}  // namespace
+
+Scene mass_ratio_scene() {
+  return {"mass_ratio",
+          "a cord of 31 points that holds a body of 168 to 1,000,000 times its mass: stretch, jitter, pull",
+          120,
+          contestants,
+          {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us(), figure("max_stretch_pct", 0),
+           figure("elastic_pct", 1), figure("jitter_m", 2), figure("pull_error_pct", 3), figure("energy_gain_pct", 4),
+           figure("mended", 5), figure("unconverged", 6)}};
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,12 @@
+#include "tests/tradeoff/scenes_contact.h"
+
+#include "tests/tradeoff/scene_lists.h"
+
+namespace tradeoff {
+
+std::vector<Scene> contact_scenes() {
+  return {mass_ratio_scene(),        drape_scene(), bridge_scene(), capstan_scene(),
+          cords_and_circles_scene(), coil_scene(),  strips_scene()};
+}
+
+}  // namespace tradeoff
