@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/convert.h"
-#include "engine/shapes.h"
+#include "engine/coupling_shapes.h"
 
 namespace engine {
 namespace {
@@ -89,6 +89,9 @@ bool is_near(const b2Fixture& fixture, const Box& reach) {
   }
   return false;
 }
+
+/// What cords know each other by; fixtures are far below.
+std::uint64_t cord_id(std::size_t index) { return (std::uint64_t{1} << 63U) + index; }
 
 /// By what Box2D divides velocities in a tick.
 double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
@@ -248,7 +251,8 @@ void Coupling::step_direct() {
   for (CoupledCord& coupled : cords_) {
     auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
     if (direct != nullptr)
-      direct_cords_.push_back({direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}});
+      direct_cords_.push_back(
+          {direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}, cord_id(direct_cords_.size())});
   }
   if (direct_cords_.empty()) return;
   direct_reports_.resize(direct_cords_.size());

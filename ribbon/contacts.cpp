@@ -172,14 +172,13 @@ Contacts::Row Contacts::normal_row(const ContactPair& pair, const Gap& gap, std:
   return row;
 }
 
-/// How far the disc's surface slides along the segment's.
+/// How far one slides along the other, at the cord's axis, for its points cannot take a torque.
 Contacts::Row Contacts::tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const {
-  const Vec2 to_disc_surface = -pair.disc_radius * gap.normal;
-  const Vec2 to_surface = (pair.reach - pair.disc_radius) * gap.normal;
+  const Vec2 to_axis = pair.reach * gap.normal;
   Row row;
-  add_place(row, pair.disc, gap.tangent, lever(pair.disc, x) + to_disc_surface);
-  add_place(row, pair.a, -(1.0 - gap.along) * gap.tangent, lever(pair.a, x) + to_surface);
-  add_place(row, pair.b, -gap.along * gap.tangent, lever(pair.b, x) + to_surface);
+  add_place(row, pair.disc, gap.tangent, lever(pair.disc, x) - to_axis);
+  add_place(row, pair.a, -(1.0 - gap.along) * gap.tangent, lever(pair.a, x) + to_axis);
+  add_place(row, pair.b, -gap.along * gap.tangent, lever(pair.b, x) + to_axis);
   return row;
 }
 
@@ -380,9 +379,9 @@ void Contacts::lead(double share) {
 
 void Contacts::finish(std::span<const Vec2> x, double dt) {
   find_touching(x);
-  for (ContactPair& pair : pairs_) {
-    pair.touch.force = 0.0;
-    pair.touch.stuck = 0.0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    pairs_[k].touch.force = 0.0;
+    if (touching_[k] == 0) pairs_[k].touch.stuck = 0.0;
   }
   for (const Active& active : active_) {
     ContactPair& pair = pairs_[active.pair];

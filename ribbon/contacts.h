@@ -57,7 +57,7 @@ class Contacts {
   void add(const ContactPair& pair) { pairs_.push_back(pair); }
   bool empty() const { return pairs_.empty(); }
   std::span<ContactPair> pairs() { return pairs_; }
-  std::span<Spot> spots() { return spots_; }
+  std::span<const Spot> spots() const { return spots_; }
 
   /// Begins a substep: where everything is now is from where friction slides.
   void begin(std::span<const Vec2> x);

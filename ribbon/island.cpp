@@ -39,6 +39,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     const double substep_dt = dt / accuracy_.substeps;
     for (int n = 0; n < accuracy_.substeps; ++n) substep(n * substep_dt, substep_dt, report);
     if (room > most_room || !left_room()) break;
+    unwind();
   }
   finish_step(dt, report);
   return report;
@@ -81,7 +82,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
   place_bodies();
   for (const Member& member : members_) remember_bodies(member);
   together_ = !is_alone();
-  if (!contacts_.empty()) step_start_ = positions_;
+  if (meets_) step_start_ = positions_;
   driven_ = driven_ || unlocking_;
   double mass = 0.0;
   double longest = 0.0;
@@ -136,7 +137,7 @@ void Island::take_over(const Member& member) {
   std::copy(cord.velocities_.begin(), cord.velocities_.end(), velocities_.begin() + to);
   std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
   std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
-  ledger_ += cord.ledger_;
+  if (std::isfinite(cord.ledger_)) ledger_ += cord.ledger_;
   restart_ = restart_ || cord.restart_;
 }
 
@@ -301,6 +302,13 @@ void Island::wind(const Member& member, double dt) {
   }
   winding_ = winding_ || winding;
   driven_ = driven_ || winding;
+}
+
+/// Reels go back to where the step began.
+void Island::unwind() {
+  for (const Member& member : members_) {
+    if (!member.cord->rest_targets_.empty()) member.cord->rest_ = member.cord->rest_start_;
+  }
 }
 
 void Island::finish_step(double dt, CordReport& report) {

@@ -98,6 +98,7 @@ class Island {
   static int links(const Cord& cord);
   ContactPair pair_with_link(const Member& member, int k) const;
   void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
+  Vec2 place_of(int anchor) const;
   void meet_circle(const Member& member, const RigidCircle& circle);
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
@@ -113,6 +114,8 @@ class Island {
   void return_to_start();
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
   bool gained_energy(const Energy& before, double tolerated);
+  void calm(const Energy& before);
+  void unwind();
   void account(const Energy& before);
   double energy_scale(const Energy& energy) const;
   Energy total_energy();
@@ -213,6 +216,7 @@ class Island {
   std::size_t tree_room_ = 0;
   Box reach_;  // of the cord whose contacts are looked for
   bool has_pattern_ = false;
+  bool meets_ = false;  // there is something to touch
   bool slips_ = false;  // a grip has begun to in the last linear solve
 
   // Of the solve by blocks.

@@ -46,7 +46,9 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     move(trial_, 1.0);
     const double free = contacts_.free_way(positions_, trial_, false, 1.0);
     const bool small = moved <= tolerance_ && free == 1.0;
-    if (!(moved <= negligible_share * tolerance_) && !search(stage, free, iteration)) {
+    // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
+    const bool in_full = small && (iteration < patient_iterations || moved <= negligible_share * tolerance_);
+    if (!in_full && !search(stage, free, iteration)) {
       return small && left == 0.0 && contacts_.is_straight(from, positions_);  // nearer than the merit can tell
     }
     positions_.swap(trial_);

@@ -15,6 +15,9 @@ constexpr double firmness = 2e3;
 // Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
 constexpr double own_neighbourhood = 3.0;
 
+constexpr double deep_share = 0.01;     // of the reach, deeper than which a contact is not by pressing,
+constexpr double emerging_share = 0.1;  // and how much of that depth it comes out of in a step
+
 Box box_around(Vec2 a, Vec2 b, double margin) {
   return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
           {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
@@ -38,6 +41,7 @@ void Island::find_contacts(double dt, double room) {
   touch_changed_ = false;
   const bool any =
       std::any_of(members_.begin(), members_.end(), [](const Member& member) { return may_touch(member); });
+  meets_ = any;
   if (!any) return;
   ends_.resize(count_);
   double speed2 = 0.0;
@@ -103,6 +107,7 @@ int Island::add_spot(int body, Vec2 arm) {
   const RigidBody& rigid = rigid_[at(body)];
   Spot spot;
   spot.arm = arm;
+  spot.here = rigid.position + arm;
   if (rigid.inverse_mass > 0.0) {
     spot.center = static_cast<int>(center(body_slot(body)));
   } else {
@@ -146,7 +151,8 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
   return pair;
 }
 
-/// Adds a pair that the member remembers, of masses that press and surfaces as they are.
+/// Adds a pair that the member remembers, of masses that press and surfaces as they are. Who is pressed in already, by
+/// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
   pair.stiffness = firmness * mass / (step_dt_ * step_dt_);
@@ -157,7 +163,16 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
                                        [](const Touch& a, const Touch& b) { return a.place_before(b); });
   if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
+  const double distance = gap_between(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
+  const double depth = pair.reach - distance;
+  if (depth > deep_share * pair.reach) pair.reach = distance + emerging_share * depth;
   contacts_.add(pair);
+}
+
+/// Where an anchor is when the step begins.
+Vec2 Island::place_of(int anchor) const {
+  if (at(anchor) < count_) return positions_[at(anchor)];
+  return contacts_.spots()[at(anchor) - count_].here;
 }
 
 void Island::meet_circle(const Member& member, const RigidCircle& circle) {
@@ -296,7 +311,7 @@ bool Island::are_neighbours(const CordDef& def, int k, int link) {
 }
 
 bool Island::left_room() const {
-  if (contacts_.empty()) return false;
+  if (!meets_) return false;
   for (std::size_t p = 0; p < count_; ++p) {
     if (!(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= room_)) return true;
   }
@@ -312,6 +327,7 @@ bool Island::left_room() const {
 void Island::remember_contacts(const Member& member) {
   Cord& cord = *member.cord;
   cord.touches_.clear();
+  cord.touches_.reserve(contacts_.pairs().size());
   cord.touch_changed_ = touch_changed_;
   const auto index = static_cast<std::size_t>(&member - members_.data());
   for (const ContactPair& pair : contacts_.pairs()) {

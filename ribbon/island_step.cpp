@@ -28,7 +28,10 @@ void Island::substep(double start, double dt, CordReport& report) {
   begin_substep(start);
   const Energy before = driven_ ? Energy{} : total_energy();
   if (!second_order(start, dt, before, report)) {
-    if (!damped_substep(start, dt, before, report)) ++report.unconverged;
+    if (!damped_substep(start, dt, before, report)) {
+      ++report.unconverged;
+      calm(before);
+    }
     if (!driven_) energy_after_ = total_energy();
   }
   if (!driven_) account(before);
@@ -125,6 +128,17 @@ bool Island::gained_energy(const Energy& before, double tolerated) {
   if (driven_) return false;
   energy_after_ = total_energy();
   return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
+}
+
+/// The last resort where nothing was solved: what energy has come from nowhere is taken out of the velocities.
+void Island::calm(const Energy& before) {
+  if (!gained_energy(before, tolerated_gain)) return;
+  const double excess = energy_after_.total() - before.total();
+  const double kinetic = energy_after_.kinetic;
+  const double share = kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0.0;
+  for (std::size_t p = 0; p < velocities_.size(); ++p) {
+    if (constrained_[p] == 0) velocities_[p] = share * velocities_[p];
+  }
 }
 
 void Island::account(const Energy& before) {

@@ -1,4 +1,4 @@
-#include "engine/shapes.h"
+#include "engine/coupling_shapes.h"
 
 #include <algorithm>
 
