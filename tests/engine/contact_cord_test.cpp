@@ -198,7 +198,8 @@ TEST(ContactCord, ABoxRestsOnABridge) {
       deepest = std::max(deepest, reach - length(off));
     }
     for (const float x : {-0.3F, 0.3F}) {
-      deepest = std::max(deepest, depth(scene.cord(), to_double(body->GetWorldPoint({x, -0.2F})), b2_polygonRadius));
+      deepest = std::max(deepest, depth(scene.cord(), to_double(body->GetWorldPoint({x, -0.2F})),
+                                        static_cast<double>(b2_polygonRadius)));
     }
   }
   EXPECT_LE(length(position(body) - start), 1e-4);
