@@ -279,5 +279,37 @@ TEST(CordPassing, WithoutContactAWhipIsSeenToGoThrough) {
   for (const bool driven : {false, true}) EXPECT_EQ(whip_many({driven, false}, 50).through, 50);
 }
 
+/// A string is drawn, with a peg where it goes when it is let go: it starts from rest, and goes further in a tick than
+/// anything did in the one before.
+TEST(CordPassing, ASnappingStringDoesNotGoThroughAPeg) {
+  for (const double stiffness : {1e3, 1e4}) {
+    for (const int substeps : {1, 4}) {
+      CordDef def;
+      def.points = 41;
+      def.length = 2.0;
+      def.radius = half_a_thickness;
+      def.stretch_stiffness = stiffness;
+      def.pins = {0, 40};
+      def.accuracy.substeps = substeps;
+      ContactWorld world(def);
+      for (int k = 1; k <= 80; ++k) {
+        world.cord.operate(20, {1.0, -0.05 * std::min(k, 20)});
+        world.step();
+      }
+      const Vec2 peg{1.03, -0.7};
+      world.add_peg(peg, 0.1, 0.0);
+      ASSERT_LT(world.depth(), 0.0);
+      world.cord.release(20);
+      for (int k = 0; k < 60; ++k) {
+        world.step();
+        std::vector<Vec2> turned;
+        for (const Vec2 p : world.cord.positions()) turned.push_back(-p);
+        ASSERT_TRUE(is_below(turned, -peg)) << stiffness << " " << substeps << " " << k;
+        ASSERT_LE(world.depth(), half_a_thickness);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ribbon
