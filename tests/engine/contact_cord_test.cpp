@@ -212,7 +212,7 @@ TEST(ContactCord, ABoxRestsOnABridge) {
 
 /// A straight cord falls on flat ground of each shape, and lies on it at its radius and Box2D's.
 TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
-  const auto lies_at = [](const b2Shape& shape, Vec2 ground, b2BodyType type) {
+  const auto lies_at = [](const b2Shape& shape, Vec2 ground, b2BodyType type, double angle = 0.0) {
     CordDef def;
     def.points = 21;
     def.length = 2.0;
@@ -221,7 +221,9 @@ TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
     for (int i = 0; i < 21; ++i) def.positions.push_back({0.1 * i, 0.2});
     World scene;
     scene.coupling.add(Cord(def));
-    add_shape(scene.add_body(ground, type), shape, 0.0, 0.5);
+    b2Body* body = scene.add_body(ground, type);
+    body->SetTransform(body->GetPosition(), static_cast<float>(angle));
+    add_shape(body, shape, 0.0, 0.5);
     scene.tick(300);
     double worst = 0.0;
     for (const Vec2 x : scene.cord().positions()) {
@@ -237,6 +239,13 @@ TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
     EXPECT_LE(lies_at(edge({-3.0, 0.0}, {5.0, 0.0}), {}, type), 1e-4);
     EXPECT_LE(lies_at(chain, {}, type), 1e-4);
     EXPECT_LE(lies_at(box(5.0, 0.5), {0.0, -0.5}, type), 1e-4);
+  }
+  const std::array<b2Vec2, 4> square = {b2Vec2{-4.0F, -4.0F}, {4.0F, -4.0F}, {4.0F, 4.0F}, {-4.0F, 4.0F}};
+  b2ChainShape loop;
+  loop.CreateLoop(square.data(), 4);
+  for (int side = 0; side < 4; ++side) {  // on each
+    EXPECT_LE(lies_at(box(4.0, 4.0), {0.0, -4.0}, b2_staticBody, 0.5 * pi * side), 1e-4) << side;
+    EXPECT_LE(lies_at(loop, {0.0, -4.0}, b2_staticBody, 0.5 * pi * side), 1e-4) << side;
   }
 }
 

@@ -162,8 +162,8 @@ double capstan_ratio(double angle, double friction_of_cord, double friction_of_c
   constexpr double pull = 10.0;
   world.cord.set_load(0, {-pull, 0.0});
   const Vec2 start = world.cord.positions()[0];
-  for (int k = 0;; ++k) {
-    const double ratio = 1.0 + k * 1e-3;
+  const double expected = std::exp(std::sqrt(friction_of_cord * friction_of_circle) * angle);
+  for (double ratio = 1.0;; ratio += ratio < 0.9 * expected ? 4e-3 : 1e-3) {
     world.cord.set_load(def.points - 1, ratio * pull * end);
     world.step();
     if (length(world.cord.positions()[0] - start) > 0.03 || ratio > 20.0) return ratio;
