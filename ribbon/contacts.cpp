@@ -14,6 +14,7 @@ constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobo
 constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
 constexpr double approach_share = 0.98;  // of the distance, if that is less already
 constexpr double arrived_share = 1e-3;   // of the reach: no use in creeping nearer to the limit than this
+constexpr double slowest_rebound = 0.5;  // m/s, slower than which nothing rebounds
 constexpr int most_advances = 32;
 constexpr double settled_share = 1e-3;
 
@@ -91,6 +92,11 @@ void Contacts::begin(std::span<const Vec2> x) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) forces_[k] = pairs_[k].touch.force;
   evaluate(x);
   first_ = touching_;
+  hit_.assign(pairs_.size(), 0);
+}
+
+void Contacts::remember_hits() {
+  for (const Active& active : active_) hit_[active.pair] = 1;
 }
 
 bool Contacts::evaluate(std::span<const Vec2> x) {
@@ -205,9 +211,10 @@ double Contacts::stretch(const Active& active, const Row& tangent, std::span<con
     const double turned = spot(anchor).turned - turned_then_[at(anchor) - points_];
     slip += weight * (dot(active.gap.tangent, anchors_[at(anchor)] - starts_[at(anchor)]) + radius * turned);
   };
-  add_led(pair.disc, 1.0, pair.disc_radius);
-  add_led(pair.a, -(1.0 - active.gap.along), -(pair.reach - pair.disc_radius));
-  add_led(pair.b, -active.gap.along, -(pair.reach - pair.disc_radius));
+  const double axis = pair.reach * cross(active.gap.tangent, active.gap.normal);
+  add_led(pair.disc, 1.0, axis);
+  add_led(pair.a, -(1.0 - active.gap.along), -axis);
+  add_led(pair.b, -active.gap.along, -axis);
   return slip;
 }
 
@@ -237,6 +244,13 @@ double Contacts::energy() const {
   return sum;
 }
 
+bool Contacts::leans() const {
+  const auto is_led = [this](int anchor) { return at(anchor) >= points_ && spot(anchor).center < 0; };
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const ContactPair& pair) {
+    return hit_[static_cast<std::size_t>(&pair - pairs_.data())] != 0 && (is_led(pair.disc) || is_led(pair.a));
+  });
+}
+
 bool Contacts::are_coupled(const BlockLdlt& matrix) const {
   for (const Active& active : active_) {
     const Row row = slots_of(pairs_[active.pair]);
@@ -264,7 +278,58 @@ Contacts::Row Contacts::slots_of(const ContactPair& pair) const {
   return row;
 }
 
+bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after,
+                             double dt) {
+  place(x, false, anchors_);
+  active_.clear();
+  rebounds_.clear();
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const ContactPair& pair = pairs_[k];
+    if (pair.restitution == 0.0 || first_[k] != 0 || hit_[k] == 0) continue;
+    const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
+    if (!(gap.distance < 2.0 * pair.reach) || !is_minimum(pair, gap)) continue;
+    const Row normal = normal_row(pair, gap, x);
+    const double led = led_speed(pair, gap);
+    const double approach = -(normal.along(before) + led);
+    if (approach < slowest_rebound) continue;
+    active_.push_back({k, gap});
+    rebounds_.push_back(dt * (pair.restitution * approach - normal.along(after) - led));
+  }
+  return !active_.empty();
+}
+
+/// m/s, at which what nothing pushes takes a disc away from its segment.
+double Contacts::led_speed(const ContactPair& pair, const Gap& gap) const {
+  const auto along = [&](int anchor) {
+    if (at(anchor) < points_ || spot(anchor).center >= 0) return 0.0;
+    const Spot& led = spot(anchor);
+    return dot(gap.normal, led.velocity + led.turning * perp(anchors_[at(anchor)] - led.from));
+  };
+  return along(pair.disc) - (1.0 - gap.along) * along(pair.a) - gap.along * along(pair.b);
+}
+
+void Contacts::end_rebounds(std::span<const Vec2> x) {
+  rebounds_.clear();
+  find_touching(x);
+}
+
+/// Normal rows alone, each to be opened by so much.
+void Contacts::load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const {
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const ContactPair& pair = pairs_[active_[k].pair];
+    const Row normal = normal_row(pair, active_[k].gap, x);
+    for (int i = 0; i < normal.size; ++i) {
+      force[at(normal.slot[at(i)])] += pair.stiffness * rebounds_[k] * normal.by[at(i)];
+    }
+    add_outer(matrix, pair.stiffness, normal.slots(), normal.derivatives());
+  }
+}
+
 void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) {
+  if (!rebounds_.empty()) {
+    load_rebounds(x, matrix, force);
+    return;
+  }
   rows_.clear();
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
@@ -296,6 +361,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
 }
 
 void Contacts::update(std::span<const Vec2> direction) {
+  if (!rebounds_.empty()) return;
   std::fill(forces_.begin(), forces_.end(), 0.0);
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const ContactPair& pair = pairs_[active_[k].pair];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -71,6 +72,15 @@ class Contacts {
   bool change(std::span<const Vec2> x);
   /// The same, as evaluated last.
   bool changed() const { return touching_ != first_; }
+  /// Who touches as evaluated last has been hit in this substep.
+  void remember_hits();
+  bool were_hit() const { return std::find(hit_.begin(), hit_.end(), 1) != hit_.end(); }
+  /// Finds who was hit in it at more than half a metre a second and rebounds: from velocities `before` it and `after`
+  /// it by slot. Until they end, a linear solve gives the step in which all of them open as far as they should in dt.
+  bool find_rebounds(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after, double dt);
+  void end_rebounds(std::span<const Vec2> x);
+  /// Whether anybody touches what nothing pushes.
+  bool leans() const;
   /// Remembers the forces and friction's anchors at x.
   void finish(std::span<const Vec2> x, double dt);
 
@@ -141,6 +151,8 @@ class Contacts {
   Row tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
   Row turning_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
+  double led_speed(const ContactPair& pair, const Gap& gap) const;
+  void load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const;
   double free_share(const ContactPair& pair, double nearest_share, double most) const;
   Row slots_of(const ContactPair& pair) const;
 
@@ -155,6 +167,8 @@ class Contacts {
   std::vector<double> forces_;            // N, by pair, after the last linear solve
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve
   std::vector<char> touching_, touched_;  // by pair: as evaluated last, and before
+  std::vector<char> hit_;                 // in this substep
+  std::vector<double> rebounds_;          // m, of those who touch, while they rebound
   std::vector<char> first_;               // when the substep began
   std::vector<double> turned_then_;       // by spot, when the substep began
   std::vector<Vec2> anchors_, starts_;    // where they are, and were when the substep began

@@ -12,9 +12,10 @@ constexpr int touching_iterations = 40;       // Newton steps of a stage near co
 constexpr std::size_t remembered_values = 3;  // of the merit, none of which a step has to go below but the greatest
 constexpr int patient_iterations = 10;
 constexpr double negligible_share = 1e-3;
-constexpr double penalty_factor = 2.0;  // by which the exact penalty of a search is above the tensions
-constexpr double shortest_step = 1e-6;  // of a Newton step, below which a search gives up
-constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
+constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a rebound may gain
+constexpr double penalty_factor = 2.0;      // by which the exact penalty of a search is above the tensions
+constexpr double shortest_step = 1e-6;      // of a Newton step, below which a search gives up
+constexpr double most_motion = 1e12;        // m, of a Newton step, beyond which it is none
 
 }  // namespace
 
@@ -49,14 +50,48 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
     const bool in_full = small && (iteration < patient_iterations || moved <= negligible_share * tolerance_);
     if (!in_full && !search(stage, free, iteration)) {
-      return small && left == 0.0 && contacts_.is_straight(from, positions_);  // nearer than the merit can tell
+      // Nearer than the merit can tell, or nowhere.
+      return small && left == 0.0 && ends_stage(from);
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (small && left == 0.0 && !slips_ && contacts_.is_settled(positions_))
-      return contacts_.is_straight(from, positions_);
+    if (small && left == 0.0 && !slips_ && contacts_.is_settled(positions_)) return ends_stage(from);
   }
   return false;
+}
+
+/// Whether positions_ may be the stage's solution; if so, who touches in it has been hit.
+bool Island::ends_stage(std::span<const Vec2> from) {
+  contacts_.evaluate(positions_);
+  contacts_.remember_hits();
+  return contacts_.is_straight(from, positions_);
+}
+
+/// Who was hit rebounds: an impulse, by one linear solve with the mass of everything in the way, that opens each
+/// contact at its share of the speed that it was hit with, and leaves lengths as they change.
+void Island::rebound(const Energy& before, double dt) {
+  if (!contacts_.find_rebounds(positions_, v0_, velocities_, dt)) return;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    inertia_[p] = masses_[p] / (dt * dt);
+    force_[p] = {};
+  }
+  predicted_ = positions_;
+  velocity_ = velocities_;
+  Stage stage{dt, predicted_, velocity_, inertia_, force_, constrained_, carried_};
+  has_pattern_ = false;
+  const bool solved = newton_step_together(stage);
+  contacts_.end_rebounds(positions_);
+  has_pattern_ = false;
+  if (!solved) return;
+  guess_ = velocities_;
+  for (double share = 1.0; share > 0.1; share *= 0.8) {
+    for (std::size_t p = 0; p < velocities_.size(); ++p) {
+      if (constrained_[p] == 0) velocities_[p] = guess_[p] + (share / dt) * direction_[p];
+    }
+    restart_ = true;
+    if (!gained_energy(before, tolerated_rebound)) return;
+  }
+  velocities_ = guess_;
 }
 
 /// As far along the direction as nobody is in the way, together with what of the led way is left.

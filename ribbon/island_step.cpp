@@ -34,6 +34,11 @@ void Island::substep(double start, double dt, CordReport& report) {
     }
     if (!driven_) energy_after_ = total_energy();
   }
+  if (!contacts_.empty()) {
+    rebound(before, dt);
+    keep_spin();
+    if (!driven_) energy_after_ = total_energy();
+  }
   if (!driven_) account(before);
   if (contacts_.empty()) return;
   touch_changed_ = contacts_.changed();
@@ -128,6 +133,62 @@ bool Island::gained_energy(const Energy& before, double tolerated) {
   if (driven_) return false;
   energy_after_ = total_energy();
   return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
+}
+
+/// An impact by implicit Euler takes some angular momentum of what is free: that much turning, of everything as one, is
+/// given back.
+void Island::keep_spin() {
+  if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
+  for (std::size_t p = 0; p < count_; ++p) {
+    if (constrained_[p] != 0) return;
+  }
+  for (const Member& member : members_) {
+    if (!member.cord->loads_.empty() || member.cord->def_.drag > 0.0) return;
+  }
+  for (const Body& body : bodies_) {
+    if (!(body.acceleration == gravity_)) return;
+  }
+  double inertia = 0.0;
+  const double lost = spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia);
+  const double turning = lost / inertia;
+  const Vec2 middle = centre_of_mass(positions_);
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (is_angle(p)) {
+      if (constrained_[p] == 0) velocities_[p].x += turning;
+    } else {
+      velocities_[p] += turning * perp(positions_[p] - middle);
+    }
+  }
+}
+
+/// kg·m²/s, about the common centre of mass; sets the moment of inertia, kg·m².
+double Island::spin(std::span<const Vec2> x, std::span<const Vec2> v, double& inertia) const {
+  const Vec2 middle = centre_of_mass(x);
+  double sum = 0.0;
+  inertia = 0.0;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (is_angle(p)) {
+      if (constrained_[p] != 0) continue;
+      sum += masses_[p] * v[p].x;
+      inertia += masses_[p];
+    } else {
+      const Vec2 arm = x[p] - middle;
+      sum += masses_[p] * cross(arm, v[p]);
+      inertia += masses_[p] * dot(arm, arm);
+    }
+  }
+  return sum;
+}
+
+Vec2 Island::centre_of_mass(std::span<const Vec2> x) const {
+  Vec2 sum;
+  double mass = 0.0;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (is_angle(p)) continue;
+    sum += masses_[p] * x[p];
+    mass += masses_[p];
+  }
+  return (1.0 / mass) * sum;
 }
 
 /// The last resort where nothing was solved: what energy has come from nowhere is taken out of the velocities.

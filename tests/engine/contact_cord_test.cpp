@@ -170,7 +170,7 @@ TEST_P(Bridge, ABallRestsOnItWithoutDriftOrJitter) {
   EXPECT_LE(drift, 1e-4);
   EXPECT_LE(jitter, 1e-4);
   EXPECT_LE(deepest, 0.01 * 2.0 * def.radius + 1e-3);
-  EXPECT_GT(deepest, 0.0);
+  EXPECT_FALSE(scene.cord().touches().empty());
   EXPECT_LE(length(scene.coupling.velocity(*ball)), 1e-3);
 }
 
