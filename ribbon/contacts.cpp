@@ -89,6 +89,7 @@ void Contacts::begin(std::span<const Vec2> x) {
   turned_then_.resize(spots_.size());
   for (std::size_t k = 0; k < spots_.size(); ++k) turned_then_[k] = spots_[k].turned;
   forces_.resize(pairs_.size());
+  rubs_.assign(pairs_.size(), 0.0);
   for (std::size_t k = 0; k < pairs_.size(); ++k) forces_[k] = pairs_[k].touch.force;
   evaluate(x);
   first_ = touching_;
@@ -114,6 +115,11 @@ bool Contacts::is_settled(std::span<const Vec2> x) {
     const double force = pair.stiffness * (pair.reach - active.gap.distance);
     sum += force;
     off = std::max(off, std::abs(force - forces_[active.pair]));
+    if (pair.friction == 0.0) continue;
+    const double most = pair.friction * force;
+    const double slid = stretch(active, tangent_row(pair, active.gap, x), x);
+    const double rub = std::clamp(-friction_share * pair.stiffness * slid, -most, most);
+    off = std::max(off, std::abs(rub - rubs_[active.pair]));
   }
   return off <= settled_share * sum;
 }
@@ -331,6 +337,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     return;
   }
   rows_.clear();
+  frictions_.clear();
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
     const Gap& gap = active.gap;
@@ -350,13 +357,17 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
       const double swing = expected * dot(gap.normal, lever(pair.disc, x));
       if (swing > 0.0) matrix.add(spot(pair.disc).center + 1, swing, 0.0, 0.0);
     }
+    frictions_.emplace_back();
     if (pair.friction * expected == 0.0) continue;
-    const Row tangent = tangent_row(pair, gap, x);
+    Friction& friction = frictions_.back();
+    friction.tangent = tangent_row(pair, gap, x);
     const double stiffness = friction_share * pair.stiffness;
-    const double pull = -stiffness * stretch(active, tangent, x);
+    const double pull = -stiffness * stretch(active, friction.tangent, x);
     const double most = pair.friction * expected;
-    push(tangent, std::clamp(pull, -most, most));
-    if (std::abs(pull) <= most) add_outer(matrix, stiffness, tangent.slots(), tangent.derivatives());
+    friction.sticks = std::abs(pull) <= most;
+    friction.force = std::clamp(pull, -most, most);
+    push(friction.tangent, friction.force);
+    if (friction.sticks) add_outer(matrix, stiffness, friction.tangent.slots(), friction.tangent.derivatives());
   }
 }
 
@@ -366,6 +377,10 @@ void Contacts::update(std::span<const Vec2> direction) {
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const ContactPair& pair = pairs_[active_[k].pair];
     const double depth = pair.reach - active_[k].gap.distance - rows_[k].along(direction);
+    // What friction pulled with in this solve: where it sticks by the step, and else as much as it was let.
+    double& rub = rubs_[active_[k].pair];
+    rub = frictions_[k].force;
+    if (frictions_[k].sticks) rub -= friction_share * pair.stiffness * frictions_[k].tangent.along(direction);
     forces_[active_[k].pair] = pair.stiffness * std::max(0.0, depth);
   }
 }

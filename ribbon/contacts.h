@@ -134,6 +134,12 @@ class Contacts {
     std::span<const int> slots() const { return std::span(slot).first(at(size)); }
     std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
   };
+  /// Friction of one who touches, in a linear solve.
+  struct Friction {
+    Row tangent{};
+    double force = 0.0;  // N, along it
+    bool sticks = false;
+  };
   struct Active {
     std::size_t pair;
     Gap gap;
@@ -167,6 +173,8 @@ class Contacts {
   std::vector<double> forces_;            // N, by pair, after the last linear solve
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve
   std::vector<char> touching_, touched_;  // by pair: as evaluated last, and before
+  std::vector<Friction> frictions_;       // the same of friction
+  std::vector<double> rubs_;              // N, by pair, friction in the last linear solve
   std::vector<char> hit_;                 // in this substep
   std::vector<double> rebounds_;          // m, of those who touch, while they rebound
   std::vector<char> first_;               // when the substep began
