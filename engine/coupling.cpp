@@ -21,8 +21,15 @@ using ribbon::Vec2;
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_grips = 8;
 constexpr double direct_reach = 4.0;      // times the way that a cord goes in a tick
-constexpr double unworthy_push = 1e-5;    // m/s, and as a share, that single precision explains
+constexpr double snap = 2.0;              // times the speed that all of the elastic energy gives all of a cord
 constexpr double single_roundings = 8.0;  // within which a body is where it was led to
+
+/// Whether its numbers are such that a cord can meet it.
+bool is_sound(const b2Body& body) {
+  const auto small = [](float number) { return std::abs(number) <= 1e9F; };  // false for what is none
+  return small(body.GetPosition().x) && small(body.GetPosition().y) && small(body.GetAngle()) &&
+         small(body.GetLinearVelocity().x) && small(body.GetLinearVelocity().y) && small(body.GetAngularVelocity());
+}
 
 bool has_mass(const b2Body& body) { return body.GetMass() > 0.0F; }
 
@@ -32,12 +39,18 @@ bool should_collide(const b2Filter& a, const b2Filter& b) {
   return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
 }
 
+/// m²/s², of parts of a cord that lets go what it has been stretched by.
+double elastic_speed2(const ribbon::ThesisCord& /*cord*/) { return 0.0; }
+double elastic_speed2(const ribbon::Cord& cord) {
+  return 2.0 * snap * snap * cord.energy({}).elastic / (cord.def().mass_per_length * cord.def().length);
+}
+
 /// What a cord is likely to reach in dt: the box of its points and of where they are driven to, grown by `times` the
 /// way that the fastest point goes in that time, and a fall, and by a margin.
 template <typename Cord>
 Box reach_of(const Cord& cord, Vec2 gravity, double dt, double times, double margin) {
   Box box{cord.positions()[0], cord.positions()[0]};
-  double speed2 = 0.0;
+  double speed2 = elastic_speed2(cord);
   for (std::size_t p = 0; p < cord.positions().size(); ++p) {
     const Vec2 x = cord.positions()[p];
     box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
@@ -93,9 +106,6 @@ bool is_near(const b2Fixture& fixture, const Box& reach) {
 /// What cords know each other by; fixtures are far below.
 std::uint64_t cord_id(std::size_t index) { return (std::uint64_t{1} << 63U) + index; }
 
-/// By what Box2D divides velocities in a tick.
-double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
-
 RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
   RigidBody rigid;
   rigid.position = to_double(body.GetWorldCenter());
@@ -135,6 +145,7 @@ CordIndex Coupling::add(CoupledCord coupled) {
 }
 
 void Coupling::gather(b2World& world, double dt) {
+  if (world.IsLocked()) throw ribbon::DefinitionError("world is locked; accepted is one that is not inside its Step");
   gravity_ = to_double(world.GetGravity());
   dt_ = dt;
   gathered_.clear();
@@ -172,17 +183,15 @@ void Coupling::drop_what_is_gone_from(const b2World& world) {
 }
 
 void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
+  if (!is_sound(body)) {
+    forget(body);
+    return;
+  }
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
     if (!fixture->IsSensor()) gather_fixture(body, *fixture, gravity, dt);
   }
-  if (Holder* held = holder(body)) {
-    const Vec2 center_of_mass = to_double(body.GetWorldCenter());
-    const Vec2 hand = to_double(body.GetWorldPoint(held->local_hand));
-    const Vec2 travel = to_double(body.GetWorldVector(held->next_hand - held->local_hand));
-    cords_[at(held->cord)].grips.push_back({held->point, body_index(body, gravity), hand - center_of_mass, travel});
-    held->local_hand = held->next_hand;
-  }
+  gather_grips(body, gravity);
   if (LedBody* found = led(body); found != nullptr && (gathered_.empty() || gathered_.back().body != &body))
     let_run(body);
 }
@@ -263,6 +272,8 @@ void Coupling::step_direct() {
     coupled.direct_report = direct_reports_[k++];
     coupled.direct_total += coupled.direct_report;
   }
+  follow_grips();
+  find_touch_events();
 }
 
 void Coupling::apply() {
@@ -276,145 +287,12 @@ void Coupling::apply() {
       if (gathered_[b].met >= 0) push(gathered_[b], rigid_[b]);
     }
   }
-}
-
-/// Gives a touching body its impulse; what single precision loses of it stays with the cord.
-void Coupling::push(const GatheredBody& gathered, const RigidBody& rigid) {
-  if (rigid.impulse == Vec2{} && rigid.angular_impulse == 0.0) return;
-  b2Body& body = *gathered.body;
-  const Vec2 before = to_double(body.GetLinearVelocity());
-  body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
-  body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
-  const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
-  std::get<ribbon::ThesisCord>(cords_[at(gathered.met)].cord).add_momentum(rigid.impulse - given);
-}
-
-/// Makes world.Step take a body to where the cord saw it go. With v⁺ its velocity at the end of the tick, Box2D, which
-/// adds a·dt to a velocity and divides it by 1 + c·dt for damping c, gets m·((1 + c·dt)·Δx/dt − a·dt − v), and v⁺ −
-/// Δx/dt is carried on.
-void Coupling::lead(b2Body& body, const RigidBody& rigid) {
-  LedBody& led = led_or_new(body);
-  const Vec2 fall = dt_ * rigid.acceleration;
-  const double divided = damped(body.GetLinearDamping(), dt_);
-  const Vec2 wanted = (divided / dt_) * rigid.moved - fall;
-  body.ApplyLinearImpulseToCenter(to_float((1.0 / rigid.inverse_mass) * (wanted - to_double(body.GetLinearVelocity()))),
-                                  true);
-  const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
-  led.ahead = (1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall));
-  led.position = rigid.position + rigid.moved;
-  const Vec2 weight = (dt_ * static_cast<double>(body.GetGravityScale())) * gravity_;
-  led.velocity = (1.0 / divided) * (to_double(body.GetLinearVelocity()) + weight);
-  led.led = true;
-  if (rigid.inverse_inertia == 0.0) return;
-  const double turning = static_cast<double>(body.GetAngularVelocity());
-  const double divided_turning = damped(body.GetAngularDamping(), dt_);
-  body.ApplyAngularImpulse(static_cast<float>((divided_turning * rigid.turned / dt_ - turning) / rigid.inverse_inertia),
-                           true);
-  const double end_turning = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
-  led.ahead_turning = (end_turning - static_cast<double>(body.GetAngularVelocity())) / divided_turning;
-}
-
-/// Gives a body that no cord moves any more what Box2D could not show of its velocity.
-void Coupling::let_run(b2Body& body) {
-  const LedBody* before = led(body);
-  if (before == nullptr) return;
-  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, *before)));
-  body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + before->ahead_turning));
-  led_.erase(led_place(body));
-}
-
-std::vector<Coupling::LedBody>::iterator Coupling::led_place(const b2Body& body) {
-  return std::lower_bound(led_.begin(), led_.end(), &body,
-                          [](const LedBody& led, const b2Body* wanted) { return std::less<>()(led.body, wanted); });
-}
-
-Coupling::LedBody* Coupling::led(const b2Body& body) {
-  const auto place = led_place(body);
-  return place != led_.end() && place->body == &body ? &*place : nullptr;
-}
-
-const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
-
-/// What a body that met something else has been pushed by takes what is ahead of its velocity with it: who stands does
-/// not go on falling.
-Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
-  const Vec2 pushed = to_double(body.GetLinearVelocity()) - led.velocity;
-  const double size = length(pushed);
-  if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
-  const Vec2 n = (1.0 / size) * pushed;
-  return led.ahead - std::min(0.0, dot(led.ahead, n)) * n;
-}
-
-/// What holds up a body that stands or leans, m/s²: what Box2D's other contacts have pushed it with in both of the last
-/// two ticks. The cord would let it fall otherwise, and be told after each tick that it did not.
-Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
-  const Vec2 before = led.pushed;
-  led.pushed = to_double(body.GetLinearVelocity()) - led.velocity;
-  const double along = dot(before, led.pushed);
-  if (!(along > 0.0)) return {};
-  const double least = std::min(length(before), length(led.pushed));
-  return (least / (length(led.pushed) * dt_)) * led.pushed;
-}
-
-Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
-  if (LedBody* before = led(body)) return *before;
-  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, {}, {}, true});
-}
-
-void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
-  if (cord < 0 || cord >= size()) {
-    throw ribbon::DefinitionError("cord is " + std::to_string(cord) + "; accepted is an index from 0 to " +
-                                  std::to_string(size() - 1));
-  }
-  std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
-  if (Holder* held = holder(body)) {
-    if (held->cord != cord || held->point != point) held->local_hand = local_hand;
-    held->cord = cord;
-    held->point = point;
-    held->next_hand = local_hand;
-  } else {
-    holders_.push_back({&body, cord, point, local_hand, local_hand});
-  }
-}
-
-bool Coupling::release(b2Body& body) {
-  if (holder(body) == nullptr) return false;
-  let_run(body);
-  forget(body);
-  return true;
+  let_go_who_must();
 }
 
 void Coupling::destroy(b2World& world, b2Body& body) {
   forget(body);
   world.DestroyBody(&body);
-}
-
-void Coupling::forget(const b2Body& body) {
-  const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
-  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
-  if (led(body) != nullptr) led_.erase(led_place(body));
-}
-
-Vec2 Coupling::velocity(const b2Body& body) const {
-  const LedBody* found = led(body);
-  return to_double(body.GetLinearVelocity()) + (found != nullptr ? ahead(body, *found) : Vec2{});
-}
-
-const Coupling::Holder* Coupling::holder(const b2Body& body) const {
-  for (const Holder& holder : holders_) {
-    if (holder.body == &body) return &holder;
-  }
-  return nullptr;
-}
-
-Coupling::Holder* Coupling::holder(const b2Body& body) {
-  return const_cast<Holder*>(std::as_const(*this).holder(body));
-}
-
-std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
-  const Holder* held = holder(body);
-  if (held == nullptr) return std::nullopt;
-  return CordPoint{held->cord, held->point, 0.0};
 }
 
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {

@@ -2,6 +2,8 @@
 
 #include <box2d/box2d.h>
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -40,6 +42,38 @@ struct CordPoint {
   CordIndex cord = 0;
   int point = 0;
   double distance = 0.0;  ///< m
+};
+
+/// A grip's number, never used twice.
+using GripId = int;
+
+/// How a body holds a cord of the direct solver.
+struct GripDef {
+  CordIndex cord = 0;
+  double arc = 0.0;               ///< m at rest along the cord from its first point, 0 … its length
+  int row = 0;                    ///< of a ribbon
+  b2Vec2 local_hand{0.0F, 0.0F};  ///< in the body's own frame
+  /// N, along the cord, above which the grip slips; of a body that is pushed.
+  double strength = std::numeric_limits<double>::infinity();
+  bool lets_go = false;  ///< above its strength, in any direction, it lets go instead
+};
+
+/// What has become of a grip.
+struct GripState {
+  CordIndex cord = 0;
+  double arc = 0.0;    ///< m at rest along the cord
+  ribbon::Vec2 pull;   ///< N, on the body in the last tick; of one that is pushed
+  bool slips = false;  ///< in the last tick
+};
+
+/// A cord and a fixture that began or ceased to touch in the last tick.
+struct TouchEvent {
+  CordIndex cord = 0;
+  bool begins = false;
+  const b2Fixture* fixture = nullptr;  ///< null if it ceased by being destroyed
+  double impulse = 0.0;                ///< N·s, normal, in the tick
+  ribbon::Vec2 point;                  ///< m, where most of it is
+  ribbon::Vec2 normal;                 ///< away from the cord's link, or from the edge to its point
 };
 
 /// Cords in somebody's Box2D world. A tick is
@@ -112,8 +146,24 @@ class Coupling {
   /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError for a cord or point that
   /// does not exist.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
-  /// Lets go, with the velocities that both have; false if the body held nothing.
+  /// Lets go of everything, with the velocities that both have; false if the body held nothing.
   bool release(b2Body& body);
+
+  /// Makes a body hold a cord of the direct solver once more, at any place, beside what it holds already. Throws
+  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist or is the thesis's, an arc outside
+  /// it, a number that is none, a world that is locked, or where the body holds the cord already.
+  GripId grip(b2Body& body, const GripDef& def);
+  /// Moves a grip along its cord to `arc` [m] at `speed` [m/s at rest, above 0], under load: it climbs. Throws
+  /// ribbon::DefinitionError for a grip that is none, and numbers out of range.
+  void climb(GripId grip, double arc, double speed);
+  /// Lets one grip go; false if there is none of that number.
+  bool let_go(GripId grip);
+  /// Nothing if it has been let go, or let go itself.
+  std::optional<GripState> state(GripId grip) const;
+
+  /// What began and ceased to touch cords of the direct solver in the last step, by cord and fixture. Valid until the
+  /// next gather.
+  std::span<const TouchEvent> touch_events() const { return touch_events_; }
   /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
   ribbon::Vec2 velocity(const b2Body& body) const;
   /// What the body holds.
@@ -127,6 +177,13 @@ class Coupling {
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
 
  private:
+  struct Touching {
+    std::uint64_t fixture;
+    double impulse;
+    double most;  // N·s, of one contact
+    ribbon::Vec2 point;
+    ribbon::Vec2 normal;
+  };
   struct CoupledCord {
     std::variant<ribbon::ThesisCord, ribbon::Cord> cord;
     b2Filter filter;
@@ -138,13 +195,24 @@ class Coupling {
     std::vector<ribbon::RigidCircle> circles{};
     std::vector<ribbon::RigidSegment> segments{};
     std::vector<ribbon::Grip> grips{};
+    std::vector<Touching> touching{};  // by fixture, in the last tick
+    std::vector<Touching> touched{};   // and in the one before
   };
   struct Holder {
+    GripId id;
     b2Body* body;
     CordIndex cord;
     int point;
-    b2Vec2 local_hand;  // at the start of the tick
-    b2Vec2 next_hand;   // and at its end
+    b2Vec2 local_hand;   // at the start of the tick
+    b2Vec2 next_hand;    // and at its end
+    double along = 0.0;  // share of the way to the next column's point
+    double strength = std::numeric_limits<double>::infinity();
+    bool lets_go = false;
+    double most_pull = std::numeric_limits<double>::infinity();  // N, above which it does
+    double climb_to = -1.0;                                      // columns, where it is climbing, or nowhere
+    double climb_speed = 0.0;                                    // columns a second
+    ribbon::Vec2 pull{};
+    bool slips = false;
   };
   /// A body that cords move on a curve.
   struct LedBody {
@@ -169,6 +237,17 @@ class Coupling {
   void gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt);
   int body_index(b2Body& body, b2Vec2 gravity);
   void step_direct();
+  void check_cord(CordIndex cord) const;
+  void gather_grips(b2Body& body, b2Vec2 gravity);
+  double climb_in_tick(Holder& holder) const;
+  double column(const Holder& holder) const;
+  void set_column(Holder& holder, double column) const;
+  double column_at(CordIndex cord, double arc) const;
+  double arc_at(CordIndex cord, double column) const;
+  void follow_grips();
+  void let_go_who_must();
+  void find_touch_events();
+  static void add_touches(const ribbon::Cord& cord, std::vector<Touching>& touching);
   Holder* holder(const b2Body& body);
   const Holder* holder(const b2Body& body) const;
   std::vector<LedBody>::iterator led_place(const b2Body& body);
@@ -183,6 +262,8 @@ class Coupling {
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
+  GripId next_grip_ = 1;
+  std::vector<TouchEvent> touch_events_;
   std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
   FixtureIds fixture_ids_;
   ribbon::DirectSolver direct_solver_;

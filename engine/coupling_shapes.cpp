@@ -55,6 +55,8 @@ class Outline {
 
 }  // namespace
 
+std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / most_features; }
+
 void add_shape(const b2Fixture& fixture, int body, std::uint64_t id, const Box& reach,
                std::vector<ribbon::RigidCircle>& circles, std::vector<ribbon::RigidSegment>& segments) {
   const Outline outline(fixture, body, id, reach);

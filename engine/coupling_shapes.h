@@ -16,4 +16,7 @@ namespace engine {
 void add_shape(const b2Fixture& fixture, int body, std::uint64_t id, const ribbon::Box& reach,
                std::vector<ribbon::RigidCircle>& circles, std::vector<ribbon::RigidSegment>& segments);
 
+/// The id of the fixture that a touch is with, 0 for another cord.
+std::uint64_t fixture_of(std::uint64_t touched);
+
 }  // namespace engine

@@ -23,4 +23,9 @@ std::uint64_t FixtureIds::of(const b2Fixture& fixture) {
   return next_++;
 }
 
+const b2Fixture* FixtureIds::fixture(std::uint64_t id) const {
+  const auto place = std::find_if(known_.begin(), known_.end(), [id](const Known& known) { return known.id == id; });
+  return place != known_.end() && place->seen ? place->fixture : nullptr;
+}
+
 }  // namespace engine

@@ -14,6 +14,8 @@ class FixtureIds {
   /// Forgets fixtures that were not asked for since the last call.
   void begin_tick();
   std::uint64_t of(const b2Fixture& fixture);
+  /// The fixture of that number, null if nobody has asked for it since the tick before the last.
+  const b2Fixture* fixture(std::uint64_t id) const;
 
  private:
   struct Known {

@@ -1,0 +1,219 @@
+// Who holds which cord, and where along it.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double same_place = 1e-6;  // columns
+
+}  // namespace
+
+void Coupling::check_cord(CordIndex cord) const {
+  if (cord >= 0 && cord < size()) return;
+  throw ribbon::DefinitionError("cord is " + std::to_string(cord) + "; accepted is an index from 0 to " +
+                                std::to_string(size() - 1));
+}
+
+void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
+  check_cord(cord);
+  std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
+  if (Holder* held = holder(body)) {
+    if (held->cord != cord || held->point != point) held->local_hand = local_hand;
+    held->cord = cord;
+    held->point = point;
+    held->along = 0.0;
+    held->climb_to = -1.0;
+    held->next_hand = local_hand;
+  } else {
+    holders_.push_back({next_grip_++, &body, cord, point, local_hand, local_hand});
+  }
+}
+
+GripId Coupling::grip(b2Body& body, const GripDef& def) {
+  check_cord(def.cord);
+  if (solver(def.cord) != Solver::direct) {
+    throw ribbon::DefinitionError(
+        "cord " + std::to_string(def.cord) +
+        " is of the thesis's solver, which is held at points; accepted is one of the direct solver");
+  }
+  if (body.GetWorld()->IsLocked()) {
+    throw ribbon::DefinitionError("world is locked; accepted is one that is not inside its Step");
+  }
+  const ribbon::Cord& cord = direct_cord(def.cord);
+  ribbon::check_range("row", def.row, 0, cord.def().rows - 1);
+  ribbon::check_range("arc", def.arc, 0.0, arc_at(def.cord, cord.def().points - 1.0));
+  ribbon::check_coordinates("local_hand", to_double(def.local_hand));
+  if (!(def.strength >= 0.0)) ribbon::refuse("strength", def.strength, "0 or more");
+  Holder held{next_grip_, &body, def.cord, def.row, def.local_hand, def.local_hand};
+  held.strength = def.lets_go ? std::numeric_limits<double>::infinity() : def.strength;
+  held.lets_go = def.lets_go;
+  held.most_pull = def.strength;
+  set_column(held, column_at(def.cord, def.arc));
+  for (const Holder& other : holders_) {
+    if (other.body == &body && other.cord == def.cord && std::abs(column(other) - column(held)) <= same_place) {
+      throw ribbon::DefinitionError("arc is " + std::to_string(def.arc) +
+                                    ", where the body holds the cord already; accepted is any other place");
+    }
+  }
+  holders_.push_back(held);
+  return next_grip_++;
+}
+
+void Coupling::climb(GripId grip, double arc, double speed) {
+  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
+  if (held == holders_.end()) {
+    throw ribbon::DefinitionError("grip is " + std::to_string(grip) + "; accepted is one that has not been let go");
+  }
+  const ribbon::Cord& cord = direct_cord(held->cord);
+  ribbon::check_range("arc", arc, 0.0, arc_at(held->cord, cord.def().points - 1.0));
+  if (!(speed > 0.0)) ribbon::refuse("speed", speed, "above 0, up to 1e+06");
+  ribbon::check_range("speed", speed, 0.0, 1e6);
+  held->climb_to = column_at(held->cord, arc);
+  held->climb_speed = speed / cord.rest_length(0);
+}
+
+bool Coupling::let_go(GripId grip) {
+  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
+  if (held == holders_.end()) return false;
+  b2Body& body = *held->body;
+  holders_.erase(held);
+  if (holder(body) == nullptr) let_run(body);
+  return true;
+}
+
+std::optional<GripState> Coupling::state(GripId grip) const {
+  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
+  if (held == holders_.end()) return std::nullopt;
+  return GripState{held->cord, arc_at(held->cord, column(*held)), held->pull, held->slips};
+}
+
+bool Coupling::release(b2Body& body) {
+  if (holder(body) == nullptr) return false;
+  let_run(body);
+  forget(body);
+  return true;
+}
+
+void Coupling::forget(const b2Body& body) {
+  const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
+  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
+  if (led(body) != nullptr) led_.erase(led_place(body));
+}
+
+const Coupling::Holder* Coupling::holder(const b2Body& body) const {
+  for (const Holder& holder : holders_) {
+    if (holder.body == &body) return &holder;
+  }
+  return nullptr;
+}
+
+Coupling::Holder* Coupling::holder(const b2Body& body) {
+  return const_cast<Holder*>(std::as_const(*this).holder(body));
+}
+
+std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
+  const Holder* held = holder(body);
+  if (held == nullptr) return std::nullopt;
+  return CordPoint{held->cord, held->point, 0.0};
+}
+
+double Coupling::column(const Holder& holder) const { return holder.point / shape(holder.cord).rows + holder.along; }
+
+void Coupling::set_column(Holder& holder, double column) const {
+  const CordShape shape = this->shape(holder.cord);
+  const double last = shape.columns - 1.0;
+  const double inside = std::clamp(column, 0.0, last);
+  const double whole =
+      std::min(std::round(inside * 1e9) == std::round(inside) * 1e9 ? std::round(inside) : std::floor(inside), last);
+  holder.point = static_cast<int>(whole) * shape.rows + holder.point % shape.rows;
+  holder.along = std::max(0.0, inside - whole);
+  if (holder.along < 1e-9) holder.along = 0.0;
+}
+
+/// m at rest, to columns and back.
+double Coupling::column_at(CordIndex cord, double arc) const {
+  const ribbon::Cord& direct = direct_cord(cord);
+  int column = 0;
+  while (column + 2 < direct.def().points && arc > direct.rest_length(column)) arc -= direct.rest_length(column++);
+  return column + std::min(1.0, arc / direct.rest_length(column));
+}
+
+double Coupling::arc_at(CordIndex cord, double column) const {
+  if (solver(cord) != Solver::direct) return 0.0;
+  const ribbon::Cord& direct = direct_cord(cord);
+  double arc = 0.0;
+  int whole = 0;
+  for (; whole + 1 <= column && whole + 1 < direct.def().points; ++whole) arc += direct.rest_length(whole);
+  return whole + 1 < direct.def().points ? arc + (column - whole) * direct.rest_length(whole) : arc;
+}
+
+void Coupling::gather_grips(b2Body& body, b2Vec2 gravity) {
+  for (Holder& held : holders_) {
+    if (held.body != &body) continue;
+    const Vec2 hand = to_double(body.GetWorldPoint(held.local_hand)) - to_double(body.GetWorldCenter());
+    const Vec2 travel = to_double(body.GetWorldVector(held.next_hand - held.local_hand));
+    ribbon::Grip grip{held.point, body_index(body, gravity), hand, travel};
+    grip.along = held.along;
+    grip.climb = climb_in_tick(held);
+    grip.strength = held.strength;
+    cords_[at(held.cord)].grips.push_back(grip);
+    held.local_hand = held.next_hand;
+  }
+}
+
+/// Columns.
+double Coupling::climb_in_tick(Holder& holder) const {
+  if (holder.climb_to < 0.0) return 0.0;
+  const double left = holder.climb_to - column(holder);
+  const double most = holder.climb_speed * dt_;
+  return std::clamp(left, -most, most);
+}
+
+/// Where grips have come to, and what they pulled with; who pulled with more than his strength lets go.
+void Coupling::follow_grips() {
+  for (CordIndex c = 0; c < size(); ++c) {
+    if (solver(c) != Solver::direct) continue;
+    const auto& grips = cords_[at(c)].grips;
+    std::size_t index = 0;
+    // Grips were gathered body by body, those of a body in the order of holders_.
+    for (std::size_t k = 0; k < grips.size(); ++k) {
+      b2Body* body = gathered_[at(grips[k].body)].body;
+      index = k > 0 && grips[k - 1].body == grips[k].body ? index + 1 : 0;
+      while (holders_[index].body != body || holders_[index].cord != c) ++index;
+      Holder& held = holders_[index];
+      held.pull = {};
+      double slid = 0.0;
+      for (const ribbon::Cord::Holder& solved : direct_cord(c).holders()) {
+        if (solved.grip != static_cast<int>(k)) continue;
+        held.pull = solved.pull;
+        slid = solved.slid;
+      }
+      held.slips = slid != 0.0;
+      const double moved = grips[k].climb + slid;
+      if (moved != 0.0) set_column(held, column(held) + moved);
+      if (held.climb_to >= 0.0 && std::abs(held.climb_to - column(held)) <= same_place) held.climb_to = -1.0;
+    }
+  }
+}
+
+/// After the bodies have been moved.
+void Coupling::let_go_who_must() {
+  for (std::size_t k = 0; k < holders_.size();) {
+    if (holders_[k].lets_go && length(holders_[k].pull) > holders_[k].most_pull) {
+      let_go(holders_[k].id);
+    } else {
+      ++k;
+    }
+  }
+}
+
+}  // namespace engine
