@@ -238,6 +238,7 @@ class Coupling {
   int body_index(b2Body& body, b2Vec2 gravity);
   void step_direct();
   void check_cord(CordIndex cord) const;
+  void check_arc(CordIndex cord, double arc) const;
   void gather_grips(b2Body& body, b2Vec2 gravity);
   double climb_in_tick(Holder& holder) const;
   double column(const Holder& holder) const;

@@ -23,6 +23,13 @@ void Coupling::check_cord(CordIndex cord) const {
                                 std::to_string(size() - 1));
 }
 
+/// A length that links sum up to may round to a little less than what they were made with.
+void Coupling::check_arc(CordIndex cord, double arc) const {
+  const double whole = arc_at(cord, direct_cord(cord).def().points - 1.0);
+  if (!(arc <= whole * (1.0 + 1e-9))) ribbon::check_range("arc", arc, 0.0, whole);
+  ribbon::check_range("arc", arc, 0.0, whole * (1.0 + 1e-9));
+}
+
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
   check_cord(cord);
   std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
@@ -50,7 +57,7 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   }
   const ribbon::Cord& cord = direct_cord(def.cord);
   ribbon::check_range("row", def.row, 0, cord.def().rows - 1);
-  ribbon::check_range("arc", def.arc, 0.0, arc_at(def.cord, cord.def().points - 1.0));
+  check_arc(def.cord, def.arc);
   ribbon::check_coordinates("local_hand", to_double(def.local_hand));
   if (!(def.strength >= 0.0)) ribbon::refuse("strength", def.strength, "0 or more");
   Holder held{next_grip_, &body, def.cord, def.row, def.local_hand, def.local_hand};
@@ -74,7 +81,7 @@ void Coupling::climb(GripId grip, double arc, double speed) {
     throw ribbon::DefinitionError("grip is " + std::to_string(grip) + "; accepted is one that has not been let go");
   }
   const ribbon::Cord& cord = direct_cord(held->cord);
-  ribbon::check_range("arc", arc, 0.0, arc_at(held->cord, cord.def().points - 1.0));
+  check_arc(held->cord, arc);
   if (!(speed > 0.0)) ribbon::refuse("speed", speed, "above 0, up to 1e+06");
   ribbon::check_range("speed", speed, 0.0, 1e6);
   held->climb_to = column_at(held->cord, arc);

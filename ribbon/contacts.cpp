@@ -96,8 +96,17 @@ void Contacts::begin(std::span<const Vec2> x) {
   hit_.assign(pairs_.size(), 0);
 }
 
-void Contacts::remember_hits() {
-  for (const Active& active : active_) hit_[active.pair] = 1;
+void Contacts::remember_hits(double weight) {
+  for (const Active& active : active_) {
+    const ContactPair& pair = pairs_[active.pair];
+    hit_[active.pair] = 1;
+    impulses_[active.pair] += weight * pair.stiffness * (pair.reach - active.gap.distance);
+  }
+}
+
+void Contacts::scale_impulses(double factor) {
+  impulses_.resize(pairs_.size());
+  for (double& impulse : impulses_) impulse = factor == 0.0 ? 0.0 : factor * impulse;
 }
 
 bool Contacts::evaluate(std::span<const Vec2> x) {
@@ -458,10 +467,11 @@ void Contacts::lead(double share) {
   }
 }
 
-void Contacts::finish(std::span<const Vec2> x, double dt) {
+void Contacts::finish(std::span<const Vec2> x) {
   find_touching(x);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     pairs_[k].touch.force = 0.0;
+    pairs_[k].touch.impulse += impulses_[k];
     if (touching_[k] == 0) pairs_[k].touch.stuck = 0.0;
   }
   for (const Active& active : active_) {
@@ -471,7 +481,6 @@ void Contacts::finish(std::span<const Vec2> x, double dt) {
     touch.force = pair.stiffness * (pair.reach - active.gap.distance);
     const double most = pair.friction * touch.force / (friction_share * pair.stiffness);
     touch.stuck = std::clamp(slid, -most, most);
-    touch.impulse += dt * touch.force;
     touch.normal = active.gap.normal;
     touch.point = anchors_[at(pair.disc)] - pair.disc_radius * active.gap.normal;
   }

@@ -72,8 +72,10 @@ class Contacts {
   bool change(std::span<const Vec2> x);
   /// The same, as evaluated last.
   bool changed() const { return touching_ != first_; }
-  /// Who touches as evaluated last has been hit in this substep.
-  void remember_hits();
+  /// Who touches as evaluated last has been hit in this substep, and got his force times `weight` [s] of impulse.
+  void remember_hits(double weight);
+  /// Multiplies the substep's impulses: by 0 to begin with none.
+  void scale_impulses(double factor);
   bool were_hit() const { return std::find(hit_.begin(), hit_.end(), 1) != hit_.end(); }
   /// Finds who was hit in it at more than half a metre a second and rebounds: from velocities `before` it and `after`
   /// it by slot. Until they end, a linear solve gives the step in which all of them open as far as they should in dt.
@@ -82,7 +84,7 @@ class Contacts {
   /// Whether anybody touches what nothing pushes.
   bool leans() const;
   /// Remembers the forces and friction's anchors at x.
-  void finish(std::span<const Vec2> x, double dt);
+  void finish(std::span<const Vec2> x);
 
   /// J, of those who touch at x, as evaluated last: their friction by the forces of the last linear solve.
   double potential(std::span<const Vec2> x);
@@ -176,6 +178,7 @@ class Contacts {
   std::vector<Friction> frictions_;       // the same of friction
   std::vector<double> rubs_;              // N, by pair, friction in the last linear solve
   std::vector<char> hit_;                 // in this substep
+  std::vector<double> impulses_;          // N·s, by pair, of this substep
   std::vector<double> rebounds_;          // m, of those who touch, while they rebound
   std::vector<char> first_;               // when the substep began
   std::vector<double> turned_then_;       // by spot, when the substep began

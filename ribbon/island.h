@@ -222,8 +222,9 @@ class Island {
   std::size_t tree_room_ = 0;
   Box reach_;  // of the cord whose contacts are looked for
   bool has_pattern_ = false;
-  bool meets_ = false;  // there is something to touch
-  bool slips_ = false;  // a grip has begun to in the last linear solve
+  bool meets_ = false;         // there is something to touch
+  double stage_weight_ = 0.0;  // s, with which the stage's forces act
+  bool slips_ = false;         // a grip has begun to in the last linear solve
 
   // Of the solve by blocks.
   BlockLdlt blocks_;

@@ -63,7 +63,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
 /// Whether positions_ may be the stage's solution; if so, who touches in it has been hit.
 bool Island::ends_stage(std::span<const Vec2> from) {
   contacts_.evaluate(positions_);
-  contacts_.remember_hits();
+  contacts_.remember_hits(stage_weight_);
   return contacts_.is_straight(from, positions_);
 }
 

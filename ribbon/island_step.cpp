@@ -26,6 +26,7 @@ using std::numbers::sqrt2;
 /// all the same, is taken again by implicit Euler, and that by halves.
 void Island::substep(double start, double dt, CordReport& report) {
   begin_substep(start);
+  contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
   if (!second_order(start, dt, before, report)) {
     if (!damped_substep(start, dt, before, report)) {
@@ -42,7 +43,7 @@ void Island::substep(double start, double dt, CordReport& report) {
   if (!driven_) account(before);
   if (contacts_.empty()) return;
   touch_changed_ = contacts_.changed();
-  contacts_.finish(positions_, dt);
+  contacts_.finish(positions_);
 }
 
 /// False, and back at the start, if the substep is one for implicit Euler. Where somebody begins or ceases to touch,
@@ -122,6 +123,7 @@ void Island::begin_substep(double start) {
 
 void Island::return_to_start() {
   contacts_.place_led(begin_);
+  contacts_.scale_impulses(0.0);
   positions_ = x0_;
   velocities_ = v0_;
   tensions_ = tension0_;
@@ -256,7 +258,9 @@ bool Island::tr_bdf2(double start, double dt, CordReport& report) {
 /// The same, its first stage by implicit Euler.
 bool Island::euler_bdf2(double start, double dt, CordReport& report) {
   const double gamma = 2.0 - sqrt2;
-  return implicit_euler(start, gamma * dt, report) && bdf2_stage(start, dt, gamma, report);
+  if (!implicit_euler(start, gamma * dt, report)) return false;
+  contacts_.scale_impulses(1.0 / (gamma * (2.0 - gamma)));  // as bdf2_stage takes the first stage's velocity
+  return bdf2_stage(start, dt, gamma, report);
 }
 
 /// From the start of a substep and a stage at γ·dt to its end.
@@ -272,6 +276,7 @@ bool Island::bdf2_stage(double start, double dt, double gamma, CordReport& repor
     predicted_[p] = c1 * x1_[p] - c0 * x0_[p] + q * velocity_[p];
     positions_[p] = x1_[p] + rest * v1_[p] + (0.5 * rest * rest) * accelerations_[p];
   }
+  stage_weight_ = q;
   return solve_stage(start + dt, q, x1_, report);
 }
 
@@ -285,6 +290,7 @@ bool Island::sdirk2(double start, double dt, CordReport& report) {
     predicted_[p] = x0_[p] + q * velocity_[p];
     positions_[p] = predicted_[p];
   }
+  stage_weight_ = dt - q;
   if (!solve_stage(start + q, q, x0_, report)) return false;
   x1_ = positions_;
   v1_ = velocities_;
@@ -295,6 +301,7 @@ bool Island::sdirk2(double start, double dt, CordReport& report) {
     predicted_[p] = x0_[p] + rest * v1_[p] + q * velocity_[p];
     positions_[p] = predicted_[p];
   }
+  stage_weight_ = q;
   return solve_stage(start + dt, q, x1_, report);
 }
 
@@ -304,6 +311,7 @@ bool Island::implicit_euler(double start, double dt, CordReport& report) {
     predicted_[p] = x0_[p] + dt * velocity_[p];
     positions_[p] = predicted_[p];
   }
+  stage_weight_ = dt;
   return solve_stage(start + dt, dt, x0_, report);
 }
 

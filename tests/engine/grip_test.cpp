@@ -1,0 +1,315 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+
+// Grips at any place of a cord of the direct solver, and what they do.
+
+namespace engine {
+namespace {
+
+using ribbon::Cord;
+using ribbon::CordDef;
+using ribbon::DefinitionError;
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr double g = 9.81;
+
+struct World {
+  void tick(int times = 1) {
+    for (int k = 0; k < times; ++k) {
+      coupling.gather(world, dt);
+      coupling.step();
+      coupling.apply();
+      world.Step(static_cast<float>(dt), 8, 3);
+    }
+  }
+  b2Body* add_body(Vec2 position, double mass, b2BodyType type = b2_dynamicBody) {
+    b2BodyDef definition;
+    definition.type = type;
+    definition.position = to_float(position);
+    definition.allowSleep = false;
+    b2Body* body = world.CreateBody(&definition);
+    b2CircleShape circle;
+    circle.m_radius = 0.2F;
+    b2FixtureDef fixture;
+    fixture.shape = &circle;
+    fixture.density = static_cast<float>(mass / (3.14159265358979 * 0.04));
+    fixture.filter.maskBits = 0;  // it holds cords, and meets nothing
+    body->CreateFixture(&fixture);
+    return body;
+  }
+  Vec2 place(CordIndex cord, double arc) const {
+    const Cord& direct = coupling.direct_cord(cord);
+    const double link = direct.rest_length(0);
+    const auto i = static_cast<std::size_t>(std::min(arc / link, direct.def().points - 2.0));
+    const double share = arc / link - static_cast<double>(i);
+    return direct.positions()[i] + share * (direct.positions()[i + 1] - direct.positions()[i]);
+  }
+
+  b2World world{b2Vec2(0.0F, -static_cast<float>(g))};
+  Coupling coupling;
+};
+
+CordDef hanging(double x = 0.0) {
+  CordDef def;
+  def.pins = {0};
+  for (int i = 0; i < def.points; ++i) def.positions.push_back({x, -0.2 * i});
+  return def;
+}
+
+/// Between two points, and off the body's centre: hand and cord stay together, and the cord pulls with the weight.
+TEST(Grip, HoldsBetweenPointsWithTheBodysWeight) {
+  for (const double mass : {0.1, 70.0, 1000.0}) {
+    World scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.0, -6.5}, mass);
+    const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 6.37, .local_hand = {0.0F, 0.13F}});
+    scene.tick(600);
+    const auto state = scene.coupling.state(grip);
+    ASSERT_TRUE(state);
+    EXPECT_NEAR(state->pull.y, g * static_cast<double>(body->GetMass()), 1e-3 * g * mass);
+    EXPECT_NEAR(state->pull.x, 0.0, 1e-3 * g * mass);
+    EXPECT_NEAR(state->arc, 6.37, 1e-9);
+    EXPECT_NEAR(length(to_double(body->GetWorldPoint({0.0F, 0.13F})) - scene.place(0, 6.37)), 0.0, 1e-5);
+  }
+}
+
+/// A bar hung by both its ends from two cords carries itself level; the two pulls are its weight. One cord after the
+/// other could not know what the other carries.
+TEST(Grip, OneBodyHangsFromTwoCordsAndFromTwoPlacesOfOne) {
+  World scene;
+  scene.coupling.add(Cord(hanging(-0.5)));
+  scene.coupling.add(Cord(hanging(0.5)));
+  b2Body* bar = scene.add_body({0.0, -7.0}, 40.0);
+  const GripId left = scene.coupling.grip(*bar, {.cord = 0, .arc = 7.0, .local_hand = {-0.5F, 0.0F}});
+  const GripId right = scene.coupling.grip(*bar, {.cord = 1, .arc = 7.0, .local_hand = {0.5F, 0.0F}});
+  scene.tick(300);
+  const double weight = g * static_cast<double>(bar->GetMass());
+  EXPECT_NEAR(scene.coupling.state(left)->pull.y, 0.5 * weight, 1e-3 * weight);
+  EXPECT_NEAR(scene.coupling.state(right)->pull.y, 0.5 * weight, 1e-3 * weight);
+  EXPECT_NEAR(bar->GetPosition().y, -7.0, 1e-4);
+  EXPECT_NEAR(bar->GetAngle(), 0.0, 1e-4);
+
+  const GripId above = scene.coupling.grip(*bar, {.cord = 0, .arc = 6.9, .local_hand = {-0.5F, 0.1F}});
+  scene.tick(60);
+  EXPECT_NEAR(
+      scene.coupling.state(left)->pull.y + scene.coupling.state(above)->pull.y + scene.coupling.state(right)->pull.y,
+      weight, 1e-3 * weight);
+  EXPECT_NEAR(bar->GetPosition().y, -7.0, 1e-3);
+}
+
+/// Arc length changes under load, at the speed asked for, and then rests.
+TEST(Grip, ClimbsUnderLoad) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -8.0}, 70.0);
+  const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 8.0});
+  scene.tick(10);
+  scene.coupling.climb(grip, 3.3, 1.5);
+  for (int k = 0; k < 180; ++k) {
+    scene.tick();
+    EXPECT_NEAR(body->GetPosition().y, -8.0 + 1.5 * dt * (k + 1), 0.02);
+  }
+  scene.tick(120);
+  EXPECT_NEAR(scene.coupling.state(grip)->arc, 3.3, 1e-9);
+  EXPECT_NEAR(body->GetPosition().y, -3.3, 1e-3);
+  EXPECT_NEAR(length(scene.coupling.velocity(*body)), 0.0, 1e-2);
+}
+
+/// Slides down with g − F/m, as it must, and stops being held at the cord's end.
+TEST(Grip, SlipsAgainstItsStrength) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  scene.coupling.direct_cord(0).attach_mass(50, 20.0);  // keeps the cord straight
+  b2Body* body = scene.add_body({0.0, -3.0}, 70.0);
+  const double mass = static_cast<double>(body->GetMass());
+  const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 3.0, .strength = 500.0});
+  scene.tick(48);
+  const double fall = 0.5 * (g - 500.0 / mass) * 0.8 * 0.8;
+  EXPECT_TRUE(scene.coupling.state(grip)->slips);
+  EXPECT_NEAR(scene.coupling.state(grip)->pull.y, 500.0, 1.0);
+  EXPECT_NEAR(body->GetPosition().y, -3.0 - fall, 1e-3);
+  EXPECT_NEAR(scene.coupling.state(grip)->arc, 3.0 + fall, 1e-3);
+}
+
+TEST(Grip, LetsGoAboveItsStrength) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
+  const GripId strong = scene.coupling.grip(*body, {.cord = 0, .arc = 5.0, .strength = 800.0, .lets_go = true});
+  scene.tick(60);
+  EXPECT_TRUE(scene.coupling.state(strong));
+  body->ApplyLinearImpulseToCenter({0.0F, -400.0F}, true);
+  scene.tick(60);
+  EXPECT_FALSE(scene.coupling.state(strong));
+  EXPECT_LT(body->GetPosition().y, -6.0);
+}
+
+/// From one cord to the next in a swing: neither position nor velocity jumps.
+TEST(Grip, GoesFromOneCordToAnotherWithoutAJolt) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  scene.coupling.add(Cord(hanging(1.0)));
+  b2Body* body = scene.add_body({0.0, -9.0}, 70.0);
+  GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 9.0});
+  scene.tick();
+  body->ApplyLinearImpulseToCenter({static_cast<float>(70.0 * 2.0), 0.0F}, true);
+  bool changed = false;
+  Vec2 position = to_double(body->GetPosition());
+  Vec2 velocity = scene.coupling.velocity(*body);
+  for (int k = 0; k < 60; ++k) {
+    if (!changed && position.x > 0.9) {
+      // Where the other cord is nearest.
+      const Vec2 nearest = scene.place(1, -position.y);
+      ASSERT_LT(length(nearest - position), 0.2);
+      EXPECT_TRUE(scene.coupling.let_go(grip));
+      grip = scene.coupling.grip(*body, {.cord = 1, .arc = -position.y});
+      changed = true;
+    }
+    scene.tick();
+    const Vec2 now = to_double(body->GetPosition());
+    const Vec2 next = scene.coupling.velocity(*body);
+    if (k > 1) {
+      EXPECT_LT(length(next - velocity), 0.6) << k;  // 2 g in a tick is 0.3 m/s
+    }
+    EXPECT_LT(length(now - position), 0.06) << k;
+    position = now;
+    velocity = next;
+  }
+  EXPECT_TRUE(changed);
+  EXPECT_EQ(scene.coupling.state(grip)->cord, 1);
+}
+
+TEST(Grip, AKinematicBodyCarriesTheCordAtAnyPlace) {
+  World scene;
+  CordDef def = hanging();
+  def.pins = {};
+  scene.coupling.add(Cord(def));
+  b2Body* hand = scene.add_body({0.0, -1.1}, 0.0, b2_kinematicBody);
+  scene.coupling.grip(*hand, {.cord = 0, .arc = 1.1});
+  hand->SetLinearVelocity({0.5F, 0.0F});
+  for (int k = 0; k < 120; ++k) {
+    scene.tick();
+    EXPECT_NEAR(length(scene.place(0, 1.1) - to_double(hand->GetPosition())), 0.0, 1e-4);
+  }
+}
+
+TEST(Grip, ReelsAHangingBodyIn) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -10.0}, 70.0);
+  scene.coupling.grip(*body, {.cord = 0, .arc = 10.0});
+  scene.tick(5);
+  scene.coupling.direct_cord(0).reel(0, 50, 6.0, 2.0);
+  scene.tick(180);
+  EXPECT_NEAR(body->GetPosition().y, -6.0, 0.01);
+}
+
+TEST(Grip, RefusesWhatCannotBe) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
+  const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 5.0});
+  const auto refuses = [&](const GripDef& def) { EXPECT_THROW(scene.coupling.grip(*body, def), DefinitionError); };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refuses({.cord = 0, .arc = 5.0});  // there already
+  refuses({.cord = 1, .arc = 5.0});
+  refuses({.cord = -1, .arc = 5.0});
+  refuses({.cord = 0, .arc = 10.01});
+  refuses({.cord = 0, .arc = -0.01});
+  refuses({.cord = 0, .arc = nan});
+  refuses({.cord = 0, .arc = 1.0, .row = 1});
+  refuses({.cord = 0, .arc = 1.0, .strength = -1.0});
+  refuses({.cord = 0, .arc = 1.0, .strength = nan});
+  refuses({.cord = 0, .arc = 1.0, .local_hand = {static_cast<float>(nan), 0.0F}});
+  EXPECT_THROW(scene.coupling.climb(grip + 1, 3.0, 1.0), DefinitionError);
+  EXPECT_THROW(scene.coupling.climb(grip, 11.0, 1.0), DefinitionError);
+  EXPECT_THROW(scene.coupling.climb(grip, 3.0, 0.0), DefinitionError);
+  EXPECT_FALSE(scene.coupling.let_go(grip + 1));
+  EXPECT_FALSE(scene.coupling.state(grip + 1));
+  scene.tick(10);
+  EXPECT_NEAR(scene.coupling.state(grip)->arc, 5.0, 1e-12);
+}
+
+/// A body that is destroyed without a word lets go; so does one whose numbers are none.
+TEST(Grip, EndsWithItsBody) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
+  b2Body* mad = scene.add_body({0.0, -7.0}, 70.0);
+  const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 5.0});
+  const GripId other = scene.coupling.grip(*mad, {.cord = 0, .arc = 7.0});
+  scene.tick(5);
+  scene.world.DestroyBody(body);
+  mad->SetLinearVelocity({std::numeric_limits<float>::quiet_NaN(), 0.0F});
+  scene.coupling.gather(scene.world, dt);
+  EXPECT_FALSE(scene.coupling.state(grip));
+  EXPECT_FALSE(scene.coupling.state(other));
+  scene.coupling.step();
+  scene.coupling.apply();
+  for (const Vec2 x : scene.coupling.positions(0)) EXPECT_TRUE(is_finite(x));
+}
+
+struct GathersInside : b2ContactListener {
+  void BeginContact(b2Contact* /*contact*/) override {
+    EXPECT_THROW(scene->coupling.gather(scene->world, dt), DefinitionError);
+    EXPECT_THROW(scene->coupling.grip(*body, {.cord = 0, .arc = 1.0}), DefinitionError);
+    ++calls;
+  }
+  World* scene = nullptr;
+  b2Body* body = nullptr;
+  int calls = 0;
+};
+
+TEST(Grip, ALockedWorldIsRefused) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* a = scene.add_body({5.0, 0.0}, 1.0);
+  b2Body* b = scene.add_body({5.1, 0.0}, 1.0);
+  for (b2Body* body : {a, b}) body->GetFixtureList()->SetFilterData(b2Filter());
+  GathersInside listener;
+  listener.scene = &scene;
+  listener.body = a;
+  scene.world.SetContactListener(&listener);
+  scene.tick(2);
+  EXPECT_GT(listener.calls, 0);
+}
+
+/// Begins with the impulse that stops the ball, and ends when it has gone.
+TEST(TouchEvents, TellWhoBeginsAndCeasesToTouch) {
+  World scene;
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.pins = {0, 20};
+  scene.coupling.add(Cord(def));
+  b2Body* ball = scene.add_body({1.0, 0.6}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  std::vector<TouchEvent> events;
+  for (int k = 0; k < 60; ++k) {
+    scene.tick();
+    events.insert(events.end(), scene.coupling.touch_events().begin(), scene.coupling.touch_events().end());
+  }
+  ASSERT_FALSE(events.empty());
+  EXPECT_TRUE(events[0].begins);
+  EXPECT_EQ(events[0].fixture, ball->GetFixtureList());
+  EXPECT_GT(events[0].impulse, 0.5);  // some 2 kg at 3 m/s
+  EXPECT_LT(events[0].impulse, 10.0);
+  EXPECT_NEAR(events[0].point.x, 1.0, 0.05);
+  EXPECT_GT(events[0].normal.y, 0.9);
+  events.clear();
+  ball->SetTransform({1.0F, 5.0F}, 0.0F);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
+}
+
+}  // namespace
+}  // namespace engine
