@@ -76,14 +76,14 @@ Coupling::LedBody* Coupling::led(const b2Body& body) {
 
 const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
 
-/// What a body that met something else has been pushed by takes what is ahead of its velocity with it: who stands does
-/// not go on falling.
+/// What a body met pushes it in a direction in which its velocity is Box2D's then, with nothing ahead of it: who stands
+/// does not go on falling.
 Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
   const Vec2 pushed = to_double(body.GetLinearVelocity()) - led.velocity;
   const double size = length(pushed);
   if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
   const Vec2 n = (1.0 / size) * pushed;
-  return led.ahead - std::min(0.0, dot(led.ahead, n)) * n;
+  return led.ahead - dot(led.ahead, n) * n;
 }
 
 /// What holds up a body that stands or leans, m/s²: what Box2D's other contacts have pushed it with in both of the last

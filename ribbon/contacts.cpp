@@ -14,9 +14,11 @@ constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobo
 constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
 constexpr double approach_share = 0.98;  // of the distance, if that is less already
 constexpr double arrived_share = 1e-3;   // of the reach: no use in creeping nearer to the limit than this
+constexpr double slowest_impact = 0.1;   // m/s, slower than which a hit is none
 constexpr double slowest_rebound = 0.5;  // m/s, slower than which nothing rebounds
 constexpr int most_advances = 32;
 constexpr double settled_share = 1e-3;
+constexpr double settled_depth = 1e-10;  // m, that rounding explains
 
 void add_outer(BlockLdlt& matrix, double factor, std::span<const int> slots, std::span<const Vec2> by) {
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -122,7 +124,7 @@ bool Contacts::is_settled(std::span<const Vec2> x) {
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
     const double force = pair.stiffness * (pair.reach - active.gap.distance);
-    sum += force;
+    sum += force + settled_depth * pair.stiffness / settled_share;
     off = std::max(off, std::abs(force - forces_[active.pair]));
     if (pair.friction == 0.0) continue;
     const double most = pair.friction * force;
@@ -300,15 +302,16 @@ bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> befo
   rebounds_.clear();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactPair& pair = pairs_[k];
-    if (pair.restitution == 0.0 || first_[k] != 0 || hit_[k] == 0) continue;
+    if (hit_[k] == 0) continue;
     const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
     if (!(gap.distance < 2.0 * pair.reach) || !is_minimum(pair, gap)) continue;
     const Row normal = normal_row(pair, gap, x);
     const double led = led_speed(pair, gap);
     const double approach = -(normal.along(before) + led);
-    if (approach < slowest_rebound) continue;
+    if (approach < slowest_impact) continue;
+    const double restitution = approach > slowest_rebound ? pair.restitution : 0.0;
     active_.push_back({k, gap});
-    rebounds_.push_back(dt * (pair.restitution * approach - normal.along(after) - led));
+    rebounds_.push_back(dt * (restitution * approach - normal.along(after) - led));
   }
   return !active_.empty();
 }

@@ -77,8 +77,9 @@ class Contacts {
   /// Multiplies the substep's impulses: by 0 to begin with none.
   void scale_impulses(double factor);
   bool were_hit() const { return std::find(hit_.begin(), hit_.end(), 1) != hit_.end(); }
-  /// Finds who was hit in it at more than half a metre a second and rebounds: from velocities `before` it and `after`
-  /// it by slot. Until they end, a linear solve gives the step in which all of them open as far as they should in dt.
+  /// Finds who was hit in it faster than a tenth of a metre a second: from velocities `before` it and `after` it by
+  /// slot. Each is to part at his share of the speed, no slower and, for BDF2 would have it so, no faster; below half a
+  /// metre a second not at all. Until they end, a linear solve gives the step in which all of them do, in dt.
   bool find_rebounds(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after, double dt);
   void end_rebounds(std::span<const Vec2> x);
   /// Whether anybody touches what nothing pushes.

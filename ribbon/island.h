@@ -157,9 +157,9 @@ class Island {
   void go_led(double& left);
   bool ends_stage(std::span<const Vec2> from);
   void rebound(const Energy& before, double dt);
-  void keep_spin();
+  void keep_momentum(double dt);
   bool is_angle(std::size_t slot) const { return slot >= count_ && (slot - count_) % 2 == 1; }
-  Vec2 centre_of_mass(std::span<const Vec2> x) const;
+  Vec2 mean(std::span<const Vec2> x) const;
   double spin(std::span<const Vec2> x, std::span<const Vec2> v, double& inertia) const;
   bool search(const Stage& stage, double share, int iteration);
   double merit(const Stage& stage, std::span<const Vec2> x);

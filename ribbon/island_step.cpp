@@ -37,7 +37,7 @@ void Island::substep(double start, double dt, CordReport& report) {
   }
   if (!contacts_.empty()) {
     rebound(before, dt);
-    keep_spin();
+    keep_momentum(dt);
     if (!driven_) energy_after_ = total_energy();
   }
   if (!driven_) account(before);
@@ -137,9 +137,9 @@ bool Island::gained_energy(const Energy& before, double tolerated) {
   return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
 }
 
-/// An impact by implicit Euler takes some angular momentum of what is free: that much turning, of everything as one, is
-/// given back.
-void Island::keep_spin() {
+/// An impact by implicit Euler takes some angular momentum of what is free, and so large a force loses digits of the
+/// linear one: both are given back, to everything as one.
+void Island::keep_momentum(double dt) {
   if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
   for (std::size_t p = 0; p < count_; ++p) {
     if (constrained_[p] != 0) return;
@@ -151,21 +151,21 @@ void Island::keep_spin() {
     if (!(body.acceleration == gravity_)) return;
   }
   double inertia = 0.0;
-  const double lost = spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia);
-  const double turning = lost / inertia;
-  const Vec2 middle = centre_of_mass(positions_);
+  const double turning = (spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia)) / inertia;
+  const Vec2 middle = mean(positions_);
+  const Vec2 way = mean(v0_) + dt * gravity_ - mean(velocities_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (is_angle(p)) {
       if (constrained_[p] == 0) velocities_[p].x += turning;
     } else {
-      velocities_[p] += turning * perp(positions_[p] - middle);
+      velocities_[p] += way + turning * perp(positions_[p] - middle);
     }
   }
 }
 
 /// kg·m²/s, about the common centre of mass; sets the moment of inertia, kg·m².
 double Island::spin(std::span<const Vec2> x, std::span<const Vec2> v, double& inertia) const {
-  const Vec2 middle = centre_of_mass(x);
+  const Vec2 middle = mean(x);
   double sum = 0.0;
   inertia = 0.0;
   for (std::size_t p = 0; p < x.size(); ++p) {
@@ -182,7 +182,8 @@ double Island::spin(std::span<const Vec2> x, std::span<const Vec2> v, double& in
   return sum;
 }
 
-Vec2 Island::centre_of_mass(std::span<const Vec2> x) const {
+/// Of points and bodies by their masses.
+Vec2 Island::mean(std::span<const Vec2> x) const {
   Vec2 sum;
   double mass = 0.0;
   for (std::size_t p = 0; p < x.size(); ++p) {

@@ -489,7 +489,7 @@ TEST(ContactCord, ABodyBetweenATautCordAndTheGroundStaysThere) {
     const double aside = 2.0 * std::cbrt(150.0 / (8.0 * stiffness)) * def.length;
     EXPECT_LE(highest, -0.29 + aside) << stiffness;
     EXPECT_GE(lowest, -0.6 + 0.29 - 0.01) << stiffness;
-    EXPECT_NEAR(position(ball).x, 2.0, 0.2) << stiffness;
+    EXPECT_NEAR(position(ball).x, 2.0, 0.5) << stiffness;  // pressed up under the cord it is on a summit, and rolls
     for (const Vec2 x : scene.cord().positions()) EXPECT_GT(x.y, -0.05) << stiffness;
   }
 }

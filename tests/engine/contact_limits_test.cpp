@@ -1,0 +1,237 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+#include "tests/support/allocations.h"
+#include "tests/support/contact_world.h"
+
+// What contact of the direct solver does not hold yet, through Box2D.
+
+namespace engine {
+namespace {
+
+using ribbon::Accuracy;
+using ribbon::Cord;
+using ribbon::CordDef;
+using ribbon::Vec2;
+using std::numbers::pi;
+using test_support::arc;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct World {
+  explicit World(Vec2 gravity = {0.0, -9.81}) : world(to_float(gravity)) {}
+
+  void tick() {
+    coupling.gather(world, dt);
+    coupling.step();
+    coupling.apply();
+    world.Step(static_cast<float>(dt), 8, 3);
+  }
+  void tick(int times) {
+    for (int k = 0; k < times; ++k) tick();
+  }
+  b2Body* add_body(Vec2 position, b2BodyType type = b2_dynamicBody) {
+    b2BodyDef definition;
+    definition.type = type;
+    definition.position = to_float(position);
+    definition.allowSleep = false;
+    return world.CreateBody(&definition);
+  }
+  const Cord& cord() const { return coupling.direct_cord(0); }
+
+  b2World world;
+  Coupling coupling;
+};
+
+b2Fixture* add_shape(b2Body* body, const b2Shape& shape, double density, double friction, b2Filter filter = {}) {
+  b2FixtureDef definition;
+  definition.shape = &shape;
+  definition.density = static_cast<float>(density);
+  definition.friction = static_cast<float>(friction);
+  definition.filter = filter;
+  return body->CreateFixture(&definition);
+}
+
+b2CircleShape circle(double radius, Vec2 middle = {}) {
+  b2CircleShape shape;
+  shape.m_radius = static_cast<float>(radius);
+  shape.m_p = to_float(middle);
+  return shape;
+}
+
+b2PolygonShape box(double half_width, double half_height) {
+  b2PolygonShape shape;
+  shape.SetAsBox(static_cast<float>(half_width), static_cast<float>(half_height));
+  return shape;
+}
+
+b2EdgeShape edge(Vec2 a, Vec2 b) {
+  b2EdgeShape shape;
+  shape.SetTwoSided(to_float(a), to_float(b));
+  return shape;
+}
+
+/// A ball of this mass.
+b2Body* add_ball(World& world, Vec2 position, double radius, double mass, double friction = 0.5) {
+  b2Body* body = world.add_body(position);
+  add_shape(body, circle(radius), mass / (pi * radius * radius), friction);
+  return body;
+}
+
+double furthest(std::span<const Vec2> from, std::span<const Vec2> to) {
+  double most = 0.0;
+  for (std::size_t p = 0; p < from.size(); ++p) most = std::max(most, length(to[p] - from[p]));
+  return most;
+}
+
+std::vector<Vec2> copy(std::span<const Vec2> x) { return {x.begin(), x.end()}; }
+
+/// 4.2 m of cord, 4 cm thick, that hangs between pins 4 m apart.
+CordDef bridge_def() {
+  CordDef def;
+  def.points = 41;
+  def.length = 4.2;
+  def.radius = 0.02;
+  def.mass_per_length = 0.1;
+  def.friction = 0.5;
+  def.positions = arc({0.0, 0.0}, {4.0, 0.0}, 40, 0.105);
+  def.pins = {0, 40};
+  return def;
+}
+
+enum class Role { touches, holds, drives };
+
+struct AfterBad {
+  bool finite = true;
+  bool alive = false;
+  int unconverged = 0;
+};
+
+AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
+  World scene;
+  scene.coupling.add(Cord(bridge_def()));
+  b2Body* body = nullptr;
+  if (role == Role::drives) {
+    body = scene.add_body({2.0, -0.1}, b2_kinematicBody);
+    add_shape(body, circle(0.25), 0.0, 0.5);
+  } else {
+    body = add_ball(scene, {2.0, -0.2}, 0.25, 1.0);
+  }
+  if (role == Role::holds) scene.coupling.hold(0, 20, *body, {0.0F, 0.0F});
+  scene.tick(60);
+  AfterBad result;
+  body->SetLinearVelocity(velocity);
+  body->SetAngularVelocity(turning);
+  scene.tick(2);
+  scene.coupling.destroy(scene.world, *body);
+  const int before = scene.coupling.direct_total(0).unconverged;
+  const std::vector<Vec2> shape = copy(scene.cord().positions());
+  for (int k = 0; k < 60; ++k) {
+    scene.tick();
+    for (const Vec2 x : scene.cord().positions()) result.finite = result.finite && is_finite(x);
+    for (const Vec2 v : scene.cord().velocities()) result.finite = result.finite && is_finite(v);
+    result.alive = result.alive || furthest(shape, scene.cord().positions()) > 1e-3;
+  }
+  result.unconverged = scene.coupling.direct_total(0).unconverged - before;
+  return result;
+}
+
+TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  for (const Role role : {Role::touches, Role::holds, Role::drives}) {
+    for (const auto& [velocity, turning] : {std::pair{b2Vec2{nan, 0.0F}, 0.0F},
+                                            {b2Vec2{inf, 0.0F}, 0.0F},
+                                            {b2Vec2{0.0F, inf}, 0.0F},
+                                            {b2Vec2{1e30F, 0.0F}, 0.0F},
+                                            {b2Vec2{}, nan},
+                                            {b2Vec2{}, inf},
+                                            {b2Vec2{}, 1e30F}}) {
+      const AfterBad after = after_bad(role, velocity, turning);
+      SCOPED_TRACE(testing::Message() << "role " << static_cast<int>(role) << ", velocity " << velocity.x << " "
+                                      << velocity.y << ", turning " << turning);
+      EXPECT_TRUE(after.finite);
+      EXPECT_TRUE(after.alive);
+      EXPECT_EQ(after.unconverged, 0);
+    }
+  }
+}
+
+/// One contact more than ever before takes memory.
+TEST(ContactCordLimits, ATickTakesNoHeapMemoryForOneContactMore) {
+  World scene;
+  scene.coupling.add(Cord(bridge_def()));
+  add_ball(scene, {1.7, 0.5}, 0.2, 2.0);
+  add_shape(scene.add_body({2.6, 0.6}), box(0.2, 0.1), 20.0, 0.5);
+  add_shape(scene.add_body({2.0, -1.0}, b2_staticBody), edge({-1.0, 0.0}, {1.0, 0.1}), 0.0, 0.5);
+  scene.tick(240);
+  for (int k = 0; k < 240; ++k) {
+    const test_support::AllocationCount count;
+    scene.coupling.gather(scene.world, dt);
+    scene.coupling.step();
+    scene.coupling.apply();
+    EXPECT_EQ(count.so_far(), 0) << k;
+    scene.world.Step(static_cast<float>(dt), 8, 3);
+  }
+}
+
+/// A ball between a taut cord that does not stretch and the ground, pressed down.
+TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity) {
+  CordDef def = bridge_def();
+  for (int i = 0; i < 41; ++i) def.positions[static_cast<std::size_t>(i)] = {0.105 * i, 0.0};
+  World scene;
+  scene.coupling.add(Cord(def));
+  add_shape(scene.add_body({}, b2_staticBody), edge({-10.0, -0.6}, {10.0, -0.6}), 0.0, 0.5);
+  b2Body* ball = add_ball(scene, {2.0, -0.31}, 0.29, 5.0);
+  double fastest = 0.0;
+  for (int k = 0; k < 600; ++k) {
+    if (k >= 120) ball->ApplyForceToCenter({0.0F, k < 360 ? 200.0F : -300.0F}, true);
+    scene.tick();
+    if (k > 500) fastest = std::max(fastest, std::abs(scene.coupling.velocity(*ball).y));  // it may roll
+  }
+  EXPECT_LE(fastest, 1e-3);
+}
+
+/// The string of CordContactLimits, far from the peg's fixture.
+TEST(ContactCordLimits, ASnappingStringDoesNotGoThroughAPeg) {
+  CordDef def;
+  def.points = 41;
+  def.length = 2.0;
+  def.radius = 0.02;
+  def.stretch_stiffness = 1e4;
+  def.pins = {0, 40};
+  World scene;
+  scene.coupling.add(Cord(def));
+  for (int k = 1; k <= 80; ++k) {
+    scene.coupling.operate(0, 20, {1.0, -0.05 * std::min(k, 20)});
+    scene.tick();
+  }
+  const Vec2 peg{1.03, 0.2};
+  add_shape(scene.add_body(peg, b2_staticBody), circle(0.1), 0.0, 0.0);
+  scene.coupling.release(0, 20);
+  for (int k = 0; k < 60; ++k) {
+    scene.tick();
+    bool below = true;
+    for (std::size_t p = 1; p < scene.cord().positions().size(); ++p) {
+      const Vec2 a = scene.cord().positions()[p - 1];
+      const Vec2 b = scene.cord().positions()[p];
+      if ((a.x <= peg.x) == (b.x <= peg.x)) continue;
+      if (a.y + (b.y - a.y) * (peg.x - a.x) / (b.x - a.x) > peg.y) below = !below;
+    }
+    ASSERT_TRUE(below) << k;
+  }
+}
+
+}  // namespace
+}  // namespace engine

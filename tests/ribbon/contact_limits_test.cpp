@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "ribbon/cord.h"
+#include "tests/support/contact_world.h"
+
+// Contact of the direct solver where it was once found wanting.
+
+namespace ribbon {
+namespace {
+
+using std::numbers::pi;
+using test_support::ContactWorld;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// To the same side, whichever side of its links the wheel is on.
+TEST(CordContactLimits, ATurningCircleDragsItAlong) {
+  for (const double friction : {0.0, 0.8}) {
+    CordDef def;
+    def.points = 61;
+    def.length = 3.0;
+    def.radius = 0.01;
+    def.friction = friction;
+    constexpr double reach = 0.51;
+    for (int i = 0; i < 61; ++i) {  // over the wheel, its ends hanging down on both sides
+      const double s = 0.05 * (i - 30);
+      const double turned = std::clamp(s / reach, -0.5 * pi, 0.5 * pi);
+      const double hanging = std::abs(s) - 0.5 * pi * reach;
+      def.positions.push_back({reach * std::sin(turned), hanging > 0.0 ? -hanging : reach * std::cos(turned)});
+    }
+    ContactWorld world(def);
+    const int wheel = world.add_peg({}, 0.5, friction);
+    for (int k = 0; k < 30; ++k) world.step();
+    world.body(wheel).angular_velocity = -1.0;
+    const double before = world.cord.positions()[60].y;
+    for (int k = 0; k < 30; ++k) world.step();
+    const double way = before - world.cord.positions()[60].y;
+    if (friction == 0.0) {
+      EXPECT_NEAR(way, 0.0, 1e-3);
+    } else {
+      EXPECT_NEAR(way / (0.5 * reach), 1.0, 0.1);  // it has to catch up first
+    }
+    EXPECT_LE(world.depth(), 1e-3);
+  }
+}
+
+TEST(CordContactLimits, WithBallsInFreeFlightItKeepsItsMomentumToTheDefaultTolerance) {
+  for (const Accuracy& accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
+    for (const double friction : {0.0, 0.5}) {
+      CordDef def;
+      def.points = 31;
+      def.length = 3.0;
+      def.radius = 0.02;
+      def.mass_per_length = 0.5;
+      def.friction = friction;
+      def.accuracy = accuracy;
+      ContactWorld world(def);
+      world.gravity = {};
+      world.add_ball({0.8, 0.7}, 0.2, 0.3, 0.5);
+      world.add_ball({1.6, -0.6}, 0.15, 3.0, 0.5);
+      world.add_ball({2.5, 0.9}, 0.25, 1.0, 0.5);
+      world.body(0).velocity = {0.3, -2.0};
+      world.body(1).velocity = {-0.2, 1.5};
+      world.body(2).velocity = {-0.5, -1.0};
+      world.body(2).angular_velocity = 5.0;
+      const Vec2 before = world.momentum();
+      const double angular = world.angular_momentum();
+      double linear_off = 0.0;
+      double angular_off = 0.0;
+      for (int k = 0; k < 600; ++k) {
+        world.step();
+        linear_off = std::max(linear_off, length(world.momentum() - before) / length(before));
+        angular_off = std::max(angular_off, std::abs(world.angular_momentum() / angular - 1.0));
+      }
+      EXPECT_LE(linear_off, 1e-9) << accuracy.substeps << " " << friction;
+      EXPECT_LE(angular_off, 1e-3) << accuracy.substeps << " " << friction;
+    }
+  }
+}
+
+TEST(CordContactLimits, AHeavyBallOnATautCordThatDoesNotStretchGainsNoEnergy) {
+  for (const double mass : {50.0, 100.0, 1000.0}) {
+    CordDef def;
+    def.points = 41;
+    def.length = 4.2;
+    def.radius = 0.02;
+    def.friction = 0.5;
+    def.pins = {0, 40};
+    ContactWorld world(def);
+    world.add_ball({1.89, 1.5}, 0.25, mass, 0.5);
+    const double before = world.energy();
+    double gain = 0.0;
+    for (int k = 0; k < 180; ++k) {
+      world.step();
+      gain = std::max(gain, world.energy() - before);
+    }
+    EXPECT_LE(gain, 1e-3 * 9.81 * mass * def.length) << mass;
+  }
+}
+
+/// A string drawn far from the peg is let go: in one tick it goes past where contacts were looked for.
+TEST(CordContactLimits, ASnappingStringDoesNotGoThroughAPeg) {
+  for (const int substeps : {1, 4}) {
+    CordDef def;
+    def.points = 41;
+    def.length = 2.0;
+    def.radius = 0.02;
+    def.stretch_stiffness = 1e4;
+    def.pins = {0, 40};
+    def.accuracy.substeps = substeps;
+    ContactWorld world(def);
+    for (int k = 1; k <= 20; ++k) {
+      world.cord.operate(20, {1.0, -0.05 * k});
+      world.step();
+    }
+    for (int k = 0; k < 60; ++k) world.step();
+    const Vec2 peg{1.03, 0.2};
+    world.add_peg(peg, 0.1, 0.0);
+    world.cord.release(20);
+    for (int k = 0; k < 60; ++k) {
+      world.step();
+      bool below = true;
+      for (std::size_t p = 1; p < world.cord.positions().size(); ++p) {
+        const Vec2 a = world.cord.positions()[p - 1];
+        const Vec2 b = world.cord.positions()[p];
+        if ((a.x <= peg.x) == (b.x <= peg.x)) continue;
+        if (a.y + (b.y - a.y) * (peg.x - a.x) / (b.x - a.x) > peg.y) below = !below;
+      }
+      ASSERT_TRUE(below) << substeps << " " << k;
+    }
+  }
+}
+
+/// A cord that falls flat on the ground and a ball that falls on a cord which cannot give rebound at e times their
+/// speed.
+TEST(CordContactLimits, ImpactsReboundAsTheirRestitutionSays) {
+  for (const double restitution : {0.0, 0.5, 0.9}) {
+    for (const double speed : {1.0, 10.0}) {
+      for (const bool ball_falls : {false, true}) {
+        CordDef def;
+        def.points = 11;
+        def.length = 1.0;
+        def.radius = 0.02;
+        def.restitution = restitution;
+        for (int i = 0; i < 11; ++i) def.positions.push_back({0.1 * i, ball_falls ? 0.0 : 0.2});
+        if (ball_falls) {
+          for (int i = 0; i < 11; ++i) def.pins.push_back(i);
+        }
+        ContactWorld world(def);
+        world.gravity = {};
+        if (ball_falls) {
+          world.add_ball({0.5, 0.37}, 0.1, 2.0, 0.0);
+          world.body(0).velocity = {0.0, -speed};
+        } else {
+          world.add_edge(world.add_body({}, 0.0, 0.0), {-5.0, 0.0}, {5.0, 0.0}, 0.01, 0.0);
+          for (int i = 0; i < 11; ++i) world.cord.set_velocity(i, {0.0, -speed});
+        }
+        const double before = world.energy();
+        double gain = 0.0;
+        for (int k = 0; k < 40; ++k) {
+          world.step();
+          gain = std::max(gain, world.energy() - before);
+        }
+        const double after = ball_falls ? world.body(0).velocity.y : world.cord.velocities()[5].y;
+        EXPECT_NEAR(after / speed, restitution, 0.1) << "e " << restitution << " at " << speed << " " << ball_falls;
+        EXPECT_LE(gain, 1e-3 * before);
+      }
+    }
+  }
+}
+
+/// Pulled over a circle by its ends every step converges.
+TEST(CordContactLimits, ACapstansStepsConverge) {
+  constexpr double turn = 2.0 * pi / 32;
+  for (const int turned : {16, 32}) {
+    CordDef def;
+    def.radius = 0.01;
+    const double l = 2.0 * 0.51 * std::tan(0.5 * turn);
+    def.points = turned + 13;
+    def.length = l * (def.points - 1);
+    def.friction = 0.3;
+    Vec2 x{-5.5 * l, 0.51};
+    double heading = 0.0;
+    for (int i = 0; i < def.points; ++i) {
+      def.positions.push_back(x);
+      if (i >= 6 && i < 6 + turned) heading -= turn;
+      x += l * Vec2{std::cos(heading), std::sin(heading)};
+    }
+    ContactWorld world(def);
+    world.gravity = {};
+    world.add_peg({}, 0.5, 0.3);
+    world.cord.set_load(0, {-10.0, 0.0});
+    for (int k = 0; k < 1500; ++k) {
+      world.cord.set_load(def.points - 1, ((1.0 + k * 1e-3) * 10.0) * Vec2{std::cos(heading), std::sin(heading)});
+      world.step();
+    }
+    EXPECT_EQ(world.total.unconverged, 0) << turned;
+  }
+}
+
+}  // namespace
+}  // namespace ribbon
