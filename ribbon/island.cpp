@@ -12,8 +12,6 @@
 namespace ribbon {
 namespace {
 
-constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
-constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
@@ -176,68 +174,6 @@ void Island::drive(std::size_t p, Vec2 velocity) {
   velocities_[p] = drives_[p];
 }
 
-/// A body that nothing pushes and that holds a point drives it; all others are solved with the cord.
-void Island::take_hold(Member& member) {
-  member.first_hold = held_.size();
-  for (std::size_t k = 0; k < member.met.grips.size(); ++k) {
-    const Grip& grip = member.met.grips[k];
-    const RigidBody& body = rigid_[at(grip.body)];
-    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0) {
-      add_hold(member, k);
-    } else if (const std::size_t p = member.first + at(grip.point); constrained_[p] == 0) {
-      const Vec2 hand = times(rotation(step_dt_ * body.angular_velocity), grip.offset + grip.travel);
-      drive(p, (1.0 / step_dt_) * (body.position + step_dt_ * body.velocity + hand - positions_[p]));
-    }
-  }
-  member.last_hold = held_.size();
-  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) held_[k].body = body_slot(held_[k].rigid);
-}
-
-/// The arm begins where the cord is, so that nothing jumps, and ends at the hand, or as much nearer as a point may be
-/// drawn in a step.
-void Island::add_hold(Member& member, std::size_t index) {
-  const Grip& grip = member.met.grips[index];
-  const RigidBody& body = rigid_[at(grip.body)];
-  const Cord& cord = *member.cord;
-  HeldBody held;
-  held.grip = index;
-  held.rigid = grip.body;
-  held.turns = body.inverse_inertia > 0.0;
-  held.strength = grip.strength;
-  held.column = grip.point / cord.def_.rows + grip.along;
-  held.climb = std::clamp(held.column + grip.climb, 0.0, cord.def_.points - 1.0) - held.column;
-  held.point = member.first + at(grip.point);
-  held.next = held.point;
-  if (grip.along > 0.0) {
-    held.along = grip.along;
-    held.next += at(cord.def_.rows);
-  }
-  held.arm = held.hold(positions_) - body.position;
-  const Vec2 off = grip.offset - held.arm;
-  const double most = drawn_share * cord.rest_[0];
-  held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
-  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0] || held.climb != 0.0;
-  const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
-  const auto after = std::upper_bound(first, held_.end(), held.point,
-                                      [](std::size_t point, const HeldBody& other) { return point < other.point; });
-  held_.insert(after, held);
-}
-
-/// Takes grips that climb to where they are at the end of the stage.
-void Island::climb(const Member& member) {
-  const auto rows = at(member.cord->def_.rows);
-  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
-    HeldBody& held = held_[k];
-    if (held.climb == 0.0) continue;
-    const double column = held.column + held.share * held.climb;
-    const double whole = std::min(std::floor(column), member.cord->def_.points - 2.0);
-    held.point = member.first + static_cast<std::size_t>(whole) * rows + (held.point - member.first) % rows;
-    held.next = held.point + rows;
-    held.along = column - whole;
-    has_pattern_ = false;
-  }
-}
-
 /// Which of the island's bodies this one is; one more, if it is new.
 std::size_t Island::body_slot(int index) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -352,14 +288,6 @@ void Island::finish_member(const Member& member) {
   cord.set_damping_apart();
   damp_deformation(member);
   cord.restart_ = true;
-}
-
-/// Of the hold's solve, or of what moved the body if nothing else did.
-Vec2 Island::pull_of(std::size_t hold, double dt) const {
-  if (together_) return hold_pull(tensions_, hold);
-  const std::size_t k = held_[hold].body;
-  const RigidBody& body = rigid_[at(bodies_[k].index)];
-  return (1.0 / dt) * (masses_[center(k)] * (velocities_[center(k)] - body.velocity - dt * body.acceleration));
 }
 
 /// Tells the bodies how they moved, and gives them what took them there.

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/complex.h"
+#include "ribbon/island.h"
+#include "ribbon/link.h"
+
+// Bodies that hold cords: where along them, and their part of the solve by blocks.
+
+namespace ribbon {
+namespace {
+
+constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
+constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
+
+}  // namespace
+
+/// A body that nothing pushes and that holds a point drives it; all others are solved with the cord.
+void Island::take_hold(Member& member) {
+  member.first_hold = held_.size();
+  for (std::size_t k = 0; k < member.met.grips.size(); ++k) {
+    const Grip& grip = member.met.grips[k];
+    const RigidBody& body = rigid_[at(grip.body)];
+    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0) {
+      add_hold(member, k);
+    } else if (const std::size_t p = member.first + at(grip.point); constrained_[p] == 0) {
+      const Vec2 hand = times(rotation(step_dt_ * body.angular_velocity), grip.offset + grip.travel);
+      drive(p, (1.0 / step_dt_) * (body.position + step_dt_ * body.velocity + hand - positions_[p]));
+    }
+  }
+  member.last_hold = held_.size();
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) held_[k].body = body_slot(held_[k].rigid);
+}
+
+/// The arm begins where the cord is, so that nothing jumps, and ends at the hand, or as much nearer as a point may be
+/// drawn in a step.
+void Island::add_hold(Member& member, std::size_t index) {
+  const Grip& grip = member.met.grips[index];
+  const RigidBody& body = rigid_[at(grip.body)];
+  const Cord& cord = *member.cord;
+  HeldBody held;
+  held.grip = index;
+  held.rigid = grip.body;
+  held.turns = body.inverse_inertia > 0.0;
+  held.strength = grip.strength;
+  held.column = grip.point / cord.def_.rows + grip.along;
+  held.climb = std::clamp(held.column + grip.climb, 0.0, cord.def_.points - 1.0) - held.column;
+  held.point = member.first + at(grip.point);
+  held.next = held.point;
+  if (grip.along > 0.0) {
+    held.along = grip.along;
+    held.next += at(cord.def_.rows);
+  }
+  held.arm = held.hold(positions_) - body.position;
+  const Vec2 off = grip.offset - held.arm;
+  const double most = drawn_share * cord.rest_[0];
+  held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
+  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0] || held.climb != 0.0;
+  const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
+  const auto after = std::upper_bound(first, held_.end(), held.point,
+                                      [](std::size_t point, const HeldBody& other) { return point < other.point; });
+  held_.insert(after, held);
+}
+
+/// Takes grips that climb to where they are at the end of the stage.
+void Island::climb(const Member& member) {
+  const auto rows = at(member.cord->def_.rows);
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
+    HeldBody& held = held_[k];
+    if (held.climb == 0.0) continue;
+    const double column = held.column + held.share * held.climb;
+    const double whole = std::min(std::floor(column), member.cord->def_.points - 2.0);
+    held.point = member.first + static_cast<std::size_t>(whole) * rows + (held.point - member.first) % rows;
+    held.next = held.point + rows;
+    held.along = column - whole;
+    has_pattern_ = false;
+  }
+}
+
+/// Where the cord is held less where the hand is.
+Vec2 Island::hold_gap(const HeldBody& held, std::span<const Vec2> x) const {
+  return held.hold(x) - x[center(held.body)] - held.arm_at(x[angle(held.body)].x);
+}
+
+/// A hold's pull λ on the body is an unknown: with c = x − X − s the gap, which is to close, ∂c/∂φ = −perp(s) and
+/// ∂²c/∂φ² = s. One that slips along the cord does so against its strength, and only closes across.
+void Island::load_holds() {
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const HeldBody& held = held_[k];
+    const Vec2 arm = held.arm_at(positions_[angle(held.body)].x);
+    const Vec2 u = -perp(arm);
+    const Vec2 t = hold_tangent(held);
+    const bool slips = held.slides != 0.0;
+    const Block across = slips ? Block{t.y * t.y, -t.x * t.y, t.x * t.x} : Block{1.0, 0.0, 1.0};
+    const auto closing = [&across](Vec2 v) {
+      return Vec2{across.xx * v.x + across.xy * v.y, across.xy * v.x + across.yy * v.y};
+    };
+    const int dual = hold_dual(k);
+    const std::array<int, 4> slots = hold_slots(held);
+    const std::array<double, 3> weights = {1.0 - held.along, held.along, -1.0};
+    const Vec2 against = (held.slides * (slips ? held.strength : 0.0)) * t;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (weights[i] == 0.0) continue;
+      blocks_.add(slots[i], dual, weights[i] * across.xx, weights[i] * across.xy, weights[i] * across.xy,
+                  weights[i] * across.yy);
+      right_side_[at(slots[i])] -= weights[i] * against;
+    }
+    const Vec2 turning = closing(u);
+    blocks_.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
+    right_side_[at(slots[3])].x -= dot(u, against);
+    blocks_.add(slots[3], std::max(0.0, dot(hold_pull(tensions_, k), arm)), 0.0, 0.0);
+    const double least = dual_share / std::max(inertia_[held.point], inertia_[held.next]);
+    blocks_.make_dual(dual);
+    blocks_.add(dual, -least - (1.0 - across.xx), across.xy, -least - (1.0 - across.yy));
+    right_side_[at(dual)] = -closing(hold_gap(held, positions_));
+  }
+}
+
+void Island::update_holds() {
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    HeldBody& held = held_[k];
+    const Vec2 t = hold_tangent(held);
+    Vec2 pull = right_side_[at(hold_dual(k))];
+    if (held.slides == 0.0 && std::abs(dot(pull, t)) > held.strength) {
+      held.slides = std::copysign(1.0, dot(pull, t));
+      slips_ = true;
+    }
+    if (held.slides != 0.0) pull += (held.slides * held.strength - dot(pull, t)) * t;
+    const std::size_t first = next_.size() - 2 * (held_.size() - k);
+    next_[first] = pull.x;
+    next_[first + 1] = pull.y;
+  }
+}
+
+/// Along the cord where it is held.
+Vec2 Island::hold_tangent(const HeldBody& held) const {
+  std::size_t a = held.point;
+  std::size_t b = held.next;
+  for (const Member& member : members_) {
+    const auto rows = at(member.cord->def_.rows);
+    if (a != b || a < member.first || a >= member.first + member.count) continue;
+    b + rows < member.first + member.count ? b += rows : a -= rows;
+  }
+  const Vec2 ab = positions_[b] - positions_[a];
+  const double size = length(ab);
+  return size > 0.0 ? (1.0 / size) * ab : Vec2{1.0, 0.0};
+}
+
+/// What a grip that slips has left open along the cord is how far it has slipped.
+void Island::slip() {
+  for (HeldBody& held : held_) {
+    if (held.slides == 0.0) continue;
+    const double along = -dot(hold_gap(held, positions_), hold_tangent(held));
+    for (const Member& member : members_) {
+      if (held.point >= member.first && held.point < member.first + member.count) {
+        held.slid = along / member.cord->rest_[0];
+      }
+    }
+  }
+}
+
+Vec2 Island::hold_pull(std::span<const double> tensions, std::size_t hold) const {
+  const std::size_t first = tensions.size() - 2 * (held_.size() - hold);
+  return {tensions[first], tensions[first + 1]};
+}
+
+double Island::hold_potential(std::span<const Vec2> x) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const Vec2 gap = hold_gap(held_[k], x);
+    const double most = length(hold_pull(most_tensions_, k));
+    if (held_[k].slides == 0.0) {
+      sum += most * length(gap);
+    } else {
+      const Vec2 t = hold_tangent(held_[k]);
+      sum += most * std::abs(cross(t, gap)) + held_[k].slides * held_[k].strength * dot(t, gap);
+    }
+  }
+  return sum;
+}
+
+/// Of the hold's solve, or of what moved the body if nothing else did.
+Vec2 Island::pull_of(std::size_t hold, double dt) const {
+  if (together_) return hold_pull(tensions_, hold);
+  const std::size_t k = held_[hold].body;
+  const RigidBody& body = rigid_[at(bodies_[k].index)];
+  return (1.0 / dt) * (masses_[center(k)] * (velocities_[center(k)] - body.velocity - dt * body.acceleration));
+}
+
+}  // namespace ribbon
