@@ -133,7 +133,10 @@ std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   return CordPoint{held->cord, held->point, 0.0};
 }
 
-double Coupling::column(const Holder& holder) const { return holder.point / shape(holder.cord).rows + holder.along; }
+double Coupling::column(const Holder& holder) const {
+  const int whole = holder.point / shape(holder.cord).rows;
+  return whole + holder.along;
+}
 
 void Coupling::set_column(Holder& holder, double column) const {
   const CordShape shape = this->shape(holder.cord);

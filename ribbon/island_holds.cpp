@@ -43,7 +43,8 @@ void Island::add_hold(Member& member, std::size_t index) {
   held.rigid = grip.body;
   held.turns = body.inverse_inertia > 0.0;
   held.strength = grip.strength;
-  held.column = grip.point / cord.def_.rows + grip.along;
+  const int column = grip.point / cord.def_.rows;
+  held.column = column + grip.along;
   held.climb = std::clamp(held.column + grip.climb, 0.0, cord.def_.points - 1.0) - held.column;
   held.point = member.first + at(grip.point);
   held.next = held.point;
