@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "engine/tick.h"
@@ -60,6 +62,14 @@ TEST(Level, FirstSwingHasThreeCordsAndThreeLooseCircles) {
     if (body->GetType() == b2_dynamicBody && circle) ++circles;
   }
   EXPECT_GE(circles, 3);
+}
+
+TEST(Level, ThePlayerIsAsHeavyAsTheMapSays) {
+  const std::string path = testing::TempDir() + "heavy_player.tmj";
+  std::ofstream(path) << test_support::mixed_swing_map();
+  const Level level = load_level(path);
+  EXPECT_EQ(Simulation(level).player().body().GetMass(), 5.0F);
+  EXPECT_EQ(Simulation(first_swing()).player().body().GetMass(), 60.0F);
 }
 
 TEST_P(EitherLevel, CanBeWon) {
