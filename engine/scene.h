@@ -15,20 +15,20 @@ namespace engine {
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
 /// - `circle`: ellipse as wide as high; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
 ///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s].
-/// - `cord`: polyline that its middle line follows; solver ("thesis", the default, or "direct"); columns (how many
+/// - `cord`: polyline that its middle line follows; solver ("direct", the default, or "thesis"); columns (how many
 ///   points along it), rows, mass [kg, all of it], drag [1/s], substeps, pin_first, pin_last (the points of the first
 ///   or last column are constrained).
 ///   - "thesis" (ribbon/thesis_def.h), 2 rows unless given: spring_stiffness [N/m], bar_damping [N·s/m],
 ///     area_stiffness, self_collision.
 ///   - "direct" (ribbon/cord_def.h), 1 row unless given: stretch_stiffness [N, a rope without it does not stretch, a
 ///     ribbon needs one], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius
-///     [m], width [m, that of square cells unless given], accuracy ("fast", "balanced" unless given, "accurate"),
-///     tolerance [m]. Its links are all straight and equal, so that it is a little shorter than a polyline with
-///     corners.
+///     [m], width [m, that of square cells unless given], friction, restitution, self_contact, cord_contact (with other
+///     cords that declare it), accuracy ("fast", "balanced" unless given, "accurate"), tolerance [m]. Its links are all
+///     straight and equal, so that it is a little shorter than a polyline with corners.
 /// The map's own property gravity_y [m/s²] is −9.81 unless given.
 class Scene {
  public:
-  /// `other_kinds` are the classes that the caller takes care of; `cord_filter` says which circles the cords meet.
+  /// `other_kinds` are the classes that the caller takes care of; `cord_filter` says which fixtures the cords meet.
   /// Ground and circles have Box2D's default filter. Throws MapError for any other class, and for an object, property
   /// or value that cannot be built.
   explicit Scene(const TiledMap& map, const std::vector<std::string>& other_kinds = {},
@@ -41,14 +41,14 @@ class Scene {
   Coupling& coupling() { return coupling_; }
   const Coupling& coupling() const { return coupling_; }
 
-  /// One tick: the cords take their circles from the world, move, push, and then the world moves.
+  /// One tick: the cords take from the world what is near them, move, push, and then the world moves.
   void tick(double dt);
 
   /// Adds every cord and every body, bodies in the order they were made, to a state hash.
   void add_to(StateHash& hash) const;
 
   /// Of cords that do not ask for one.
-  static constexpr Solver default_solver = Solver::thesis;
+  static constexpr Solver default_solver = Solver::direct;
   static constexpr int velocity_iterations = 8;
   static constexpr int position_iterations = 3;
 

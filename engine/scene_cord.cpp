@@ -19,9 +19,10 @@ const Choices thesis_properties = {"solver",           "columns",     "rows",   
                                    "spring_stiffness", "bar_damping", "drag",      "area_stiffness",
                                    "self_collision",   "substeps",    "pin_first", "pin_last"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",     "mass",      "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",  "drag",      "tension_only",      "radius",
-    "width",         "accuracy",       "substeps", "tolerance", "pin_first",         "pin_last"};
+    "solver",        "columns",        "rows",         "mass",        "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",      "drag",        "tension_only",      "radius",
+    "width",         "accuracy",       "substeps",     "tolerance",   "pin_first",         "pin_last",
+    "friction",      "restitution",    "self_contact", "cord_contact"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -186,6 +187,10 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.damping = p.number_or("damping", 0.0, {0.0, 1e3});
   def.drag = drag_of(p);
   def.tension_only = p.boolean_or("tension_only", false);
+  def.friction = p.number_or("friction", 0.0, {0.0, 10.0});
+  def.restitution = p.number_or("restitution", 0.0, {0.0, 1.0});
+  def.self_contact = p.boolean_or("self_contact", false);
+  def.cord_contact = p.boolean_or("cord_contact", false);
   def.accuracy = accuracy_of(p);
   def.positions = lay_across(middle, def.rows, def.width);
   def.pins = pins_of(p, def.points, def.rows);

@@ -91,12 +91,14 @@ Table thesis_counts(const engine::Coupling& coupling) {
 }
 
 Table direct_counts(const engine::Coupling& coupling) {
-  Table table = {{"cord", "points", "iterations", "fallbacks in all", "unconverged in all"}};
+  Table table = {
+      {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::direct) continue;
     const ribbon::CordReport& total = coupling.direct_total(c);
-    table.push_back(in_words(
-        {c, points_of(coupling, c), coupling.direct_report(c).iterations, total.fallbacks, total.unconverged}));
+    const auto touches = static_cast<int>(coupling.direct_cord(c).touches().size());
+    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.direct_report(c).iterations, total.impacts,
+                              total.fallbacks, total.unconverged}));
   }
   return table;
 }

@@ -14,7 +14,8 @@ using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "goal"};
 
-const MapObject& only_object(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape) {
+const MapObject& only_object(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape,
+                             engine::Choices properties) {
   const MapObject* found = nullptr;
   for (const MapObject& object : map.objects) {
     if (object.kind != kind) continue;
@@ -26,7 +27,7 @@ const MapObject& only_object(const engine::TiledMap& map, const std::string& kin
     found = &object;
   }
   if (found == nullptr) throw engine::MapError(map.file + ": no object of class " + kind + "; a level needs one");
-  found->properties.check_known_properties({});
+  found->properties.check_known_properties(properties);
   return *found;
 }
 
@@ -60,8 +61,10 @@ Level load_level(const std::string& name) {
   Level level;
   level.name = std::filesystem::path(path).stem().string();
   level.map = engine::load_tiled_map(path);
-  level.player_start = only_object(level.map, "player", engine::MapShape::point).position;
-  const MapObject& goal = only_object(level.map, "goal", engine::MapShape::rectangle);
+  const MapObject& player = only_object(level.map, "player", engine::MapShape::point, {"mass"});
+  level.player_start = player.position;
+  level.player_mass = player.properties.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4});
+  const MapObject& goal = only_object(level.map, "goal", engine::MapShape::rectangle, {});
   level.goal_center = goal.position;
   level.goal_size = goal.size;
   level.make_scene();  // so that what cannot be built is refused here

@@ -14,6 +14,7 @@ struct Level {
   std::string name;
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
+  double player_mass = 0.0;   ///< kg
   ribbon::Vec2 goal_center;   ///< m
   ribbon::Vec2 goal_size;     ///< m
 
@@ -25,7 +26,8 @@ struct Level {
 std::string assets_folder();
 
 /// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. Throws engine::MapError if there is none,
-/// if it has not exactly one `player` (a point) and one `goal` (a rectangle), or if the scene cannot be built.
+/// if it has not exactly one `player` (a point; mass [kg], that of PlayerTuning unless given) and one `goal` (a
+/// rectangle), or if the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// The names of the levels in the assets folder, sorted.

@@ -17,7 +17,7 @@ inline constexpr std::uint16_t player_category = 0x0002;
 struct PlayerTuning {
   double radius = 0.3;        ///< m, of feet and head
   double height = 1.5;        ///< m
-  double mass = 5.0;          ///< kg: what the cords of the thesis's method carry without stretching much
+  double mass = 60.0;         ///< kg, unless the level has its own
   double run_speed = 6.0;     ///< m/s
   double ground_gain = 40.0;  ///< m/s², towards the run speed
   double air_gain = 9.0;      ///< m/s², in the air, and only to gain speed, never to lose what a swing gave

@@ -1,5 +1,6 @@
 #include "game/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/convert.h"
@@ -14,7 +15,40 @@ using ribbon::Vec2;
 
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
+constexpr double drag_speed = 15.0;                 // m/s, at which it takes the point along at the most
 constexpr double abyss = 3.0;                       // m below the level, where the player is put back to the start
+
+/// m, along the cord from one point to another.
+double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {
+  const int rows = coupling.shape(cord).rows;
+  const auto x = coupling.positions(cord);
+  const auto row = static_cast<std::size_t>(from % rows);
+  const auto step = static_cast<std::size_t>(rows);
+  double way = 0.0;
+  for (std::size_t p = static_cast<std::size_t>(std::min(from, to) / rows) * step + row;
+       p < static_cast<std::size_t>(std::max(from, to) / rows) * step + row; p += step) {
+    way += length(x[p + step] - x[p]);
+  }
+  return way;
+}
+
+Vec2 no_further(Vec2 from, Vec2 to, double most) {
+  const double way = length(to - from);
+  return way > most ? from + (most / way) * (to - from) : to;
+}
+
+/// Where a point can be dragged to in this tick: towards `pointer` as fast as may be, and no further from what the cord
+/// is fixed to than it is long. One that does not stretch would be torn about otherwise.
+Vec2 within_reach(const engine::Coupling& coupling, const engine::CordPoint& dragged, Vec2 pointer) {
+  const auto x = coupling.positions(dragged.cord);
+  Vec2 target = no_further(x[static_cast<std::size_t>(dragged.point)], pointer, drag_speed * tick_dt);
+  for (int p = 0; p < static_cast<int>(x.size()); ++p) {
+    if (coupling.kind(dragged.cord, p) != ribbon::PointKind::constrained) continue;
+    const double way = way_between(coupling, dragged.cord, dragged.point, p);
+    target = no_further(x[static_cast<std::size_t>(p)], target, way);
+  }
+  return target;
+}
 
 }  // namespace
 
@@ -57,7 +91,9 @@ void Simulation::tick(const engine::TickInput& input) {
 void Simulation::restart() {
   player_.reset();
   scene_ = level_->make_scene();
-  player_ = std::make_unique<Player>(scene_->world(), level_->player_start);
+  PlayerTuning tuning;
+  tuning.mass = level_->player_mass;
+  player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
   dragged_.reset();
   run_ticks_ = 0;
   falls_ = 0;
@@ -66,7 +102,8 @@ void Simulation::restart() {
   take_snapshot(current_);
 }
 
-/// The pointer takes the cord point nearest to it and keeps it until it lets go. Constrained points stay.
+/// The pointer takes the cord point nearest to it and keeps it, as far as the cord reaches, until it lets go.
+/// Constrained points stay.
 void Simulation::drag(const engine::TickInput& input) {
   engine::Coupling& coupling = scene_->coupling();
   if ((input.buttons & button_drag) == 0) {
@@ -80,7 +117,7 @@ void Simulation::drag(const engine::TickInput& input) {
     if (!nearest || coupling.kind(nearest->cord, nearest->point) != ribbon::PointKind::free) return;
     dragged_ = nearest;
   }
-  coupling.operate(dragged_->cord, dragged_->point, pointer);
+  coupling.operate(dragged_->cord, dragged_->point, within_reach(coupling, *dragged_, pointer));
 }
 
 void Simulation::watch_the_player() {

@@ -115,10 +115,10 @@ std::vector<Vec2> middle_line(const DrawnCord& cord) {
 
 void draw_cord(Canvas& canvas, const DrawnCord& cord) {
   const double width = cord.shape.thickness;
-  const double edge = width + 0.05;
+  const double edge = std::max(width, 0.07);  // as thick as what it touches feels it, unless it could not be seen
   const std::vector<Vec2> line = middle_line(cord);
   canvas.polyline(line, edge, rope_edge);
-  canvas.polyline(line, std::max(width - 0.03, 0.5 * edge), rope);  // a thin one keeps its colour too
+  canvas.polyline(line, std::max(edge - 0.08, 0.5 * edge), rope);  // a thin one keeps its colour too
   canvas.polyline(line, 0.25 * width, rope_light);
   for (int i = 0; i < cord.shape.columns; ++i) {
     if (cord.kind(cord.point(i, 0)) != ribbon::PointKind::constrained) continue;

@@ -70,12 +70,13 @@ TEST(Scene, BuildsWhatTheMapDeclares) {
 }
 
 TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
-  const std::string declared = direct_properties + "," + whole("rows", "3") + "," + number("width", "0.6") + "," +
-                               number("radius", "0.03") + "," + number("stretch_stiffness", "5000") + "," +
-                               number("bending_stiffness", "7") + "," + number("poisson_ratio", "0.3") + "," +
-                               number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
-                               number("drag", "0.1") + "," + text("accuracy", "accurate") + "," +
-                               number("tolerance", "0.003") + "," + yes("pin_last");
+  const std::string declared =
+      direct_properties + "," + whole("rows", "3") + "," + number("width", "0.6") + "," + number("radius", "0.03") +
+      "," + number("stretch_stiffness", "5000") + "," + number("bending_stiffness", "7") + "," +
+      number("poisson_ratio", "0.3") + "," + number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
+      number("drag", "0.1") + "," + number("friction", "0.4") + "," + number("restitution", "0.7") + "," +
+      yes("self_contact") + "," + yes("cord_contact") + "," + text("accuracy", "accurate") + "," +
+      number("tolerance", "0.003") + "," + yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
   const ribbon::Cord& cord = scene.coupling().direct_cord(0);
   const ribbon::CordDef& def = cord.def();
@@ -91,6 +92,10 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_EQ(def.area_stiffness, 1.5);
   EXPECT_EQ(def.damping, 0.02);
   EXPECT_EQ(def.drag, 0.1);
+  EXPECT_EQ(def.friction, 0.4);
+  EXPECT_EQ(def.restitution, 0.7);
+  EXPECT_TRUE(def.self_contact);
+  EXPECT_TRUE(def.cord_contact);
   EXPECT_EQ(def.accuracy.substeps, ribbon::Accuracy::accurate().substeps);
   EXPECT_EQ(def.accuracy.tolerance, 0.003);
   EXPECT_EQ(def.pins, (std::vector<int>{24, 25, 26}));
@@ -111,10 +116,13 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_EQ(def.radius, plain.radius);
   EXPECT_EQ(def.stretch_stiffness, std::numeric_limits<double>::infinity());
   EXPECT_EQ(def.bending_stiffness + def.area_stiffness + def.damping + def.drag, 0.0);
-  EXPECT_FALSE(def.tension_only);
+  EXPECT_EQ(def.friction + def.restitution, 0.0);
+  EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact);
   EXPECT_EQ(def.accuracy, ribbon::Accuracy::balanced());
   EXPECT_TRUE(def.pins.empty());
   EXPECT_TRUE(def_of("," + yes("tension_only")).tension_only);
+  EXPECT_TRUE(def_of("," + yes("self_contact")).self_contact);
+  EXPECT_TRUE(def_of("," + yes("cord_contact")).cord_contact);
   EXPECT_EQ(def_of("," + text("accuracy", "fast")).accuracy, ribbon::Accuracy::fast());
   EXPECT_EQ(def_of("," + text("accuracy", "accurate")).accuracy, ribbon::Accuracy::accurate());
   EXPECT_EQ(def_of("," + whole("substeps", "3")).accuracy.substeps, 3);
@@ -223,6 +231,10 @@ TEST(Scene, RefusesADirectCordThatItCannotBuild) {
   refused(whole("rows", "0"), "rows");
   refused(whole("rows", "2"), "stretch_stiffness");  // a ribbon stretches
   refused(number("stretch_stiffness", "-1"), "stretch_stiffness");
+  refused(number("friction", "-0.1"), "friction");
+  refused(number("friction", "10.5"), "friction");
+  refused(number("restitution", "1.1"), "restitution");
+  refused(number("self_contact", "1"), "self_contact");
   refused(number("width", "0.1"), "rope");  // what the definition's own check says
   refused(whole("rows", "3") + "," + number("stretch_stiffness", "5000"), "bending_stiffness");
   expect_refused(object("cord", box, direct_properties), "polyline");
@@ -234,6 +246,7 @@ TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
   expect_refused(object("cord", line, direct_properties + "," + yes("self_collision")), "\"direct\"");
   expect_refused(object("cord", line, cord_properties + "," + number("radius", "0.1")), "another solver");
   expect_refused(object("cord", line, cord_properties + "," + yes("tension_only")), "\"thesis\"");
+  expect_refused(object("cord", line, cord_properties + "," + number("friction", "0.5")), "another solver");
   const std::string others = Scene::default_solver == Solver::thesis ? "damping" : "bar_damping";
   expect_refused(object("cord", line, either_cord + "," + number(others, "0")), "the default");
 }
@@ -248,13 +261,17 @@ std::uint64_t hash_of(const Scene& scene) {
   return hash.combined();
 }
 
-/// A squashable ribbon in its fifth tick, that has a load and is being reeled, and that a body holds.
+/// A squashable ribbon in its fifth tick, that has a load and is being reeled, that a body holds, and that leans on
+/// another.
 struct SwingingRibbon {
-  Scene scene{
-      map_with(object("cord", line,
-                      direct_properties + "," + whole("rows", "2") + "," + number("stretch_stiffness", "5000") + "," +
-                          number("area_stiffness", "1") + "," + number("damping", "0.01") + "," + yes("pin_first")) +
-               "," + R"({"id":8,"name":"b","type":"circle","x":35,"y":35,"rotation":0,"visible":true,)" + disc + "}")};
+  Scene scene{map_with(object("cord", line,
+                              direct_properties + "," + whole("rows", "2") + "," + number("stretch_stiffness", "5000") +
+                                  "," + number("area_stiffness", "1") + "," + number("damping", "0.01") + "," +
+                                  number("friction", "0.5") + "," + yes("pin_first")) +
+                       "," + R"({"id":9,"name":"a","type":"circle","x":23.5,"y":46,"rotation":0,"visible":true,)" +
+                       disc + R"(,"properties":[)" + text("body", "static") + "]}," +
+                       R"({"id":8,"name":"b","type":"circle","x":35,"y":35,"rotation":0,"visible":true,)" + disc +
+                       "}")};
 
   SwingingRibbon() {
     cord().set_load(16, {2.0, 0.0});
@@ -286,7 +303,20 @@ TEST(SceneHash, SeesEachPartOfADirectCordsState) {
       {"holders.turning", [](State& s) { s.holders[0].turning += 1e-9; }},
       {"holders.acceleration", [](State& s) { s.holders[0].acceleration.y += 1e-9; }},
       {"holders.angular_acceleration", [](State& s) { s.holders[0].angular_acceleration += 1e-9; }},
+      {"holders.grip", [](State& s) { s.holders[0].grip += 1; }},
+      {"holders.pull", [](State& s) { s.holders[0].pull.x += 1e-9; }},
+      {"holders.slid", [](State& s) { s.holders[0].slid += 1e-9; }},
       {"holders", [](State& s) { s.holders.clear(); }},
+      {"touches.other", [](State& s) { s.touches[0].other += 1; }},
+      {"touches.feature", [](State& s) { s.touches[0].feature += 1; }},
+      {"touches.other_feature", [](State& s) { s.touches[0].other_feature += 1; }},
+      {"touches.force", [](State& s) { s.touches[0].force += 1e-9; }},
+      {"touches.stuck", [](State& s) { s.touches[0].stuck += 1e-9; }},
+      {"touches.impulse", [](State& s) { s.touches[0].impulse += 1e-9; }},
+      {"touches.point", [](State& s) { s.touches[0].point.x += 1e-9; }},
+      {"touches.normal", [](State& s) { s.touches[0].normal.y += 1e-9; }},
+      {"touches", [](State& s) { s.touches.clear(); }},
+      {"touch_changed", [](State& s) { s.touch_changed = !s.touch_changed; }},
       {"ledger", [](State& s) { s.ledger += 1e-9; }},
       {"damping_apart", [](State& s) { s.damping_apart = !s.damping_apart; }},
       {"restart", [](State& s) { s.restart = !s.restart; }},
@@ -294,6 +324,7 @@ TEST(SceneHash, SeesEachPartOfADirectCordsState) {
   SwingingRibbon ribbon;
   const State state = ribbon.cord().save();
   const std::uint64_t hash = hash_of(ribbon.scene);
+  ASSERT_FALSE(state.touches.empty());
   for (const auto& [what, change] : changes) {
     State changed = state;
     change(changed);

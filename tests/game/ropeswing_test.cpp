@@ -81,7 +81,7 @@ TEST(ReplayProgram, WhatItRecordsItVerifies) {
   EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
 }
 
-TEST(ReplayProgram, WhatItRecordsOfALevelWithDirectCordsItVerifies) {
+TEST(ReplayProgram, WhatItRecordsOfALevelWithCordsOfBothSolversItVerifies) {
   const std::string level = scratch("mixed_swing.tmj");
   const std::string path = scratch("mixed_swing.replay");
   write_bytes(level, test_support::mixed_swing_map());

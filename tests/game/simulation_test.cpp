@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "engine/tick.h"
@@ -60,6 +62,14 @@ TEST(Level, FirstSwingHasThreeCordsAndThreeLooseCircles) {
     if (body->GetType() == b2_dynamicBody && circle) ++circles;
   }
   EXPECT_GE(circles, 3);
+}
+
+TEST(Level, ThePlayerIsAsHeavyAsTheMapSays) {
+  const std::string path = testing::TempDir() + "heavy_player.tmj";
+  std::ofstream(path) << test_support::mixed_swing_map();
+  const Level level = load_level(path);
+  EXPECT_EQ(Simulation(level).player().body().GetMass(), 5.0F);
+  EXPECT_EQ(Simulation(first_swing()).player().body().GetMass(), 60.0F);
 }
 
 TEST_P(EitherLevel, CanBeWon) {
@@ -162,16 +172,40 @@ TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
   engine::TickInput input = press(button_drag);
   engine::set_pointer(input, coupling.positions(0)[static_cast<std::size_t>(end)]);
   simulation.tick(input);
-  engine::set_pointer(input, {12.0, 8.0});
+  engine::set_pointer(input, {13.0, 12.0});
   for (int k = 0; k < 30; ++k) simulation.tick(input);
   int operated = -1;
   for (int p = 0; p <= end; ++p) {
     if (coupling.kind(0, p) == ribbon::PointKind::operated) operated = p;
   }
   ASSERT_GE(operated, end - 1);
-  EXPECT_EQ(coupling.positions(0)[static_cast<std::size_t>(operated)], (ribbon::Vec2{12.0, 8.0}));
+  EXPECT_EQ(coupling.positions(0)[static_cast<std::size_t>(operated)], (ribbon::Vec2{13.0, 12.0}));
   simulation.tick({});
   EXPECT_EQ(coupling.kind(0, operated), ribbon::PointKind::free);
+}
+
+TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
+  Simulation simulation(first_swing());
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  const auto fastest = [&] {
+    double most = 0.0;
+    for (const ribbon::Vec2 v : coupling.direct_cord(0).velocities()) most = std::max(most, length(v));
+    return most;
+  };
+  const ribbon::Vec2 pin = coupling.positions(0).front();
+  const double cord_length = coupling.direct_cord(0).def().length;
+  engine::TickInput input = press(button_drag);
+  engine::set_pointer(input, coupling.positions(0).back());
+  simulation.tick(input);
+  engine::set_pointer(input, {40.0, 8.0});
+  for (int k = 0; k < 60; ++k) {
+    simulation.tick(input);
+    EXPECT_LT(length(coupling.positions(0).back() - pin), cord_length * 1.001) << "tick " << k;
+    EXPECT_LT(fastest(), 40.0) << "tick " << k;  // m/s
+  }
+  EXPECT_EQ(coupling.direct_total(0).unconverged, 0);
+  simulation.tick({});
+  EXPECT_LT(fastest(), 5.0);
 }
 
 // --- the player

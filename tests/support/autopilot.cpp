@@ -9,6 +9,8 @@ namespace {
 using ribbon::Vec2;
 
 constexpr double edge_of_start = 7.2;  // m, where it jumps off
+constexpr double landing = 27.5;       // m, where the ground begins again, and the hammock is not yet
+constexpr double landing_speed = 1.5;  // m/s
 constexpr double step_up = 39.6;       // m, where the way rises to the goal
 constexpr double let_go_angle = 0.62;  // horizontal part of the unit vector from the cord's top to the player
 constexpr double let_go_climb = 0.5;   // m/s, upwards, at least
@@ -46,8 +48,10 @@ std::uint16_t Autopilot::hang(const game::Simulation& simulation, const engine::
 
 std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
   const game::Player& player = simulation.player();
-  std::uint16_t buttons = game::button_right;
   const double x = player.position().x;
+  const bool may_land = !player.is_on_ground() && x > landing && x < step_up;
+  if (may_land && velocity(simulation).x > landing_speed) return game::button_left;
+  std::uint16_t buttons = game::button_right;
   const bool at_edge = x > edge_of_start && x < edge_of_start + 1.5;
   const bool at_step = x > step_up && velocity(simulation).x < 1.0;
   if (player.is_on_ground() && (at_edge || at_step)) buttons |= game::button_jump;

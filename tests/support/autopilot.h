@@ -7,7 +7,8 @@
 namespace test_support {
 
 /// Plays first_swing as a person would, from what is on screen: runs, jumps to the first cord, pumps, lets go on the
-/// way up, catches the next, and walks to the goal. It keeps recorded runs renewable when the physics changes.
+/// way up, catches the next, lands before the hammock, and walks to the goal. It keeps recorded runs renewable when the
+/// physics changes.
 class Autopilot {
  public:
   /// The buttons for the next tick.

@@ -8,14 +8,21 @@ namespace {
 
 using nlohmann::json;
 
-/// Keeps the properties that both solvers have.
-json of_either_solver(const json& properties) {
-  json kept = json::array();
+constexpr double player_mass = 5.0;  // kg, what cords of the thesis's method carry without stretching much
+
+/// A cord of the thesis's method with what this one has that both solvers know.
+json of_the_thesis(const json& properties) {
+  json changed = json::array();
   for (const json& property : properties) {
     const std::string name = property["name"];
-    if (name == "columns" || name == "mass" || name == "drag" || name.starts_with("pin_")) kept.push_back(property);
+    if (name == "columns" || name == "mass" || name.starts_with("pin_")) changed.push_back(property);
   }
-  return kept;
+  changed.push_back({{"name", "solver"}, {"type", "string"}, {"value", "thesis"}});
+  changed.push_back({{"name", "spring_stiffness"}, {"type", "float"}, {"value", 30000.0}});
+  changed.push_back({{"name", "bar_damping"}, {"type", "float"}, {"value", 60.0}});
+  changed.push_back({{"name", "drag"}, {"type", "float"}, {"value", 0.02}});
+  changed.push_back({{"name", "substeps"}, {"type", "int"}, {"value", 16}});
+  return changed;
 }
 
 }  // namespace
@@ -24,10 +31,11 @@ std::string mixed_swing_map() {
   json map = json::parse(std::ifstream(game::assets_folder() + "/levels/first_swing.tmj"));
   for (json& layer : map["layers"]) {
     for (json& object : layer["objects"]) {
-      if (object["type"] != "cord" || object["name"] == "hammock") continue;
-      json& properties = object["properties"];
-      properties = of_either_solver(properties);
-      properties.push_back({{"name", "solver"}, {"type", "string"}, {"value", "direct"}});
+      if (object["type"] == "player") {
+        object["properties"] = json::array({{{"name", "mass"}, {"type", "float"}, {"value", player_mass}}});
+      } else if (object["type"] == "cord" && object["name"] != "hammock") {
+        object["properties"] = of_the_thesis(object["properties"]);
+      }
     }
   }
   return map.dump();
@@ -37,6 +45,7 @@ game::Level mixed_swing() {
   game::Level level = game::load_level("first_swing");
   level.name = "mixed_swing";
   level.map = engine::parse_tiled_map(mixed_swing_map(), "mixed_swing.tmj");
+  level.player_mass = player_mass;
   return level;
 }
 

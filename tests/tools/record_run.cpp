@@ -1,6 +1,8 @@
 // Records the autopilot's winning run of first_swing: assets/replays/first_swing.replay is made by
 //   build/release/bin/record_run assets/replays/first_swing.replay
-// and has to be made anew whenever the physics or the level changes on purpose.
+// and has to be made anew whenever the physics or the level changes on purpose, and the picture with it:
+//   build/release/bin/ropeswing --headless --replay assets/replays/first_swing.replay --ticks 230
+//     --screenshot assets/pictures/first_swing.png
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
