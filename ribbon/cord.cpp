@@ -1,6 +1,7 @@
 #include "ribbon/cord.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -264,7 +265,16 @@ void Cord::check_state(const State& state) const {
   check_all("state.rest_speeds", state.rest_speeds, 0.0, anything);
   check_range("state.ledger", state.ledger, -anything, anything);
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
-  for (const Holder& holder : state.holders) check_range("state.holders.point", holder.point, 0, size() - 1);
+  for (const Holder& holder : state.holders) {
+    check_range("state.holders.point", holder.point, 0, size() - 1);
+    check_vectors("state.holders", std::array{holder.velocity, holder.acceleration, holder.pull});
+    check_all("state.holders", std::array{holder.turning, holder.angular_acceleration, holder.slid}, -anything,
+              anything);
+  }
+  for (const Touch& touch : state.touches) {
+    check_vectors("state.touches", std::array{touch.point, touch.normal});
+    check_all("state.touches", std::array{touch.force, touch.stuck, touch.impulse}, -anything, anything);
+  }
 }
 
 void Cord::restore(const State& state) {

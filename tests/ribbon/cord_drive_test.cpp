@@ -375,6 +375,12 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
   refused([](Cord::State& s) { s.tensions[0] = nan; });
   refused([](Cord::State& s) { s.ledger = nan; });
   refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0, 0, {}, 0.0}); });
+  refused([](Cord::State& s) { s.holders.push_back({0, {}, nan, {}, 0.0, 0, {}, 0.0}); });
+  refused([](Cord::State& s) { s.holders.push_back({0, {}, 0.0, {}, 0.0, 0, {nan, 0.0}, 0.0}); });
+  refused([](Cord::State& s) {
+    s.touches.emplace_back();
+    s.touches.back().stuck = infinity;
+  });
 }
 
 #if defined(__SSE2__)
