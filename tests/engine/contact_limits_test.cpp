@@ -27,7 +27,6 @@ using std::numbers::pi;
 using test_support::arc;
 
 constexpr double dt = 1.0 / 60.0;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct World {
   explicit World(Vec2 gravity = {0.0, -9.81}) : world(to_float(gravity)) {}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ribbon/cord.h"
@@ -16,7 +15,6 @@ namespace {
 using std::numbers::pi;
 using test_support::ContactWorld;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// To the same side, whichever side of its links the wheel is on.
 TEST(CordContactLimits, ATurningCircleDragsItAlong) {
