@@ -107,6 +107,16 @@ void BlockLdlt::add(int a, double xx, double xy, double yy) {
   diagonal.yy += yy;
 }
 
+void BlockLdlt::add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by) {
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Vec2 g = factor * by[i];
+    add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
+    for (std::size_t j = i + 1; j < slots.size(); ++j) {
+      add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
+    }
+  }
+}
+
 bool BlockLdlt::solve(std::span<Vec2> b) {
   const std::size_t n = order_.size();
   for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];

@@ -32,6 +32,8 @@ class BlockLdlt {
   void add(int a, int b, double xx, double xy, double yx, double yy);
   /// Adds a symmetric block to the diagonal.
   void add(int a, double xx, double xy, double yy);
+  /// Adds factor·g·gᵀ, g having the part by[i] at slots[i].
+  void add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by);
   /// Makes the slot's rows and columns those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 

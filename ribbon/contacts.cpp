@@ -9,26 +9,9 @@
 namespace ribbon {
 namespace {
 
-constexpr double friction_share = 0.1;   // of a contact's stiffness, that friction's anchor has
-constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobody comes in a move
-constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
-constexpr double approach_share = 0.98;  // of the distance, if that is less already
-constexpr double arrived_share = 1e-3;   // of the reach: no use in creeping nearer to the limit than this
-constexpr double slowest_impact = 0.1;   // m/s, slower than which a hit is none
-constexpr double slowest_rebound = 0.5;  // m/s, slower than which nothing rebounds
-constexpr int most_advances = 32;
+constexpr double friction_share = 0.1;  // of a contact's stiffness, that friction's anchor has
 constexpr double settled_share = 1e-3;
 constexpr double settled_depth = 1e-10;  // m, that rounding explains
-
-void add_outer(BlockLdlt& matrix, double factor, std::span<const int> slots, std::span<const Vec2> by) {
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const Vec2 g = factor * by[i];
-    matrix.add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
-    for (std::size_t j = i + 1; j < slots.size(); ++j) {
-      matrix.add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
-    }
-  }
-}
 
 }  // namespace
 
@@ -46,12 +29,6 @@ double Contacts::Row::along(std::span<const Vec2> step) const {
   double sum = 0.0;
   for (int i = 0; i < size; ++i) sum += dot(by[at(i)], step[at(slot[at(i)])]);
   return sum;
-}
-
-double Contacts::longest_way(std::span<const Vec2> from, std::span<const Vec2> to) {
-  double most2 = 0.0;
-  for (std::size_t k = 0; k < to.size(); ++k) most2 = std::max(most2, dot(to[k] - from[k], to[k] - from[k]));
-  return std::sqrt(most2);
 }
 
 void Contacts::clear(std::size_t points) {
@@ -96,19 +73,6 @@ void Contacts::begin(std::span<const Vec2> x) {
   evaluate(x);
   first_ = touching_;
   hit_.assign(pairs_.size(), 0);
-}
-
-void Contacts::remember_hits(double weight) {
-  for (const Active& active : active_) {
-    const ContactPair& pair = pairs_[active.pair];
-    hit_[active.pair] = 1;
-    impulses_[active.pair] += weight * pair.stiffness * (pair.reach - active.gap.distance);
-  }
-}
-
-void Contacts::scale_impulses(double factor) {
-  impulses_.resize(pairs_.size());
-  for (double& impulse : impulses_) impulse = factor == 0.0 ? 0.0 : factor * impulse;
 }
 
 bool Contacts::evaluate(std::span<const Vec2> x) {
@@ -261,13 +225,6 @@ double Contacts::energy() const {
   return sum;
 }
 
-bool Contacts::leans() const {
-  const auto is_led = [this](int anchor) { return at(anchor) >= points_ && spot(anchor).center < 0; };
-  return std::any_of(pairs_.begin(), pairs_.end(), [&](const ContactPair& pair) {
-    return hit_[static_cast<std::size_t>(&pair - pairs_.data())] != 0 && (is_led(pair.disc) || is_led(pair.a));
-  });
-}
-
 bool Contacts::are_coupled(const BlockLdlt& matrix) const {
   for (const Active& active : active_) {
     const Row row = slots_of(pairs_[active.pair]);
@@ -295,54 +252,6 @@ Contacts::Row Contacts::slots_of(const ContactPair& pair) const {
   return row;
 }
 
-bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after,
-                             double dt) {
-  place(x, false, anchors_);
-  active_.clear();
-  rebounds_.clear();
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const ContactPair& pair = pairs_[k];
-    if (hit_[k] == 0) continue;
-    const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
-    if (!(gap.distance < 2.0 * pair.reach) || !is_minimum(pair, gap)) continue;
-    const Row normal = normal_row(pair, gap, x);
-    const double led = led_speed(pair, gap);
-    const double approach = -(normal.along(before) + led);
-    if (approach < slowest_impact) continue;
-    const double restitution = approach > slowest_rebound ? pair.restitution : 0.0;
-    active_.push_back({k, gap});
-    rebounds_.push_back(dt * (restitution * approach - normal.along(after) - led));
-  }
-  return !active_.empty();
-}
-
-/// m/s, at which what nothing pushes takes a disc away from its segment.
-double Contacts::led_speed(const ContactPair& pair, const Gap& gap) const {
-  const auto along = [&](int anchor) {
-    if (at(anchor) < points_ || spot(anchor).center >= 0) return 0.0;
-    const Spot& led = spot(anchor);
-    return dot(gap.normal, led.velocity + led.turning * perp(anchors_[at(anchor)] - led.from));
-  };
-  return along(pair.disc) - (1.0 - gap.along) * along(pair.a) - gap.along * along(pair.b);
-}
-
-void Contacts::end_rebounds(std::span<const Vec2> x) {
-  rebounds_.clear();
-  find_touching(x);
-}
-
-/// Normal rows alone, each to be opened by so much.
-void Contacts::load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const {
-  for (std::size_t k = 0; k < active_.size(); ++k) {
-    const ContactPair& pair = pairs_[active_[k].pair];
-    const Row normal = normal_row(pair, active_[k].gap, x);
-    for (int i = 0; i < normal.size; ++i) {
-      force[at(normal.slot[at(i)])] += pair.stiffness * rebounds_[k] * normal.by[at(i)];
-    }
-    add_outer(matrix, pair.stiffness, normal.slots(), normal.derivatives());
-  }
-}
-
 void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) {
   if (!rebounds_.empty()) {
     load_rebounds(x, matrix, force);
@@ -359,11 +268,11 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     const Row normal = normal_row(pair, gap, x);
     rows_.push_back(normal);
     push(normal, pair.stiffness * (pair.reach - gap.distance));
-    add_outer(matrix, pair.stiffness, normal.slots(), normal.derivatives());
+    matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
     const double expected = forces_[active.pair];
     if (gap.inside() && gap.distance > 0.0) {
       const Row turning = turning_row(pair, gap, x);
-      add_outer(matrix, expected / gap.distance, turning.slots(), turning.derivatives());
+      matrix.add_outer(expected / gap.distance, turning.slots(), turning.derivatives());
     }
     if (is_moved_spot(pair.disc)) {  // a spot that swings about its centre
       const double swing = expected * dot(gap.normal, lever(pair.disc, x));
@@ -379,7 +288,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     friction.sticks = std::abs(pull) <= most;
     friction.force = std::clamp(pull, -most, most);
     push(friction.tangent, friction.force);
-    if (friction.sticks) add_outer(matrix, stiffness, friction.tangent.slots(), friction.tangent.derivatives());
+    if (friction.sticks) matrix.add_outer(stiffness, friction.tangent.slots(), friction.tangent.derivatives());
   }
 }
 
@@ -394,79 +303,6 @@ void Contacts::update(std::span<const Vec2> direction) {
     rub = frictions_[k].force;
     if (frictions_[k].sticks) rub -= friction_share * pair.stiffness * frictions_[k].tangent.along(direction);
     forces_[active_[k].pair] = pair.stiffness * std::max(0.0, depth);
-  }
-}
-
-double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most) {
-  place(x, false, from_);
-  place(to, led, to_);
-  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
-  double share = most;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (travelled_ + way >= clear_until_[k]) share = free_share(pairs_[k], nearest_share, share);
-  }
-  return share;
-}
-
-bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) {
-  place(from, false, from_);
-  place(x, false, to_);
-  for (std::size_t k = 0; k < spots_.size(); ++k) {
-    if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
-  }
-  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (travelled_ + way >= clear_until_[k] && free_share(pairs_[k], passing_share, 1.0) < 1.0) return false;
-  }
-  return true;
-}
-
-/// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.
-double Contacts::free_share(const ContactPair& pair, double share_of_reach, double most) const {
-  const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
-  const Vec2 disc = way(pair.disc);
-  const double speed = std::max(length(disc - way(pair.a)), length(disc - way(pair.b)));
-  if (speed == 0.0) return most;
-  const auto distance = [&](double share) {
-    const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
-    return gap_between(there(pair.disc), there(pair.a), there(pair.b)).distance;
-  };
-  double now = distance(0.0);
-  const double nearest = std::min(share_of_reach * pair.reach, approach_share * now);
-  double share = 0.0;
-  for (int k = 0; k < most_advances; ++k) {
-    if (now - nearest <= arrived_share * pair.reach && k > 0) break;
-    share += (now - nearest) / speed;
-    if (share >= most) return most;
-    now = distance(share);
-  }
-  return share;
-}
-
-void Contacts::aim(double time) {
-  for (Spot& spot : spots_) {
-    if (spot.center >= 0) continue;
-    spot.begun = spot.here;
-    spot.turned_goal = time * spot.turning;
-    spot.goal = spot.from + time * spot.velocity + times(rotation(spot.turned_goal), spot.arm);
-  }
-}
-
-void Contacts::place_led(double time) {
-  aim(time);
-  lead(1.0);
-}
-
-void Contacts::lead(double share) {
-  for (Spot& spot : spots_) {
-    if (spot.center >= 0) continue;
-    if (share == 1.0) {
-      spot.here = spot.goal;
-      spot.turned = spot.turned_goal;
-    } else {
-      spot.here += share * (spot.goal - spot.here);
-      spot.turned += share * (spot.turned_goal - spot.turned);
-    }
   }
 }
 
