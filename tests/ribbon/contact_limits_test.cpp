@@ -15,7 +15,6 @@ namespace {
 using std::numbers::pi;
 using test_support::ContactWorld;
 
-
 /// To the same side, whichever side of its links the wheel is on.
 TEST(CordContactLimits, ATurningCircleDragsItAlong) {
   for (const double friction : {0.0, 0.8}) {
