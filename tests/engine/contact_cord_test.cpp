@@ -660,8 +660,10 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
 TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Role role : {Role::touches, Role::drives}) {
-    for (const auto& [velocity, turning] :
-         {std::pair{b2Vec2{nan, 0.0F}, 0.0F}, {b2Vec2{1e30F, 0.0F}, 0.0F}, {b2Vec2{}, nan}, {b2Vec2{}, 1e30F}}) {
+    for (const auto& [velocity, turning] : {std::pair{b2Vec2{nan, 0.0F}, 0.0F},
+                                            {b2Vec2{1e30F, 0.0F}, 0.0F},
+                                            {b2Vec2{0.0F, 0.0F}, nan},
+                                            {b2Vec2{0.0F, 0.0F}, 1e30F}}) {
       const AfterBad after = after_bad(role, velocity, turning);
       EXPECT_TRUE(after.finite && after.alive) << velocity.x << " " << turning;
       EXPECT_EQ(after.unconverged, 0) << velocity.x << " " << turning;

@@ -154,9 +154,9 @@ TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
                                             {b2Vec2{inf, 0.0F}, 0.0F},
                                             {b2Vec2{0.0F, inf}, 0.0F},
                                             {b2Vec2{1e30F, 0.0F}, 0.0F},
-                                            {b2Vec2{}, nan},
-                                            {b2Vec2{}, inf},
-                                            {b2Vec2{}, 1e30F}}) {
+                                            {b2Vec2{0.0F, 0.0F}, nan},
+                                            {b2Vec2{0.0F, 0.0F}, inf},
+                                            {b2Vec2{0.0F, 0.0F}, 1e30F}}) {
       const AfterBad after = after_bad(role, velocity, turning);
       SCOPED_TRACE(testing::Message() << "role " << static_cast<int>(role) << ", velocity " << velocity.x << " "
                                       << velocity.y << ", turning " << turning);
