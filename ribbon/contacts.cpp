@@ -12,6 +12,9 @@ namespace {
 constexpr double friction_share = 0.1;  // of a contact's stiffness, that friction's anchor has
 constexpr double settled_share = 1e-3;
 constexpr double settled_depth = 1e-10;  // m, that rounding explains
+constexpr double kept_share = 0.25;      // of the reach, further off than which who pressed has let go
+constexpr double stuck_share = 0.99;     // of the limit, below which friction begins as it ended the last step: stuck
+constexpr int most_turns = 3;            // of who slides, before it is braked instead
 
 }  // namespace
 
@@ -68,8 +71,14 @@ void Contacts::begin(std::span<const Vec2> x) {
   turned_then_.resize(spots_.size());
   for (std::size_t k = 0; k < spots_.size(); ++k) turned_then_[k] = spots_[k].turned;
   forces_.resize(pairs_.size());
+  presses_.assign(pairs_.size(), 0.0);
   rubs_.assign(pairs_.size(), 0.0);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) forces_[k] = pairs_[k].touch.force;
+  holds_.assign(pairs_.size(), 0);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    forces_[k] = pairs_[k].touch.force;
+    const double pull = friction_share * pairs_[k].stiffness * std::abs(pairs_[k].touch.stuck);
+    holds_[k] = pull < stuck_share * pairs_[k].friction * forces_[k] ? 1 : 0;
+  }
   evaluate(x);
   first_ = touching_;
   hit_.assign(pairs_.size(), 0);
@@ -81,10 +90,26 @@ bool Contacts::evaluate(std::span<const Vec2> x) {
   return touched_ != touching_;
 }
 
+void Contacts::begin_stage() {
+  slid_.assign(pairs_.size(), 0.0);
+  turns_.assign(pairs_.size(), 0);
+}
+
+void Contacts::prepare(std::span<const Vec2> x, bool strict) {
+  if (strict) {
+    std::fill(holds_.begin(), holds_.end(), 0);
+    std::fill(slid_.begin(), slid_.end(), 0.0);
+  }
+  find_touching(x, strict ? 0.0 : kept_share);
+}
+
 bool Contacts::is_settled(std::span<const Vec2> x) {
-  if (evaluate(x)) return false;
+  evaluate(x);
   double sum = 0.0;
   double off = 0.0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (touching_[k] == 0) off = std::max(off, std::abs(presses_[k]));
+  }
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
     const double force = pair.stiffness * (pair.reach - active.gap.distance);
@@ -105,7 +130,7 @@ bool Contacts::change(std::span<const Vec2> x) {
 }
 
 /// Who was well apart where he was last looked at need not be looked at again until somebody has come half that way.
-void Contacts::find_touching(std::span<const Vec2> x) {
+void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   from_.swap(anchors_);
   place(x, false, anchors_);
   if (from_.size() != anchors_.size()) from_ = anchors_;
@@ -114,11 +139,12 @@ void Contacts::find_touching(std::span<const Vec2> x) {
   touching_.assign(pairs_.size(), 0);
   clear_until_.resize(pairs_.size(), 0.0);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (travelled_ < clear_until_[k]) continue;
+    const double off = forces_[k] > 0.0 ? kept * pairs_[k].reach : 0.0;
+    if (travelled_ + 0.5 * off < clear_until_[k]) continue;
     const ContactPair& pair = pairs_[k];
     const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
     clear_until_[k] = travelled_ + 0.5 * (gap.distance - pair.reach);
-    if (!(gap.distance < pair.reach) || !is_minimum(pair, gap)) continue;
+    if (!(gap.distance < pair.reach + off) || !is_minimum(pair, gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;
   }
@@ -285,24 +311,40 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     const double stiffness = friction_share * pair.stiffness;
     const double pull = -stiffness * stretch(active, friction.tangent, x);
     const double most = pair.friction * expected;
-    friction.sticks = std::abs(pull) <= most;
-    friction.force = std::clamp(pull, -most, most);
+    // Full steps from sliding one way to sliding the other, and back, would never end where it sticks. So who turns is
+    // taken to stick, and stays stuck as long as that solve says so; who still turns is braked by the secant of its
+    // force, as long a way to the solution as that may be.
+    const std::size_t k = active.pair;
+    const bool turns = slid_[k] * pull < 0.0;
+    if (turns) ++turns_[k];
+    const bool braked = turns_[k] > most_turns;
+    friction.sticks = std::abs(pull) <= most || (!braked && (turns || holds_[k] != 0));
+    friction.force = friction.sticks ? pull : std::clamp(pull, -most, most);
+    if (friction.sticks || braked) friction.stiffness = friction.sticks ? stiffness : stiffness * most / std::abs(pull);
     push(friction.tangent, friction.force);
-    if (friction.sticks) matrix.add_outer(stiffness, friction.tangent.slots(), friction.tangent.derivatives());
+    if (friction.stiffness > 0.0) {
+      matrix.add_outer(friction.stiffness, friction.tangent.slots(), friction.tangent.derivatives());
+    }
   }
 }
 
 void Contacts::update(std::span<const Vec2> direction) {
   if (!rebounds_.empty()) return;
+  std::fill(presses_.begin(), presses_.end(), 0.0);
   std::fill(forces_.begin(), forces_.end(), 0.0);
+  std::fill(holds_.begin(), holds_.end(), 0);
+  std::fill(slid_.begin(), slid_.end(), 0.0);
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const ContactPair& pair = pairs_[active_[k].pair];
     const double depth = pair.reach - active_[k].gap.distance - rows_[k].along(direction);
+    const std::size_t p = active_[k].pair;
+    const Friction& friction = frictions_[k];
+    presses_[p] = pair.stiffness * depth;
+    forces_[p] = std::max(0.0, presses_[p]);
     // What friction pulled with in this solve: where it sticks by the step, and else as much as it was let.
-    double& rub = rubs_[active_[k].pair];
-    rub = frictions_[k].force;
-    if (frictions_[k].sticks) rub -= friction_share * pair.stiffness * frictions_[k].tangent.along(direction);
-    forces_[active_[k].pair] = pair.stiffness * std::max(0.0, depth);
+    rubs_[p] = friction.force - friction.stiffness * friction.tangent.along(direction);
+    holds_[p] = friction.sticks && std::abs(rubs_[p]) <= pair.friction * forces_[p] ? 1 : 0;
+    slid_[p] = friction.sticks ? 0.0 : friction.force;
   }
 }
 

@@ -64,7 +64,13 @@ class Contacts {
   void begin(std::span<const Vec2> x);
   /// Finds out who touches at x, with the bodies' slots behind the points. True if others do than the last time.
   bool evaluate(std::span<const Vec2> x);
-  /// Whether at x the same touch as at the last linear solve, with the forces that it expected to a thousandth of all.
+  /// Begins a stage: nobody has slid yet.
+  void begin_stage();
+  /// Finds out the same for a linear solve, where who pressed in the last one and has come off by a little still
+  /// touches: along a curved way a step leaves what it should stay on, and without it the next would fly off. `strict`
+  /// takes contacts and friction as they are at x, for what they are expected to become may not lead downhill.
+  void prepare(std::span<const Vec2> x, bool strict);
+  /// Whether at x who touches presses as the last linear solve expected, to a thousandth of all forces.
   bool is_settled(std::span<const Vec2> x);
   /// Whether anybody touches, as evaluated last.
   bool any() const { return !active_.empty(); }
@@ -120,7 +126,7 @@ class Contacts {
       }
     }
   }
-  /// Adds forces and the positive semidefinite part of the Hessian, at x as evaluated last.
+  /// Adds forces and the positive semidefinite part of the Hessian, at x as prepared last.
   void load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force);
   /// After a linear solve: what the normal forces are by it.
   void update(std::span<const Vec2> direction);
@@ -140,7 +146,8 @@ class Contacts {
   /// Friction of one who touches, in a linear solve.
   struct Friction {
     Row tangent{};
-    double force = 0.0;  // N, along it
+    double force = 0.0;      // N, along it
+    double stiffness = 0.0;  // N/m, with which the solve lets it change
     bool sticks = false;
   };
   struct Active {
@@ -151,7 +158,7 @@ class Contacts {
   const Spot& spot(int anchor) const { return spots_[at(anchor) - points_]; }
   bool is_moved_spot(int anchor) const { return at(anchor) >= points_ && spot(anchor).center >= 0; }
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
-  void find_touching(std::span<const Vec2> x);
+  void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
   static double longest_way(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
@@ -173,19 +180,23 @@ class Contacts {
   // reach until that is clear_until_[k].
   double travelled_ = 0.0;
   std::vector<double> clear_until_;
-  std::vector<double> forces_;            // N, by pair, after the last linear solve
+  std::vector<double> presses_;           // N, by pair: normal force in the last linear solve, negative if it pulled
+  std::vector<double> forces_;            // N, by pair: the same, or 0
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve
   std::vector<char> touching_, touched_;  // by pair: as evaluated last, and before
   std::vector<Friction> frictions_;       // the same of friction
   std::vector<double> rubs_;              // N, by pair, friction in the last linear solve
-  std::vector<char> hit_;                 // in this substep
-  std::vector<double> impulses_;          // N·s, by pair, of this substep
-  std::vector<double> rebounds_;          // m, of those who touch, while they rebound
-  std::vector<char> first_;               // when the substep began
-  std::vector<double> turned_then_;       // by spot, when the substep began
-  std::vector<Vec2> anchors_, starts_;    // where they are, and were when the substep began
-  std::vector<Vec2> slots_then_;          // the slots when the substep began
-  std::vector<Vec2> from_, to_;           // of free_way
+  std::vector<char> holds_;               // by pair: it stuck in that, and can
+  std::vector<double> slid_;              // N, by pair: what it slid with in that, 0 if it stuck
+  std::vector<int> turns_;           // by pair: how often it has turned from sliding one way to the other in the stage
+  std::vector<char> hit_;            // in this substep
+  std::vector<double> impulses_;     // N·s, by pair, of this substep
+  std::vector<double> rebounds_;     // m, of those who touch, while they rebound
+  std::vector<char> first_;          // when the substep began
+  std::vector<double> turned_then_;  // by spot, when the substep began
+  std::vector<Vec2> anchors_, starts_;  // where they are, and were when the substep began
+  std::vector<Vec2> slots_then_;        // the slots when the substep began
+  std::vector<Vec2> from_, to_;         // of free_way
 };
 
 }  // namespace ribbon

@@ -22,6 +22,7 @@ constexpr double most_motion = 1e12;        // m, of a Newton step, beyond which
 /// Newton steps that go nowhere through anything, and down the stage's energy. They begin where the stage before ended
 /// and go as far towards the guess as they can; what drives the cord goes its way along with them.
 bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
+  contacts_.begin_stage();
   contacts_.aim(time);
   std::fill(most_tensions_.begin(), most_tensions_.end(), 0.0);
   values_.clear();
@@ -29,6 +30,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   std::copy(from.begin(), from.end(), positions_.begin());
   double left = 1.0;  // of the way of what drives
   go_led(left);
+  bool strict = false;
   for (int iteration = 0; iteration < touching_iterations; ++iteration) {
     ++report.iterations;
     if (left > 0.0) {
@@ -37,7 +39,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
       }
       go_led(left);
     }
-    contacts_.evaluate(positions_);
+    contacts_.prepare(positions_, strict);
     if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
@@ -50,9 +52,14 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
     const bool in_full = small && (iteration < patient_iterations || moved <= negligible_share * tolerance_);
     if (!in_full && !search(stage, free, iteration)) {
+      if (!strict) {
+        strict = true;
+        continue;
+      }
       // Nearer than the merit can tell, or nowhere.
       return small && left == 0.0 && ends_stage(from);
     }
+    strict = false;
     positions_.swap(trial_);
     tensions_.swap(next_);
     if (small && left == 0.0 && !slips_ && contacts_.is_settled(positions_)) return ends_stage(from);

@@ -139,6 +139,7 @@ bool Island::newton_step_alone(Stage& stage) {
     direction_[angle(k)] = {turning, 0.0};
     direction_[center(k)] = direction_[held_[k].point] - turning * held_steps_[k].u;
   }
+  contacts_.update(direction_);
   return true;
 }
 

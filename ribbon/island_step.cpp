@@ -82,12 +82,12 @@ bool Island::will_touch(double start, double dt) {
 }
 
 /// Implicit Euler, by halves where it does not converge. Of a stiff cord what the tolerance leaves open, times a
-/// tension, can be energy too: then all of it again to a hundredth of the tolerance.
+/// tension, can be energy too: then all of it again to a hundredth of the tolerance, in the end by halves.
 bool Island::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
   const double tolerance = tolerance_;
   bool converged = false;
   for (int k = 0;; ++k) {
-    converged = implicit_euler(start, dt, report);
+    converged = k != sharper_tries && implicit_euler(start, dt, report);
     if (!converged) {
       return_to_start();
       ++report.halvings;
