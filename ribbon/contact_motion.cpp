@@ -10,6 +10,7 @@
 namespace ribbon {
 namespace {
 
+constexpr double kept_share = 0.25;      // of the reach, that who is watched is at least
 constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobody comes in a move
 constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
 constexpr double approach_share = 0.98;  // of the distance, if that is less already
@@ -18,20 +19,40 @@ constexpr int most_advances = 32;
 
 }  // namespace
 
-double Contacts::longest_way(std::span<const Vec2> from, std::span<const Vec2> to) {
-  double most2 = 0.0;
-  for (std::size_t k = 0; k < to.size(); ++k) most2 = std::max(most2, dot(to[k] - from[k], to[k] - from[k]));
-  return std::sqrt(most2);
+/// Finds the pairs that may touch on the way, if it leaves what those known are good for; and on as long a way again,
+/// for Newton steps get shorter.
+void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
+  const bool first = watched_from_.size() != from.size();
+  if (!first && is_watched(from) && is_watched(to)) return;
+  slacks_.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double last = first ? 0.0 : std::min(length(from[i] - watched_from_[i]), slacks_[i]);
+    slacks_[i] = std::max(least_slack_, 2.0 * std::max(length(to[i] - from[i]), last));
+  }
+  watched_from_.assign(from.begin(), from.end());
+  near_.clear();
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const ContactPair& pair = pairs_[k];
+    const Gap gap = gap_between(from[at(pair.disc)], from[at(pair.a)], from[at(pair.b)]);
+    const double slack = slacks_[at(pair.disc)] + std::max(slacks_[at(pair.a)], slacks_[at(pair.b)]);
+    if (gap.distance - (1.0 + kept_share) * pair.reach <= slack) near_.push_back(k);
+  }
+}
+
+bool Contacts::is_watched(std::span<const Vec2> anchors) const {
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    const Vec2 way = anchors[i] - watched_from_[i];
+    if (!(dot(way, way) <= slacks_[i] * slacks_[i])) return false;
+  }
+  return true;
 }
 
 double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most) {
   place(x, false, from_);
   place(to, led, to_);
-  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
+  watch(from_, to_);
   double share = most;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (travelled_ + way >= clear_until_[k]) share = free_share(pairs_[k], nearest_share, share);
-  }
+  for (const std::size_t k : near_) share = free_share(pairs_[k], nearest_share, share);
   return share;
 }
 
@@ -41,11 +62,9 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   for (std::size_t k = 0; k < spots_.size(); ++k) {
     if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
   }
-  const double way = longest_way(anchors_, from_) + longest_way(from_, to_);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (travelled_ + way >= clear_until_[k] && free_share(pairs_[k], passing_share, 1.0) < 1.0) return false;
-  }
-  return true;
+  watch(from_, to_);
+  return std::all_of(near_.begin(), near_.end(),
+                     [this](std::size_t k) { return free_share(pairs_[k], passing_share, 1.0) == 1.0; });
 }
 
 /// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.

@@ -13,6 +13,8 @@ constexpr double friction_share = 0.1;  // of a contact's stiffness, that fricti
 constexpr double settled_share = 1e-3;
 constexpr double settled_depth = 1e-10;  // m, that rounding explains
 constexpr double kept_share = 0.25;      // of the reach, further off than which who pressed has let go
+constexpr double slack_share = 0.1;
+constexpr double shallow_share = 0.01;
 constexpr double stuck_share = 0.99;     // of the limit, below which friction begins as it ended the last step: stuck
 constexpr int most_turns = 3;            // of who slides, before it is braked instead
 
@@ -35,9 +37,8 @@ double Contacts::Row::along(std::span<const Vec2> step) const {
 }
 
 void Contacts::clear(std::size_t points) {
-  travelled_ = 0.0;
-  clear_until_.clear();
-  anchors_.clear();
+  watched_from_.clear();
+  least_slack_ = 0.0;
   points_ = points;
   spots_.clear();
   pairs_.clear();
@@ -48,6 +49,12 @@ void Contacts::clear(std::size_t points) {
 int Contacts::add(const Spot& spot) {
   spots_.push_back(spot);
   return static_cast<int>(points_ + spots_.size()) - 1;
+}
+
+void Contacts::add(const ContactPair& pair) {
+  const double slack = slack_share * pair.reach;
+  if (pairs_.empty() || slack < least_slack_) least_slack_ = slack;
+  pairs_.push_back(pair);
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -103,25 +110,36 @@ void Contacts::prepare(std::span<const Vec2> x, bool strict) {
   find_touching(x, strict ? 0.0 : kept_share);
 }
 
-bool Contacts::is_settled(std::span<const Vec2> x) {
+bool Contacts::is_settled(std::span<const Vec2> x, double tolerated) {
   evaluate(x);
   double sum = 0.0;
   double off = 0.0;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (touching_[k] == 0) off = std::max(off, std::abs(presses_[k]));
+  double off_depth = 0.0;
+  const auto take = [&](const ContactPair& pair, double difference) {
+    off = std::max(off, std::abs(difference));
+    off_depth = std::max(off_depth, std::abs(difference) / pair.stiffness);
+  };
+  for (const std::size_t k : near_) {
+    if (touching_[k] == 0) take(pairs_[k], presses_[k]);
   }
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
     const double force = pair.stiffness * (pair.reach - active.gap.distance);
     sum += force + settled_depth * pair.stiffness / settled_share;
-    off = std::max(off, std::abs(force - forces_[active.pair]));
+    take(pair, force - forces_[active.pair]);
     if (pair.friction == 0.0) continue;
     const double most = pair.friction * force;
     const double slid = stretch(active, tangent_row(pair, active.gap, x), x);
     const double rub = std::clamp(-friction_share * pair.stiffness * slid, -most, most);
-    off = std::max(off, std::abs(rub - rubs_[active.pair]));
+    take(pair, rub - rubs_[active.pair]);
   }
-  return off <= settled_share * sum;
+  return off <= settled_share * sum || off_depth <= tolerated / firmness;
+}
+
+bool Contacts::are_shallow() const {
+  return std::all_of(active_.begin(), active_.end(), [this](const Active& active) {
+    return active.gap.distance > (1.0 - shallow_share) * pairs_[active.pair].reach;
+  });
 }
 
 bool Contacts::change(std::span<const Vec2> x) {
@@ -129,21 +147,15 @@ bool Contacts::change(std::span<const Vec2> x) {
   return changed();
 }
 
-/// Who was well apart where he was last looked at need not be looked at again until somebody has come half that way.
 void Contacts::find_touching(std::span<const Vec2> x, double kept) {
-  from_.swap(anchors_);
   place(x, false, anchors_);
-  if (from_.size() != anchors_.size()) from_ = anchors_;
-  travelled_ += longest_way(from_, anchors_);
+  watch(anchors_, anchors_);
   active_.clear();
   touching_.assign(pairs_.size(), 0);
-  clear_until_.resize(pairs_.size(), 0.0);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const double off = forces_[k] > 0.0 ? kept * pairs_[k].reach : 0.0;
-    if (travelled_ + 0.5 * off < clear_until_[k]) continue;
+  for (const std::size_t k : near_) {
     const ContactPair& pair = pairs_[k];
+    const double off = forces_[k] > 0.0 ? kept * pair.reach : 0.0;
     const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
-    clear_until_[k] = travelled_ + 0.5 * (gap.distance - pair.reach);
     if (!(gap.distance < pair.reach + off) || !is_minimum(pair, gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;

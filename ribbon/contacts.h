@@ -52,10 +52,14 @@ struct ContactPair {
 /// its segments end there.
 class Contacts {
  public:
+  /// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as its
+  /// own way in a step is divided by that.
+  static constexpr double firmness = 2e3;
+
   /// Forgets all pairs and spots; points are the anchors before the spots.
   void clear(std::size_t points);
   int add(const Spot& spot);
-  void add(const ContactPair& pair) { pairs_.push_back(pair); }
+  void add(const ContactPair& pair);
   bool empty() const { return pairs_.empty(); }
   std::span<ContactPair> pairs() { return pairs_; }
   std::span<const Spot> spots() const { return spots_; }
@@ -70,8 +74,11 @@ class Contacts {
   /// touches: along a curved way a step leaves what it should stay on, and without it the next would fly off. `strict`
   /// takes contacts and friction as they are at x, for what they are expected to become may not lead downhill.
   void prepare(std::span<const Vec2> x, bool strict);
-  /// Whether at x who touches presses as the last linear solve expected, to a thousandth of all forces.
-  bool is_settled(std::span<const Vec2> x);
+  /// Whether at x who touches presses as the last linear solve expected, to a thousandth of all forces, or so that it
+  /// moves what presses by no more than `tolerated` [m] in a step.
+  bool is_settled(std::span<const Vec2> x, double tolerated);
+  /// Whether nobody touches deeper than a hundredth of his reach, as evaluated last.
+  bool are_shallow() const;
   /// Whether anybody touches, as evaluated last.
   bool any() const { return !active_.empty(); }
   /// Whether others touch at x than when the substep began.
@@ -159,7 +166,8 @@ class Contacts {
   bool is_moved_spot(int anchor) const { return at(anchor) >= points_ && spot(anchor).center >= 0; }
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
   void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
-  static double longest_way(std::span<const Vec2> from, std::span<const Vec2> to);
+  void watch(std::span<const Vec2> from, std::span<const Vec2> to);
+  bool is_watched(std::span<const Vec2> anchors) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
@@ -176,10 +184,11 @@ class Contacts {
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;
   std::vector<Active> active_;
-  // No anchor has gone further than travelled_ [m] since the first was placed, and pair k cannot be nearer than its
-  // reach until that is clear_until_[k].
-  double travelled_ = 0.0;
-  std::vector<double> clear_until_;
+  // Only these pairs may touch while no anchor is further than its slack [m] from where it was when they were found.
+  std::vector<std::size_t> near_;
+  std::vector<Vec2> watched_from_;
+  std::vector<double> slacks_;
+  double least_slack_ = 0.0;  // m
   std::vector<double> presses_;           // N, by pair: normal force in the last linear solve, negative if it pulled
   std::vector<double> forces_;            // N, by pair: the same, or 0
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve

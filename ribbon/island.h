@@ -161,7 +161,7 @@ class Island {
   bool is_angle(std::size_t slot) const { return slot >= count_ && (slot - count_) % 2 == 1; }
   Vec2 mean(std::span<const Vec2> x) const;
   double spin(std::span<const Vec2> x, std::span<const Vec2> v, double& inertia) const;
-  bool search(const Stage& stage, double share, int iteration);
+  double search(const Stage& stage, double share, int iteration);
   double merit(const Stage& stage, std::span<const Vec2> x);
 
   // Who is solved, and with what.

@@ -14,6 +14,8 @@ constexpr int patient_iterations = 10;
 constexpr double negligible_share = 1e-3;
 constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a rebound may gain
 constexpr double penalty_factor = 2.0;      // by which the exact penalty of a search is above the tensions
+constexpr double crawling_share = 0.1;      // of a step, less of which says that its contacts are not as expected
+constexpr int enough_fulls = 8;
 constexpr double shortest_step = 1e-6;      // of a Newton step, below which a search gives up
 constexpr double most_motion = 1e12;        // m, of a Newton step, beyond which it is none
 
@@ -31,6 +33,10 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   double left = 1.0;  // of the way of what drives
   go_led(left);
   bool strict = false;
+  // What is of first order need not have its forces more exact than its motion.
+  const bool rough = accuracy_.integrator == Integrator::implicit_euler;
+  const double tolerated = rough ? tolerance_ : 0.0;
+  int fulls = 0;
   for (int iteration = 0; iteration < touching_iterations; ++iteration) {
     ++report.iterations;
     if (left > 0.0) {
@@ -50,8 +56,10 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     const double free = contacts_.free_way(positions_, trial_, false, 1.0);
     const bool small = moved <= tolerance_ && free == 1.0;
     // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
-    const bool in_full = small && (iteration < patient_iterations || moved <= negligible_share * tolerance_);
-    if (!in_full && !search(stage, free, iteration)) {
+    const bool in_full = small && (rough || iteration < patient_iterations || moved <= negligible_share * tolerance_);
+    if (in_full) ++fulls;
+    const double share = in_full ? 1.0 : search(stage, free, iteration);
+    if (share == 0.0) {
       if (!strict) {
         strict = true;
         continue;
@@ -59,10 +67,13 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
       // Nearer than the merit can tell, or nowhere.
       return small && left == 0.0 && ends_stage(from);
     }
-    strict = false;
+    strict = !strict && share < crawling_share * free;
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (small && left == 0.0 && !slips_ && contacts_.is_settled(positions_)) return ends_stage(from);
+    if (!small || left > 0.0 || slips_) continue;
+    if (contacts_.is_settled(positions_, tolerated) || (rough && fulls >= enough_fulls && contacts_.are_shallow())) {
+      return ends_stage(from);
+    }
   }
   return false;
 }
@@ -117,8 +128,9 @@ void Island::go_led(double& left) {
 }
 
 /// The first of share, share/2, … of the direction that takes the merit below one of the last few, for one that only
-/// falls cuts steps along curved ways short (Grippo, Lampariello & Lucidi 1986); in the end only one that falls.
-bool Island::search(const Stage& stage, double share, int iteration) {
+/// falls cuts steps along curved ways short (Grippo, Lampariello & Lucidi 1986); in the end only one that falls. 0 if
+/// none does.
+double Island::search(const Stage& stage, double share, int iteration) {
   values_.push_back(merit(stage, positions_));
   {
     while (values_.size() > (iteration > patient_iterations ? 1U : remembered_values)) values_.erase(values_.begin());
@@ -127,9 +139,9 @@ bool Island::search(const Stage& stage, double share, int iteration) {
   for (; share >= shortest_step; share *= 0.5) {
     move(trial_, share);
     close_arms(trial_);
-    if (merit(stage, trial_) < most) return true;
+    if (merit(stage, trial_) < most) return share;
   }
-  return false;
+  return 0.0;
 }
 
 }  // namespace ribbon

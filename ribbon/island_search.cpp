@@ -9,9 +9,6 @@
 namespace ribbon {
 namespace {
 
-// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as its
-// own way in a step is divided by that.
-constexpr double firmness = 2e3;
 // Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
 constexpr double own_neighbourhood = 3.0;
 
@@ -155,7 +152,7 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
 /// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
-  pair.stiffness = firmness * mass / (step_dt_ * step_dt_);
+  pair.stiffness = Contacts::firmness * mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
   const auto& touches = member.cord->touches_;
