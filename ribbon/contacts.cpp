@@ -15,8 +15,8 @@ constexpr double settled_depth = 1e-10;  // m, that rounding explains
 constexpr double kept_share = 0.25;      // of the reach, further off than which who pressed has let go
 constexpr double slack_share = 0.1;
 constexpr double shallow_share = 0.01;
-constexpr double stuck_share = 0.99;     // of the limit, below which friction begins as it ended the last step: stuck
-constexpr int most_turns = 3;            // of who slides, before it is braked instead
+constexpr double stuck_share = 0.99;  // of the limit, below which friction begins as it ended the last step: stuck
+constexpr int most_turns = 3;         // of who slides, before it is braked instead
 
 }  // namespace
 

@@ -52,8 +52,8 @@ struct ContactPair {
 /// its segments end there.
 class Contacts {
  public:
-  /// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as its
-  /// own way in a step is divided by that.
+  /// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as
+  /// its own way in a step is divided by that.
   static constexpr double firmness = 2e3;
 
   /// Forgets all pairs and spots; points are the anchors before the spots.
@@ -188,7 +188,7 @@ class Contacts {
   std::vector<std::size_t> near_;
   std::vector<Vec2> watched_from_;
   std::vector<double> slacks_;
-  double least_slack_ = 0.0;  // m
+  double least_slack_ = 0.0;              // m
   std::vector<double> presses_;           // N, by pair: normal force in the last linear solve, negative if it pulled
   std::vector<double> forces_;            // N, by pair: the same, or 0
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve

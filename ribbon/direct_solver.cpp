@@ -8,9 +8,13 @@ namespace ribbon {
 void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
                         std::span<CordReport> reports) {
   reaches_.clear();
+  links_.clear();
+  first_links_.clear();
   for (const IslandCord& cord : cords) {
-    reaches_.push_back(cord.cord->def().cord_contact ? reach_of(*cord.cord, dt, gravity) : Box{});
+    first_links_.push_back(links_.size());
+    reaches_.push_back(cord.cord->def().cord_contact ? take_reach(*cord.cord, dt, gravity) : Box{});
   }
+  first_links_.push_back(links_.size());
   find_islands(cords, bodies);
   for (std::size_t first = 0; first < cords.size(); ++first) {
     if (root(first) != first) continue;
@@ -37,27 +41,49 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
   for (std::size_t b = 0; b < cords.size(); ++b) {
     if (!cords[b].cord->def().cord_contact) continue;
     for (std::size_t a = 0; a < b; ++a) {
-      if (cords[a].cord->def().cord_contact && overlap(reaches_[a], reaches_[b])) join(a, b);
+      if (!cords[a].cord->def().cord_contact || !overlap(reaches_[a], reaches_[b])) continue;
+      if (root(a) != root(b) && links_meet(a, b)) join(a, b);
     }
   }
 }
 
-/// The box that a cord does not leave in the step unless something hits it.
-Box DirectSolver::reach_of(const Cord& cord, double dt, Vec2 gravity) {
-  Box box{cord.positions()[0], cord.positions()[0]};
-  const auto take = [&box](Vec2 x) {
-    box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
-    box.high = {std::max(box.high.x, x.x), std::max(box.high.y, x.y)};
-  };
+/// The box that a cord does not leave in the step unless something hits it, and those of its links.
+Box DirectSolver::take_reach(const Cord& cord, double dt, Vec2 gravity) {
+  const auto x = cord.positions();
+  const auto v = cord.velocities();
   double speed2 = 0.0;
-  for (std::size_t p = 0; p < cord.positions().size(); ++p) {
-    take(cord.positions()[p]);
-    take(cord.positions()[p] + dt * cord.velocities()[p]);
-    speed2 = std::max(speed2, dot(cord.velocities()[p], cord.velocities()[p]));
-  }
+  for (const Vec2 u : v) speed2 = std::max(speed2, dot(u, u));
+  const double fall = 2.0 * dt * dt * length(gravity);
   const double margin =
-      cord.def().radius + 0.25 * cord.rest_length(0) + dt * (std::sqrt(speed2) + 2.0 * dt * length(gravity));
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+      cord.def().radius + 0.25 * cord.rest_length(0) + fall + Island::turned_share * dt * std::sqrt(speed2);
+  const auto take = [](Box& box, Vec2 p) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  };
+  const auto rows = static_cast<std::size_t>(cord.def().rows);
+  Box all{x[0], x[0]};
+  for (std::size_t column = 0; column + rows < x.size(); column += rows) {
+    Box box{x[column], x[column]};
+    for (std::size_t p = column; p < column + 2 * rows; ++p) {
+      take(box, x[p]);
+      take(box, x[p] + dt * v[p]);
+    }
+    take(all, box.low);
+    take(all, box.high);
+    links_.push_back({box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}});
+  }
+  return {all.low - Vec2{margin, margin}, all.high + Vec2{margin, margin}};
+}
+
+/// Whether a link of the one may come near one of the other.
+bool DirectSolver::links_meet(std::size_t a, std::size_t b) const {
+  for (std::size_t i = first_links_[a]; i < first_links_[a + 1]; ++i) {
+    if (!overlap(links_[i], reaches_[b])) continue;
+    for (std::size_t j = first_links_[b]; j < first_links_[b + 1]; ++j) {
+      if (overlap(links_[i], links_[j])) return true;
+    }
+  }
+  return false;
 }
 
 /// A body that nothing pushes passes nothing on.

@@ -19,13 +19,16 @@ class DirectSolver {
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void share(std::size_t cord, int body, std::span<const RigidBody> bodies);
-  static Box reach_of(const Cord& cord, double dt, Vec2 gravity);
+  Box take_reach(const Cord& cord, double dt, Vec2 gravity);
+  bool links_meet(std::size_t a, std::size_t b) const;
   std::size_t root(std::size_t cord) const;
   void join(std::size_t a, std::size_t b);
 
   std::vector<std::size_t> parents_;  // by cord: another of its island, or itself
   std::vector<Box> reaches_;          // by cord, of those that meet others
-  std::vector<int> first_cords_;      // by body: the first cord that it is near, −1 if none
+  std::vector<Box> links_;            // of their links; and the first of each cord's, and the end of the last's
+  std::vector<std::size_t> first_links_;
+  std::vector<int> first_cords_;  // by body: the first cord that it is near, −1 if none
   std::vector<IslandCord> members_;
   Island island_;
 };

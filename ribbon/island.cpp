@@ -16,8 +16,6 @@ constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that 
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
 constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
-constexpr double wider_room = 8.0;        // times the room, in which contacts were looked for, if it was left
-constexpr double most_room = 500.0;
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
   return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator, std::max(a.substeps, b.substeps),
@@ -32,18 +30,19 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   step_dt_ = dt;
   rigid_ = bodies;
   CordReport report;
-  for (double room = 1.0;; room *= wider_room) {
-    begin_step(cords, dt, room);
+  widenings_.assign(cords.size(), 1.0);
+  for (;;) {
+    begin_step(cords, dt);
     const double substep_dt = dt / accuracy_.substeps;
     for (int n = 0; n < accuracy_.substeps; ++n) substep(n * substep_dt, substep_dt, report);
-    if (room > most_room || !left_room()) break;
+    if (!widen()) break;
     unwind();
   }
   finish_step(dt, report);
   return report;
 }
 
-void Island::begin_step(std::span<const IslandCord> cords, double dt, double room) {
+void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   driven_ = winding_ = unlocking_ = restart_ = false;
   ledger_ = 0.0;
   members_.clear();
@@ -75,7 +74,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt, double roo
               tensions_.begin() + static_cast<std::ptrdiff_t>(member.first_tension));
     unlocking_ = member.cord->elasticity_->unlock(member.cord->positions_) || unlocking_;
   }
-  find_contacts(dt, room);
+  find_contacts(dt);
   set_sizes(count_ + 2 * bodies_.size(), tensions + 2 * held_.size());
   place_bodies();
   for (const Member& member : members_) remember_bodies(member);
@@ -124,6 +123,7 @@ void Island::reserve(const Cord& cord, std::size_t grips) {
   held_steps_.reserve(grips);
   carried_.reserve(grips);
   members_.reserve(1);
+  widenings_.reserve(1);
   set_sizes(slots, cord.tensions_.size() + 2 * grips);
 }
 

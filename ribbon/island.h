@@ -26,6 +26,9 @@ struct IslandCord {
 /// keeps memory only, nothing of one step is needed in the next.
 class Island {
  public:
+  /// Of its own way, that something may be turned aside in a step before that is taken again.
+  static constexpr double turned_share = 0.3;
+
   /// Advances the cords by dt seconds. All of them meet the same `bodies`.
   CordReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity);
 
@@ -45,6 +48,7 @@ class Island {
     std::size_t last_hold;
     std::uint64_t id;
     double mass = 0.0;  // kg, of the cord and what hangs on it
+    double room = 0.0;  // m, how far from its straight way a point of it may go in a step
   };
   struct OutlineLink {
     std::size_t member;
@@ -67,7 +71,7 @@ class Island {
   }
   void set_sizes(std::size_t slots, std::size_t tensions);
 
-  void begin_step(std::span<const IslandCord> cords, double dt, double room);
+  void begin_step(std::span<const IslandCord> cords, double dt);
   void add_member(const IslandCord& cord);
   void take_over(const Member& member);
   void find_tolerance();
@@ -87,7 +91,8 @@ class Island {
   void finish_member(const Member& member);
   void remember_contacts(const Member& member);
 
-  void find_contacts(double dt, double room);
+  void find_contacts(double dt);
+  double room_of(const Member& member) const;
   static bool may_touch(const Member& member);
   void find_reach(const Member& member);
   static bool holds(const Member& member, int body);
@@ -105,7 +110,7 @@ class Island {
   Vec2 mean_way() const;
   void meet_link(const Member& member, int k, const OutlineLink& link);
   static bool are_neighbours(const CordDef& def, int k, int link);
-  bool left_room() const;
+  bool widen();
   void let_go(double dt);
   void damp_deformation(const Member& member);
 
@@ -193,8 +198,9 @@ class Island {
   bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
-  double begin_ = 0.0;  // s, of the substep
-  double room_ = 0.0;   // m, how far from its straight way anything may go in a step
+  double begin_ = 0.0;             // s, of the substep
+  std::vector<double> widenings_;  // by member: of the room in which its contacts are looked for
+  double body_room_ = 0.0;         // m, how far from its straight way a body may go in a step
   Energy energy_after_;
   double weight_scale_ = 0.0;  // J, M·g·L
   std::vector<HeldStep> held_steps_;

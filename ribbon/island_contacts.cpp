@@ -16,8 +16,8 @@ constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a reb
 constexpr double penalty_factor = 2.0;      // by which the exact penalty of a search is above the tensions
 constexpr double crawling_share = 0.1;      // of a step, less of which says that its contacts are not as expected
 constexpr int enough_fulls = 8;
-constexpr double shortest_step = 1e-6;      // of a Newton step, below which a search gives up
-constexpr double most_motion = 1e12;        // m, of a Newton step, beyond which it is none
+constexpr double shortest_step = 1e-6;  // of a Newton step, below which a search gives up
+constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
 
 }  // namespace
 

@@ -12,6 +12,8 @@ namespace {
 // Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
 constexpr double own_neighbourhood = 3.0;
 
+constexpr double widening = 8.0;  // of the room of what left it
+constexpr double most_widening = 500.0;
 constexpr double deep_share = 0.01;     // of the reach, deeper than which a contact is not by pressing,
 constexpr double emerging_share = 0.1;  // and how much of that depth it comes out of in a step
 
@@ -29,10 +31,9 @@ Box widened(const Box& box, double margin) { return {box.low - Vec2{margin, marg
 
 }  // namespace
 
-/// Everything is expected to go straight on in the step, and to fall, and to leave that way by no more than its room: a
-/// quarter of a link and a fall, and where there is something to rebound from its own way once more. Where something
-/// does, the step is taken again with more.
-void Island::find_contacts(double dt, double room) {
+/// Everything is expected to go straight on in the step, and to fall, and to leave that way by no more than its room.
+/// Where something does, the step is taken again with more.
+void Island::find_contacts(double dt) {
   contacts_.clear(count_);
   has_pattern_ = false;
   touch_changed_ = false;
@@ -41,16 +42,15 @@ void Island::find_contacts(double dt, double room) {
   meets_ = any;
   if (!any) return;
   ends_.resize(count_);
-  double speed2 = 0.0;
-  double link = 0.0;
   for (std::size_t p = 0; p < count_; ++p) {
     ends_[p] = positions_[p] + dt * velocities_[p];
     if (constrained_[p] == 0) ends_[p] += (dt * dt) * gravity_;
-    speed2 = std::max(speed2, dot(velocities_[p], velocities_[p]));
   }
-  for (const RigidBody& body : rigid_) speed2 = std::max(speed2, dot(body.velocity, body.velocity));
-  for (const Member& member : members_) link = std::max(link, member.cord->rest_[0]);
-  room_ = room * (0.25 * link + 2.0 * dt * dt * length(gravity_) + dt * std::sqrt(speed2));
+  body_room_ = 0.0;
+  for (Member& member : members_) {
+    member.room = room_of(member);
+    body_room_ = std::max(body_room_, member.room);
+  }
   for (const Member& member : members_) {
     find_reach(member);
     for (const RigidCircle& circle : member.met.circles) {
@@ -62,6 +62,23 @@ void Island::find_contacts(double dt, double room) {
     touch_changed_ = touch_changed_ || member.cord->touch_changed_;
   }
   meet_each_other();
+}
+
+/// A quarter of a link, a fall, part of its own way, and all of that of what may push it.
+double Island::room_of(const Member& member) const {
+  double own2 = 0.0;
+  double other2 = 0.0;
+  for (const Vec2 v : std::span(velocities_).subspan(member.first, member.count)) own2 = std::max(own2, dot(v, v));
+  const auto take = [&](int body) {
+    const Vec2 v = rigid_[at(body)].velocity;
+    other2 = std::max(other2, dot(v, v));
+  };
+  for (const RigidCircle& circle : member.met.circles) take(circle.body);
+  for (const RigidSegment& segment : member.met.segments) take(segment.body);
+  const double turned = step_dt_ * (turned_share * std::sqrt(own2) + std::sqrt(other2));
+  const double fall = 2.0 * step_dt_ * step_dt_ * length(gravity_);
+  const auto index = static_cast<std::size_t>(&member - members_.data());
+  return widenings_[index] * (0.25 * member.cord->rest_[0] + fall + turned);
 }
 
 bool Island::may_touch(const Member& member) {
@@ -83,7 +100,7 @@ void Island::find_reach(const Member& member) {
     const std::size_t p = member.first + at(point);
     reach_ = joined(reach_, box_around(positions_[p], ends_[p], 0.0));
   }
-  reach_ = widened(reach_, room_);
+  reach_ = widened(reach_, member.room);
 }
 
 /// The box in which a link of the outline stays, but for the room.
@@ -97,7 +114,7 @@ Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
   const Vec2 here = body.position + arm;
   const Vec2 there = here + step_dt_ * (body.velocity + body.angular_velocity * perp(arm));
   const double turned = step_dt_ * body.angular_velocity;
-  return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? room_ : 0.0));
+  return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_room_ : 0.0));
 }
 
 int Island::add_spot(int body, Vec2 arm) {
@@ -177,7 +194,7 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   const double reach = circle.radius + member.cord->def_.radius;
   const Box box = widened(spot_box(body, circle.offset), reach);
   if (!overlap(box, reach_)) return;
-  const Box near = widened(box, room_);
+  const Box near = widened(box, member.room);
   const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
   int disc = -1;
   for (int k = 0; k < links(*member.cord); ++k) {
@@ -200,7 +217,7 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
   const double reach = segment.radius + cord.def_.radius;
   const Box box = widened(joined(spot_box(body, segment.a), spot_box(body, segment.b)), reach);
   if (!overlap(box, reach_)) return;
-  const Box near = widened(box, room_);
+  const Box near = widened(box, member.room);
   const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
   int a = -1;
   int b = -1;
@@ -238,7 +255,7 @@ void Island::meet_each_other() {
       const std::size_t b = at(link.b);
       const Box box =
           joined(box_around(positions_[a], ends_[a] - drift, 0.0), box_around(positions_[b], ends_[b] - drift, 0.0));
-      link_boxes_.push_back(widened(box, def.radius + room_));
+      link_boxes_.push_back(widened(box, def.radius + members_[m].room));
       outline_links_.push_back({m, k});
     }
   }
@@ -253,7 +270,7 @@ void Island::meet_each_other() {
     if (!cord.def_.self_contact && !cord.def_.cord_contact) continue;
     for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
       const std::size_t p = member.first + at(cord.outline_[at(k)]);
-      const Box box = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + room_);
+      const Box box = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + member.room);
       tree_->query(box, [&](int item) { meet_link(member, k, outline_links_[at(item)]); });
     }
   }
@@ -307,17 +324,27 @@ bool Island::are_neighbours(const CordDef& def, int k, int link) {
   return gap.distance < own_neighbourhood * def.radius;
 }
 
-bool Island::left_room() const {
+/// Gives who left his room in the step more of it. False if that was nobody, or he has all there is.
+bool Island::widen() {
   if (!meets_) return false;
-  for (std::size_t p = 0; p < count_; ++p) {
-    if (!(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= room_)) return true;
-  }
+  bool body_left = false;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];
     const Vec2 end = body.position + step_dt_ * body.velocity;
-    if (!(gap_between(positions_[center(k)], body.position, end).distance <= room_)) return true;
+    body_left = body_left || !(gap_between(positions_[center(k)], body.position, end).distance <= body_room_);
   }
-  return false;
+  bool any = false;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const Member& member = members_[m];
+    bool left = body_left;
+    for (std::size_t p = member.first; p < member.first + member.count && !left; ++p) {
+      left = !(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= member.room);
+    }
+    if (!left || widenings_[m] > most_widening) continue;
+    widenings_[m] *= widening;
+    any = true;
+  }
+  return any;
 }
 
 /// What touches at the end of the step, or did in it.
