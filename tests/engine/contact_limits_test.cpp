@@ -12,7 +12,9 @@
 #include "engine/convert.h"
 #include "engine/coupling.h"
 #include "tests/support/allocations.h"
+#include "tests/support/contact_scenes.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/coupled_world.h"
 
 // What contact of the direct solver does not hold yet, through Box2D.
 
@@ -229,6 +231,24 @@ TEST(ContactCordLimits, ASnappingStringDoesNotGoThroughAPeg) {
       if (a.y + (b.y - a.y) * (peg.x - a.x) / (b.x - a.x) > peg.y) below = !below;
     }
     ASSERT_TRUE(below) << k;
+  }
+}
+
+/// Newton's steps once went back and forth between sliding one way and the other: 17 of them a stage, and halves.
+TEST(ContactCordLimits, FrictionTakesFewNewtonSteps) {
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    test_support::CordMethod method;
+    method.accuracy = accuracy;
+    test_support::CoupledWorld world(method);
+    test_support::lay_over_circles(world, 0.5);
+    ribbon::CordReport total;
+    for (int k = 0; k < 600; ++k) {
+      world.tick();
+      total += world.coupling.direct_report(0);
+    }
+    EXPECT_LE(total.iterations, 4 * total.stages);
+    EXPECT_EQ(total.halvings, 0);
+    EXPECT_EQ(total.unconverged, 0);
   }
 }
 
