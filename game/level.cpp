@@ -58,9 +58,13 @@ Level load_level(const std::string& name) {
     throw engine::MapError("no level " + engine::in_quotes(name) + " at " + engine::in_quotes(path) +
                            "; accepted is a .tmj file" + (accepted.empty() ? "" : ", or " + accepted));
   }
+  return level_of(engine::load_tiled_map(path));
+}
+
+Level level_of(engine::TiledMap map) {
   Level level;
-  level.name = std::filesystem::path(path).stem().string();
-  level.map = engine::load_tiled_map(path);
+  level.name = std::filesystem::path(map.file).stem().string();
+  level.map = std::move(map);
   const MapObject& player = only_object(level.map, "player", engine::MapShape::point, {"mass"});
   level.player_start = player.position;
   level.player_mass = player.properties.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4});

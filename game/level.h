@@ -30,6 +30,9 @@ std::string assets_folder();
 /// rectangle), or if the scene cannot be built.
 Level load_level(const std::string& name);
 
+/// The level that a map is. Throws as load_level does.
+Level level_of(engine::TiledMap map);
+
 /// The names of the levels in the assets folder, sorted.
 std::vector<std::string> level_names();
 

@@ -1,13 +1,21 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "tests/study/command.h"
+#include "tests/study/progress_bar.h"
+#include "tests/study/report.h"
+#include "tests/study/words.h"
+#include "tests/tradeoff/scene_report.h"
 #include "tests/tradeoff/scenes.h"
 #include "tests/tradeoff/table.h"
 
 namespace {
 
+using study::show_progress;
 using tradeoff::Contestant;
 using tradeoff::Row;
 using tradeoff::Scene;
@@ -15,15 +23,6 @@ using tradeoff::Scene;
 void list_scenes() {
   for (const Scene& scene : tradeoff::scenes())
     std::printf("%-17s %s\n", scene.name.c_str(), scene.description.c_str());
-}
-
-/// On the terminal's error stream, so that a redirected table stays clean.
-void show_progress(const char* what, double share) {
-  constexpr int width = 40;
-  const int full = static_cast<int>(share * width);
-  std::fprintf(stderr, "\r%-7s [%s%s] %3.0f %%", what, std::string(static_cast<std::size_t>(full), '#').c_str(),
-               std::string(static_cast<std::size_t>(width - full), '.').c_str(), 100.0 * share);
-  if (share >= 1.0) std::fputc('\n', stderr);
 }
 
 std::vector<double> figures_of(const Contestant& contestant) {
@@ -54,6 +53,41 @@ constexpr const char* box2d =
     "tests/CMakeLists.txt) it gives the same bits at the same cost, within 3 %.";
 #endif
 
+int run_named_scene(const std::string& name, int repeats, bool csv, const std::string& folder) {
+  const Scene* scene = tradeoff::find_scene(name);
+  if (scene == nullptr) {
+    std::fprintf(
+        stderr, "tradeoff: %s; accepted are:\n",
+        name.empty() ? "no --scene NAME and no --level FILE given" : ("no scene is named '" + name + "'").c_str());
+    for (const Scene& known : tradeoff::scenes()) std::fprintf(stderr, "  %s\n", known.name.c_str());
+    return 2;
+  }
+  const std::vector<Contestant> contestants = scene->contestants();
+  const std::vector<Row> rows = run_scene(*scene, contestants, repeats);
+  csv ? print_csv(*scene, rows) : print_table(*scene, rows);
+  if (folder.empty()) return 0;
+  study::write_report(tradeoff::report_of(*scene, rows), folder);
+  std::printf("report: %s/index.html\n", folder.c_str());
+  return 0;
+}
+
+/// A number above 0 with a unit: 1cm, 50us.
+CLI::Validator measured_in(const std::map<std::string, double>& units) {
+  std::string accepted;
+  for (const auto& [unit, factor] : units) accepted += (accepted.empty() ? "" : ", ") + unit;
+  const auto check = [units, accepted](std::string& text) -> std::string {
+    const std::size_t end = text.find_first_not_of("0123456789.eE+-");
+    const auto unit = units.find(end == std::string::npos ? "" : text.substr(end));
+    double value = 0.0;
+    if (unit == units.end() || !CLI::detail::lexical_cast(text.substr(0, end), value) || !(value > 0.0)) {
+      return text + " is not accepted; accepted is a number above 0 with a unit: " + accepted;
+    }
+    text = study::significant(value * unit->second, 17);
+    return {};
+  };
+  return CLI::Validator(check, "NUMBER+UNIT");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -67,7 +101,23 @@ int main(int argc, char** argv) {
   std::string name;
   app.add_flag("--list", list, "List the scenes");
   app.add_option("--scene", name, "The scene to run");
-  app.add_option("--repeats", repeats, "Repeats to take the median of")->check(CLI::Range(1, 100000));
+  auto* repeats_option =
+      app.add_option("--repeats", repeats, "Repeats to take the median of: 25 of a scene, 9 of a level unless given")
+          ->check(CLI::Range(1, 100000));
+  study::Command study;
+  app.add_option("--out", study.folder, "A folder for the report: CSV, JSON, a plot and a page");
+  auto* level = app.add_option("--level", study.level, "A level (a name, or a .tmj file) instead of a scene");
+  app.add_option("--replay", study.replay, "Its recorded input; that of its name in the assets unless given")
+      ->needs(level);
+  app.add_flag("--quick", study.quick, "Of a level: a small grid")->needs(level);
+  app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
+      ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}))
+      ->needs(level);
+  app.add_option("--budget", study.budget_us, "Recommend the most exact setting that costs at most this: 50us")
+      ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}))
+      ->needs(level);
+  app.add_flag("--apply", study.apply, "Write what is recommended into the level")->needs(level);
+  app.add_flag("--terms", study.terms, "Tell which terms of its cords the level needs")->needs(level);
   app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
   try {
     app.parse(argc, argv);
@@ -79,15 +129,15 @@ int main(int argc, char** argv) {
     list_scenes();
     return 0;
   }
-  const Scene* scene = tradeoff::find_scene(name);
-  if (scene == nullptr) {
-    std::fprintf(stderr, "tradeoff: %s; accepted are:\n",
-                 name.empty() ? "no --scene NAME given" : ("no scene is named '" + name + "'").c_str());
-    for (const Scene& known : tradeoff::scenes()) std::fprintf(stderr, "  %s\n", known.name.c_str());
+  try {
+    if (study.level.empty()) return run_named_scene(name, repeats, csv, study.folder);
+    if (study.apply && !study.max_error_m && !study.budget_us) {
+      throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
+    }
+    if (repeats_option->count() > 0) study.repeats = repeats;
+    return study::run(study);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tradeoff: %s\n", error.what());
     return 2;
   }
-  const std::vector<Contestant> contestants = scene->contestants();
-  const std::vector<Row> rows = run_scene(*scene, contestants, repeats);
-  csv ? print_csv(*scene, rows) : print_table(*scene, rows);
-  return 0;
 }

@@ -1,0 +1,173 @@
+#include "tests/study/command.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "tests/study/level_study.h"
+#include "tests/study/progress_bar.h"
+#include "tests/study/report.h"
+#include "tests/study/terms.h"
+#include "tests/study/words.h"
+
+namespace study {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int /*signal*/) { interrupted = 1; }
+
+std::string replay_of(const Command& command, const LevelFile& file) {
+  if (!command.replay.empty()) return command.replay;
+  const std::string name = std::filesystem::path(file.path()).stem().string();
+  const std::string path = game::assets_folder() + "/replays/" + name + ".replay";
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    throw std::runtime_error("no --replay given, and there is no " + path + "; record one: ropeswing --level " +
+                             file.path() + " --record FILE");
+  }
+  return path;
+}
+
+std::string seconds_of(const Reference& reference, std::size_t ticks) {
+  const std::string points = "With " + significant(reference.points, 6) + " times the links ";
+  const std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
+  if (reference.ticks == ticks) return points + agreement + " all along.";
+  return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +
+         " s: there a disturbance of 1e-10 m, or half the substep, has come to a centimetre, and nothing is compared "
+         "after it.";
+}
+
+Report report_of(const Study& study) {
+  Report report;
+  report.title = study.level;
+  report.notes.push_back("Level " + study.level + ", " + fixed(static_cast<double>(study.ticks) / 60.0, 2) +
+                         " s of recorded input (" + study.replay +
+                         "). Errors are of time and solver, RMS, of the cords' places and of the player's, the greater "
+                         "of both; what cannot be told from the converged motion stands at what is known of it.");
+  for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
+  report.points = study.points();
+  report.columns = {"position_m",    "position_share", "player_m", "stretch",          "mesh_m",
+                    "newton_a_tick", "fallbacks",      "halvings", "unconverged_ticks"};
+  for (const Measured& m : study.settings) {
+    const bool direct = m.dials.solver == "direct";
+    report.cells.push_back(
+        {significant(m.error.position_m, 3), significant(m.error.position_share, 3), significant(m.error.player_m, 3),
+         significant(m.error.stretch, 3), significant(m.mesh.greatest_length(), 3),
+         direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
+         direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
+         direct ? std::to_string(m.unconverged_ticks) : ""});
+  }
+  return report;
+}
+
+void print_table(const Report& report) {
+  const std::vector<std::size_t> on_front = front(report.points);
+  std::printf("%-7s %-44s %10s %10s %10s\n", "method", "setting", "us_a_tick", "p99_us", "error_m");
+  for (std::size_t k = 0; k < report.points.size(); ++k) {
+    const Point& p = report.points[k];
+    const bool best = std::find(on_front.begin(), on_front.end(), k) != on_front.end();
+    std::printf("%-7s %-44s %10.2f %10.2f %10s%s\n", p.method.c_str(), p.setting.c_str(), p.cost_us, p.p99_us,
+                p.failure.empty() ? significant(p.error_m, 3).c_str() : p.failure.c_str(), best ? "  front" : "");
+  }
+}
+
+/// Those settings alone that leave the level its number of points, for its author chose that.
+std::vector<Point> applicable(const Study& study) {
+  std::vector<Point> points = study.points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (study.settings[k].dials.points != 1.0 || study.settings[k].dials.solver != "direct") {
+      points[k].failure = "another cord";
+    }
+  }
+  return points;
+}
+
+/// False if nothing keeps what was asked for.
+bool recommend(const Command& command, const LevelFile& file, const Study& study) {
+  if (!command.max_error_m && !command.budget_us) return true;
+  std::vector<Point> points = applicable(study);
+  if (command.max_error_m && command.budget_us) {
+    for (Point& point : points) {
+      if (point.cost_us > kept_budget * *command.budget_us) point.failure = "too dear";
+    }
+  }
+  const auto chosen = command.max_error_m ? cheapest_within(points, *command.max_error_m)
+                                          : most_exact_within(points, *command.budget_us);
+  if (!chosen) {
+    std::string asked;
+    if (command.max_error_m) asked += " an error of " + significant(*command.max_error_m, 4) + " m";
+    if (command.budget_us) asked += " a cost of " + significant(*command.budget_us, 4) + " us";
+    std::printf("no setting of the grid keeps%s with the margin that a promise needs\n", asked.c_str());
+    return false;
+  }
+  const Point& p = points[*chosen];
+  std::printf("recommended: %s: %.2f us a tick, error %.3g m", p.setting.c_str(), p.cost_us, p.error_m);
+  if (command.max_error_m)
+    std::printf(", %.0f %% below what is allowed", 100.0 * (1.0 - p.error_m / *command.max_error_m));
+  if (command.budget_us) std::printf(", %.0f %% below the budget", 100.0 * (1.0 - p.cost_us / *command.budget_us));
+  std::putchar('\n');
+  if (command.apply) {
+    file.apply(study.settings[*chosen].dials);
+    std::printf("written into %s; recordings of it have to be made anew\n", file.path().c_str());
+  }
+  return true;
+}
+
+int tell_terms(const LevelFile& file, const std::string& replay) {
+  const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
+  std::printf("Compared for %.2f s; after that what a run does is chance.\n", static_cast<double>(terms.ticks) / 60.0);
+  for (const TermResult& result : terms.declared) {
+    std::printf("%-18s cost without it %5.2fx  %s\n", result.term.c_str(), result.cost_share, verdict(result).c_str());
+  }
+  for (const Symptom& symptom : terms.lacking) {
+    std::printf("%-18s MAY BE LACKING: %s, first in tick %zu, in %zu ticks\n", symptom.term.c_str(),
+                symptom.what.c_str(), symptom.first_tick, symptom.ticks);
+  }
+  if (terms.lacking.empty()) std::puts("nothing is seen that a term which is not declared would prevent");
+  return 0;
+}
+
+void print_grid(const std::vector<Dials>& all) {
+  std::printf("%zu settings:\n", all.size());
+  for (const Dials& dials : all) std::printf("  %-7s %s\n", dials.solver.c_str(), name_of(dials).c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int run(const Command& command) {
+  const LevelFile file(command.level);
+  const std::string replay = replay_of(command, file);
+  if (command.terms) return tell_terms(file, replay);
+
+  print_grid(grid(command.quick));
+  StudyOptions options;
+  options.quick = command.quick;
+  options.repeats = command.repeats;
+  options.folder = command.folder;
+  options.stopped = [] { return interrupted != 0; };
+  options.progress = [](double share, double left) { show_progress("study", share, left); };
+  const auto before = std::signal(SIGINT, interrupt);
+  const Study study = measure(file, replay, options);
+  std::signal(SIGINT, before);
+  if (!study.complete) {
+    std::printf("\ninterrupted; %s\n", command.folder.empty()
+                                           ? "nothing is kept without --out FOLDER"
+                                           : "what is measured is kept, and the same command goes on from there");
+    return 1;
+  }
+  const Report report = report_of(study);
+  for (const std::string& note : report.notes) std::printf("%s\n", note.c_str());
+  print_table(report);
+  const bool kept = recommend(command, file, study);
+  if (!command.folder.empty()) {
+    write_report(report, command.folder);
+    std::printf("report: %s/index.html\n", command.folder.c_str());
+  }
+  return kept ? 0 : 1;
+}
+
+}  // namespace study

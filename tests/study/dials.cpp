@@ -1,0 +1,42 @@
+#include "tests/study/dials.h"
+
+#include "tests/study/words.h"
+
+namespace study {
+
+std::string name_of(const Dials& dials) {
+  std::string name = "substeps=" + std::to_string(dials.substeps);
+  if (dials.solver != "thesis") {
+    name = dials.integrator + " " + name + " tolerance=" + significant(dials.tolerance, 6);
+  }
+  if (dials.points != 1.0) name += " points=x" + significant(dials.points, 6);
+  return name;
+}
+
+std::vector<Dials> grid(bool quick) {
+  std::vector<Dials> all = {{"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
+  const auto add = [&all](const Dials& dials) {
+    for (const Dials& known : all) {
+      if (known == dials) return;
+    }
+    all.push_back(dials);
+  };
+  const std::vector<int> substeps = quick ? std::vector{1, 4} : std::vector{1, 2, 4, 8};
+  const std::vector<double> tolerances = quick ? std::vector{5e-4} : std::vector{1e-2, 5e-4, 1e-5};
+  for (const char* integrator : {"tr_bdf2", "implicit_euler"}) {
+    for (const int n : substeps) {
+      for (const double tolerance : tolerances) add({"direct", integrator, n, tolerance});
+    }
+  }
+  for (const double points : {0.5, 2.0}) {
+    for (const int n : quick ? std::vector{1} : std::vector{1, 4}) add({"direct", "tr_bdf2", n, 5e-4, points});
+  }
+  for (const int n : quick ? std::vector{8} : std::vector{4, 16, 64}) add({"thesis", "", n, 0.0});
+  return all;
+}
+
+Dials reference(double points, bool second, bool quick) {
+  return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick ? 2 : 1), 1e-7, points};
+}
+
+}  // namespace study

@@ -1,0 +1,51 @@
+#include "tests/study/frontier.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace study {
+namespace {
+
+bool counts(const Point& point) { return point.failure.empty() && std::isfinite(point.error_m); }
+
+/// The best by `better` of those that `meets`; the first of equals.
+template <typename Meets, typename Better>
+std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Better better) {
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (counts(points[k]) && meets(points[k]) && (!found || better(points[k], points[*found]))) found = k;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::size_t> front(std::span<const Point> points) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (counts(points[k])) order.push_back(k);
+  }
+  std::stable_sort(order.begin(), order.end(), [points](std::size_t a, std::size_t b) {
+    if (points[a].cost_us != points[b].cost_us) return points[a].cost_us < points[b].cost_us;
+    return points[a].error_m < points[b].error_m;
+  });
+  std::vector<std::size_t> on_it;
+  for (const std::size_t k : order) {
+    if (on_it.empty() || points[k].error_m < points[on_it.back()].error_m) on_it.push_back(k);
+  }
+  return on_it;
+}
+
+std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error) {
+  return best(
+      points, [most_error](const Point& p) { return p.error_m <= kept_error * most_error; },
+      [](const Point& a, const Point& b) { return a.cost_us < b.cost_us; });
+}
+
+std::optional<std::size_t> most_exact_within(std::span<const Point> points, double budget_us) {
+  return best(
+      points, [budget_us](const Point& p) { return p.cost_us <= kept_budget * budget_us; },
+      [](const Point& a, const Point& b) { return a.error_m < b.error_m; });
+}
+
+}  // namespace study

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace study {
+
+/// What a setting came to.
+struct Point {
+  std::string method;                                         ///< direct, thesis
+  std::string setting;                                        ///< the dials: tr_bdf2 substeps=1 tolerance=0.0005
+  double cost_us = 0.0;                                       ///< a tick, the median
+  double p99_us = 0.0;                                        ///< that 99 of 100 ticks stay below
+  double error_m = std::numeric_limits<double>::quiet_NaN();  ///< the greatest of the errors that are lengths
+  std::string failure = {};                                   ///< why it does not count; empty if it does
+};
+
+/// Of what is promised, that a setting has to meet when it is measured: the rest is for another run, another machine's
+/// mood.
+inline constexpr double kept_error = 0.8;
+inline constexpr double kept_budget = 0.85;
+
+/// Those that no other is both cheaper and more exact than, by rising cost. What failed is never among them.
+std::vector<std::size_t> front(std::span<const Point> points);
+
+/// The cheapest whose error is at most kept_error · `most_error` [m].
+std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error);
+
+/// The most exact whose cost is at most kept_budget · `budget_us`.
+std::optional<std::size_t> most_exact_within(std::span<const Point> points, double budget_us);
+
+}  // namespace study

@@ -1,0 +1,51 @@
+#include "tests/study/frontier.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// A scene whose errors and costs are known: 1 m / n in n microseconds.
+
+namespace study {
+namespace {
+
+Point point(double cost_us, double error_m, std::string failure = {}) {
+  return {"direct", "some", cost_us, 2.0 * cost_us, error_m, std::move(failure)};
+}
+
+std::vector<Point> scene() {
+  std::vector<Point> points;
+  for (const double n : {8.0, 1.0, 4.0, 2.0, 16.0}) points.push_back(point(n, 1.0 / n));
+  points.push_back(point(5.0, 0.3));              // behind 4 µs
+  points.push_back(point(0.5, 0.01, "blew up"));  // would be ahead of all
+  points.push_back(point(0.4, std::nan("")));     // without a number
+  points.push_back(point(4.0, 0.25));             // as good as the first of that cost
+  return points;
+}
+
+TEST(Frontier, TakesWhatNoOtherIsBothCheaperAndMoreExactThan) {
+  EXPECT_EQ(front(scene()), (std::vector<std::size_t>{1, 3, 2, 0, 4}));
+  EXPECT_TRUE(front(std::vector<Point>{}).empty());
+  EXPECT_TRUE(front(std::vector{point(1.0, 1.0, "failed")}).empty());
+}
+
+TEST(Frontier, OfEqualCostTheMoreExactIsOnIt) {
+  const std::vector<Point> points = {point(1.0, 0.5), point(1.0, 0.2), point(2.0, 0.2)};
+  EXPECT_EQ(front(points), std::vector<std::size_t>{1});
+}
+
+TEST(Frontier, TheCheapestKeepsTheErrorWithItsMargin) {
+  EXPECT_EQ(cheapest_within(scene(), 0.25 / kept_error), 2U);
+  EXPECT_EQ(cheapest_within(scene(), 0.99 * 0.25 / kept_error), 0U);
+  EXPECT_EQ(cheapest_within(scene(), 100.0), 1U);
+  EXPECT_FALSE(cheapest_within(scene(), 0.01));
+}
+
+TEST(Frontier, TheMostExactKeepsTheBudgetWithItsMargin) {
+  EXPECT_EQ(most_exact_within(scene(), 8.0 / kept_budget), 0U);
+  EXPECT_EQ(most_exact_within(scene(), 0.99 * 8.0 / kept_budget), 2U);
+  EXPECT_FALSE(most_exact_within(scene(), 0.9));
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,172 @@
+#include "tests/study/level_file.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "tests/study/words.h"
+
+namespace study {
+namespace {
+
+std::string kind_of(const nlohmann::ordered_json& object) {
+  for (const char* key : {"class", "type"}) {
+    if (object.contains(key) && object[key].is_string()) return object[key].get<std::string>();
+  }
+  return {};
+}
+
+}  // namespace
+
+LevelFile::LevelFile(const std::string& path) : path_(path) {
+  const game::Level level = game::load_level(path);  // with an error that says what is wrong
+  path_ = level.map.file;
+  hash_ = level.map.content_hash;
+  pixels_per_metre_ = level.map.pixels_per_metre;
+  json_ = Json::parse(content_of(path_));
+  int cords = 0;
+  for_each_cord(json_, [&cords](Json&) { ++cords; });
+  if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
+}
+
+game::Level LevelFile::level_of(const Json& json) const {
+  game::Level level = game::level_of(engine::parse_tiled_map(json.dump(), path_));
+  return level;
+}
+
+template <typename Visit>
+void LevelFile::for_each_cord(Json& json, Visit&& visit) {
+  if (!json.contains("layers")) return;
+  for (Json& layer : json["layers"]) {
+    for_each_cord(layer, visit);
+    if (!layer.contains("objects")) continue;
+    for (Json& object : layer["objects"]) {
+      if (kind_of(object) == "cord") visit(object);
+    }
+  }
+}
+
+const LevelFile::Json* LevelFile::find(const Json& cord, const std::string& name) {
+  if (!cord.contains("properties")) return nullptr;
+  for (const Json& property : cord["properties"]) {
+    if (property["name"] == name) return &property["value"];
+  }
+  return nullptr;
+}
+
+/// Null takes the property away.
+void LevelFile::set(Json& cord, const std::string& name, const Json& value) {
+  if (!cord.contains("properties")) cord["properties"] = Json::array();
+  Json& properties = cord["properties"];
+  for (std::size_t k = 0; k < properties.size(); ++k) {
+    if (properties[k]["name"] != name) continue;
+    if (value.is_null()) {
+      properties.erase(k);
+    } else {
+      properties[k]["value"] = value;
+    }
+    return;
+  }
+  if (value.is_null()) return;
+  const char* type = value.is_boolean() ? "bool" : value.is_string() ? "string" : "float";
+  properties.push_back({{"name", name}, {"type", value.is_number_integer() ? "int" : type}, {"value", value}});
+}
+
+void LevelFile::set_dials(Json& cord, const Dials& dials) {
+  if (dials.points != 1.0) {
+    const Json* columns = find(cord, "columns");
+    if (columns != nullptr) {
+      const int links = static_cast<int>(std::lround(dials.points * (columns->get<int>() - 1)));
+      set(cord, "columns", std::max(links, 1) + 1);
+    }
+  }
+  const Json* solver = find(cord, "solver");
+  const bool is_thesis = solver != nullptr && *solver == "thesis";
+  if (dials.solver == "thesis") {
+    if (!is_thesis) make_thesis(cord, dials);
+    set(cord, "substeps", dials.substeps);
+    return;
+  }
+  if (is_thesis) return;  // its material is no cord's of the direct solver
+  set(cord, "accuracy", nullptr);
+  set(cord, "integrator", dials.integrator);
+  set(cord, "substeps", dials.substeps);
+  set(cord, "tolerance", dials.tolerance);
+}
+
+/// The thesis's cord of the same mass and columns, its springs as stiff and its bars as damped as substeps of a
+/// sixtieth bear (the spring correction then leaves what its sweeps leave, and no more).
+void LevelFile::make_thesis(Json& cord, const Dials& dials) {
+  const int columns = find(cord, "columns")->get<int>();
+  const Json* rows = find(cord, "rows");
+  const int own_rows = rows == nullptr ? 1 : rows->get<int>();
+  const double mass = find(cord, "mass")->get<double>();
+  for (const char* name : {"stretch_stiffness", "bending_stiffness", "poisson_ratio", "damping", "tension_only",
+                           "radius", "width", "accuracy", "integrator", "tolerance", "friction", "restitution",
+                           "self_contact", "cord_contact", "area_stiffness"}) {
+    set(cord, name, nullptr);
+  }
+  const int thesis_rows = std::max(own_rows, 2);
+  set(cord, "solver", "thesis");
+  set(cord, "rows", thesis_rows);
+  set(cord, "spring_stiffness", 1e12);
+  set(cord, "bar_damping", mass / (columns * thesis_rows) * dials.substeps * 60.0);
+}
+
+game::Level LevelFile::with(const Dials& dials) const { return moved(dials, 0.0); }
+
+game::Level LevelFile::moved(const Dials& dials, double offset) const {
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) {
+    set_dials(cord, dials);
+    displace(cord, offset);
+  });
+  return level_of(json);
+}
+
+game::Level LevelFile::displaced(double offset) const {
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) { displace(cord, offset); });
+  return level_of(json);
+}
+
+void LevelFile::displace(Json& cord, double offset) const {
+  if (offset != 0.0) cord["x"] = cord["x"].get<double>() + offset * pixels_per_metre_;
+}
+
+game::Level LevelFile::with_property(const std::string& name, const Json& value) const {
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) { set(cord, name, value); });
+  return level_of(json);
+}
+
+bool LevelFile::declares(const std::string& property) const {
+  bool found = false;
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) {
+    const Json* value = find(cord, property);
+    found = found || (value != nullptr && *value != false && *value != 0.0);
+  });
+  return found;
+}
+
+void LevelFile::apply(const Dials& dials) const {
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) { set_dials(cord, dials); });
+  level_of(json);  // what cannot be built is not written
+  const std::string beside = path_ + ".new";
+  {
+    std::ofstream out(beside, std::ios::binary);
+    out << json.dump(1) << '\n';
+    out.flush();
+    if (!out) {
+      std::error_code ignored;
+      std::filesystem::remove(beside, ignored);
+      throw std::runtime_error("cannot write " + beside + "; the level is as it was");
+    }
+  }
+  std::filesystem::rename(beside, path_);
+}
+
+}  // namespace study

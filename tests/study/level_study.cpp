@@ -1,0 +1,193 @@
+#include "tests/study/level_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "engine/replay.h"
+#include "tests/study/results.h"
+#include "tests/tradeoff/measure.h"
+
+namespace study {
+namespace {
+
+constexpr double disturbance = 1e-10;  // m
+constexpr double grown = 1e-2;         // m, to which it may grow
+constexpr double finer_mesh = 4.0;
+
+/// Work done and to be done, in substeps of so many points.
+class Progress {
+ public:
+  Progress(const StudyOptions& options, double all) : options_(&options), all_(all) {}
+  void add(double work) {
+    done_ += work;
+    if (!options_->progress) return;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double share = std::min(1.0, done_ / all_);
+    options_->progress(share, share > 0.0 ? seconds * (1.0 - share) / share : 0.0);
+  }
+
+ private:
+  const StudyOptions* options_;
+  double all_;
+  double done_ = 0.0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double work_of(const Dials& dials) { return dials.points * (1.0 + 0.7 * dials.substeps); }
+
+std::vector<double> meshes_of(const std::vector<Dials>& grid) {
+  std::vector<double> meshes;
+  for (const Dials& dials : grid) {
+    if (std::find(meshes.begin(), meshes.end(), dials.points) == meshes.end()) meshes.push_back(dials.points);
+  }
+  return meshes;
+}
+
+struct Converged {
+  Trace trace;
+  Reference about;
+};
+
+class LevelStudy {
+ public:
+  LevelStudy(const LevelFile& file, const engine::Replay& replay, const StudyOptions& options)
+      : file_(&file),
+        options_(&options),
+        grid_(grid(options.quick)),
+        progress_(options, all_work()),
+        inputs_(inputs_of(replay)) {}
+
+  Study run(Results& results) {
+    Study study;
+    study.ticks = inputs_.size();
+    for (const double points : meshes_of(grid_)) {
+      if (!find_reference(points)) return study;
+      study.references.push_back(converged_[points].about);
+    }
+    const Dials finest = reference(finer_mesh, false, options_->quick);
+    if (stopped()) return study;
+    const Trace fine = study::run(file_->with(finest), inputs_);
+    progress_.add(work_of(finest));
+    for (const Dials& dials : grid_) {
+      if (stopped()) return study;
+      Measured measured;
+      if (const Measured* known = results.find(dials)) {
+        measured = *known;
+      } else {
+        measured = measure_error(dials, fine);
+        results.add(measured);
+      }
+      study.settings.push_back(measured);
+      progress_.add(work_of(dials));
+    }
+    study.complete = time(study.settings);
+    return study;
+  }
+
+ private:
+  double all_work() const {
+    double sum = work_of(reference(finer_mesh, false, options_->quick));
+    for (const double points : meshes_of(grid_)) {
+      sum +=
+          2.0 * work_of(reference(points, false, options_->quick)) + work_of(reference(points, true, options_->quick));
+    }
+    for (const Dials& dials : grid_) sum += (1.0 + options_->repeats) * work_of(dials);
+    return sum;
+  }
+
+  bool stopped() const { return options_->stopped && options_->stopped(); }
+
+  bool find_reference(double points) {
+    const Dials first = reference(points, false, options_->quick);
+    const Dials second = reference(points, true, options_->quick);
+    if (stopped()) return false;
+    Converged converged;
+    converged.trace = study::run(file_->with(second), inputs_);
+    progress_.add(work_of(second));
+    if (stopped()) return false;
+    const Trace other = study::run(file_->with(first), inputs_);
+    progress_.add(work_of(first));
+    if (stopped()) return false;
+    const Trace disturbed = study::run(file_->moved(first, disturbance), inputs_);
+    progress_.add(work_of(first));
+    converged.about.points = points;
+    converged.about.ticks =
+        std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, grown));
+    converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
+    converged_[points] = std::move(converged);
+    return true;
+  }
+
+  Measured measure_error(const Dials& dials, const Trace& fine) {
+    const Converged& own = converged_[dials.points];
+    const Trace trace = study::run(file_->with(dials), inputs_);
+    Measured measured;
+    measured.dials = dials;
+    measured.error = difference(trace, own.trace, own.about.ticks);
+    measured.mesh = difference(own.trace, fine, own.about.ticks);
+    measured.known_to_m = 10.0 * own.about.agreement_m;
+    measured.work = trace.work;
+    measured.unconverged_ticks = trace.unconverged_ticks;
+    measured.failure = trace.failure;
+    return measured;
+  }
+
+  /// False if it was stopped: then nothing is timed.
+  bool time(std::vector<Measured>& settings) {
+    std::vector<game::Level> levels;
+    levels.reserve(settings.size());
+    std::vector<tradeoff::Timed> timed;
+    double round = 0.0;
+    for (const Measured& measured : settings) {
+      const game::Level& level = levels.emplace_back(file_->with(measured.dials));
+      timed.push_back(timed_run(level, inputs_));
+      round += work_of(measured.dials);
+    }
+    if (stopped()) return false;
+    const auto timings = tradeoff::interleaved_timings(timed, static_cast<int>(inputs_.size()), options_->repeats,
+                                                       [&](double) { progress_.add(round); });
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      settings[k].cost_us = timings[k].median_us;
+      settings[k].p99_us = timings[k].p99_us;
+    }
+    return true;
+  }
+
+  const LevelFile* file_;
+  const StudyOptions* options_;
+  std::vector<Dials> grid_;
+  Progress progress_;
+  std::vector<engine::TickInput> inputs_;
+  std::map<double, Converged> converged_;
+};
+
+}  // namespace
+
+Point Measured::point() const {
+  Point point{dials.solver, name_of(dials), cost_us, p99_us};
+  point.error_m = std::max(error.greatest_length(), known_to_m);
+  point.failure = failure;
+  return point;
+}
+
+std::vector<Point> Study::points() const {
+  std::vector<Point> all;
+  for (const Measured& measured : settings) all.push_back(measured.point());
+  return all;
+}
+
+Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options) {
+  const engine::Replay replay = engine::load_replay(replay_path);
+  const game::Level level = file.level();
+  engine::check_header(replay.header, game::Simulation::replay_header(level));
+  if (replay.ticks.empty()) throw engine::ReplayError(replay_path + " has no ticks; a study needs one or more");
+  Results results(options.folder, file.hash(), replay_path);
+  Study study = LevelStudy(file, replay, options).run(results);
+  study.level = level.name;
+  study.replay = replay_path;
+  return study;
+}
+
+}  // namespace study

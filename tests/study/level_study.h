@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/study/dials.h"
+#include "tests/study/frontier.h"
+#include "tests/study/level_file.h"
+#include "tests/study/trace.h"
+
+namespace study {
+
+/// A setting of the grid, as measured.
+struct Measured {
+  Dials dials;
+  Errors error;             ///< of time and solver: against the converged motion of the same points
+  Errors mesh;              ///< of the points: of that motion against the converged one of four times as many links
+  double known_to_m = 0.0;  ///< below which the error is not known
+  ribbon::CordReport work;
+  int unconverged_ticks = 0;
+  std::string failure;
+  double cost_us = 0.0;
+  double p99_us = 0.0;
+
+  Point point() const;
+};
+
+/// What the converged runs of a level say.
+struct Reference {
+  double points = 1.0;
+  std::size_t ticks = 0;     ///< that a disturbance of 1e-10 m takes to grow to a centimetre, or all of the replay's
+  double agreement_m = 0.0;  ///< of two converged runs of different substeps in them
+};
+
+struct Study {
+  std::string level;
+  std::string replay;
+  std::size_t ticks = 0;
+  std::vector<Reference> references;
+  std::vector<Measured> settings;
+  bool complete = false;  ///< false if it was interrupted
+
+  std::vector<Point> points() const;
+};
+
+struct StudyOptions {
+  bool quick = false;
+  int repeats = 9;
+  std::string folder;                            ///< where results are kept; empty: nowhere
+  std::function<bool()> stopped;                 ///< asked between runs
+  std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left
+};
+
+/// Measures a level and its recorded input over the grid. Continues what the folder holds of the same level, replay,
+/// grid and program.
+Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
+
+}  // namespace study

@@ -1,0 +1,85 @@
+#include "tests/study/results.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/state_hash.h"
+#include "tests/study/words.h"
+
+namespace study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+unsigned long long hash_of(const std::string& path) { return engine::hash_bytes(content_of(path)); }
+
+Json json_of(const Errors& e) { return Json::array({e.position_m, e.position_share, e.player_m, e.stretch}); }
+
+Errors errors_of(const Json& j) { return {j.at(0), j.at(1), j.at(2), j.at(3)}; }
+
+Json json_of(const Measured& m) {
+  return {{"solver", m.dials.solver},
+          {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps},
+          {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},
+          {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},
+          {"known_to", m.known_to_m},
+          {"iterations", m.work.iterations},
+          {"stages", m.work.stages},
+          {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},
+          {"unconverged_ticks", m.unconverged_ticks},
+          {"failure", m.failure}};
+}
+
+Measured measured_of(const Json& j) {
+  Measured m;
+  m.dials = {j.at("solver"), j.at("integrator"), j.at("substeps"), j.at("tolerance"), j.at("points")};
+  m.error = errors_of(j.at("error"));
+  m.mesh = errors_of(j.at("mesh"));
+  m.known_to_m = j.at("known_to");
+  m.work.iterations = j.at("iterations");
+  m.work.stages = j.at("stages");
+  m.work.fallbacks = j.at("fallbacks");
+  m.work.halvings = j.at("halvings");
+  m.unconverged_ticks = j.at("unconverged_ticks");
+  m.failure = j.at("failure");
+  return m;
+}
+
+}  // namespace
+
+Results::Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path) {
+  if (folder.empty()) return;
+  std::array<char, 64> key{};
+  std::snprintf(key.data(), key.size(), "%016llx-%016llx-%016llx", static_cast<unsigned long long>(level_hash),
+                hash_of(replay_path), hash_of("/proc/self/exe"));
+  key_ = key.data();
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::string path = folder + "/results.jsonl";
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    const Json json = Json::parse(line, nullptr, false);  // the last line may be half a line
+    if (json.is_object() && json.value("key", "") == key_) known_.push_back(measured_of(json.at("measured")));
+  }
+  out_.open(path, std::ios::app);
+  if (!out_) throw std::runtime_error("cannot write to " + path + "; accepted is a folder that can be written (--out)");
+}
+
+const Measured* Results::find(const Dials& dials) const {
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Measured& m) { return m.dials == dials; });
+  return found == known_.end() ? nullptr : &*found;
+}
+
+void Results::add(const Measured& measured) {
+  if (!out_.is_open()) return;
+  out_ << Json{{"key", key_}, {"measured", json_of(measured)}}.dump() << std::endl;
+}
+
+}  // namespace study

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/input.h"
+#include "engine/replay.h"
+#include "game/level.h"
+#include "game/simulation.h"
+#include "tests/tradeoff/measure.h"
+
+namespace study {
+
+/// What a run of a level came to, at places that do not depend on how many points a cord has.
+struct Trace {
+  static constexpr int stations = 33;  ///< of a cord, evenly along it
+
+  std::vector<double> lengths;                    ///< m, of the cords at rest
+  std::vector<std::vector<ribbon::Vec2>> places;  ///< m, by tick: of all stations of all cords
+  std::vector<ribbon::Vec2> player;               ///< m, by tick
+  std::vector<double> stretch;                    ///< by tick: the most of a cord's whole length, as a share
+  ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver
+  int unconverged_ticks = 0;                      ///< in which a cord of it was left unconverged
+  std::string failure;                            ///< what became of it, if it ended before its time
+};
+
+/// A run that may be begun again, for the clock.
+class LevelRun {
+ public:
+  /// Keeps references to both.
+  LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs) : level_(&level), inputs_(inputs) {}
+
+  void reset();
+  void tick();
+  const game::Simulation& simulation() const { return *simulation_; }
+
+ private:
+  const game::Level* level_;
+  std::span<const engine::TickInput> inputs_;
+  std::unique_ptr<game::Simulation> simulation_;
+  std::size_t next_ = 0;
+};
+
+/// Keeps references to both.
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs);
+
+std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
+
+/// m, of a cord's columns, from its first to its last: their middles.
+std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::CordIndex cord);
+
+/// Runs all inputs, or until a place is no number or further off than a kilometre.
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs);
+
+/// Errors, each of its own kind.
+struct Errors {
+  double position_m = 0.0;      ///< RMS over all stations and ticks
+  double position_share = 0.0;  ///< the same of each cord's own length
+  double player_m = 0.0;        ///< RMS over all ticks
+  double stretch = 0.0;         ///< of the peak, as a share of a cord's length
+
+  /// m, the greatest of those that are lengths.
+  double greatest_length() const { return position_m > player_m ? position_m : player_m; }
+};
+
+/// The difference of two runs of a level in the first `ticks`, at most as many as both have.
+Errors difference(const Trace& a, const Trace& b, std::size_t ticks);
+
+/// The first tick after which two runs are further apart than `most` metres anywhere, or all there are: beyond that
+/// what a run does is chance.
+std::size_t ticks_together(const Trace& a, const Trace& b, double most);
+
+}  // namespace study

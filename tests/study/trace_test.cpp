@@ -1,0 +1,68 @@
+#include "tests/study/trace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace study {
+namespace {
+
+using ribbon::Vec2;
+
+/// Two cords of 1 and 4 m that stand still, and a player.
+Trace still(std::size_t ticks) {
+  Trace trace;
+  trace.lengths = {1.0, 4.0};
+  trace.places.assign(ticks, std::vector<Vec2>(2 * Trace::stations));
+  trace.player.assign(ticks, {});
+  trace.stretch.assign(ticks, 0.0);
+  return trace;
+}
+
+TEST(Trace, ErrorsAreWhatTheyAreMadeOf) {
+  const Trace a = still(10);
+  Trace b = still(10);
+  for (auto& places : b.places) {
+    for (std::size_t s = 0; s < places.size(); ++s) places[s] = s < Trace::stations ? Vec2{0.3, 0.0} : Vec2{0.0, 0.4};
+  }
+  for (std::size_t k = 0; k < 5; ++k) b.player[k] = {0.0, 2.0};
+  b.stretch[3] = 0.01;
+  const Errors errors = difference(a, b, 10);
+  EXPECT_NEAR(errors.position_m, std::sqrt(0.5 * (0.09 + 0.16)), 1e-15);
+  EXPECT_NEAR(errors.position_share, std::sqrt(0.5 * (0.09 + 0.01)), 1e-15);
+  EXPECT_NEAR(errors.player_m, std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(errors.stretch, 0.01, 1e-15);
+  EXPECT_NEAR(errors.greatest_length(), std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(difference(a, b, 3).stretch, 0.0, 1e-15);
+}
+
+TEST(Trace, RunsAreTogetherUntilTheirFirstDifference) {
+  const Trace a = still(10);
+  Trace b = still(10);
+  EXPECT_EQ(ticks_together(a, b, 0.01), 10U);
+  b.player[7] = {0.02, 0.0};
+  EXPECT_EQ(ticks_together(a, b, 0.01), 7U);
+  b.places[4][40] = {0.0, -0.02};
+  EXPECT_EQ(ticks_together(a, b, 0.01), 4U);
+  b.places[2][0] = {std::nan(""), 0.0};
+  EXPECT_EQ(ticks_together(a, b, 0.01), 2U);
+  EXPECT_EQ(ticks_together(a, still(1), 0.01), 1U);
+}
+
+TEST(Trace, ARunOfALevelIsTheSimulation) {
+  const game::Level level = game::load_level("first_swing");
+  const std::vector<engine::TickInput> inputs(20);
+  const Trace trace = run(level, inputs);
+  game::Simulation simulation(level);
+  for (const engine::TickInput& input : inputs) simulation.tick(input);
+  const auto x = simulation.scene().coupling().positions(0);
+  ASSERT_EQ(trace.places.size(), 20U);
+  EXPECT_EQ(trace.places.back().front(), x.front());
+  EXPECT_EQ(trace.places.back()[Trace::stations - 1], x.back());
+  EXPECT_EQ(trace.player.back(), simulation.player().position());
+  EXPECT_GT(trace.work.iterations, 0);
+  EXPECT_TRUE(trace.failure.empty());
+}
+
+}  // namespace
+}  // namespace study
