@@ -36,17 +36,21 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
   const std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
   if (reference.ticks == ticks) return points + agreement + " all along.";
   return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +
-         " s: there a disturbance of 1e-10 m, or half the substep, has come to a centimetre, and nothing is compared "
-         "after it.";
+         " s; after it a tenth of a millimetre, or a disturbance of 1e-10 m grown to a centimetre, is between them, "
+         "and "
+         "nothing is compared.";
 }
 
 Report report_of(const Study& study) {
   Report report;
   report.title = study.level;
-  report.notes.push_back("Level " + study.level + ", " + fixed(static_cast<double>(study.ticks) / 60.0, 2) +
-                         " s of recorded input (" + study.replay +
-                         "). Errors are of time and solver, RMS, of the cords' places and of the player's, the greater "
-                         "of both; what cannot be told from the converged motion stands at what is known of it.");
+  report.notes.push_back(
+      "Level " + study.level + ", " + fixed(static_cast<double>(study.ticks) / 60.0, 2) + " s of recorded input (" +
+      study.replay +
+      "). Errors are of time and solver, RMS, of the cords' places and of the player's, the greater "
+      "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
+      "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
+      "the one of four times the level's links.");
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
   report.points = study.points();
   report.columns = {"position_m",    "position_share", "player_m", "stretch",          "mesh_m",
@@ -74,13 +78,11 @@ void print_table(const Report& report) {
   }
 }
 
-/// Those settings alone that leave the level its number of points, for its author chose that.
+/// Settings of other solvers stand apart: a level's cords would have to be made of something else.
 std::vector<Point> applicable(const Study& study) {
   std::vector<Point> points = study.points();
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (study.settings[k].dials.points != 1.0 || study.settings[k].dials.solver != "direct") {
-      points[k].failure = "another cord";
-    }
+    points[k].apart = points[k].apart || study.settings[k].dials.solver != "direct";
   }
   return points;
 }

@@ -6,7 +6,7 @@
 namespace study {
 namespace {
 
-bool counts(const Point& point) { return point.failure.empty() && std::isfinite(point.error_m); }
+bool counts(const Point& point) { return point.failure.empty() && !point.apart && std::isfinite(point.error_m); }
 
 /// The best by `better` of those that `meets`; the first of equals.
 template <typename Meets, typename Better>

@@ -17,6 +17,7 @@ struct Point {
   double p99_us = 0.0;                                        ///< that 99 of 100 ticks stay below
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< the greatest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it does
+  bool apart = false;  ///< its error is against another motion than the others': told, and never compared
 };
 
 /// Of what is promised, that a setting has to meet when it is measured: the rest is for another run, another machine's
@@ -24,7 +25,8 @@ struct Point {
 inline constexpr double kept_error = 0.8;
 inline constexpr double kept_budget = 0.85;
 
-/// Those that no other is both cheaper and more exact than, by rising cost. What failed is never among them.
+/// Those that no other is both cheaper and more exact than, by rising cost. What failed or stands apart is never
+/// among them.
 std::vector<std::size_t> front(std::span<const Point> points);
 
 /// The cheapest whose error is at most kept_error · `most_error` [m].

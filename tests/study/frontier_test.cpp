@@ -29,6 +29,13 @@ TEST(Frontier, TakesWhatNoOtherIsBothCheaperAndMoreExactThan) {
   EXPECT_TRUE(front(std::vector{point(1.0, 1.0, "failed")}).empty());
 }
 
+TEST(Frontier, WhatStandsApartIsNotCompared) {
+  std::vector<Point> points = scene();
+  points[1].apart = true;
+  EXPECT_EQ(front(points), (std::vector<std::size_t>{3, 2, 0, 4}));
+  EXPECT_EQ(cheapest_within(points, 100.0), 3U);
+}
+
 TEST(Frontier, OfEqualCostTheMoreExactIsOnIt) {
   const std::vector<Point> points = {point(1.0, 0.5), point(1.0, 0.2), point(2.0, 0.2)};
   EXPECT_EQ(front(points), std::vector<std::size_t>{1});

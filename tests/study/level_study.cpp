@@ -14,6 +14,7 @@ namespace {
 
 constexpr double disturbance = 1e-10;  // m
 constexpr double grown = 1e-2;         // m, to which it may grow
+constexpr double agreed = 1e-4;        // m, to which converged runs of different substeps do, while they are compared
 constexpr double finer_mesh = 4.0;
 
 /// Work done and to be done, in substeps of so many points.
@@ -114,7 +115,7 @@ class LevelStudy {
     progress_.add(work_of(first));
     converged.about.points = points;
     converged.about.ticks =
-        std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, grown));
+        std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, agreed));
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[points] = std::move(converged);
     return true;
@@ -169,6 +170,7 @@ Point Measured::point() const {
   Point point{dials.solver, name_of(dials), cost_us, p99_us};
   point.error_m = std::max(error.greatest_length(), known_to_m);
   point.failure = failure;
+  point.apart = dials.points != 1.0;
   return point;
 }
 

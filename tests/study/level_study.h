@@ -29,7 +29,7 @@ struct Measured {
 /// What the converged runs of a level say.
 struct Reference {
   double points = 1.0;
-  std::size_t ticks = 0;     ///< that a disturbance of 1e-10 m takes to grow to a centimetre, or all of the replay's
+  std::size_t ticks = 0;     ///< in which 1e-10 m do not grow to 1 cm, nor the runs differ by 0.1 mm; or all
   double agreement_m = 0.0;  ///< of two converged runs of different substeps in them
 };
 
