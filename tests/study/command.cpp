@@ -64,6 +64,14 @@ Report report_of(const Study& study) {
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
   }
+  const auto add = [&](const char* name, double (*value)(const Measured&)) {
+    Metric& metric = report.metrics.emplace_back();
+    metric.name = name;
+    for (const Measured& m : study.settings) metric.values.push_back(value(m));
+  };
+  add("position_m", [](const Measured& m) { return m.error.position_m; });
+  add("player_m", [](const Measured& m) { return m.error.player_m; });
+  add("stretch", [](const Measured& m) { return m.error.stretch; });
   return report;
 }
 

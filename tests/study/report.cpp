@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/study/plot.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -37,23 +38,6 @@ void write(const std::string& path, const std::string& content) {
   out << content;
   out.flush();
   if (!out) throw std::runtime_error("cannot write " + path + "; accepted is a folder that can be written (--out)");
-}
-
-std::vector<std::string> methods_of(const Report& report) {
-  std::vector<std::string> methods;
-  for (const Point& point : report.points) {
-    if (std::find(methods.begin(), methods.end(), point.method) == methods.end()) methods.push_back(point.method);
-  }
-  return methods;
-}
-
-/// Above all errors: where failures are drawn.
-double top_of(const Report& report) {
-  double most = 1e-3;
-  for (const Point& point : report.points) {
-    if (point.failure.empty() && std::isfinite(point.error_m)) most = std::max(most, point.error_m);
-  }
-  return 4.0 * most;
 }
 
 bool is_shown(const Point& point) { return point.failure.empty() && std::isfinite(point.error_m); }
@@ -93,14 +77,26 @@ std::string json_of(const Report& report) {
   return json.dump(1) + "\n";
 }
 
-std::string html_of(const Report& report) {
-  std::ostringstream out;
-  out << "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" << escaped(report.title)
-      << "</title>\n<style>\nbody{font:16px/1.5 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}\n"
+std::string head_of(const std::string& title) {
+  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
+         "</title>\n<style>\nbody{font:16px/1.5 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}\n"
          "table{border-collapse:collapse}\ntd,th{padding:.2em .8em;text-align:right;border-bottom:1px solid #ddd}\n"
          "td:nth-child(-n+2),th:nth-child(-n+2){text-align:left}\ntr.front{font-weight:bold}\ntr.failed{color:#a00}\n"
-         "img{max-width:100%}\n</style>\n<h1>"
-      << escaped(report.title) << ": what accuracy costs</h1>\n";
+         "img{max-width:100%}\n</style>\n<h1>" +
+         escaped(title) + "</h1>\n";
+}
+
+/// True too if there is nothing to draw.
+bool plot(const std::string& folder, const std::vector<Point>& points, const std::string& axis,
+          const std::string& name) {
+  if (std::none_of(points.begin(), points.end(), is_shown)) return true;
+  write(folder + "/" + name + ".gp", plot_of(points, axis, name));
+  return draw(folder, name);
+}
+
+std::string html_of(const Report& report) {
+  std::ostringstream out;
+  out << head_of(report.title + ": what accuracy costs");
   for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
   out << "<p><img src=\"front.svg\" alt=\"Error against cost, both logarithmic\"></p>\n"
          "<p>Bold: no other setting is both cheaper and more exact.</p>\n<table>\n<tr><th>method<th>setting<th>µs a "
@@ -122,70 +118,47 @@ std::string html_of(const Report& report) {
     }
     out << "\n";
   }
-  out << "</table>\n</html>\n";
+  out << "</table>\n";
+  for (const Metric& metric : report.metrics) {
+    if (std::none_of(metric.values.begin(), metric.values.end(), [](double v) { return std::isfinite(v); })) continue;
+    out << "<h2>" << escaped(metric.name) << "</h2>\n<p><img src=\"" << metric.name << ".svg\" alt=\"" << metric.name
+        << " against cost\"></p>\n";
+  }
+  out << "</html>\n";
   return out.str();
 }
 
 }  // namespace
-
-std::string plot_of(const Report& report) {
-  std::ostringstream out;
-  const std::vector<std::string> methods = methods_of(report);
-  const double top = top_of(report);
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    out << "$method" << m << " << END\n";
-    bool any = false;
-    for (const Point& p : report.points) {
-      if (p.method != methods[m] || !is_shown(p)) continue;
-      out << number(p.cost_us) << ' ' << number(std::max(p.error_m, 1e-12)) << '\n';
-      any = true;
-    }
-    if (!any) out << "NaN NaN\n";
-    out << "END\n";
-  }
-  out << "$front << END\n";
-  for (const std::size_t k : front(report.points)) {
-    out << number(report.points[k].cost_us) << ' ' << number(std::max(report.points[k].error_m, 1e-12)) << '\n';
-  }
-  out << "END\n$failed << END\nNaN NaN\n";
-  for (const Point& p : report.points) {
-    if (!is_shown(p)) out << number(p.cost_us) << ' ' << number(top) << '\n';
-  }
-  out << "END\n"
-         "set terminal svg size 960,640 font 'DejaVu Sans,13' background rgb 'white'\n"
-         "set output 'front.svg'\n"
-         "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
-         "set xlabel 'cost [µs a tick]'\nset ylabel 'error [m]'\nset key outside right center\nset offsets graph 0.02, "
-         "graph "
-         "0.02, 0, 0\n"
-      << "set xrange [*:20000<*]\nset yrange [*:" << number(1.5 * top) << "]\n"
-      << "set arrow from 16700, graph 0 to 16700, graph 1 nohead dashtype 2 linecolor 'gray'\n"
-         "set arrow from 1000, graph 0 to 1000, graph 1 nohead dashtype 2 linecolor 'gray'\n"
-         "set label '1 ms' at 1000, graph 0.97 right offset -0.5,0\n"
-         "set label '16.7 ms' at 16700, graph 0.97 right offset -0.5,0\n"
-         "plot $front using 1:2 with lines linewidth 2 linecolor 'black' title 'front'";
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    std::string title = methods[m];
-    std::replace(title.begin(), title.end(), '_', ' ');
-    out << ", $method" << m << " using 1:2 with points pointtype " << m + 4 << " pointsize 0.9 title '" << title << "'";
-  }
-  out << ", $failed using 1:2 with points pointtype 2 pointsize 1.2 linecolor 'red' title 'failed'\n";
-  return out.str();
-}
 
 void write_report(const Report& report, const std::string& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   write(folder + "/points.csv", csv_of(report));
   write(folder + "/points.json", json_of(report));
-  write(folder + "/front.gp", plot_of(report));
   write(folder + "/index.html", html_of(report));
-  const std::string command = "cd '" + folder + "' && gnuplot front.gp > gnuplot.log 2>&1";
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("gnuplot did not draw " + folder + "/front.svg (see gnuplot.log there); the package is " +
-                             "gnuplot-nox, game/setup tests installs it. All numbers are written");
+  bool drawn = plot(folder, report.points, "error [m]", "front");
+  for (const Metric& metric : report.metrics) {
+    std::vector<Point> points = report.points;
+    for (std::size_t k = 0; k < points.size(); ++k) points[k].error_m = metric.values[k];
+    drawn = plot(folder, points, metric.name, metric.name) && drawn;
   }
-  std::filesystem::remove(folder + "/gnuplot.log", ignored);
+  if (!drawn) {
+    throw std::runtime_error("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); the package " +
+                             "is gnuplot-nox, game/setup tests installs it. All numbers are written");
+  }
+}
+
+void write_contents(const std::string& title, const std::vector<std::string>& notes,
+                    const std::vector<std::string>& folders, const std::string& folder) {
+  std::ostringstream out;
+  out << head_of(title);
+  for (const std::string& note : notes) out << "<p>" << escaped(note) << "</p>\n";
+  for (const std::string& name : folders) {
+    out << "<h2><a href=\"" << name << "/index.html\">" << escaped(name) << "</a></h2>\n<p><a href=\"" << name
+        << "/index.html\"><img src=\"" << name << "/front.svg\" alt=\"Error against cost\"></a></p>\n";
+  }
+  out << "</html>\n";
+  write(folder + "/index.html", out.str());
 }
 
 }  // namespace study

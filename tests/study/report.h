@@ -7,6 +7,12 @@
 
 namespace study {
 
+/// One kind of error, to be drawn against the cost.
+struct Metric {
+  std::string name;            ///< penetration_m
+  std::vector<double> values;  ///< by point; what is no number is not drawn
+};
+
 /// What a report shows.
 struct Report {
   std::string title;                              ///< heavy_swing
@@ -14,13 +20,16 @@ struct Report {
   std::vector<Point> points;                      ///< settings and baselines
   std::vector<std::string> columns;               ///< names of further columns, by point in `cells`
   std::vector<std::vector<std::string>> cells{};  ///< their texts
+  std::vector<Metric> metrics{};                  ///< further plots: errors of another kind are never made one
 };
 
-/// Writes points.csv, points.json, front.gp, front.svg (drawn by gnuplot) and index.html into a folder, which it makes.
-/// Throws std::runtime_error if the folder cannot be written, or, with everything else written, if gnuplot fails.
+/// Writes points.csv, points.json, index.html and a plot of the points' own error and of each metric, drawn by gnuplot
+/// (front.gp, front.svg; penetration_m.gp, …), into a folder, which it makes. Throws std::runtime_error if the folder
+/// cannot be written, or, with everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
 
-/// What gnuplot draws front.svg from.
-std::string plot_of(const Report& report);
+/// A page with the plots of reports in folders of these names beside it.
+void write_contents(const std::string& title, const std::vector<std::string>& notes,
+                    const std::vector<std::string>& folders, const std::string& folder);
 
 }  // namespace study

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/level.h"
 #include "tests/study/command.h"
 #include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
@@ -71,6 +72,32 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
   return 0;
 }
 
+/// Scenes that others are measured on too, and all levels of the game: one page.
+int write_standard_report(bool quick, const std::string& folder) {
+  if (folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
+  std::vector<std::string> names;
+  for (const char* name : {"heavy_swing", "held_swing", "drape", "bridge", "capstan", "mass_ratio"}) {
+    run_named_scene(name, quick ? 1 : 9, false, folder + "/" + name);
+    names.emplace_back(name);
+  }
+  for (const std::string& level : game::level_names()) {
+    study::Command command;
+    command.level = level;
+    command.quick = quick;
+    command.repeats = quick ? 1 : 9;
+    command.folder = folder + "/" + level;
+    study::run(command);
+    names.push_back(level);
+  }
+  study::write_contents(
+      "What a cord's accuracy costs",
+      {"Each mark is one setting of one method; the line joins those that no other is both cheaper and "
+       "more exact than. Each page has its numbers and further kinds of error."},
+      names, folder);
+  std::printf("report: %s/index.html\n", folder.c_str());
+  return 0;
+}
+
 /// A number above 0 with a unit: 1cm, 50us.
 CLI::Validator measured_in(const std::map<std::string, double>& units) {
   std::string accepted;
@@ -109,7 +136,9 @@ int main(int argc, char** argv) {
   auto* level = app.add_option("--level", study.level, "A level (a name, or a .tmj file) instead of a scene");
   app.add_option("--replay", study.replay, "Its recorded input; that of its name in the assets unless given")
       ->needs(level);
-  app.add_flag("--quick", study.quick, "Of a level: a small grid")->needs(level);
+  app.add_flag("--quick", study.quick, "A small grid of a level; of the report, one repeat too");
+  bool report = false;
+  app.add_flag("--report", report, "The standard report of scenes and levels, into --out");
   app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
       ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}))
       ->needs(level);
@@ -130,6 +159,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
+    if (report) return write_standard_report(study.quick, study.folder);
     if (study.level.empty()) return run_named_scene(name, repeats, csv, study.folder);
     if (study.apply && !study.max_error_m && !study.budget_us) {
       throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");

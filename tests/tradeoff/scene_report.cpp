@@ -24,22 +24,33 @@ double value_of(const Scene& scene, const Row& row, const char* name) {
 }  // namespace
 
 study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
+  const auto has = [&](const char* name) {
+    return std::any_of(scene.columns.begin(), scene.columns.end(), [name](const Column& c) { return c.name == name; });
+  };
+  const char* error = has("rms_error_m") ? "rms_error_m" : "penetration_m";
   study::Report report;
   report.title = scene.name;
-  report.notes = {scene.description + ". The error is rms_error_m, against the exact or converged motion."};
+  report.notes = {scene.description + ". The error is " + error + "."};
+  std::vector<const Column*> told;
   for (const Column& column : scene.columns) {
-    if (column.name != "us_per_tick" && column.name != "p99_us") report.columns.push_back(column.name);
+    if (column.name == "us_per_tick" || column.name == "p99_us") continue;
+    told.push_back(&column);
+    report.columns.push_back(column.name);
   }
   for (const Row& row : rows) {
     study::Point point{row.contestant.method, row.contestant.setting, row.timing.median_us, row.timing.p99_us};
-    point.error_m = value_of(scene, row, "rms_error_m");
+    point.error_m = value_of(scene, row, error);
     if (value_of(scene, row, "unconverged") > 0.0) point.failure = "not converged";
     report.points.push_back(point);
     std::vector<std::string> cells;
-    for (const Column& column : scene.columns) {
-      if (column.name != "us_per_tick" && column.name != "p99_us") cells.push_back(text(column.value(row)));
-    }
+    for (const Column* column : told) cells.push_back(text(column->value(row)));
     report.cells.push_back(std::move(cells));
+  }
+  for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct"}) {
+    if (!has(name)) continue;
+    study::Metric& metric = report.metrics.emplace_back();
+    metric.name = name;
+    for (const Row& row : rows) metric.values.push_back(std::abs(value_of(scene, row, name)));
   }
   return report;
 }

@@ -7,8 +7,9 @@
 
 namespace tradeoff {
 
-/// What a scene came to, for a page and a plot: its error is the column rms_error_m if it has one. What did not
-/// converge or has no number counts as failed.
+/// What a scene came to, for a page and plots: its error is the column rms_error_m if it has one, and penetration_m if
+/// not; stretch, energy and the error against its own converged motion are plots of their own. What did not converge
+/// counts as failed.
 study::Report report_of(const Scene& scene, const std::vector<Row>& rows);
 
 }  // namespace tradeoff
