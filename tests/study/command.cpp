@@ -22,7 +22,7 @@ void interrupt(int /*signal*/) { interrupted = 1; }
 std::string replay_of(const Command& command, const LevelFile& file) {
   if (!command.replay.empty()) return command.replay;
   const std::string name = std::filesystem::path(file.path()).stem().string();
-  const std::string path = game::assets_folder() + "/replays/" + name + ".replay";
+  std::string path = game::assets_folder() + "/replays/" + name + ".replay";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     throw std::runtime_error("no --replay given, and there is no " + path + "; record one: ropeswing --level " +

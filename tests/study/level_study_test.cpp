@@ -26,18 +26,18 @@ class LevelStudy : public testing::Test {
  protected:
   LevelStudy() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = testing::TempDir() + "study_" + info->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    level_ = folder_ + "/swing.tmj";
-    fs::copy_file(TEST_ASSETS "/levels/first_swing.tmj", level_);
-    replay_ = folder_ + "/swing.replay";
-    record(replay_, 20);
+    home = testing::TempDir() + "study_" + info->name();
+    fs::remove_all(home);
+    fs::create_directories(home);
+    level_path = home + "/swing.tmj";
+    fs::copy_file(TEST_ASSETS "/levels/first_swing.tmj", level_path);
+    replay_path = home + "/swing.replay";
+    record(replay_path, 20);
   }
-  ~LevelStudy() override { fs::remove_all(folder_); }
+  ~LevelStudy() override { fs::remove_all(home); }
 
   void record(const std::string& path, int ticks) const {
-    const game::Level level = game::load_level(level_);
+    const game::Level level = game::load_level(level_path);
     engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
     game::Simulation simulation(level);
     for (int k = 0; k < ticks; ++k) {
@@ -51,11 +51,11 @@ class LevelStudy : public testing::Test {
     StudyOptions options;
     options.quick = true;
     options.repeats = 1;
-    options.folder = folder_ + "/report";
+    options.folder = home + "/report";
     return options;
   }
 
-  std::string folder_, level_, replay_;
+  std::string home, level_path, replay_path;
 };
 
 std::string message_of(const std::function<void()>& call) {
@@ -76,7 +76,7 @@ TEST(Dials, NoSettingOfAGridStandsInItTwice) {
 }
 
 TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
-  const LevelFile file(level_);
+  const LevelFile file(level_path);
   const game::Level level = file.with({"direct", "implicit_euler", 3, 1e-6, 2.0});
   const auto changed = level.make_scene();
   const auto before = file.level().make_scene();
@@ -96,18 +96,18 @@ TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
 }
 
 TEST_F(LevelStudy, WhatIsAppliedStandsInTheFile) {
-  LevelFile(level_).apply({"direct", "tr_bdf2", 2, 1e-5});
-  const auto scene = game::load_level(level_).make_scene();
+  LevelFile(level_path).apply({"direct", "tr_bdf2", 2, 1e-5});
+  const auto scene = game::load_level(level_path).make_scene();
   EXPECT_EQ(scene->coupling().direct_cord(0).def().accuracy.substeps, 2);
   EXPECT_EQ(scene->coupling().direct_cord(0).def().accuracy.tolerance, 1e-5);
-  EXPECT_EQ(LevelFile(level_).declares("friction"), true);
-  const std::string before = content_of(level_);
-  EXPECT_THROW(LevelFile(level_).apply({"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
-  EXPECT_EQ(content_of(level_), before);
+  EXPECT_EQ(LevelFile(level_path).declares("friction"), true);
+  const std::string before = content_of(level_path);
+  EXPECT_THROW(LevelFile(level_path).apply({"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
+  EXPECT_EQ(content_of(level_path), before);
 }
 
 TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
-  const Study study = measure(LevelFile(level_), replay_, options());
+  const Study study = measure(LevelFile(level_path), replay_path, options());
   ASSERT_TRUE(study.complete);
   const auto error_of = [&](const Dials& dials) {
     const auto found =
@@ -131,7 +131,7 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
   StudyOptions stops = options();
   int asked = 0;
   stops.stopped = [&asked] { return ++asked > 15; };
-  const Study half = measure(LevelFile(level_), replay_, stops);
+  const Study half = measure(LevelFile(level_path), replay_path, stops);
   EXPECT_FALSE(half.complete);
   ASSERT_GT(half.settings.size(), 0U);
   const std::string path = options().folder + "/results.jsonl";
@@ -140,7 +140,7 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
 
   std::ofstream(path, std::ios::app) << "{\"key\": \"half a li";
   std::ofstream(path, std::ios::app) << '\n';
-  const Study whole = measure(LevelFile(level_), replay_, options());
+  const Study whole = measure(LevelFile(level_path), replay_path, options());
   EXPECT_TRUE(whole.complete);
   EXPECT_EQ(whole.settings.size(), grid(true).size());
   for (std::size_t k = 0; k < half.settings.size(); ++k) {
@@ -152,23 +152,23 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
 }
 
 TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
-  const LevelFile file(level_);
-  record(folder_ + "/none.replay", 0);
-  EXPECT_NE(message_of([&] { measure(file, folder_ + "/none.replay", options()); }).find("has no ticks"),
+  const LevelFile file(level_path);
+  record(home + "/none.replay", 0);
+  EXPECT_NE(message_of([&] { measure(file, home + "/none.replay", options()); }).find("has no ticks"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { measure(file, folder_ + "/absent.replay", options()); }).find("absent.replay"),
+  EXPECT_NE(message_of([&] { measure(file, home + "/absent.replay", options()); }).find("absent.replay"),
             std::string::npos);
   StudyOptions nowhere = options();
-  nowhere.folder = level_ + "/inside";
-  EXPECT_NE(message_of([&] { measure(file, replay_, nowhere); }).find("cannot write to"), std::string::npos);
+  nowhere.folder = level_path + "/inside";
+  EXPECT_NE(message_of([&] { measure(file, replay_path, nowhere); }).find("cannot write to"), std::string::npos);
   Command command;
-  command.level = level_;
+  command.level = level_path;
   EXPECT_NE(message_of([&] { run(command); }).find("no --replay given"), std::string::npos);
-  EXPECT_NE(message_of([&] { LevelFile(folder_ + "/absent.tmj"); }).find("absent.tmj"), std::string::npos);
+  EXPECT_NE(message_of([&] { LevelFile(home + "/absent.tmj"); }).find("absent.tmj"), std::string::npos);
 }
 
 TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
-  const Terms terms = try_terms(LevelFile(level_), replay_, [](double) {});
+  const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
   const auto result = [&](const std::string& term) {
     return *std::find_if(terms.declared.begin(), terms.declared.end(), [&](const auto& r) { return r.term == term; });
   };
@@ -195,7 +195,7 @@ Report small_report() {
 }
 
 TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
-  const std::string folder = folder_ + "/report";
+  const std::string folder = home + "/report";
   const Report report = small_report();
   const std::string complaint = message_of([&] { write_report(report, folder); });
   EXPECT_TRUE(complaint.empty() || complaint.find("gnuplot-nox") != std::string::npos) << complaint;
@@ -212,9 +212,9 @@ TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
 }
 
 TEST_F(LevelStudy, WithoutAPlottingProgramTheNumbersAreWritten) {
-  const std::string folder = folder_ + "/report";
+  const std::string folder = home + "/report";
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder_.c_str(), 1);
+  ::setenv("PATH", home.c_str(), 1);
   const std::string complaint = message_of([&] { write_report(small_report(), folder); });
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_NE(complaint.find("gnuplot-nox"), std::string::npos) << complaint;

@@ -85,7 +85,7 @@ int write_standard_report(bool quick, const std::string& folder) {
     command.level = level;
     command.quick = quick;
     command.repeats = quick ? 1 : 9;
-    command.folder = folder + "/" + level;
+    command.folder.append(folder).append("/").append(level);
     study::run(command);
     names.push_back(level);
   }
@@ -101,7 +101,7 @@ int write_standard_report(bool quick, const std::string& folder) {
 /// A number above 0 with a unit: 1cm, 50us.
 CLI::Validator measured_in(const std::map<std::string, double>& units) {
   std::string accepted;
-  for (const auto& [unit, factor] : units) accepted += (accepted.empty() ? "" : ", ") + unit;
+  for (const auto& [unit, factor] : units) accepted.append(accepted.empty() ? "" : ", ").append(unit);
   const auto check = [units, accepted](std::string& text) -> std::string {
     const std::size_t end = text.find_first_not_of("0123456789.eE+-");
     const auto unit = units.find(end == std::string::npos ? "" : text.substr(end));
