@@ -90,15 +90,32 @@ Table thesis_counts(const engine::Coupling& coupling) {
   return table;
 }
 
-Table direct_counts(const engine::Coupling& coupling) {
+/// A share as per cent, to two significant digits.
+std::string per_cent(double share) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * share);
+  return text.data();
+}
+
+/// What a tick costs, against the sixtieth of a second that it may.
+std::string cost_in_words(const Meter& meter) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "a tick: %.0f µs, at most %.0f µs in the last second (of 16667)",
+                meter.median_us(), meter.worst_us());
+  return text.data();
+}
+
+Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
   Table table = {
       {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
+  if (meter != nullptr) table.front().emplace_back("peak stretch");
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::direct) continue;
     const ribbon::CordReport& total = coupling.direct_total(c);
     const auto touches = static_cast<int>(coupling.direct_cord(c).touches().size());
     table.push_back(in_words({c, points_of(coupling, c), touches, coupling.direct_report(c).iterations, total.impacts,
                               total.fallbacks, total.unconverged}));
+    if (meter != nullptr) table.back().push_back(per_cent(meter->peak_stretch(c)));
   }
   return table;
 }
@@ -113,15 +130,17 @@ std::vector<double> column_edges(const Canvas& canvas, const Table& table, doubl
 }
 
 /// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
-void draw_counts(Canvas& canvas, const Simulation& simulation, double scale) {
+void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
   const engine::Coupling& coupling = simulation.scene().coupling();
-  const std::string legend = "points: blue free, yellow dragged, red constrained";
+  std::vector<std::string> legend = {"points: blue free, yellow dragged, red constrained"};
+  if (meter != nullptr) legend.push_back(cost_in_words(*meter));
   const double size = 14.0 * scale;
   const double margin = 14.0 * scale;
   const double step = canvas.line_height(size);
-  Vec2 box{canvas.text_width(legend, size) + 2.0 * margin, step + margin};
+  Vec2 box{0.0, step * static_cast<double>(legend.size()) + margin};
+  for (const std::string& line : legend) box.x = std::max(box.x, canvas.text_width(line, size) + 2.0 * margin);
   std::vector<Table> tables;
-  for (Table& table : std::array{thesis_counts(coupling), direct_counts(coupling)}) {
+  for (Table& table : std::array{thesis_counts(coupling), direct_counts(coupling, meter)}) {
     if (table.size() == 1) continue;  // titles alone
     box.x = std::max(box.x, column_edges(canvas, table, size, margin).back() + margin);
     box.y += step * static_cast<double>(table.size());
@@ -139,7 +158,10 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, double scale) {
       y += step;
     }
   }
-  canvas.text(corner + Vec2{margin, y}, legend, size, faint);
+  for (const std::string& line : legend) {
+    canvas.text(corner + Vec2{margin, y}, line, size, faint);
+    y += step;
+  }
 }
 
 }  // namespace
@@ -162,7 +184,7 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
   if (options.help && !options.watching) draw_box(canvas, {margin, margin}, {keys_in_words(), 15.0 * scale, faint});
-  if (options.debug) draw_counts(canvas, simulation, scale);
+  if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
   if (options.paused) {
     draw_banner(canvas, "Paused", "P to go on, N for one tick", scale);
   } else if (goal) {

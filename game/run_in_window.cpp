@@ -48,6 +48,7 @@ class WindowGame {
   explicit WindowGame(const RunOptions& options)
       : options_(options), run_(options), view_(run_.simulation()), window_("Rope swing", window_width, window_height) {
     view_options_.watching = run_.has_replay();
+    view_options_.meter = &meter_;
     last_frame_ns_ = engine::now_ns();
   }
 
@@ -107,12 +108,14 @@ class WindowGame {
   void tick() {
     next_.buttons = static_cast<std::uint16_t>(held_ | tapped_);
     tapped_ = 0;
+    const std::int64_t begun = engine::now_ns();
     try {
       run_.tick(next_);
     } catch (const engine::ReplayError& error) {  // of the recording, once: play on without it
       std::fprintf(stderr, "ropeswing: %s\n", error.what());
       recording_failed_ = true;
     }
+    meter_.add(run_.simulation(), engine::now_ns() - begun);
   }
 
   void draw(const WindowInput& input) {
@@ -135,6 +138,7 @@ class WindowGame {
   RecordedRun run_;
   View view_;
   engine::Window window_;
+  Meter meter_;
   ViewOptions view_options_;
   engine::FixedTick clock_{ticks_per_second};
   std::int64_t last_frame_ns_ = 0;

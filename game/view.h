@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/canvas.h"
+#include "game/meter.h"
 #include "game/simulation.h"
 
 namespace game {
@@ -12,7 +13,8 @@ struct ViewOptions {
   bool watching = false;  ///< a replay, so the keys do not steer
   bool over = false;      ///< the replay has ended, or the ticks asked for have run
   bool help = true;
-  double text_scale = 1.0;  ///< pixels a desktop unit
+  double text_scale = 1.0;       ///< pixels a desktop unit
+  const Meter* meter = nullptr;  ///< of what the debug view tells of cost and stretch, if it is to
 };
 
 /// Draws a run of a level. The camera follows the player within the level.

@@ -1,0 +1,55 @@
+#include "game/meter.h"
+
+#include <algorithm>
+
+namespace game {
+namespace {
+
+/// m, along a cord's first row.
+double length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  const auto x = coupling.positions(cord);
+  const auto rows = static_cast<std::size_t>(coupling.shape(cord).rows);
+  double sum = 0.0;
+  for (std::size_t p = rows; p < x.size(); p += rows) sum += length(x[p] - x[p - rows]);
+  return sum;
+}
+
+/// m, the same as it was made.
+double rest_length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  if (coupling.solver(cord) == engine::Solver::thesis) {
+    const ribbon::ThesisDef& def = coupling.cord(cord).def();
+    return def.spacing * (def.w - 1);
+  }
+  return coupling.direct_cord(cord).def().length;
+}
+
+}  // namespace
+
+void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
+  recent_us_[ticks_++ % remembered] = 1e-3 * static_cast<double>(nanoseconds);
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  const bool restarted = simulation.run_ticks() <= last_run_tick_;
+  last_run_tick_ = simulation.run_ticks();
+  if (restarted || peaks_.empty()) peaks_.assign(static_cast<std::size_t>(coupling.size()), 0.0);
+  for (int c = 0; c < coupling.size(); ++c) {
+    double& peak = peaks_[static_cast<std::size_t>(c)];
+    peak = std::max(peak, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
+  }
+}
+
+double Meter::median_us() const {
+  std::array<double, remembered> sorted = recent_us_;
+  const std::size_t count = std::min(ticks_, remembered);
+  if (count == 0) return 0.0;
+  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
+  return sorted[count / 2];
+}
+
+double Meter::worst_us() const { return *std::max_element(recent_us_.begin(), recent_us_.end()); }
+
+double Meter::peak_stretch(engine::CordIndex cord) const {
+  const auto index = static_cast<std::size_t>(cord);
+  return index < peaks_.size() ? peaks_[index] : 0.0;
+}
+
+}  // namespace game

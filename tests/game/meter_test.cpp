@@ -1,0 +1,57 @@
+#include "game/meter.h"
+
+#include <gtest/gtest.h>
+
+#include "game/buttons.h"
+
+namespace game {
+namespace {
+
+TEST(Meter, TellsTheMedianAndTheDearestOfTheLastSecond) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  Meter meter;
+  EXPECT_EQ(meter.median_us(), 0.0);
+  EXPECT_EQ(meter.worst_us(), 0.0);
+  simulation.tick({});
+  meter.add(simulation, 900'000);
+  for (int k = 0; k < 60; ++k) {
+    if (k == 0) {
+      EXPECT_EQ(meter.worst_us(), 900.0);
+    }
+    meter.add(simulation, 1000 * (k % 2 == 0 ? 10 : 30));
+  }
+  EXPECT_EQ(meter.worst_us(), 30.0);  // the first is forgotten
+  EXPECT_EQ(meter.median_us(), 30.0);
+  meter.add(simulation, 5'000);
+  meter.add(simulation, 5'000);
+  EXPECT_EQ(meter.median_us(), 10.0);
+}
+
+TEST(Meter, RemembersTheMostThatACordWasStretchedSinceTheRestart) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  Meter meter;
+  double most = 0.0;
+  for (int k = 0; k < 120; ++k) {
+    simulation.tick({});
+    meter.add(simulation, 0);
+    const auto& cord = simulation.scene().coupling().direct_cord(0);
+    double along = 0.0;
+    for (std::size_t p = 1; p < cord.positions().size(); ++p) {
+      along += length(cord.positions()[p] - cord.positions()[p - 1]);
+    }
+    most = std::max(most, along / cord.def().length - 1.0);
+  }
+  EXPECT_EQ(meter.peak_stretch(0), most);
+  engine::TickInput restart;
+  restart.buttons = button_restart;
+  simulation.tick(restart);
+  meter.add(simulation, 0);
+  EXPECT_LE(meter.peak_stretch(0), most);
+  EXPECT_LE(meter.peak_stretch(0), 1e-4);
+  EXPECT_EQ(meter.peak_stretch(99), 0.0);
+}
+
+}  // namespace
+}  // namespace game
