@@ -169,7 +169,7 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
 /// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
-  pair.stiffness = Contacts::firmness * mass / (step_dt_ * step_dt_);
+  pair.stiffness = (is_rough() ? Contacts::rough_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
   const auto& touches = member.cord->touches_;
