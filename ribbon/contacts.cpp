@@ -42,6 +42,7 @@ void Contacts::clear(std::size_t points) {
   points_ = points;
   spots_.clear();
   pairs_.clear();
+  corners_.clear();
   active_.clear();
   touching_.clear();
 }
@@ -55,6 +56,7 @@ void Contacts::add(const ContactPair& pair) {
   const double slack = slack_share * pair.reach;
   if (pairs_.empty() || slack < least_slack_) least_slack_ = slack;
   pairs_.push_back(pair);
+  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -155,6 +157,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   for (const std::size_t k : near_) {
     const ContactPair& pair = pairs_[k];
     const double off = forces_[k] > 0.0 ? kept * pair.reach : 0.0;
+    if (!may_be_within(pair.reach + off, anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)])) continue;
     const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
     if (!(gap.distance < pair.reach + off) || !is_minimum(pair, gap)) continue;
     active_.push_back({k, gap});

@@ -160,6 +160,11 @@ class Contacts {
     double stiffness = 0.0;  // N/m, with which the solve lets it change
     bool sticks = false;
   };
+  /// What a pass over all pairs reads of one.
+  struct Corner {
+    int disc, a, b;
+    double reach;
+  };
   struct Active {
     std::size_t pair;
     Gap gap;
@@ -170,7 +175,8 @@ class Contacts {
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
   void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
   void watch(std::span<const Vec2> from, std::span<const Vec2> to);
-  bool is_watched(std::span<const Vec2> anchors) const;
+  bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
+  bool is_near(const Corner& pair) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
@@ -186,9 +192,12 @@ class Contacts {
   std::size_t points_ = 0;
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;
+  std::vector<Corner> corners_;  // of the pairs
   std::vector<Active> active_;
-  // Only these pairs may touch while no anchor is further than its slack [m] from where it was when they were found.
+  // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
+  std::vector<char> watched_;  // by pair: it is one of these
+  std::vector<char> left_;     // by anchor: it was not where it was to be the last time
   std::vector<Vec2> watched_from_;
   std::vector<double> slacks_;
   double least_slack_ = 0.0;              // m
