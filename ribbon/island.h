@@ -110,6 +110,7 @@ class Island {
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
   Vec2 mean_way() const;
+  bool may_meet(std::size_t disc, const OutlineLink& link, double distance) const;
   void meet_link(const Member& member, int k, const OutlineLink& link);
   static bool are_neighbours(const CordDef& def, int k, int link);
   bool widen();
