@@ -311,8 +311,10 @@ bool Island::may_meet(std::size_t disc, const OutlineLink& link, double distance
   const std::vector<int>& outline = member.cord->outline_;
   const std::size_t a = member.first + at(outline[at(link.link)]);
   const std::size_t b = member.first + at(outline[(at(link.link) + 1) % outline.size()]);
-  const auto way = [this](std::size_t p) { return ends_[p] - positions_[p]; };
-  const double most = distance + std::max(length(way(disc) - way(a)), length(way(disc) - way(b)));
+  const Vec2 way = ends_[disc] - positions_[disc];
+  const Vec2 past_a = way - (ends_[a] - positions_[a]);
+  const Vec2 past_b = way - (ends_[b] - positions_[b]);
+  const double most = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   return may_be_within(most, positions_[disc], positions_[a], positions_[b]) &&
          gap_between(positions_[disc], positions_[a], positions_[b]).distance <= most;
 }
