@@ -73,7 +73,7 @@ double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, boo
   place(to, led, to_);
   watch(from_, to_);
   double share = most;
-  for (const std::size_t k : near_) share = free_share(pairs_[k], nearest_share, share);
+  for (const std::size_t k : near_) share = free_share(corners_[k], nearest_share, share);
   return share;
 }
 
@@ -85,15 +85,19 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   }
   watch(from_, to_);
   return std::all_of(near_.begin(), near_.end(),
-                     [this](std::size_t k) { return free_share(pairs_[k], passing_share, 1.0) == 1.0; });
+                     [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0) == 1.0; });
 }
 
 /// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.
-double Contacts::free_share(const ContactPair& pair, double share_of_reach, double most) const {
+double Contacts::free_share(const Corner& pair, double share_of_reach, double most) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
-  const double speed = std::max(length(disc - way(pair.a)), length(disc - way(pair.b)));
+  const Vec2 past_a = disc - way(pair.a);
+  const Vec2 past_b = disc - way(pair.b);
+  const double speed = std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   if (speed == 0.0) return most;
+  const double near = share_of_reach * pair.reach + most * speed;
+  if (!may_be_within(near, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return most;
   const auto distance = [&](double share) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
     return gap_between(there(pair.disc), there(pair.a), there(pair.b)).distance;

@@ -155,11 +155,14 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   active_.clear();
   touching_.assign(pairs_.size(), 0);
   for (const std::size_t k : near_) {
-    const ContactPair& pair = pairs_[k];
-    const double off = forces_[k] > 0.0 ? kept * pair.reach : 0.0;
-    if (!may_be_within(pair.reach + off, anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)])) continue;
-    const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
-    if (!(gap.distance < pair.reach + off) || !is_minimum(pair, gap)) continue;
+    const Corner& corner = corners_[k];
+    const double reach = corner.reach + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
+    const Vec2 disc = anchors_[at(corner.disc)];
+    const Vec2 a = anchors_[at(corner.a)];
+    const Vec2 b = anchors_[at(corner.b)];
+    if (!may_be_within(reach, disc, a, b)) continue;
+    const Gap gap = gap_between(disc, a, b);
+    if (!(gap.distance < reach) || !is_minimum(pairs_[k], gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;
   }
