@@ -20,31 +20,52 @@ constexpr int most_advances = 32;
 }  // namespace
 
 /// Finds the pairs that may touch on the way, if it leaves what those known are good for; and on as long a way again,
-/// for Newton steps get shorter.
+/// for Newton steps get shorter. Who keeps to his slack is left as he was found, and so are pairs of such.
 void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
   const bool first = watched_from_.size() != from.size();
-  if (!first && is_watched(from) && is_watched(to)) return;
-  slacks_.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const double last = first ? 0.0 : std::min(length(from[i] - watched_from_[i]), slacks_[i]);
-    slacks_[i] = std::max(least_slack_, 2.0 * std::max(length(to[i] - from[i]), last));
+  if (first) {
+    watched_from_.assign(from.begin(), from.end());
+    slacks_.assign(from.size(), 0.0);
+    left_.assign(from.size(), 1);
+    watched_.resize(pairs_.size());
+  } else if (!find_left(from, to)) {
+    return;
   }
-  watched_from_.assign(from.begin(), from.end());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (left_[i] == 0) continue;
+    const double last = std::min(length(from[i] - watched_from_[i]), slacks_[i]);
+    slacks_[i] = std::max(least_slack_, 2.0 * std::max(length(to[i] - from[i]), last));
+    watched_from_[i] = from[i];
+  }
   near_.clear();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const ContactPair& pair = pairs_[k];
-    const Gap gap = gap_between(from[at(pair.disc)], from[at(pair.a)], from[at(pair.b)]);
-    const double slack = slacks_[at(pair.disc)] + std::max(slacks_[at(pair.a)], slacks_[at(pair.b)]);
-    if (gap.distance - (1.0 + kept_share) * pair.reach <= slack) near_.push_back(k);
+    const Corner& pair = corners_[k];
+    if (left_[at(pair.disc)] != 0 || left_[at(pair.a)] != 0 || left_[at(pair.b)] != 0) watched_[k] = is_near(pair);
+    if (watched_[k] != 0) near_.push_back(k);
   }
 }
 
-bool Contacts::is_watched(std::span<const Vec2> anchors) const {
-  for (std::size_t i = 0; i < anchors.size(); ++i) {
-    const Vec2 way = anchors[i] - watched_from_[i];
-    if (!(dot(way, way) <= slacks_[i] * slacks_[i])) return false;
+/// Who leaves his slack.
+bool Contacts::find_left(std::span<const Vec2> from, std::span<const Vec2> to) {
+  char any = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Vec2 here = from[i] - watched_from_[i];
+    const Vec2 there = to[i] - watched_from_[i];
+    const double slack2 = slacks_[i] * slacks_[i];
+    left_[i] = dot(here, here) <= slack2 && dot(there, there) <= slack2 ? 0 : 1;
+    any = static_cast<char>(any | left_[i]);
   }
-  return true;
+  return any != 0;
+}
+
+/// Whether the pair may touch while all of it keep to their slacks.
+bool Contacts::is_near(const Corner& pair) const {
+  const Vec2 disc = watched_from_[at(pair.disc)];
+  const Vec2 a = watched_from_[at(pair.a)];
+  const Vec2 b = watched_from_[at(pair.b)];
+  const double slack = slacks_[at(pair.disc)] + std::max(slacks_[at(pair.a)], slacks_[at(pair.b)]);
+  const double near = (1.0 + kept_share) * pair.reach + slack;
+  return may_be_within(near, disc, a, b) && gap_between(disc, a, b).distance <= near;
 }
 
 double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most) {
@@ -52,7 +73,7 @@ double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, boo
   place(to, led, to_);
   watch(from_, to_);
   double share = most;
-  for (const std::size_t k : near_) share = free_share(pairs_[k], nearest_share, share);
+  for (const std::size_t k : near_) share = free_share(corners_[k], nearest_share, share);
   return share;
 }
 
@@ -64,15 +85,19 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   }
   watch(from_, to_);
   return std::all_of(near_.begin(), near_.end(),
-                     [this](std::size_t k) { return free_share(pairs_[k], passing_share, 1.0) == 1.0; });
+                     [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0) == 1.0; });
 }
 
 /// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.
-double Contacts::free_share(const ContactPair& pair, double share_of_reach, double most) const {
+double Contacts::free_share(const Corner& pair, double share_of_reach, double most) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
-  const double speed = std::max(length(disc - way(pair.a)), length(disc - way(pair.b)));
+  const Vec2 past_a = disc - way(pair.a);
+  const Vec2 past_b = disc - way(pair.b);
+  const double speed = std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   if (speed == 0.0) return most;
+  const double near = share_of_reach * pair.reach + most * speed;
+  if (!may_be_within(near, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return most;
   const auto distance = [&](double share) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
     return gap_between(there(pair.disc), there(pair.a), there(pair.b)).distance;

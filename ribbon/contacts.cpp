@@ -42,6 +42,7 @@ void Contacts::clear(std::size_t points) {
   points_ = points;
   spots_.clear();
   pairs_.clear();
+  corners_.clear();
   active_.clear();
   touching_.clear();
 }
@@ -55,6 +56,7 @@ void Contacts::add(const ContactPair& pair) {
   const double slack = slack_share * pair.reach;
   if (pairs_.empty() || slack < least_slack_) least_slack_ = slack;
   pairs_.push_back(pair);
+  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -133,7 +135,7 @@ bool Contacts::is_settled(std::span<const Vec2> x, double tolerated) {
     const double rub = std::clamp(-friction_share * pair.stiffness * slid, -most, most);
     take(pair, rub - rubs_[active.pair]);
   }
-  return off <= settled_share * sum || off_depth <= tolerated / firmness;
+  return off <= settled_share * sum || off_depth <= tolerated / rough_firmness;
 }
 
 bool Contacts::are_shallow() const {
@@ -153,10 +155,14 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   active_.clear();
   touching_.assign(pairs_.size(), 0);
   for (const std::size_t k : near_) {
-    const ContactPair& pair = pairs_[k];
-    const double off = forces_[k] > 0.0 ? kept * pair.reach : 0.0;
-    const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
-    if (!(gap.distance < pair.reach + off) || !is_minimum(pair, gap)) continue;
+    const Corner& corner = corners_[k];
+    const double reach = corner.reach + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
+    const Vec2 disc = anchors_[at(corner.disc)];
+    const Vec2 a = anchors_[at(corner.a)];
+    const Vec2 b = anchors_[at(corner.b)];
+    if (!may_be_within(reach, disc, a, b)) continue;
+    const Gap gap = gap_between(disc, a, b);
+    if (!(gap.distance < reach) || !is_minimum(pairs_[k], gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;
   }

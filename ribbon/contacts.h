@@ -55,6 +55,8 @@ class Contacts {
   /// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as
   /// its own way in a step is divided by that.
   static constexpr double firmness = 2e3;
+  /// The same of scenery, which needs less than half the Newton steps for being as soft as that.
+  static constexpr double rough_firmness = 1e2;
 
   /// Forgets all pairs and spots; points are the anchors before the spots.
   void clear(std::size_t points);
@@ -157,6 +159,11 @@ class Contacts {
     double stiffness = 0.0;  // N/m, with which the solve lets it change
     bool sticks = false;
   };
+  /// What a pass over all pairs reads of one.
+  struct Corner {
+    int disc, a, b;
+    double reach;
+  };
   struct Active {
     std::size_t pair;
     Gap gap;
@@ -167,7 +174,8 @@ class Contacts {
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
   void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
   void watch(std::span<const Vec2> from, std::span<const Vec2> to);
-  bool is_watched(std::span<const Vec2> anchors) const;
+  bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
+  bool is_near(const Corner& pair) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
@@ -177,15 +185,18 @@ class Contacts {
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
   double led_speed(const ContactPair& pair, const Gap& gap) const;
   void load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const;
-  double free_share(const ContactPair& pair, double nearest_share, double most) const;
+  double free_share(const Corner& pair, double nearest_share, double most) const;
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;
+  std::vector<Corner> corners_;  // of the pairs
   std::vector<Active> active_;
-  // Only these pairs may touch while no anchor is further than its slack [m] from where it was when they were found.
+  // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
+  std::vector<char> watched_;  // by pair: it is one of these
+  std::vector<char> left_;     // by anchor: it was not where it was to be the last time
   std::vector<Vec2> watched_from_;
   std::vector<double> slacks_;
   double least_slack_ = 0.0;              // m

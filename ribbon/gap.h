@@ -20,6 +20,14 @@ struct Gap {
   bool inside() const { return along > 0.0 && along < 1.0; }
 };
 
+/// False only if the point o is further than `distance` from the segment from a to b.
+inline bool may_be_within(double distance, Vec2 o, Vec2 a, Vec2 b) {
+  const Vec2 oa = a - o;
+  const Vec2 ob = b - o;
+  return !((oa.x > distance && ob.x > distance) || (oa.x < -distance && ob.x < -distance) ||
+           (oa.y > distance && ob.y > distance) || (oa.y < -distance && ob.y < -distance));
+}
+
 /// A point that lies on the segment is taken to be left of it, one on a segment without length above it.
 inline Gap gap_between(Vec2 o, Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;

@@ -76,6 +76,8 @@ class Island {
   void take_over(const Member& member);
   void find_tolerance();
   bool is_alone() const;
+  /// Whether the cords are scenery: what is of first order need not have its forces more exact than its motion.
+  bool is_rough() const { return accuracy_.integrator == Integrator::implicit_euler; }
   void drive_points(const Member& member, double dt);
   void drive(std::size_t slot, Vec2 velocity);
   void take_hold(Member& member);
@@ -108,6 +110,7 @@ class Island {
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
   Vec2 mean_way() const;
+  bool may_meet(std::size_t disc, const OutlineLink& link, double distance) const;
   void meet_link(const Member& member, int k, const OutlineLink& link);
   static bool are_neighbours(const CordDef& def, int k, int link);
   bool widen();

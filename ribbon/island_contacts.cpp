@@ -16,9 +16,9 @@ constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a reb
 constexpr double penalty_factor = 2.0;      // by which the exact penalty of a search is above the tensions
 constexpr double unsettled_share = 1e-2;  // of the tolerance, that forces which are not as expected may move something
 constexpr double crawling_share = 0.1;    // of a step, less of which says that its contacts are not as expected
-constexpr int enough_fulls = 8;
-constexpr double shortest_step = 1e-6;  // of a Newton step, below which a search gives up
-constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
+constexpr int enough_fulls = 2;           // of a rough stage
+constexpr double shortest_step = 1e-6;    // of a Newton step, below which a search gives up
+constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
 }  // namespace
 
@@ -34,8 +34,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   double left = 1.0;  // of the way of what drives
   go_led(left);
   bool strict = false;
-  // What is of first order need not have its forces more exact than its motion.
-  const bool rough = accuracy_.integrator == Integrator::implicit_euler;
+  const bool rough = is_rough();
   const double tolerated = rough ? unsettled_share * tolerance_ : 0.0;
   int fulls = 0;
   for (int iteration = 0; iteration < touching_iterations; ++iteration) {

@@ -169,7 +169,7 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
 /// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
-  pair.stiffness = Contacts::firmness * mass / (step_dt_ * step_dt_);
+  pair.stiffness = (is_rough() ? Contacts::rough_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
   const auto& touches = member.cord->touches_;
@@ -288,20 +288,35 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   const Member& other = members_[link.member];
   const bool itself = &other == &member;
   const CordDef& def = member.cord->def_;
-  if (itself ? !def.self_contact || are_neighbours(def, k, link.link)
-             : !def.cord_contact || !other.cord->def_.cord_contact) {
-    return;
-  }
+  if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def_.cord_contact) return;
+  const std::size_t disc = member.first + at(member.cord->outline_[at(k)]);
+  const double reach = def.radius + other.cord->def_.radius;
+  if (!may_meet(disc, link, reach + member.room + other.room)) return;
+  if (itself && are_neighbours(def, k, link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
-  pair.disc = static_cast<int>(member.first) + member.cord->outline_[at(k)];
+  pair.disc = static_cast<int>(disc);
   pair.mutual = true;
-  pair.reach = def.radius + other.cord->def_.radius;
+  pair.reach = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
   pair.touch.feature = 2 * k + 1;
   pair.touch.other_feature = link.link + 1;
   add_pair(member, pair, itself ? member.mass : member.mass + other.mass, other.cord->def_.friction,
            other.cord->def_.restitution);
+}
+
+/// Whether on their straight ways a point and a link may come as near each other as that.
+bool Island::may_meet(std::size_t disc, const OutlineLink& link, double distance) const {
+  const Member& member = members_[link.member];
+  const std::vector<int>& outline = member.cord->outline_;
+  const std::size_t a = member.first + at(outline[at(link.link)]);
+  const std::size_t b = member.first + at(outline[(at(link.link) + 1) % outline.size()]);
+  const Vec2 way = ends_[disc] - positions_[disc];
+  const Vec2 past_a = way - (ends_[a] - positions_[a]);
+  const Vec2 past_b = way - (ends_[b] - positions_[b]);
+  const double most = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
+  return may_be_within(most, positions_[disc], positions_[a], positions_[b]) &&
+         gap_between(positions_[disc], positions_[a], positions_[b]).distance <= most;
 }
 
 /// Whether a point and a link of one outline lie so near each other at rest that they could not be kept apart.
