@@ -76,7 +76,7 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
 int write_standard_report(bool quick, const std::string& folder) {
   if (folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
   std::vector<std::string> names;
-  for (const char* name : {"heavy_swing", "held_swing", "drape", "bridge", "capstan", "mass_ratio"}) {
+  for (const char* name : {"heavy_swing", "held_swing", "thesis_trade", "drape", "bridge", "capstan", "mass_ratio"}) {
     run_named_scene(name, quick ? 1 : 9, false, folder + "/" + name);
     names.emplace_back(name);
   }

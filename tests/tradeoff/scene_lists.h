@@ -12,6 +12,7 @@ std::vector<Scene> reference_scenes();  ///< the direct solver against exact sol
 std::vector<Scene> cost_scenes();       ///< what long cords, ribbons and many of them cost
 
 /// Cords that touch: the direct solver in a Box2D world against Box2D's own chains.
+Scene thesis_trade_scene();
 std::vector<Scene> contact_scenes();
 
 }  // namespace tradeoff

@@ -57,6 +57,7 @@ std::vector<Scene> thesis_scenes() {
        columns},
       {"thesis_d", "35 x 2 points, 4 substeps, self-collision: banded against dense inverse", 20, thesis_condition<3>,
        columns},
+      thesis_trade_scene(),
       {"scaling", "25, 250 and 2500 x 2 points of the thesis's cord, no collision: cost a point", 10, scaling, columns},
   };
 }

@@ -1,0 +1,132 @@
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+
+#include "ribbon/cord.h"
+#include "tests/support/thesis_scenes.h"
+#include "tests/tradeoff/scene_lists.h"
+
+namespace tradeoff {
+namespace {
+
+using ribbon::Accuracy;
+using ribbon::Cord;
+using ribbon::CordDef;
+using ribbon::ThesisCord;
+using ribbon::ThesisDef;
+using ribbon::Vec2;
+using test_support::earth_gravity;
+using test_support::frame_dt;
+using test_support::ThesisCondition;
+
+constexpr int ticks = 120;
+constexpr int converged_substeps = 1024;
+
+using Path = std::vector<std::vector<Vec2>>;  // by tick and point
+
+/// Held by its first column, and let go from the horizontal.
+ThesisDef thesis_swing(const ThesisCondition& condition, int substeps) {
+  ThesisDef def = test_support::thesis_def(condition);
+  def.substeps = substeps;
+  def.self_collision = false;
+  for (int j = 0; j < def.h; ++j) def.pins.push_back(j);
+  return def;
+}
+
+/// The same ribbon of the direct solver: as heavy, and as stiff along its rows as the springs are.
+CordDef cord_swing(const ThesisCondition& condition, const Accuracy& accuracy) {
+  const ThesisDef thesis = thesis_swing(condition, condition.substeps);
+  CordDef def;
+  def.points = thesis.w;
+  def.rows = thesis.h;
+  def.length = thesis.spacing * (thesis.w - 1);
+  def.width = thesis.spacing * (thesis.h - 1);
+  def.mass_per_length = thesis.point_mass * thesis.w * thesis.h / def.length;
+  def.stretch_stiffness = thesis.spring_stiffness * thesis.spacing * thesis.h;
+  def.bending_stiffness = def.stretch_stiffness * def.width * def.width / 12.0;
+  def.drag = thesis.drag;
+  def.accuracy = accuracy;
+  for (int j = 0; j < def.rows; ++j) def.pins.push_back(j);
+  return def;
+}
+
+template <typename Method>
+Path path_of(Method& method) {
+  Path path;
+  for (int k = 0; k < ticks; ++k) {
+    method.step(frame_dt, earth_gravity);
+    path.emplace_back(method.positions().begin(), method.positions().end());
+  }
+  return path;
+}
+
+double rms(const Path& a, const Path& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (std::size_t p = 0; p < a[k].size(); ++p) sum += dot(a[k][p] - b[k][p], a[k][p] - b[k][p]);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size() * a[0].size()));
+}
+
+template <typename Method>
+Contestant contestant(const std::string& name, const std::string& setting, const std::shared_ptr<Method>& method,
+                      const std::shared_ptr<const Path>& converged) {
+  const auto start = std::make_shared<typename Method::State>(method->save());
+  return {name,
+          setting,
+          static_cast<int>(method->positions().size()),
+          [method, start] { method->restore(*start); },
+          [method] { method->step(frame_dt, earth_gravity); },
+          [method, start, converged] {
+            method->restore(*start);
+            return std::vector<double>{rms(path_of(*method), *converged)};
+          }};
+}
+
+void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {
+  ThesisCord fine(thesis_swing(condition, converged_substeps));
+  const auto converged = std::make_shared<const Path>(path_of(fine));
+  for (const int substeps : {1, 2, 4, 8, 16, 32, 64}) {
+    list.push_back(contestant(std::string(condition.name), "iterations=" + std::to_string(substeps),
+                              std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), converged));
+  }
+}
+
+void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
+  Accuracy accuracy;
+  accuracy.tolerance = 1e-8;
+  accuracy.substeps = 256;
+  Cord fine(cord_swing(condition, accuracy));
+  const auto converged = std::make_shared<const Path>(path_of(fine));
+  std::string name(condition.name);
+  name.replace(0, name.find('_'), "cord");
+  for (const auto& [setting, preset] :
+       {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
+    list.push_back(contestant(name, setting, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
+  }
+}
+
+/// D is C at another number of iterations.
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> list;
+  for (const ThesisCondition& condition : std::span(test_support::thesis_conditions).first(3)) {
+    add_thesis(list, condition);
+    add_cord(list, condition);
+  }
+  return list;
+}
+
+}  // namespace
+
+Scene thesis_trade_scene() {
+  return {"thesis_trade",
+          "the thesis's conditions A to C (D is C) let go from the horizontal, 1 to 64 iterations, and cords as heavy "
+          "and stiff; "
+          "each against its own converged motion",
+          ticks,
+          contestants,
+          {us_per_tick(), p99_us(), frames_per_second(), figure("rms_error_m", 0)}};
+}
+
+}  // namespace tradeoff
