@@ -8,6 +8,7 @@
 
 #include "tests/study/level_study.h"
 #include "tests/study/progress_bar.h"
+#include "tests/study/promises.h"
 #include "tests/study/report.h"
 #include "tests/study/terms.h"
 #include "tests/study/words.h"
@@ -86,15 +87,6 @@ void print_table(const Report& report) {
   }
 }
 
-/// Settings of other solvers stand apart: a level's cords would have to be made of something else.
-std::vector<Point> applicable(const Study& study) {
-  std::vector<Point> points = study.points();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    points[k].apart = points[k].apart || study.settings[k].dials.solver != "direct";
-  }
-  return points;
-}
-
 /// False if nothing keeps what was asked for.
 bool recommend(const Command& command, const LevelFile& file, const Study& study) {
   if (!command.max_error_m && !command.budget_us) return true;
@@ -126,6 +118,19 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   return true;
 }
 
+/// What is asked for, or a centimetre and a tenth of a millisecond.
+int tell_promises(const LevelFile& file, const Command& command) {
+  const double max_error = command.max_error_m.value_or(1e-2);
+  const double budget = command.budget_us.value_or(100.0);
+  const Promises promises =
+      try_promises(file, max_error, budget, *command.promises, [](double share) { show_progress("tries", share); });
+  std::printf("an error of %g m: %d of %d chosen settings kept it with another player\n", max_error,
+              promises.errors_kept, promises.error_tries);
+  std::printf("a cost of %g us: %d of %d chosen settings kept it with another player\n", budget, promises.budgets_kept,
+              promises.budget_tries);
+  return 0;
+}
+
 int tell_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
   std::printf("Compared for %.2f s; after that what a run does is chance.\n", static_cast<double>(terms.ticks) / 60.0);
@@ -150,6 +155,7 @@ void print_grid(const std::vector<Dials>& all) {
 
 int run(const Command& command) {
   const LevelFile file(command.level);
+  if (command.promises) return tell_promises(file, command);
   const std::string replay = replay_of(command, file);
   if (command.terms) return tell_terms(file, replay);
 

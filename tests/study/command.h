@@ -15,6 +15,7 @@ struct Command {
   bool apply = false;
   std::optional<double> max_error_m;
   std::optional<double> budget_us;
+  std::optional<int> promises;  ///< tries of whether recommendations keep their word
   int repeats = 9;
 };
 

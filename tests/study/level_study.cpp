@@ -53,12 +53,12 @@ struct Converged {
 
 class LevelStudy {
  public:
-  LevelStudy(const LevelFile& file, const engine::Replay& replay, const StudyOptions& options)
+  LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options)
       : file_(&file),
         options_(&options),
         grid_(grid(options.quick)),
         progress_(options, all_work()),
-        inputs_(inputs_of(replay)) {}
+        inputs_(std::move(inputs)) {}
 
   Study run(Results& results) {
     Study study;
@@ -186,10 +186,25 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
   engine::check_header(replay.header, game::Simulation::replay_header(level));
   if (replay.ticks.empty()) throw engine::ReplayError(replay_path + " has no ticks; a study needs one or more");
   Results results(options.folder, file.hash(), replay_path);
-  Study study = LevelStudy(file, replay, options).run(results);
+  Study study = LevelStudy(file, inputs_of(replay), options).run(results);
   study.level = level.name;
   study.replay = replay_path;
   return study;
+}
+
+Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options) {
+  Results nowhere("", file.hash(), "");
+  Study study = LevelStudy(file, inputs, options).run(nowhere);
+  study.level = file.level().name;
+  return study;
+}
+
+std::vector<Point> applicable(const Study& study) {
+  std::vector<Point> points = study.points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k].apart = points[k].apart || study.settings[k].dials.solver != "direct";
+  }
+  return points;
 }
 
 }  // namespace study

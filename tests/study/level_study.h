@@ -53,7 +53,14 @@ struct StudyOptions {
 };
 
 /// Measures a level and its recorded input over the grid. Continues what the folder holds of the same level, replay,
-/// grid and program.
+/// grid and program. Throws engine::ReplayError for a replay that is none, has no ticks or is of another level.
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
+
+/// The same of inputs that were not recorded; nothing is kept in a folder.
+Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
+
+/// The settings that a level's own cords can have: those of other solvers and numbers of points stand apart, for they
+/// would be other cords.
+std::vector<Point> applicable(const Study& study);
 
 }  // namespace study

@@ -146,6 +146,10 @@ int main(int argc, char** argv) {
       ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}))
       ->needs(level);
   app.add_flag("--apply", study.apply, "Write what is recommended into the level")->needs(level);
+  app.add_option("--promises", study.promises,
+                 "So often choose settings with one random player and measure them with another")
+      ->check(CLI::Range(1, 10000))
+      ->needs(level);
   app.add_flag("--terms", study.terms, "Tell which terms of its cords the level needs")->needs(level);
   app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
   try {
