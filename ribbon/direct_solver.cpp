@@ -12,7 +12,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   first_links_.clear();
   for (const IslandCord& cord : cords) {
     first_links_.push_back(links_.size());
-    reaches_.push_back(cord.cord->def().cord_contact ? take_reach(*cord.cord, dt, gravity) : Box{});
+    reaches_.push_back(cord.cord->def().cord_contact ? take_reach(cord, bodies, dt, gravity) : Box{});
   }
   first_links_.push_back(links_.size());
   find_islands(cords, bodies);
@@ -48,14 +48,12 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
 }
 
 /// The box that a cord does not leave in the step unless something hits it, and those of its links.
-Box DirectSolver::take_reach(const Cord& cord, double dt, Vec2 gravity) {
+Box DirectSolver::take_reach(const IslandCord& island_cord, std::span<const RigidBody> bodies, double dt,
+                             Vec2 gravity) {
+  const Cord& cord = *island_cord.cord;
   const auto x = cord.positions();
   const auto v = cord.velocities();
-  double speed2 = 0.0;
-  for (const Vec2 u : v) speed2 = std::max(speed2, dot(u, u));
-  const double fall = 2.0 * dt * dt * length(gravity);
-  const double margin =
-      cord.def().radius + 0.25 * cord.rest_length(0) + fall + Island::turned_share * dt * std::sqrt(speed2);
+  const double margin = cord.def().radius + Island::room_of(island_cord, bodies, dt, gravity);
   const auto take = [](Box& box, Vec2 p) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};

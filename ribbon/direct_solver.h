@@ -19,7 +19,7 @@ class DirectSolver {
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void share(std::size_t cord, int body, std::span<const RigidBody> bodies);
-  Box take_reach(const Cord& cord, double dt, Vec2 gravity);
+  Box take_reach(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
   bool links_meet(std::size_t a, std::size_t b) const;
   std::size_t root(std::size_t cord) const;
   void join(std::size_t a, std::size_t b);

@@ -28,6 +28,9 @@ class Island {
  public:
   /// Of its own way, that something may be turned aside in a step before that is taken again.
   static constexpr double turned_share = 0.3;
+  /// m, how far from its straight way a point of a cord may go in a step unless something hits it hard: a quarter of a
+  /// link, a fall, part of its own way, and all of that of what may push it.
+  static double room_of(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
 
   /// Advances the cords by dt seconds. All of them meet the same `bodies`.
   CordReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity);
@@ -94,7 +97,6 @@ class Island {
   void remember_contacts(const Member& member);
 
   void find_contacts(double dt);
-  double room_of(const Member& member) const;
   static bool may_touch(const Member& member);
   void find_reach(const Member& member);
   static bool holds(const Member& member, int body);

@@ -47,8 +47,9 @@ void Island::find_contacts(double dt) {
     if (constrained_[p] == 0) ends_[p] += (dt * dt) * gravity_;
   }
   body_room_ = 0.0;
-  for (Member& member : members_) {
-    member.room = room_of(member);
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    Member& member = members_[m];
+    member.room = widenings_[m] * room_of({member.cord, member.met, member.id}, rigid_, dt, gravity_);
     body_room_ = std::max(body_room_, member.room);
   }
   for (const Member& member : members_) {
@@ -64,21 +65,23 @@ void Island::find_contacts(double dt) {
   meet_each_other();
 }
 
-/// A quarter of a link, a fall, part of its own way, and all of that of what may push it.
-double Island::room_of(const Member& member) const {
+double Island::room_of(const IslandCord& island_cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity) {
+  const Cord& cord = *island_cord.cord;
   double own2 = 0.0;
   double other2 = 0.0;
-  for (const Vec2 v : std::span(velocities_).subspan(member.first, member.count)) own2 = std::max(own2, dot(v, v));
+  for (std::size_t p = 0; p < cord.count(); ++p) {
+    const bool is_free = cord.kinds_[p] == PointKind::free;
+    const Vec2 v = is_free ? cord.velocities_[p] : (1.0 / dt) * (cord.targets_[p] - cord.positions_[p]);
+    own2 = std::max(own2, dot(v, v));
+  }
   const auto take = [&](int body) {
-    const Vec2 v = rigid_[at(body)].velocity;
+    const Vec2 v = bodies[at(body)].velocity;
     other2 = std::max(other2, dot(v, v));
   };
-  for (const RigidCircle& circle : member.met.circles) take(circle.body);
-  for (const RigidSegment& segment : member.met.segments) take(segment.body);
-  const double turned = step_dt_ * (turned_share * std::sqrt(own2) + std::sqrt(other2));
-  const double fall = 2.0 * step_dt_ * step_dt_ * length(gravity_);
-  const auto index = static_cast<std::size_t>(&member - members_.data());
-  return widenings_[index] * (0.25 * member.cord->rest_[0] + fall + turned);
+  for (const RigidCircle& circle : island_cord.met.circles) take(circle.body);
+  for (const RigidSegment& segment : island_cord.met.segments) take(segment.body);
+  const double turned = dt * (turned_share * std::sqrt(own2) + std::sqrt(other2));
+  return 0.25 * cord.rest_length(0) + 2.0 * dt * dt * length(gravity) + turned;
 }
 
 bool Island::may_touch(const Member& member) {
