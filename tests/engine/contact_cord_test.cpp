@@ -13,6 +13,7 @@
 #include "engine/coupling.h"
 #include "tests/support/allocations.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/shape_world.h"
 
 // Box2D's bodies against a cord of the direct solver.
 
@@ -24,72 +25,16 @@ using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::Vec2;
 using std::numbers::pi;
+using test_support::add_shape;
 using test_support::arc;
+using test_support::box;
+using test_support::circle;
+using test_support::edge;
+using test_support::position;
+using World = test_support::ShapeWorld;
 
-constexpr double dt = 1.0 / 60.0;
+constexpr double dt = World::dt;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct World {
-  explicit World(Vec2 gravity = {0.0, -9.81}) : world(to_float(gravity)) {}
-
-  void tick() {
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
-    world.Step(static_cast<float>(dt), 8, 3);
-  }
-  void tick(int times) {
-    for (int k = 0; k < times; ++k) tick();
-  }
-  b2Body* add_body(Vec2 position, b2BodyType type = b2_dynamicBody) {
-    b2BodyDef definition;
-    definition.type = type;
-    definition.position = to_float(position);
-    definition.allowSleep = false;
-    return world.CreateBody(&definition);
-  }
-  const Cord& cord() const { return coupling.direct_cord(0); }
-
-  b2World world;
-  Coupling coupling;
-};
-
-b2Fixture* add_shape(b2Body* body, const b2Shape& shape, double density, double friction, b2Filter filter = {}) {
-  b2FixtureDef definition;
-  definition.shape = &shape;
-  definition.density = static_cast<float>(density);
-  definition.friction = static_cast<float>(friction);
-  definition.filter = filter;
-  return body->CreateFixture(&definition);
-}
-
-b2CircleShape circle(double radius, Vec2 middle = {}) {
-  b2CircleShape shape;
-  shape.m_radius = static_cast<float>(radius);
-  shape.m_p = to_float(middle);
-  return shape;
-}
-
-b2PolygonShape box(double half_width, double half_height) {
-  b2PolygonShape shape;
-  shape.SetAsBox(static_cast<float>(half_width), static_cast<float>(half_height));
-  return shape;
-}
-
-b2EdgeShape edge(Vec2 a, Vec2 b) {
-  b2EdgeShape shape;
-  shape.SetTwoSided(to_float(a), to_float(b));
-  return shape;
-}
-
-/// A ball of this mass.
-b2Body* add_ball(World& world, Vec2 position, double radius, double mass, double friction = 0.5) {
-  b2Body* body = world.add_body(position);
-  add_shape(body, circle(radius), mass / (pi * radius * radius), friction);
-  return body;
-}
-
-Vec2 position(const b2Body* body) { return to_double(body->GetWorldCenter()); }
 
 double stretch(const Cord& cord) {
   double sum = 0.0;
@@ -155,7 +100,7 @@ TEST_P(Bridge, ABallRestsOnItWithoutDriftOrJitter) {
   def.positions = copy(settled.cord.positions());
   World scene;
   scene.coupling.add(Cord(def));
-  b2Body* ball = add_ball(scene, settled.body(0).position, 0.25, mass);
+  b2Body* ball = scene.add_ball(settled.body(0).position, 0.25, mass);
   const Vec2 start = position(ball);
   double drift = 0.0;
   double jitter = 0.0;
@@ -294,8 +239,8 @@ TEST(ContactCord, WithBallsInFreeFlightItKeepsItsMomentum) {
   def.accuracy = Accuracy::accurate();
   def.accuracy.tolerance = 1e-9;
   scene.coupling.add(Cord(def));
-  const std::array<b2Body*, 3> balls = {add_ball(scene, {0.8, 0.7}, 0.2, 0.3), add_ball(scene, {1.6, -0.6}, 0.15, 3.0),
-                                        add_ball(scene, {2.5, 0.9}, 0.25, 1.0)};
+  const std::array<b2Body*, 3> balls = {scene.add_ball({0.8, 0.7}, 0.2, 0.3), scene.add_ball({1.6, -0.6}, 0.15, 3.0),
+                                        scene.add_ball({2.5, 0.9}, 0.25, 1.0)};
   balls[0]->SetLinearVelocity({0.3F, -2.0F});
   balls[1]->SetLinearVelocity({-0.2F, 1.5F});
   balls[2]->SetLinearVelocity({-0.5F, -1.0F});
@@ -352,7 +297,7 @@ int escapes(double radii, double least, double most, int tries, bool with_contac
     World scene;
     scene.coupling.add(Cord(def));
     const double radius = dice(least, most);
-    b2Body* ball = add_ball(scene, {}, radius, std::pow(10.0, dice(-2.0, 2.0)), 0.4);
+    b2Body* ball = scene.add_ball({}, radius, std::pow(10.0, dice(-2.0, 2.0)), 0.4);
     if (!with_contact) ball->GetFixtureList()->SetSensor(true);
     const double angle = dice(0.0, 2.0 * pi);
     ball->SetLinearVelocity(to_float((radii * radius / dt) * Vec2{std::cos(angle), std::sin(angle)}));
@@ -410,7 +355,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
     def.positions.push_back(x);
   }
   scene.coupling.add(Cord(def));
-  b2Body* body = add_ball(scene, def.positions[50], 0.4, 70.0, 0.3);
+  b2Body* body = scene.add_ball(def.positions[50], 0.4, 70.0, 0.3);
   body->SetBullet(true);
   body->SetFixedRotation(obstacle == Obstacle::stood_on);  // it does not roll
   scene.coupling.hold(0, 50, *body, {0.0F, 0.0F});
@@ -476,7 +421,7 @@ TEST(ContactCord, ABodyBetweenATautCordAndTheGroundStaysThere) {
     World scene;
     scene.coupling.add(Cord(def));
     add_shape(scene.add_body({}, b2_staticBody), edge({-10.0, -0.6}, {10.0, -0.6}), 0.0, 0.5);
-    b2Body* ball = add_ball(scene, {2.0, -0.31}, 0.29, 5.0);
+    b2Body* ball = scene.add_ball({2.0, -0.31}, 0.29, 5.0);
     double highest = -infinity;
     double lowest = infinity;
     for (int k = 0; k < 600; ++k) {
@@ -502,7 +447,7 @@ TEST(ContactCord, AHeldBodyPushedIntoAWallStays) {
   for (int i = 0; i < 31; ++i) def.positions.push_back({0.0, -0.1 * i});
   World scene;
   scene.coupling.add(Cord(def));
-  b2Body* body = add_ball(scene, {0.0, -3.0}, 0.3, 10.0);
+  b2Body* body = scene.add_ball({0.0, -3.0}, 0.3, 10.0);
   scene.coupling.hold(0, 30, *body, {0.0F, 0.0F});
   add_shape(scene.add_body({}, b2_staticBody), edge({0.31, -10.0}, {0.31, 10.0}), 0.0, 0.5);
   double furthest_in = -infinity;
@@ -571,7 +516,7 @@ TEST(ContactCord, BodiesAndFixturesComeAndGoWhileTheyTouch) {
   for (int k = 0; k < 240; ++k) {
     if (k % 10 == 0) {
       const double x = 0.5 + 3.0 * (static_cast<double>(random()) / 4294967296.0);
-      balls.push_back(add_ball(scene, {x, 0.8}, 0.12, 0.5));
+      balls.push_back(scene.add_ball({x, 0.8}, 0.12, 0.5));
       if (k % 20 == 0) add_shape(balls.back(), box(0.2, 0.03), 1.0, 0.5);
     }
     if (k % 10 == 5 && balls.size() > 5) {
@@ -601,7 +546,7 @@ TEST(ContactCord, BodiesAndFixturesComeAndGoWhileTheyTouch) {
 TEST(ContactCord, ATickTakesNoHeapMemoryOnceItHasTouched) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
-  add_ball(scene, {1.7, 0.5}, 0.2, 2.0);
+  scene.add_ball({1.7, 0.5}, 0.2, 2.0);
   b2Body* body = scene.add_body({2.6, 0.6});
   add_shape(body, box(0.2, 0.1), 20.0, 0.5);
   add_shape(scene.add_body({2.0, -1.0}, b2_staticBody), edge({-1.0, 0.0}, {1.0, 0.1}), 0.0, 0.5);
@@ -635,7 +580,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     body = scene.add_body({2.0, -0.1}, b2_kinematicBody);
     add_shape(body, circle(0.25), 0.0, 0.5);
   } else {
-    body = add_ball(scene, {2.0, -0.2}, 0.25, 1.0);
+    body = scene.add_ball({2.0, -0.2}, 0.25, 1.0);
   }
   if (role == Role::holds) scene.coupling.hold(0, 20, *body, {0.0F, 0.0F});
   scene.tick(60);

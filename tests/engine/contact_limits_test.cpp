@@ -15,6 +15,7 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/coupled_world.h"
+#include "tests/support/shape_world.h"
 
 // What contact of the direct solver does not hold yet, through Box2D.
 
@@ -26,69 +27,14 @@ using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::Vec2;
 using std::numbers::pi;
+using test_support::add_shape;
 using test_support::arc;
+using test_support::box;
+using test_support::circle;
+using test_support::edge;
+using World = test_support::ShapeWorld;
 
-constexpr double dt = 1.0 / 60.0;
-
-struct World {
-  explicit World(Vec2 gravity = {0.0, -9.81}) : world(to_float(gravity)) {}
-
-  void tick() {
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
-    world.Step(static_cast<float>(dt), 8, 3);
-  }
-  void tick(int times) {
-    for (int k = 0; k < times; ++k) tick();
-  }
-  b2Body* add_body(Vec2 position, b2BodyType type = b2_dynamicBody) {
-    b2BodyDef definition;
-    definition.type = type;
-    definition.position = to_float(position);
-    definition.allowSleep = false;
-    return world.CreateBody(&definition);
-  }
-  const Cord& cord() const { return coupling.direct_cord(0); }
-
-  b2World world;
-  Coupling coupling;
-};
-
-b2Fixture* add_shape(b2Body* body, const b2Shape& shape, double density, double friction, b2Filter filter = {}) {
-  b2FixtureDef definition;
-  definition.shape = &shape;
-  definition.density = static_cast<float>(density);
-  definition.friction = static_cast<float>(friction);
-  definition.filter = filter;
-  return body->CreateFixture(&definition);
-}
-
-b2CircleShape circle(double radius, Vec2 middle = {}) {
-  b2CircleShape shape;
-  shape.m_radius = static_cast<float>(radius);
-  shape.m_p = to_float(middle);
-  return shape;
-}
-
-b2PolygonShape box(double half_width, double half_height) {
-  b2PolygonShape shape;
-  shape.SetAsBox(static_cast<float>(half_width), static_cast<float>(half_height));
-  return shape;
-}
-
-b2EdgeShape edge(Vec2 a, Vec2 b) {
-  b2EdgeShape shape;
-  shape.SetTwoSided(to_float(a), to_float(b));
-  return shape;
-}
-
-/// A ball of this mass.
-b2Body* add_ball(World& world, Vec2 position, double radius, double mass, double friction = 0.5) {
-  b2Body* body = world.add_body(position);
-  add_shape(body, circle(radius), mass / (pi * radius * radius), friction);
-  return body;
-}
+constexpr double dt = World::dt;
 
 double furthest(std::span<const Vec2> from, std::span<const Vec2> to) {
   double most = 0.0;
@@ -127,7 +73,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     body = scene.add_body({2.0, -0.1}, b2_kinematicBody);
     add_shape(body, circle(0.25), 0.0, 0.5);
   } else {
-    body = add_ball(scene, {2.0, -0.2}, 0.25, 1.0);
+    body = scene.add_ball({2.0, -0.2}, 0.25, 1.0);
   }
   if (role == Role::holds) scene.coupling.hold(0, 20, *body, {0.0F, 0.0F});
   scene.tick(60);
@@ -173,7 +119,7 @@ TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
 TEST(ContactCordLimits, ATickTakesNoHeapMemoryForOneContactMore) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
-  add_ball(scene, {1.7, 0.5}, 0.2, 2.0);
+  scene.add_ball({1.7, 0.5}, 0.2, 2.0);
   add_shape(scene.add_body({2.6, 0.6}), box(0.2, 0.1), 20.0, 0.5);
   add_shape(scene.add_body({2.0, -1.0}, b2_staticBody), edge({-1.0, 0.0}, {1.0, 0.1}), 0.0, 0.5);
   scene.tick(240);
@@ -194,7 +140,7 @@ TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity
   World scene;
   scene.coupling.add(Cord(def));
   add_shape(scene.add_body({}, b2_staticBody), edge({-10.0, -0.6}, {10.0, -0.6}), 0.0, 0.5);
-  b2Body* ball = add_ball(scene, {2.0, -0.31}, 0.29, 5.0);
+  b2Body* ball = scene.add_ball({2.0, -0.31}, 0.29, 5.0);
   double fastest = 0.0;
   for (int k = 0; k < 600; ++k) {
     if (k >= 120) ball->ApplyForceToCenter({0.0F, k < 360 ? 200.0F : -300.0F}, true);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+#include "ribbon/vec2.h"
+
+namespace test_support {
+
+/// A Box2D world of 60 ticks a second with cords in it, to put bodies of any shape into. Nothing in it sleeps.
+struct ShapeWorld {
+  explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(engine::to_float(gravity)) {}
+
+  static constexpr double dt = 1.0 / 60.0;  // s
+
+  void tick();
+  void tick(int times) {
+    for (int k = 0; k < times; ++k) tick();
+  }
+  b2Body* add_body(ribbon::Vec2 position, b2BodyType type = b2_dynamicBody);
+  /// A ball of this mass [kg].
+  b2Body* add_ball(ribbon::Vec2 position, double radius, double mass, double friction = 0.5);
+  const ribbon::Cord& cord() const { return coupling.direct_cord(0); }
+
+  b2World world;
+  engine::Coupling coupling{};
+};
+
+b2Fixture* add_shape(b2Body* body, const b2Shape& shape, double density, double friction, b2Filter filter = {});
+
+b2CircleShape circle(double radius, ribbon::Vec2 middle = {});
+b2PolygonShape box(double half_width, double half_height);
+b2EdgeShape edge(ribbon::Vec2 a, ribbon::Vec2 b);
+
+/// m, of the centre of mass.
+ribbon::Vec2 position(const b2Body* body);
+
+}  // namespace test_support
