@@ -23,7 +23,7 @@ struct Point {
 /// Of what is promised, that a setting has to meet when it is measured: the rest is for another run, another machine's
 /// mood.
 inline constexpr double kept_error = 0.8;
-inline constexpr double kept_budget = 0.85;
+inline constexpr double kept_budget = 0.75;
 
 /// Those that no other is both cheaper and more exact than, by rising cost. What failed or stands apart is never
 /// among them.
