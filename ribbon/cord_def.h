@@ -20,7 +20,9 @@ struct Accuracy {
   int max_iterations = 8;  ///< full Newton steps a solve, 1 … 1000, before it starts again with a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
 
-  /// For scenery: implicit Euler, a centimetre.
+  /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,
+  /// which in a heap takes a third of the solves: what lies there sinks by a hundredth of its fall in a step, not a
+  /// 2000th.
   static Accuracy fast() { return {Integrator::implicit_euler, 1, 8, 1e-2}; }
   /// For what players hang on: TR-BDF2, half a millimetre. The default.
   static Accuracy balanced() { return {}; }
