@@ -31,8 +31,7 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
 }
 
 game::Level LevelFile::level_of(const Json& json) const {
-  game::Level level = game::level_of(engine::parse_tiled_map(json.dump(), path_));
-  return level;
+  return game::level_of(engine::parse_tiled_map(json.dump(), path_));
 }
 
 template <typename Visit>

@@ -211,6 +211,13 @@ TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
   }
 }
 
+TEST_F(LevelStudy, AFolderMayHaveAnyName) {
+  const std::string folder = home + "/it's; a $(name) & more";
+  const std::string complaint = message_of([&] { write_report(small_report(), folder); });
+  EXPECT_TRUE(complaint.empty() || complaint.find("gnuplot-nox") != std::string::npos) << complaint;
+  EXPECT_TRUE(fs::exists(folder + "/front.svg") || fs::exists(folder + "/gnuplot.log"));
+}
+
 TEST_F(LevelStudy, WithoutAPlottingProgramTheNumbersAreWritten) {
   const std::string folder = home + "/report";
   const std::string path = std::getenv("PATH");

@@ -48,6 +48,19 @@ void add_data(std::ostringstream& out, const std::string& name, std::span<const 
   out << (any ? "END\n" : "NaN NaN\nEND\n");
 }
 
+/// As one word for a shell, whatever is in it.
+std::string in_shell_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
 }  // namespace
 
 std::string plot_of(std::span<const Point> points, const std::string& axis, const std::string& name) {
@@ -85,7 +98,8 @@ std::string plot_of(std::span<const Point> points, const std::string& axis, cons
 }
 
 bool draw(const std::string& folder, const std::string& name) {
-  const std::string command = "cd '" + folder + "' && gnuplot '" + name + ".gp' > gnuplot.log 2>&1";
+  const std::string command =
+      "cd " + in_shell_quotes(folder) + " && gnuplot " + in_shell_quotes(name + ".gp") + " > gnuplot.log 2>&1";
   if (std::system(command.c_str()) != 0) return false;
   std::error_code ignored;
   std::filesystem::remove(folder + "/gnuplot.log", ignored);
