@@ -17,7 +17,7 @@
 #include "tests/support/coupled_world.h"
 #include "tests/support/shape_world.h"
 
-// What contact of the direct solver does not hold yet, through Box2D.
+// Contact of the direct solver through Box2D, where it is hardest.
 
 namespace engine {
 namespace {
