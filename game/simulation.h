@@ -35,6 +35,8 @@ class Simulation {
 
   /// One tick of 1/60 s.
   void tick(const engine::TickInput& input);
+  /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
+  void estimate_errors(bool wanted) { scene_->coupling().estimate_errors(wanted); }
 
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }

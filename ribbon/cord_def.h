@@ -69,6 +69,8 @@ struct CordDef {
   std::vector<Vec2> positions;
   /// Points constrained to where they start, by index.
   std::vector<int> pins;
+
+  bool operator==(const CordDef&) const = default;
 };
 
 /// Throws DefinitionError at the first field that is out of its range, or that the other fields exclude.
