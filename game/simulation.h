@@ -35,11 +35,11 @@ class Simulation {
 
   /// One tick of 1/60 s.
   void tick(const engine::TickInput& input);
-  /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
-  void estimate_errors(bool wanted) { scene_->coupling().estimate_errors(wanted); }
 
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }
+  /// What is changed in it is in no recording.
+  engine::Scene& scene() { return *scene_; }
   const Player& player() const { return *player_; }
   const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
   const Snapshot& previous() const { return previous_; }         ///< before the last tick

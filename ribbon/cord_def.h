@@ -75,6 +75,7 @@ struct CordDef {
 
 /// Throws DefinitionError at the first field that is out of its range, or that the other fields exclude.
 void check(const CordDef& def);
+void check(const Accuracy& accuracy);
 
 /// Stiffnesses of a ribbon; `apply_to` sets them in a definition.
 struct RibbonMaterial {

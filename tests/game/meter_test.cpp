@@ -62,7 +62,7 @@ TEST(Meter, EstimatesErrorsTenTimesASecondAndNoTimeByThose) {
   int estimates = 0;
   for (int k = 0; k < 60; ++k) {
     const bool wanted = meter.wants_estimate();
-    simulation.estimate_errors(wanted);
+    simulation.scene().coupling().estimate_errors(wanted);
     simulation.tick({});
     alone.tick({});
     meter.add(simulation, wanted ? 900'000 : 10'000);

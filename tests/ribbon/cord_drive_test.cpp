@@ -376,6 +376,31 @@ TEST(CordTensionOnly, DoesNotStopWhoCatchesItRising) {
   }
 }
 
+// --- accuracy that changes on the way
+// ---------------------------------------------------------------------------------
+
+TEST(CordAccuracy, ChangedBetweenStepsItHoldsFromTheNextOn) {
+  Cord changed(hanging(21, 2.0));
+  changed.set_velocity(20, {3.0, 0.0});
+  for (int k = 0; k < 10; ++k) changed.step(1.0 / 60.0, gravity);
+  const Accuracy fine{Integrator::tr_bdf2, 16, 8, 1e-7};
+  CordDef def = hanging(21, 2.0);
+  def.accuracy = fine;
+  Cord other(def);
+  other.restore(changed.save());
+  changed.set_accuracy(fine);
+  for (int k = 0; k < 10; ++k) {
+    const CordReport report = changed.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(report.stages, 32);
+    EXPECT_TRUE(report == other.step(1.0 / 60.0, gravity));
+  }
+  EXPECT_TRUE(changed.save() == other.save());
+  changed.set_accuracy(Accuracy::fast());
+  EXPECT_EQ(changed.step(1.0 / 60.0, gravity).stages, 1);
+  EXPECT_THROW(changed.set_accuracy({Integrator::tr_bdf2, 0, 8, 1e-7}), DefinitionError);
+  EXPECT_TRUE(changed.def().accuracy == Accuracy::fast());
+}
+
 // --- what is not declared is not there -------------------------------------------------------------------------------
 
 TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
