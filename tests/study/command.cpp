@@ -1,6 +1,7 @@
 #include "tests/study/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -42,6 +43,9 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
          "nothing is compared.";
 }
 
+/// Empty for what is no number.
+std::string cell(double value) { return std::isnan(value) ? "" : significant(value, 3); }
+
 Report report_of(const Study& study) {
   Report report;
   report.title = study.level;
@@ -52,15 +56,22 @@ Report report_of(const Study& study) {
       "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
       "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
       "the one of four times the level's links.");
+  report.notes.push_back(
+      "Each error is of its own kind. tension: of the peak, as a share of the converged one. penetration: the deepest "
+      "that a cord is in a body after a tick, as a share of its radius. energy and momentum: the furthest from the "
+      "converged ones of the same tick, as shares of weight times longest cord, and of mass times the speed of a free "
+      "fall of half that length; who plays gives and takes both, so that there is no drift to be told.");
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
   report.points = study.points();
-  report.columns = {"position_m",    "position_share", "player_m", "stretch",          "mesh_m",
-                    "newton_a_tick", "fallbacks",      "halvings", "unconverged_ticks"};
+  report.columns = {"position_m",  "position_share", "player_m",         "stretch", "tension",
+                    "penetration", "energy",         "momentum",         "mesh_m",  "newton_a_tick",
+                    "fallbacks",   "halvings",       "unconverged_ticks"};
   for (const Measured& m : study.settings) {
     const bool direct = m.dials.solver == "direct";
     report.cells.push_back(
         {significant(m.error.position_m, 3), significant(m.error.position_share, 3), significant(m.error.player_m, 3),
-         significant(m.error.stretch, 3), significant(m.mesh.greatest_length(), 3),
+         significant(m.error.stretch, 3), cell(m.error.tension), cell(m.error.penetration), cell(m.error.energy),
+         cell(m.error.momentum), significant(m.mesh.greatest_length(), 3),
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
@@ -73,6 +84,10 @@ Report report_of(const Study& study) {
   add("position_m", [](const Measured& m) { return m.error.position_m; });
   add("player_m", [](const Measured& m) { return m.error.player_m; });
   add("stretch", [](const Measured& m) { return m.error.stretch; });
+  add("tension", [](const Measured& m) { return m.error.tension; });
+  add("penetration", [](const Measured& m) { return m.error.penetration; });
+  add("energy", [](const Measured& m) { return m.error.energy; });
+  add("momentum", [](const Measured& m) { return m.error.momentum; });
   return report;
 }
 

@@ -16,9 +16,18 @@ using Json = nlohmann::ordered_json;
 
 unsigned long long hash_of(const std::string& path) { return engine::hash_bytes(content_of(path)); }
 
-Json json_of(const Errors& e) { return Json::array({e.position_m, e.position_share, e.player_m, e.stretch}); }
+Json json_of(const Errors& e) {
+  return Json::array(
+      {e.position_m, e.position_share, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
+}
 
-Errors errors_of(const Json& j) { return {j.at(0), j.at(1), j.at(2), j.at(3)}; }
+/// JSON has no number that is none: it writes null.
+double number_of(const Json& j) { return j.is_null() ? lacking : j.get<double>(); }
+
+Errors errors_of(const Json& j) {
+  const auto at = [&j](std::size_t k) { return number_of(j.at(k)); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
 
 Json json_of(const Measured& m) {
   return {{"solver", m.dials.solver},
