@@ -51,6 +51,16 @@ struct Converged {
   Reference about;
 };
 
+/// Why a run does not count; empty if it does.
+std::string failure_of(const Trace& trace, const Converged& reference) {
+  if (!trace.failure.empty()) return trace.failure;
+  const std::string passed = let_through(trace.passages, reference.trace.passages, reference.about.ticks);
+  if (!passed.empty()) return passed;
+  if (trace.unconverged_ticks == 0) return {};
+  return std::to_string(trace.unconverged_ticks) + (trace.unconverged_ticks == 1 ? " tick" : " ticks") +
+         " not converged";
+}
+
 class LevelStudy {
  public:
   LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options)
@@ -131,7 +141,7 @@ class LevelStudy {
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;
     measured.unconverged_ticks = trace.unconverged_ticks;
-    measured.failure = trace.failure;
+    measured.failure = failure_of(trace, own);
     return measured;
   }
 

@@ -135,15 +135,19 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
   Trace trace;
   LevelRun run(level, inputs);
   run.reset();
-  const engine::Scene& scene = run.simulation().scene();
-  for (int c = 0; c < scene.coupling().size(); ++c) {
-    trace.lengths.push_back(length_of(middle_line(scene.coupling(), c)));
+  const engine::Scene& start = run.simulation().scene();
+  for (int c = 0; c < start.coupling().size(); ++c) {
+    trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
   }
-  trace.mass = mass_of(scene.world(), scene.coupling());
-  trace.gravity = static_cast<double>(scene.world().GetGravity().Length());
+  trace.mass = mass_of(start.world(), start.coupling());
+  trace.gravity = static_cast<double>(start.world().GetGravity().Length());
+  PassageWatch watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
     add_tick(trace, run.simulation());
+    if (run.simulation().run_ticks() == 1) watch.forget();  // the player has begun again
+    const engine::Scene& now = run.simulation().scene();
+    trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter()));
     if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_somewhere)) {
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;

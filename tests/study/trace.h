@@ -9,6 +9,7 @@
 #include "game/level.h"
 #include "game/simulation.h"
 #include "tests/study/figures.h"
+#include "tests/study/passages.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
@@ -22,6 +23,7 @@ struct Trace {
   std::vector<ribbon::Vec2> player;               ///< m, by tick
   std::vector<double> stretch;                    ///< by tick: the most of a cord's whole length, as a share
   std::vector<Figures> figures;                   ///< by tick
+  std::vector<Passages> passages;                 ///< by tick
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², its size
   ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver

@@ -81,14 +81,6 @@ double depth_in_polygon(const b2PolygonShape& polygon, const b2Body& body, Vec2 
   return apart < 0.0 ? -apart : -distance;
 }
 
-/// Box2D's own rule (b2ContactFilter::ShouldCollide), for fixtures that anything can touch.
-bool meets(const b2Fixture& fixture, const b2Filter& filter) {
-  if (fixture.IsSensor() || !fixture.GetBody()->IsEnabled()) return false;
-  const b2Filter& other = fixture.GetFilterData();
-  if (filter.groupIndex == other.groupIndex && filter.groupIndex != 0) return filter.groupIndex > 0;
-  return (filter.maskBits & other.categoryBits) != 0 && (filter.categoryBits & other.maskBits) != 0;
-}
-
 Bounds bounds_of(const b2Fixture& fixture) {
   b2AABB box;
   fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), 0);
@@ -175,6 +167,13 @@ int inverted_cells(const CoupledWorld& world) {
     }
   }
   return count;
+}
+
+bool meets(const b2Fixture& fixture, const b2Filter& filter) {
+  if (fixture.IsSensor() || !fixture.GetBody()->IsEnabled()) return false;
+  const b2Filter& other = fixture.GetFilterData();
+  if (filter.groupIndex == other.groupIndex && filter.groupIndex != 0) return filter.groupIndex > 0;
+  return (filter.maskBits & other.categoryBits) != 0 && (filter.categoryBits & other.maskBits) != 0;
 }
 
 double depth(const b2Fixture& fixture, Vec2 a, Vec2 b) {

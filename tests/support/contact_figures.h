@@ -23,6 +23,8 @@ int self_crossings(const CoupledWorld& world);
 int mutual_crossings(const CoupledWorld& world);
 /// Cells of ribbons with a corner that is turned inside out.
 int inverted_cells(const CoupledWorld& world);
+/// Whether what has this filter can touch the fixture, by Box2D's rule; sensors and disabled bodies it cannot.
+bool meets(const b2Fixture& fixture, const b2Filter& filter);
 /// What of a cord can be touched: `radius` [m] around the links between points.
 struct Outline {
   std::vector<ribbon::Vec2> points;
