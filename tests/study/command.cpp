@@ -35,12 +35,39 @@ std::string replay_of(const Command& command, const LevelFile& file) {
 
 std::string seconds_of(const Reference& reference, std::size_t ticks) {
   const std::string points = "With " + significant(reference.points, 6) + " times the links ";
-  const std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
+  std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
+  if (reference.unconverged_ticks > 0) {
+    agreement +=
+        " (though " + std::to_string(reference.unconverged_ticks) + " ticks of the finer one did not converge)";
+  }
   if (reference.ticks == ticks) return points + agreement + " all along.";
   return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +
          " s; after it a tenth of a millimetre, or a disturbance of 1e-10 m grown to a centimetre, is between them, "
          "and "
-         "nothing is compared.";
+         "nothing is compared but statistics.";
+}
+
+/// What two converged runs differ by where all is chance: no setting can be known to be nearer.
+std::string yardstick_of(const Reference& reference) {
+  std::string sentence = "The two converged runs of " + significant(reference.points, 6) + " times the links: ";
+  for (std::size_t k = 0; k < Statistics::count; ++k) {
+    sentence +=
+        (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.later.values[k], 2);
+  }
+  return sentence + ".";
+}
+
+void add_later_notes(Report& report, const Study& study) {
+  const auto is_chance = [&](const Reference& reference) { return reference.ticks < study.ticks; };
+  if (std::none_of(study.references.begin(), study.references.end(), is_chance)) return;
+  report.notes.push_back(
+      "The columns later_… are of the ticks after those, where a run is one of many that the same input could have led "
+      "to: the mean and standard deviation (sd) of the player's height and of the kinetic energy a unit of mass, the "
+      "cords' mean stretch and the greatest. Each is how far the setting's statistic is from the converged run's, a "
+      "difference of two chaotic runs. What is no greater than the difference of two converged runs says nothing:");
+  for (const Reference& reference : study.references) {
+    if (is_chance(reference)) report.notes.push_back(yardstick_of(reference));
+  }
 }
 
 /// Empty for what is no number.
@@ -62,10 +89,12 @@ Report report_of(const Study& study) {
       "converged ones of the same tick, as shares of weight times longest cord, and of mass times the speed of a free "
       "fall of half that length; who plays gives and takes both, so that there is no drift to be told.");
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
+  add_later_notes(report, study);
   report.points = study.points();
   report.columns = {"position_m",  "position_share", "player_m",         "stretch", "tension",
                     "penetration", "energy",         "momentum",         "mesh_m",  "newton_a_tick",
                     "fallbacks",   "halvings",       "unconverged_ticks"};
+  report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
     const bool direct = m.dials.solver == "direct";
     report.cells.push_back(
@@ -75,6 +104,7 @@ Report report_of(const Study& study) {
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
+    for (const double later : m.later.values) report.cells.back().push_back(cell(later));
   }
   const auto add = [&](const char* name, double (*value)(const Measured&)) {
     Metric& metric = report.metrics.emplace_back();

@@ -126,6 +126,9 @@ class LevelStudy {
     converged.about.points = points;
     converged.about.ticks =
         std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, agreed));
+    const std::size_t ticks = converged.about.ticks;
+    converged.about.later = difference(statistics(converged.trace, ticks), statistics(other, ticks));
+    converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[points] = std::move(converged);
     return true;
@@ -138,6 +141,7 @@ class LevelStudy {
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);
+    measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;
     measured.unconverged_ticks = trace.unconverged_ticks;
