@@ -37,8 +37,7 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
   const std::string points = "With " + significant(reference.points, 6) + " times the links ";
   std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
   if (reference.unconverged_ticks > 0) {
-    agreement +=
-        " (though " + std::to_string(reference.unconverged_ticks) + " ticks of the finer one did not converge)";
+    agreement += " (though " + count_of(reference.unconverged_ticks, "tick") + " of the finer one did not converge)";
   }
   if (reference.ticks == ticks) return points + agreement + " all along.";
   return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +

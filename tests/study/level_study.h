@@ -43,6 +43,7 @@ struct Study {
   std::size_t ticks = 0;
   std::vector<Reference> references;
   std::vector<Measured> settings;
+  int runs = 0;           ///< of the level, to find errors: those that the folder knew were not run again
   bool complete = false;  ///< false if it was interrupted
 
   std::vector<Point> points() const;

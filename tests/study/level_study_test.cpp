@@ -11,6 +11,7 @@
 
 #include "engine/replay.h"
 #include "tests/study/command.h"
+#include "tests/study/kept_trace.h"
 #include "tests/study/plot.h"
 #include "tests/study/report.h"
 #include "tests/study/terms.h"
@@ -66,6 +67,8 @@ std::string message_of(const std::function<void()>& call) {
   }
   return {};
 }
+
+bool is_same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 TEST(Dials, NoSettingOfAGridStandsInItTwice) {
   for (const bool quick : {false, true}) {
@@ -127,11 +130,42 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   }
 }
 
+/// All that does not come from the clock.
+void expect_the_same(const Measured& a, const Measured& b) {
+  for (const auto member : {&Errors::position_m, &Errors::position_share, &Errors::player_m, &Errors::stretch,
+                            &Errors::tension, &Errors::penetration, &Errors::energy, &Errors::momentum}) {
+    EXPECT_PRED2(is_same_number, a.error.*member, b.error.*member);
+    EXPECT_PRED2(is_same_number, a.mesh.*member, b.mesh.*member);
+  }
+  for (std::size_t k = 0; k < Statistics::count; ++k) {
+    EXPECT_PRED2(is_same_number, a.later.values[k], b.later.values[k]);
+  }
+  EXPECT_EQ(a.known_to_m, b.known_to_m);
+  EXPECT_EQ(a.work.iterations, b.work.iterations);
+  EXPECT_EQ(a.unconverged_ticks, b.unconverged_ticks);
+  EXPECT_EQ(a.failure, b.failure);
+}
+
 TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
-  StudyOptions stops = options();
-  int asked = 0;
-  stops.stopped = [&asked] { return ++asked > 15; };
-  const Study half = measure(LevelFile(level_path), replay_path, stops);
+  StudyOptions elsewhere = options();
+  elsewhere.folder = home + "/other_report";
+  const Study uninterrupted = measure(LevelFile(level_path), replay_path, elsewhere);
+  const int all_runs = 3 * 3 + 1 + static_cast<int>(grid(true).size());
+  EXPECT_EQ(uninterrupted.runs, all_runs);
+
+  int runs = 0;
+  const auto run_until = [&](int most_asked) {
+    StudyOptions stops = options();
+    int asked = 0;
+    stops.stopped = [&asked, most_asked] { return ++asked > most_asked; };
+    Study study = measure(LevelFile(level_path), replay_path, stops);
+    runs += study.runs;
+    return study;
+  };
+  EXPECT_FALSE(run_until(5).complete);  // amid the converged runs
+  EXPECT_GT(runs, 0);
+  EXPECT_LT(runs, 3 * 3);
+  const Study half = run_until(15);
   EXPECT_FALSE(half.complete);
   ASSERT_GT(half.settings.size(), 0U);
   const std::string path = options().folder + "/results.jsonl";
@@ -140,15 +174,47 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
 
   std::ofstream(path, std::ios::app) << "{\"key\": \"half a li";
   std::ofstream(path, std::ios::app) << '\n';
-  const Study whole = measure(LevelFile(level_path), replay_path, options());
+  const Study whole = run_until(1000);
   EXPECT_TRUE(whole.complete);
-  EXPECT_EQ(whole.settings.size(), grid(true).size());
-  for (std::size_t k = 0; k < half.settings.size(); ++k) {
-    EXPECT_EQ(whole.settings[k].error.position_m, half.settings[k].error.position_m);
+  EXPECT_EQ(runs, all_runs);  // nothing was run again
+  ASSERT_EQ(whole.settings.size(), grid(true).size());
+  for (std::size_t k = 0; k < whole.settings.size(); ++k) {
+    expect_the_same(whole.settings[k], uninterrupted.settings[k]);
   }
-  EXPECT_EQ(content_of(path).find(kept), 0U);  // nothing was measured again
+  EXPECT_EQ(whole.references[1].agreement_m, uninterrupted.references[1].agreement_m);
+  EXPECT_EQ(content_of(path).find(kept), 0U);
   const std::string all = content_of(path);
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
+}
+
+TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
+  const std::string path = home + "/some.run";
+  const std::vector<engine::TickInput> inputs(5);
+  Trace trace = run(game::load_level(level_path), inputs);
+  trace.failure = "blew up in tick 5";
+  ASSERT_TRUE(keep(trace, "this one", path));
+  const auto again = kept("this one", path);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->lengths, trace.lengths);
+  EXPECT_EQ(again->places, trace.places);
+  EXPECT_EQ(again->player, trace.player);
+  EXPECT_EQ(again->stretch, trace.stretch);
+  EXPECT_EQ(again->figures.back().energy, trace.figures.back().energy);
+  EXPECT_EQ(again->declared, trace.declared);
+  EXPECT_EQ(again->passages, trace.passages);
+  EXPECT_EQ(again->mass, trace.mass);
+  EXPECT_EQ(again->gravity, trace.gravity);
+  EXPECT_EQ(again->work, trace.work);
+  EXPECT_EQ(again->failure, trace.failure);
+  EXPECT_FALSE(kept("another", path));
+  EXPECT_FALSE(kept("this one", home + "/no.run"));
+  const std::string content = content_of(path);
+  std::string changed = content;
+  changed[content.size() / 2] = static_cast<char>(changed[content.size() / 2] ^ 1);
+  for (const std::string& broken : {content.substr(0, content.size() / 2), content + "x", changed, std::string()}) {
+    std::ofstream(path, std::ios::binary) << broken;
+    EXPECT_FALSE(kept("this one", path));
+  }
 }
 
 TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {

@@ -88,7 +88,8 @@ bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::siz
   return false;
 }
 
-bool declares(const engine::Coupling& coupling, engine::CordIndex cord, bool ribbon::CordDef::*contact) {
+/// What the thesis's cords should not cross is known to others only.
+bool may_declare(const engine::Coupling& coupling, engine::CordIndex cord, bool ribbon::CordDef::*contact) {
   return coupling.solver(cord) == engine::Solver::thesis || coupling.direct_cord(cord).def().*contact;
 }
 
@@ -100,11 +101,11 @@ void mark(Passages& passages, int cord, Passage kind) {
 void mark_crossings(Passages& passages, const engine::Coupling& coupling, const std::vector<Line>& lines) {
   for (int a = 0; a < coupling.size(); ++a) {
     const Line& line = lines[static_cast<std::size_t>(a)];
-    if (declares(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
+    if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
       mark(passages, a, through_itself);
     }
-    for (int b = 0; b < a && declares(coupling, a, &ribbon::CordDef::cord_contact); ++b) {
-      if (!declares(coupling, b, &ribbon::CordDef::cord_contact)) continue;
+    for (int b = 0; b < a && may_declare(coupling, a, &ribbon::CordDef::cord_contact); ++b) {
+      if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
       if (test_support::mutual_crossings(line, false, lines[static_cast<std::size_t>(b)], false) == 0) continue;
       mark(passages, a, through_cord);
       mark(passages, b, through_cord);
@@ -157,7 +158,18 @@ Passages PassageWatch::look(const b2World& world, const engine::Coupling& coupli
   return passages;
 }
 
-std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference, std::size_t ticks) {
+Passages declared_contacts(const engine::Coupling& coupling) {
+  Passages declared(static_cast<std::size_t>(coupling.size()), through_body);
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) == engine::Solver::thesis) continue;
+    if (coupling.direct_cord(c).def().self_contact) mark(declared, c, through_itself);
+    if (coupling.direct_cord(c).def().cord_contact) mark(declared, c, through_cord);
+  }
+  return declared;
+}
+
+std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference,
+                        const Passages& declared, std::size_t ticks) {
   constexpr std::array<std::pair<Passage, const char*>, 3> kinds = {
       {{through_body, "a body"}, {through_itself, "itself"}, {through_cord, "another cord"}}};
   for (std::size_t k = 0; k < run.size(); ++k) {
@@ -165,7 +177,7 @@ std::string let_through(const std::vector<Passages>& run, const std::vector<Pass
     const std::size_t to = k < ticks ? k + lag + 1 : reference.size();
     for (std::size_t c = 0; c < run[k].size(); ++c) {
       for (const auto& [kind, what] : kinds) {
-        if ((run[k][c] & kind) == 0 || is_marked(reference, from, to, c, kind)) continue;
+        if ((run[k][c] & declared[c] & kind) == 0 || is_marked(reference, from, to, c, kind)) continue;
         return "cord " + std::to_string(c + 1) + " went through " + what + " in tick " + std::to_string(k + 1);
       }
     }

@@ -12,12 +12,15 @@ namespace study {
 /// What a cord went through, as bits.
 enum Passage : unsigned char {
   through_body = 1,    ///< a circle, edge or polygon
-  through_itself = 2,  ///< of a cord that declares self_contact, or of the thesis's
-  through_cord = 4,    ///< another one; of two that declare cord_contact, or are the thesis's
+  through_itself = 2,  ///< a cord that declares self_contact, or one of the thesis's
+  through_cord = 4,    ///< another one, where both declare cord_contact or are the thesis's
 };
 
 /// By cord, after a tick.
 using Passages = std::vector<unsigned char>;
+
+/// What cords must not go through: bodies, and what they declare contact with.
+Passages declared_contacts(const engine::Coupling& coupling);
 
 /// Looks after every tick for what cords went through. What only sinks in does not count: a middle line that crosses an
 /// edge, is deeper in a polygon than half the cord's thickness, or nearer to a circle's centre does; and so does one
@@ -49,6 +52,8 @@ bool passes(const PassingLink& before, const PassingLink& after);
 /// What a run let through and its reference did not, in words: "cord 2 went through a body in tick 31"; or empty. In
 /// the first `ticks` the reference may show the same a quarter of a second earlier or later; after them, where what
 /// both do is chance, at any time.
-std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference, std::size_t ticks);
+/// `declared` has of each cord what it must not go through.
+std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference,
+                        const Passages& declared, std::size_t ticks);
 
 }  // namespace study

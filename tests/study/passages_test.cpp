@@ -93,6 +93,7 @@ TEST(Passages, CordsCrossOnlyWhatTheyDeclare) {
     loop.self_contact = loop.cord_contact = declared;
     world.add(loop);
     const Passages seen = PassageWatch().look(world.world, world.coupling, {});
+    EXPECT_EQ(declared_contacts(world.coupling)[1] & ~through_body, declared ? through_itself | through_cord : 0);
     EXPECT_EQ(seen[0], declared ? through_cord : 0);
     EXPECT_EQ(seen[1], declared ? through_cord + through_itself : 0);
   }
@@ -104,23 +105,25 @@ std::vector<Passages> nothing() { return std::vector<Passages>(100, Passages(2, 
 TEST(Passages, WhatTheReferenceShowsTooIsNoFailure) {
   std::vector<Passages> run = nothing();
   std::vector<Passages> reference = nothing();
-  EXPECT_EQ(let_through(run, reference, 50), "");
+  const Passages all(2, through_body | through_itself | through_cord);
+  EXPECT_EQ(let_through(run, reference, all, 50), "");
   run[30][1] = through_body;
-  EXPECT_EQ(let_through(run, reference, 50), "cord 2 went through a body in tick 31");
+  EXPECT_EQ(let_through(run, reference, all, 50), "cord 2 went through a body in tick 31");
   reference[40][0] = through_body;    // another cord
   reference[34][1] = through_itself;  // something else
-  EXPECT_NE(let_through(run, reference, 50), "");
+  EXPECT_NE(let_through(run, reference, all, 50), "");
   reference[46][1] = through_body;  // too late
-  EXPECT_NE(let_through(run, reference, 50), "");
+  EXPECT_NE(let_through(run, reference, all, 50), "");
   reference[45][1] = through_body;
-  EXPECT_EQ(let_through(run, reference, 50), "");
+  EXPECT_EQ(let_through(run, reference, all, 50), "");
   run[80][0] = through_cord;
-  EXPECT_EQ(let_through(run, reference, 50), "cord 1 went through another cord in tick 81");
+  EXPECT_EQ(let_through(run, reference, all, 50), "cord 1 went through another cord in tick 81");
   reference[55][0] = through_cord;  // after tick 50 the order is chance
-  EXPECT_EQ(let_through(run, reference, 50), "");
+  EXPECT_EQ(let_through(run, reference, all, 50), "");
   run[90][1] = through_itself;
   reference[30][1] = through_itself;
-  EXPECT_EQ(let_through(run, reference, 50), "cord 2 went through itself in tick 91");
+  EXPECT_EQ(let_through(run, reference, all, 50), "cord 2 went through itself in tick 91");
+  EXPECT_EQ(let_through(run, reference, {through_itself, through_body | through_cord}, 50), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/state_hash.h"
+#include "tests/study/kept_trace.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -58,12 +59,14 @@ Measured measured_of(const Json& j) {
 
 }  // namespace
 
-Results::Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path) {
+Results::Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path, bool quick)
+    : folder_(folder) {
   if (folder.empty()) return;
   std::array<char, 64> key{};
   std::snprintf(key.data(), key.size(), "%016llx-%016llx-%016llx", static_cast<unsigned long long>(level_hash),
                 hash_of(replay_path), hash_of("/proc/self/exe"));
   key_ = key.data();
+  key_ += quick ? "-quick" : "";
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const std::string path = folder + "/results.jsonl";
@@ -84,6 +87,21 @@ const Measured* Results::find(const Dials& dials) const {
 void Results::add(const Measured& measured) {
   if (!out_.is_open()) return;
   out_ << Json{{"key", key_}, {"measured", json_of(measured)}}.dump() << std::endl;
+}
+
+std::string Results::path_of_run(const std::string& name) const {
+  std::string file = name;
+  std::replace(file.begin(), file.end(), ' ', '_');
+  return folder_ + "/" + file + ".run";
+}
+
+std::optional<Trace> Results::run(const std::string& name) const {
+  if (folder_.empty()) return {};
+  return kept(key_ + " " + name, path_of_run(name));
+}
+
+void Results::add_run(const std::string& name, const Trace& trace) {
+  if (!folder_.empty()) keep(trace, key_ + " " + name, path_of_run(name));
 }
 
 }  // namespace study

@@ -139,6 +139,7 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
   for (int c = 0; c < start.coupling().size(); ++c) {
     trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
   }
+  trace.declared = declared_contacts(start.coupling());
   trace.mass = mass_of(start.world(), start.coupling());
   trace.gravity = static_cast<double>(start.world().GetGravity().Length());
   PassageWatch watch;

@@ -23,6 +23,7 @@ struct Trace {
   std::vector<ribbon::Vec2> player;               ///< m, by tick
   std::vector<double> stretch;                    ///< by tick: the most of a cord's whole length, as a share
   std::vector<Figures> figures;                   ///< by tick
+  Passages declared;                              ///< what its cords must not go through
   std::vector<Passages> passages;                 ///< by tick
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², its size
