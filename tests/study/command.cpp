@@ -178,8 +178,14 @@ int tell_promises(const LevelFile& file, const Command& command) {
 int tell_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
   std::printf("Compared for %.2f s; after that what a run does is chance.\n", static_cast<double>(terms.ticks) / 60.0);
-  for (const TermResult& result : terms.declared) {
-    std::printf("%-18s cost without it %5.2fx  %s\n", result.term.c_str(), result.cost_share, verdict(result).c_str());
+  for (const bool declared : {true, false}) {
+    std::puts(declared ? "Without each term that is declared:"
+                       : "With each term that is not, and has one natural value:");
+    for (const TermResult& result : terms.results) {
+      if (result.declared != declared) continue;
+      const std::string cost = std::isnan(result.cost_share) ? "-" : fixed(result.cost_share, 2) + "x";
+      std::printf("%-18s cost %6s  %s\n", result.term.c_str(), cost.c_str(), verdict(result).c_str());
+    }
   }
   for (const Symptom& symptom : terms.lacking) {
     std::printf("%-18s MAY BE LACKING: %s, first in tick %zu, in %zu ticks\n", symptom.term.c_str(),

@@ -236,7 +236,7 @@ TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
 TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
   const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
   const auto result = [&](const std::string& term) {
-    return *std::find_if(terms.declared.begin(), terms.declared.end(), [&](const auto& r) { return r.term == term; });
+    return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });
   };
   EXPECT_EQ(result("cord_contact").shows_at, 0U);  // its cords do not meet in a third of a second
   EXPECT_EQ(result("cord_contact").change.greatest_length(), 0.0);
@@ -244,6 +244,58 @@ TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
   EXPECT_GT(result("bending_stiffness").shows_at, 0U);
   EXPECT_NE(verdict(result("bending_stiffness")).find("from tick"), std::string::npos);
   EXPECT_TRUE(terms.lacking.empty());
+  const TermResult self = result("self_contact");  // which no cord declares
+  EXPECT_FALSE(self.declared);
+  EXPECT_EQ(self.shows_at, 0U);
+  EXPECT_GT(self.cost_share, 0.0);
+  EXPECT_NE(verdict(self).find("not needed: with it"), std::string::npos);
+  EXPECT_FALSE(result("tension_only").can_be_built);    // its ropes do not stretch
+  EXPECT_FALSE(result("area_stiffness").can_be_built);  // and are no ribbons
+  EXPECT_NE(verdict(result("area_stiffness")).find("left out"), std::string::npos);
+}
+
+TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  for (auto& layer : json["layers"]) {
+    for (auto& object : layer["objects"]) {
+      if (!object.contains("polyline")) continue;
+      object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
+      object["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
+    }
+  }
+  std::ofstream(level_path) << json.dump();
+  record(replay_path, 10);
+  const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
+  ASSERT_EQ(terms.lacking.size(), 1U);
+  EXPECT_EQ(terms.lacking[0].term, "tension_only");
+  EXPECT_LE(terms.lacking[0].first_tick, 3U);
+  EXPECT_GE(terms.lacking[0].ticks, 5U);
+  const auto tension_only = std::find_if(terms.results.begin(), terms.results.end(),
+                                         [](const TermResult& r) { return r.term == "tension_only"; });
+  ASSERT_NE(tension_only, terms.results.end());
+  EXPECT_TRUE(tension_only->can_be_built);
+  EXPECT_GT(tension_only->shows_at, 0U);
+  EXPECT_NE(verdict(*tension_only).find("with it something is a centimetre elsewhere"), std::string::npos);
+
+  const game::Level held = *LevelFile(level_path).switched_on("tension_only", true, "stretch_stiffness");
+  game::Simulation simulation(held);
+  for (int k = 0; k < 10; ++k) simulation.tick({});
+  EXPECT_FALSE(pushes(simulation.scene().coupling().direct_cord(0), 9.81));
+}
+
+TEST_F(LevelStudy, ATermIsSwitchedOnWhereItCanBe) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  int cords = 0;
+  for (auto& layer : json["layers"]) {
+    for (auto& object : layer["objects"]) {
+      if (!object.contains("polyline") || cords++ > 0) continue;
+      object["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
+    }
+  }
+  std::ofstream(level_path) << json.dump();
+  const auto scene = LevelFile(level_path).switched_on("tension_only", true, "stretch_stiffness")->make_scene();
+  for (int c = 0; c < cords; ++c) EXPECT_EQ(scene->coupling().direct_cord(c).def().tension_only, c == 0) << c;
+  EXPECT_FALSE(LevelFile(level_path).switched_on("area_stiffness", 1.0));
 }
 
 // --- the report --------------------------------------------------------------------------------------------------
