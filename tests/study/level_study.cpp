@@ -52,17 +52,6 @@ struct Converged {
   Reference about;
 };
 
-/// Why a run does not count; empty if it does.
-std::string failure_of(const Trace& trace, const Converged& reference) {
-  if (!trace.failure.empty()) return trace.failure;
-  const std::string passed =
-      let_through(trace.passages, reference.trace.passages, reference.trace.declared, reference.about.ticks);
-  if (!passed.empty()) return passed;
-  if (trace.unconverged_ticks == 0) return {};
-  return std::to_string(trace.unconverged_ticks) + (trace.unconverged_ticks == 1 ? " tick" : " ticks") +
-         " not converged";
-}
-
 class LevelStudy {
  public:
   LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options,
@@ -169,7 +158,7 @@ class LevelStudy {
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;
     measured.unconverged_ticks = trace.unconverged_ticks;
-    measured.failure = failure_of(trace, own);
+    measured.failure = failure_of(trace, own.trace, own.about.ticks);
     return measured;
   }
 
@@ -205,6 +194,13 @@ class LevelStudy {
 };
 
 }  // namespace
+
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
+  if (!run.failure.empty()) return run.failure;
+  std::string passed = let_through(run.passages, reference.passages, reference.declared, ticks);
+  if (!passed.empty()) return passed;
+  return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
+}
 
 Point Measured::point() const {
   Point point{dials.solver, name_of(dials), cost_us, p99_us};

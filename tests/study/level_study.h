@@ -64,6 +64,10 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
 /// The same of inputs that were not recorded; nothing is kept in a folder.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
 
+/// Why a run does not count, in words: it blew up, let something through that its reference did not (see let_through),
+/// or did not converge in all ticks; empty if it does.
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
+
 /// The settings that a level's own cords can have: those of other solvers and numbers of points stand apart, for they
 /// would be other cords.
 std::vector<Point> applicable(const Study& study);

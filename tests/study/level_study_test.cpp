@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "engine/replay.h"
 #include "tests/study/command.h"
@@ -215,6 +216,83 @@ TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
     std::ofstream(path, std::ios::binary) << broken;
     EXPECT_FALSE(kept("this one", path));
   }
+}
+
+TEST(Failure, IsWhatBlewUpOrLetThroughOrDidNotConverge) {
+  Trace reference;
+  reference.declared = {through_body};
+  reference.passages.assign(10, {0});
+  Trace trace = reference;
+  EXPECT_EQ(failure_of(trace, reference, 10), "");
+  trace.unconverged_ticks = 1;
+  EXPECT_EQ(failure_of(trace, reference, 10), "1 tick not converged");
+  trace.unconverged_ticks = 2;
+  EXPECT_EQ(failure_of(trace, reference, 10), "2 ticks not converged");
+  trace.passages[4] = {through_body};
+  EXPECT_EQ(failure_of(trace, reference, 10), "cord 1 went through a body in tick 5");
+  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference did so too
+  trace.failure = "blew up in tick 6";
+  EXPECT_EQ(failure_of(trace, reference, 10), "blew up in tick 6");
+}
+
+/// The thesis's cords meet circles and no ground: let go above it, they fall through.
+TEST_F(LevelStudy, WhatFallsThroughTheGroundHasFailed) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  for (auto& layer : json["layers"]) {
+    auto objects = nlohmann::ordered_json::array();
+    int cords = 0;
+    for (auto& object : layer["objects"]) {
+      if (object.contains("polyline") && cords++ > 0) continue;
+      if (object.contains("polyline")) {
+        object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 60}, {"y", 0}}};
+        object["x"] = 120;
+        object["y"] = 410;  // 20 cm above it
+        for (auto& property : object["properties"]) {
+          if (property["name"] == "pin_first") property["value"] = false;
+          if (property["name"] == "columns") property["value"] = 9;
+        }
+      }
+      objects.push_back(object);
+    }
+    layer["objects"] = objects;
+  }
+  std::ofstream(level_path) << json.dump();
+  record(replay_path, 30);
+  const Study study = measure(LevelFile(level_path), replay_path, options());
+  for (const Measured& m : study.settings) {
+    const bool passed = m.failure.find("went through a body in tick") != std::string::npos;
+    EXPECT_EQ(passed, m.dials.solver == "thesis") << name_of(m.dials) << ": " << m.failure;
+  }
+}
+
+TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
+  Command command;
+  command.level = level_path;
+  command.replay = replay_path;
+  command.folder = home + "/report";
+  command.quick = true;
+  command.repeats = 1;
+  message_of([&] { run(command); });  // without gnuplot, of the plots
+  const std::string csv = content_of(command.folder + "/points.csv");
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line + ",");
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  ASSERT_EQ(rows.size(), 1 + grid(true).size());
+  for (const std::string name : {"tension", "penetration", "energy", "momentum"}) {
+    const auto column = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+    ASSERT_LT(column, rows[0].size()) << name;
+    for (const auto& row : rows) {
+      ASSERT_EQ(row.size(), rows[0].size());
+      const bool lacks = row[0] == "thesis" && name != "momentum";
+      EXPECT_EQ(row[column].empty(), lacks) << row[1] << ' ' << name;
+    }
+    EXPECT_TRUE(fs::exists(command.folder + "/" + name + ".gp")) << name;
+  }
+  EXPECT_NE(csv.find("later_height_m,later_height_sd_m,later_stretch,later_peak_stretch"), std::string::npos);
 }
 
 TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
