@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/convert.h"
+#include "tests/support/contact_figures.h"
 
 namespace test_support {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using engine::to_double;
 using engine::to_float;
 using ribbon::Vec2;
-
-constexpr uint16 box_category = 2;  // of all chains: with others' boxes they collide as with their own
 
 /// Where a cord without positions lies.
 std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
@@ -185,18 +184,7 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
   return points;
 }
 
-std::vector<Vec2> CoupledWorld::outline(int cord) const {
-  std::vector<Vec2> all = points(cord);
-  const int rows = defs_[at(cord)].rows;
-  const int columns = defs_[at(cord)].points;
-  if (rows == 1) return all;
-  std::vector<Vec2> around;
-  for (int i = 0; i < columns; ++i) around.push_back(all[at(i * rows)]);
-  for (int j = 1; j + 1 < rows; ++j) around.push_back(all[at((columns - 1) * rows + j)]);
-  for (int i = columns; i-- > 0;) around.push_back(all[at(i * rows + rows - 1)]);
-  for (int j = rows - 1; j-- > 1;) around.push_back(all[at(j)]);
-  return around;
-}
+std::vector<Vec2> CoupledWorld::outline(int cord) const { return outline_of(points(cord), defs_[at(cord)].rows); }
 
 double CoupledWorld::tension(int cord, int point) const {
   const bool first = is_first(cord, point);

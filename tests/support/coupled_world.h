@@ -28,6 +28,8 @@ class CoupledWorld {
   CoupledWorld& operator=(const CoupledWorld&) = delete;
 
   static constexpr double dt = 1.0 / 60.0;  // s
+  /// Of the boxes of all chains: with others' they collide as with their own.
+  static constexpr uint16 box_category = 2;
 
   /// Returns its index. Of a chain, that of a rope: its boxes are as thick as the cord, and have its friction.
   int add(ribbon::CordDef def);
