@@ -43,8 +43,9 @@ class Player {
 
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
-  ribbon::Vec2 position() const;  ///< m, the middle of the body
-  ribbon::Vec2 hand() const;      ///< m, where a held cord point ends up
+  ribbon::Vec2 position() const;               ///< m, the middle of the body
+  ribbon::Vec2 hand() const;                   ///< m, where a held cord point ends up
+  ribbon::Vec2 grip() const { return grip_; }  ///< m, the held point as seen from the middle of the body
   bool is_on_ground() const { return ticks_off_ground_ == 0; }
   bool faces_left() const { return faces_left_; }
   const PlayerTuning& tuning() const { return tuning_; }

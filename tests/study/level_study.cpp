@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/replay.h"
+#include "tests/study/chain_mover.h"
 #include "tests/study/results.h"
 #include "tests/tradeoff/measure.h"
 
@@ -36,7 +37,13 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-double work_of(const Dials& dials) { return dials.points * (1.0 + 0.7 * dials.substeps); }
+/// In substeps of a cord of the level's points.
+double work_of(const Dials& dials) {
+  if (is_box2d(dials)) return 1.0 + 0.1 * dials.substeps * dials.iterations;
+  return dials.points * (1.0 + 0.7 * dials.substeps);
+}
+
+game::MakeMover mover_of(const Dials& dials) { return is_box2d(dials) ? chain_mover(dials) : game::MakeMover{}; }
 
 std::vector<double> meshes_of(const std::vector<Dials>& grid) {
   std::vector<double> meshes;
@@ -44,6 +51,12 @@ std::vector<double> meshes_of(const std::vector<Dials>& grid) {
     if (std::find(meshes.begin(), meshes.end(), dials.points) == meshes.end()) meshes.push_back(dials.points);
   }
   return meshes;
+}
+
+std::vector<Dials> grid_of(bool quick, bool chains) {
+  std::vector<Dials> all = grid(quick);
+  if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
+  return all;
 }
 
 struct Converged {
@@ -56,13 +69,15 @@ class LevelStudy {
   LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options)
       : file_(&file),
         options_(&options),
-        grid_(grid(options.quick)),
-        progress_(options, all_work()),
-        inputs_(std::move(inputs)) {}
+        inputs_(std::move(inputs)),
+        no_chains_(options.chains ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
+        grid_(grid_of(options.quick, no_chains_.empty())),
+        progress_(options, all_work()) {}
 
   Study run(Results& results) {
     Study study;
     study.ticks = inputs_.size();
+    study.no_chains = no_chains_;
     for (const double points : meshes_of(grid_)) {
       if (!find_reference(points)) return study;
       study.references.push_back(converged_[points].about);
@@ -123,7 +138,7 @@ class LevelStudy {
 
   Measured measure_error(const Dials& dials, const Trace& fine) {
     const Converged& own = converged_[dials.points];
-    const Trace trace = study::run(file_->with(dials), inputs_);
+    const Trace trace = study::run(file_->with(dials), inputs_, mover_of(dials));
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
@@ -143,7 +158,7 @@ class LevelStudy {
     double round = 0.0;
     for (const Measured& measured : settings) {
       const game::Level& level = levels.emplace_back(file_->with(measured.dials));
-      timed.push_back(timed_run(level, inputs_));
+      timed.push_back(timed_run(level, inputs_, mover_of(measured.dials)));
       round += work_of(measured.dials);
     }
     if (stopped()) return false;
@@ -158,9 +173,10 @@ class LevelStudy {
 
   const LevelFile* file_;
   const StudyOptions* options_;
+  std::vector<engine::TickInput> inputs_;
+  std::string no_chains_;
   std::vector<Dials> grid_;
   Progress progress_;
-  std::vector<engine::TickInput> inputs_;
   std::map<double, Converged> converged_;
 };
 

@@ -39,6 +39,7 @@ struct Study {
   std::size_t ticks = 0;
   std::vector<Reference> references;
   std::vector<Measured> settings;
+  std::string no_chains;  ///< why none of Box2D's chains are among them; empty if they are
   bool complete = false;  ///< false if it was interrupted
 
   std::vector<Point> points() const;
@@ -47,6 +48,7 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
+  bool chains = true;                            ///< measure Box2D's too, where the level can be run by them
   std::string folder;                            ///< where results are kept; empty: nowhere
   std::function<bool()> stopped;                 ///< asked between runs
   std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left

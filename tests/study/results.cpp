@@ -21,25 +21,20 @@ Json json_of(const Errors& e) { return Json::array({e.position_m, e.position_sha
 Errors errors_of(const Json& j) { return {j.at(0), j.at(1), j.at(2), j.at(3)}; }
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},
-          {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps},
-          {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},
-          {"error", json_of(m.error)},
-          {"mesh", json_of(m.mesh)},
-          {"known_to", m.known_to_m},
-          {"iterations", m.work.iterations},
-          {"stages", m.work.stages},
-          {"fallbacks", m.work.fallbacks},
-          {"halvings", m.work.halvings},
-          {"unconverged_ticks", m.unconverged_ticks},
+  return {{"solver", m.dials.solver},     {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps}, {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},     {"velocity_iterations", m.dials.iterations},
+          {"error", json_of(m.error)},    {"mesh", json_of(m.mesh)},
+          {"known_to", m.known_to_m},     {"iterations", m.work.iterations},
+          {"stages", m.work.stages},      {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},  {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
 
 Measured measured_of(const Json& j) {
   Measured m;
-  m.dials = {j.at("solver"), j.at("integrator"), j.at("substeps"), j.at("tolerance"), j.at("points")};
+  m.dials = {j.at("solver"),    j.at("integrator"), j.at("substeps"),
+             j.at("tolerance"), j.at("points"),     j.at("velocity_iterations")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   m.known_to_m = j.at("known_to");

@@ -45,21 +45,22 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay) {
   return inputs;
 }
 
-tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs) {
-  const auto run = std::make_shared<LevelRun>(level, inputs);
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs,
+                          game::MakeMover make_mover) {
+  const auto run = std::make_shared<LevelRun>(level, inputs, std::move(make_mover));
   return {[run] { run->reset(); }, [run] { run->tick(); }};
 }
 
 void LevelRun::reset() {
-  simulation_ = std::make_unique<game::Simulation>(*level_);
+  simulation_ = std::make_unique<game::Simulation>(*level_, make_mover_);
   next_ = 0;
 }
 
 void LevelRun::tick() { simulation_->tick(inputs_[next_++]); }
 
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, game::MakeMover make_mover) {
   Trace trace;
-  LevelRun run(level, inputs);
+  LevelRun run(level, inputs, std::move(make_mover));
   run.reset();
   const engine::Coupling* coupling = &run.simulation().scene().coupling();
   for (int c = 0; c < coupling->size(); ++c) trace.lengths.push_back(length_of(middle_line(*coupling, c)));

@@ -29,7 +29,8 @@ struct Trace {
 class LevelRun {
  public:
   /// Keeps references to both.
-  LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs) : level_(&level), inputs_(inputs) {}
+  LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs, game::MakeMover make_mover = {})
+      : level_(&level), inputs_(inputs), make_mover_(std::move(make_mover)) {}
 
   void reset();
   void tick();
@@ -38,12 +39,14 @@ class LevelRun {
  private:
   const game::Level* level_;
   std::span<const engine::TickInput> inputs_;
+  game::MakeMover make_mover_;
   std::unique_ptr<game::Simulation> simulation_;
   std::size_t next_ = 0;
 };
 
 /// Keeps references to both.
-tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs);
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs,
+                          game::MakeMover make_mover = {});
 
 std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 
@@ -51,7 +54,7 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::CordIndex cord);
 
 /// Runs all inputs, or until a place is no number or further off than a kilometre.
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs);
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, game::MakeMover make_mover = {});
 
 /// Errors, each of its own kind.
 struct Errors {
