@@ -52,9 +52,11 @@ class ChainMover {
   void tick(double dt) {
     const Vec2 from = follow_hand();
     const Vec2 to = player_->grip();
+    pull_down_player(dt);
     for (int k = 1; k <= dials_.substeps; ++k) {
       move_hand(from + (static_cast<double>(k) / dials_.substeps) * (to - from));
       scene_->world().Step(static_cast<float>(dt / dials_.substeps), dials_.iterations, 3 * dials_.iterations / 8);
+      if (k == 1) player_->feel_ground();
     }
     lay_cords();
   }
@@ -73,6 +75,15 @@ class ChainMover {
       return player_->grip();
     }
     return to_double(hand_->GetLocalAnchorA());
+  }
+
+  /// While he holds nothing he falls as in a single world step a tick, however many there are: how exactly the game
+  /// lets him fly is not what its cords are measured by.
+  void pull_down_player(double dt) {
+    b2Body& body = player_->body();
+    body.SetGravityScale(hand_ == nullptr ? 0.0F : 1.0F);
+    if (hand_ != nullptr) return;
+    body.SetLinearVelocity(body.GetLinearVelocity() + static_cast<float>(dt) * scene_->world().GetGravity());
   }
 
   void let_go() {
