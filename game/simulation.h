@@ -37,7 +37,8 @@ using MakeMover = std::function<Mover(engine::Scene& scene, Player& player)>;
 class Simulation {
  public:
   /// Keeps a reference to the level. `make_mover`, if there is one, says who moves its scenes instead of Scene::tick:
-  /// another method that is compared with the cords.
+  /// another method that is compared with the cords. Such a run is neither recorded nor drawn: its hash and snapshots
+  /// stay those of the start.
   explicit Simulation(const Level& level, MakeMover make_mover = {});
 
   /// One tick of 1/60 s.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/convert.h"
@@ -58,7 +59,17 @@ class ChainMover {
       scene_->world().Step(static_cast<float>(dt / dials_.substeps), dials_.iterations, 3 * dials_.iterations / 8);
       if (k == 1) player_->feel_ground();
     }
-    lay_cords();
+  }
+
+  void show() {
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      std::vector<Vec2>& positions = mirrors_[c].positions;
+      for (std::size_t p = 0; p < positions.size(); ++p) {
+        const b2Vec2 place = chains_[c].point(static_cast<int>(p));
+        positions[p] = place.IsValid() ? to_double(place) : Vec2{lost, lost};
+      }
+      scene_->coupling().direct_cord(static_cast<int>(c)).restore(mirrors_[c]);
+    }
   }
 
  private:
@@ -112,17 +123,6 @@ class ChainMover {
     for (b2DistanceJoint* limit : limits_) test_support::move_first_anchor(*limit, to_float(local));
   }
 
-  void lay_cords() {
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
-      std::vector<Vec2>& positions = mirrors_[c].positions;
-      for (std::size_t p = 0; p < positions.size(); ++p) {
-        const b2Vec2 place = chains_[c].point(static_cast<int>(p));
-        positions[p] = place.IsValid() ? to_double(place) : Vec2{lost, lost};
-      }
-      scene_->coupling().direct_cord(static_cast<int>(c)).restore(mirrors_[c]);
-    }
-  }
-
   engine::Scene* scene_;
   game::Player* player_;
   Dials dials_;
@@ -135,10 +135,13 @@ class ChainMover {
 
 }  // namespace
 
-game::MakeMover chain_mover(const Dials& dials) {
-  return [dials](engine::Scene& scene, game::Player& player) -> game::Mover {
-    return [mover = std::make_shared<ChainMover>(scene, player, dials)](double dt) { mover->tick(dt); };
+Method chain_method(const Dials& dials) {
+  const auto latest = std::make_shared<std::optional<ChainMover>>();
+  const auto make = [latest, dials](engine::Scene& scene, game::Player& player) -> game::Mover {
+    latest->emplace(scene, player, dials);
+    return [latest](double dt) { (*latest)->tick(dt); };
   };
+  return {make, [latest] { (*latest)->show(); }};
 }
 
 std::string why_no_chains(const game::Level& level, std::span<const engine::TickInput> inputs) {

@@ -23,7 +23,7 @@ Dials chain(int substeps, const char* solver = "box2d_chain") { return {solver, 
 game::Level converged() { return LevelFile(level_path).with({"direct", "tr_bdf2", 16, 1e-7}); }
 
 Trace run_chain(const game::Level& level, const std::vector<TickInput>& inputs, const Dials& dials) {
-  return run(level, inputs, chain_mover(dials));
+  return run(level, inputs, chain_method(dials));
 }
 
 std::vector<TickInput> pressed(std::size_t ticks, int buttons) {
@@ -95,11 +95,14 @@ TEST(ChainMover, WhoLetsGoTakesHisJointsWithHim) {
   const game::Level level = one_cord(hanging);
   std::vector<TickInput> inputs = pressed(20, game::button_grab);
   inputs.resize(40);
-  LevelRun run(level, inputs, chain_mover(chain(4, "box2d_max_distance")));
+  LevelRun run(level, inputs, chain_method(chain(4, "box2d_max_distance")));
   run.reset();
   const int joints = run.simulation().scene().world().GetJointCount();
   const auto tick = [&](int count) {
-    for (int k = 0; k < count; ++k) run.tick();
+    for (int k = 0; k < count; ++k) {
+      run.tick();
+      run.show();
+    }
   };
   tick(20);
   EXPECT_EQ(run.simulation().scene().world().GetJointCount(), joints + 2);

@@ -47,12 +47,12 @@ std::vector<std::string> notes_on_baselines(const Study& study) {
       who_is_ahead(study.points(), [](const std::string& method) { return method == "direct"; });
   if (study.no_chains.empty()) {
     notes.emplace_back(
-        "box2d_chain is the level with each cord as thin boxes on Box2D's joints, in the same world: with springs in "
-        "the joints where the cord resists bending, and drag as Box2D's damping. What it cannot have is stretch that "
-        "is "
-        "declared, and a hand that moves other than by its position correction. box2d_max_distance keeps the hand no "
-        "further from the cord's pins than the cord is long. b2Rope neither holds nor meets a body, so that it cannot "
-        "stand in a level; it stands in the scene heavy_swing.");
+        "box2d_chain is the level with each cord as thin boxes on Box2D's joints, in the same world, which takes the "
+        "substeps: springs in the joints where the cord resists bending (softer where it bends far), drag as Box2D's "
+        "damping, mass and contact as the cord's; of stretch, none. box2d_max_distance also keeps a hand no further "
+        "from the cord's pins than the cord is long. Their cost is of player and world alone; that of cords has the "
+        "tick's state hash and snapshot in it. b2Rope neither holds nor meets a body, so that it cannot stand in a "
+        "level; it stands in the scene heavy_swing.");
   } else {
     notes.push_back("Box2D's chains are not applicable: " + study.no_chains + ".");
   }

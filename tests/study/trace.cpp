@@ -45,27 +45,34 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay) {
   return inputs;
 }
 
-tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs,
-                          game::MakeMover make_mover) {
-  const auto run = std::make_shared<LevelRun>(level, inputs, std::move(make_mover));
-  return {[run] { run->reset(); }, [run] { run->tick(); }};
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs, Method method) {
+  const bool shows = static_cast<bool>(method.show);
+  const auto run = std::make_shared<LevelRun>(level, inputs, std::move(method));
+  tradeoff::Timed timed{[run] { run->reset(); }, [run] { run->tick(); }};
+  if (shows) timed.rest = [run] { run->show(); };
+  return timed;
 }
 
 void LevelRun::reset() {
-  simulation_ = std::make_unique<game::Simulation>(*level_, make_mover_);
+  simulation_ = std::make_unique<game::Simulation>(*level_, method_.make_mover);
   next_ = 0;
 }
 
 void LevelRun::tick() { simulation_->tick(inputs_[next_++]); }
 
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, game::MakeMover make_mover) {
+void LevelRun::show() const {
+  if (method_.show) method_.show();
+}
+
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, Method method) {
   Trace trace;
-  LevelRun run(level, inputs, std::move(make_mover));
+  LevelRun run(level, inputs, std::move(method));
   run.reset();
   const engine::Coupling* coupling = &run.simulation().scene().coupling();
   for (int c = 0; c < coupling->size(); ++c) trace.lengths.push_back(length_of(middle_line(*coupling, c)));
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
+    run.show();
     coupling = &run.simulation().scene().coupling();
     std::vector<Vec2>& places = trace.places.emplace_back();
     double stretch = 0.0;
