@@ -80,6 +80,29 @@ TEST(ChainMover, APlayerSwingsOnAChainAsOnACord) {
   EXPECT_GT(few.player_m, 50.0 * many.player_m);
 }
 
+TEST(ChainMover, ACaughtPointComesToTheHand) {
+  game::Level level = one_cord(slanted);
+  level.player_start = level.player_start + Vec2{-0.2, -0.5};
+  const std::vector<TickInput> inputs = pressed(30, game::button_grab);
+  for (const char* solver : {"box2d_chain", "box2d_max_distance"}) {
+    LevelRun run(level, inputs, chain_method(chain(16, solver)));
+    run.reset();
+    double first = 0.0;
+    double last = 0.0;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      run.tick();
+      run.show();
+      const auto held = run.simulation().scene().coupling().held_by(run.simulation().player().body());
+      ASSERT_TRUE(held);
+      const auto x = run.simulation().scene().coupling().positions(held->cord);
+      last = length(x[static_cast<std::size_t>(held->point)] - run.simulation().player().hand());
+      if (k == 0) first = last;
+    }
+    EXPECT_GT(first, 0.4);
+    EXPECT_LT(last, 0.01);
+  }
+}
+
 TEST(ChainMover, AMaxDistanceJointKeepsTheHandNoFurtherThanTheCordIsLong) {
   const game::Level level = one_cord(slanted);
   const std::vector<TickInput> inputs = pressed(40, game::button_grab);
