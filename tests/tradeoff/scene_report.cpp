@@ -33,7 +33,8 @@ std::vector<std::string> who_is_ahead(const std::vector<Row>& rows, const std::v
   std::vector<std::string> sentences;
   for (const auto& [name, own] : experiments) {
     for (const std::string& sentence : study::who_is_ahead(own, is_cord)) {
-      sentences.push_back(experiments.size() > 1 ? name + ": " + sentence : sentence);
+      std::string& told = sentences.emplace_back(sentence);
+      if (experiments.size() > 1) told.insert(0, name + ": ");
     }
   }
   return sentences;

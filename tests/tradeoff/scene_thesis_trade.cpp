@@ -83,7 +83,7 @@ Contestant contestant(const std::string& name, const std::string& setting, const
             return std::vector<double>{rms(path_of(*method), *converged)};
           },
           {},
-          name.substr(name.find('_'))};
+          "condition " + name.substr(name.find('_') + 1)};
 }
 
 void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {
