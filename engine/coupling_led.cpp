@@ -17,6 +17,43 @@ constexpr double unworthy_push = 1e-5;  // m/s, and as a share, that single prec
 /// By what Box2D divides velocities in a tick.
 double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
 
+/// N·s, what a contact gave its second body in the last world.Step.
+Vec2 impulse_of(const b2Contact& contact, Vec2 normal) {
+  const b2Manifold& manifold = *contact.GetManifold();
+  const Vec2 tangent{normal.y, -normal.x};  // as b2ContactSolver has it
+  Vec2 sum;
+  for (int k = 0; k < manifold.pointCount; ++k) {
+    sum += static_cast<double>(manifold.points[k].normalImpulse) * normal +
+           static_cast<double>(manifold.points[k].tangentImpulse) * tangent;
+  }
+  return sum;
+}
+
+/// m/s, what of the `change` of a body's velocity [m/s] since it was led its contacts and joints in Box2D explain; the
+/// rest is what somebody gave it by ApplyForce, ApplyLinearImpulse and the like. A contact that Box2D solved at its
+/// time of impact keeps no impulse: then it is all that the change is away from it.
+Vec2 pushed_by_others(const b2Body& body, Vec2 change) {
+  const double inverse_mass = body.GetMass() > 0.0F ? 1.0 / static_cast<double>(body.GetMass()) : 0.0;
+  Vec2 sum;
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    const b2Contact& contact = *edge->contact;
+    if (!contact.IsTouching() || !contact.IsEnabled() || contact.GetManifold()->pointCount == 0) continue;
+    b2WorldManifold manifold;
+    contact.GetWorldManifold(&manifold);
+    const double sign = contact.GetFixtureB()->GetBody() == &body ? 1.0 : -1.0;
+    const Vec2 normal = to_double(manifold.normal);
+    const Vec2 impulse = impulse_of(contact, normal);
+    const double away = sign * dot(change, normal);
+    if (impulse == Vec2{} && away > 0.0) sum += (sign * away) * normal;
+    sum += (sign * inverse_mass) * impulse;
+  }
+  for (const b2JointEdge* edge = body.GetJointList(); edge != nullptr; edge = edge->next) {
+    const double sign = edge->joint->GetBodyB() == &body ? 1.0 : -1.0;
+    sum += (sign * inverse_mass) * to_double(edge->joint->GetReactionForce(1.0F));
+  }
+  return sum;
+}
+
 }  // namespace
 
 /// Gives a touching body its impulse; what single precision loses of it stays with the cord.
@@ -77,9 +114,9 @@ Coupling::LedBody* Coupling::led(const b2Body& body) {
 const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
 
 /// What a body met pushes it in a direction in which its velocity is Box2D's then, with nothing ahead of it: who stands
-/// does not go on falling.
+/// does not go on falling. What the game itself gives a body comes on top.
 Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
-  const Vec2 pushed = to_double(body.GetLinearVelocity()) - led.velocity;
+  const Vec2 pushed = pushed_by_others(body, to_double(body.GetLinearVelocity()) - led.velocity);
   const double size = length(pushed);
   if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
   const Vec2 n = (1.0 / size) * pushed;
@@ -90,7 +127,7 @@ Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
 /// two ticks. The cord would let it fall otherwise, and be told after each tick that it did not.
 Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
   const Vec2 before = led.pushed;
-  led.pushed = to_double(body.GetLinearVelocity()) - led.velocity;
+  led.pushed = pushed_by_others(body, to_double(body.GetLinearVelocity()) - led.velocity);
   const double along = dot(before, led.pushed);
   if (!(along > 0.0)) return {};
   const double least = std::min(length(before), length(led.pushed));

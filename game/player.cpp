@@ -78,7 +78,9 @@ void Player::apply(std::uint16_t buttons, engine::Coupling& coupling, double dt)
   if (!grab_down) wants_to_catch_ = true;
   if (direction != 0) faces_left_ = direction < 0;
 
-  feel_ground();
+  if (!feels_ground_) feel_ground();
+  ticks_off_ground_ = *feels_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
+  feels_ground_.reset();
   ticks_since_jump_wanted_ = jump_pressed ? 0 : std::min(ticks_since_jump_wanted_ + 1, long_ago);
   const auto held = coupling.held_by(*body_);
   if (held && (jump_pressed || !grab_down)) {
@@ -105,7 +107,7 @@ void Player::feel_ground() {
     const double up = static_cast<double>(is_b ? manifold.normal.y : -manifold.normal.y);
     on_ground = on_ground || up > tuning_.ground_slope;
   }
-  ticks_off_ground_ = on_ground ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
+  feels_ground_ = on_ground;
 }
 
 void Player::run(int direction, double dt) {

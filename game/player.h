@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/coupling.h"
 #include "engine/state_hash.h"
@@ -40,11 +41,15 @@ class Player {
 
   /// One tick's buttons (game/buttons.h): run, jump, catch, pump, let go.
   void apply(std::uint16_t buttons, engine::Coupling& coupling, double dt);
+  /// Feels for ground by the world's last step, as the next apply does else: for who steps the world several times a
+  /// tick, and has the player feel what a single step would have found.
+  void feel_ground();
 
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
-  ribbon::Vec2 position() const;  ///< m, the middle of the body
-  ribbon::Vec2 hand() const;      ///< m, where a held cord point ends up
+  ribbon::Vec2 position() const;               ///< m, the middle of the body
+  ribbon::Vec2 hand() const;                   ///< m, where a held cord point ends up
+  ribbon::Vec2 grip() const { return grip_; }  ///< m, the held point as seen from the middle of the body
   bool is_on_ground() const { return ticks_off_ground_ == 0; }
   bool faces_left() const { return faces_left_; }
   const PlayerTuning& tuning() const { return tuning_; }
@@ -52,7 +57,6 @@ class Player {
   void add_to(engine::Hasher& hasher) const;
 
  private:
-  void feel_ground();
   void run(int direction, double dt);
   void jump_if_wanted();
   void catch_cord(engine::Coupling& coupling);
@@ -61,6 +65,7 @@ class Player {
 
   PlayerTuning tuning_;
   b2Body* body_;
+  std::optional<bool> feels_ground_;  // since the last apply
   int ticks_off_ground_ = 0;
   int ticks_since_jump_wanted_;
   bool jump_was_down_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/convert.h"
 #include "game/buttons.h"
@@ -66,7 +67,7 @@ Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
   return between;
 }
 
-Simulation::Simulation(const Level& level) : level_(&level) {
+Simulation::Simulation(const Level& level, MakeMover make_mover) : level_(&level), make_mover_(std::move(make_mover)) {
   restart();
   compute_hash();
 }
@@ -79,21 +80,24 @@ void Simulation::tick(const engine::TickInput& input) {
 
   player_->apply(input.buttons, scene_->coupling(), tick_dt);
   drag(input);
-  scene_->tick(tick_dt);
+  move_(tick_dt);
   ++ticks_;
   ++run_ticks_;
   watch_the_player();
+  if (make_mover_) return;
 
   take_snapshot(current_);
   compute_hash();
 }
 
 void Simulation::restart() {
+  move_ = {};
   player_.reset();
   scene_ = level_->make_scene();
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
+  move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   dragged_.reset();
   run_ticks_ = 0;
   falls_ = 0;

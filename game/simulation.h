@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,11 +28,18 @@ struct Snapshot {
 /// The moment `alpha` (0 … 1) of the way from one tick to the next. They must be of the same world.
 Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha);
 
+/// Moves a scene for a tick of dt seconds.
+using Mover = std::function<void(double dt)>;
+/// Makes the mover of a new scene and its player, which outlive it.
+using MakeMover = std::function<Mover(engine::Scene& scene, Player& player)>;
+
 /// A run of a level: a function of the level and of the ticks' inputs, and of nothing else.
 class Simulation {
  public:
-  /// Keeps a reference to the level.
-  explicit Simulation(const Level& level);
+  /// Keeps a reference to the level. `make_mover`, if there is one, says who moves its scenes instead of Scene::tick:
+  /// another method that is compared with the cords. Such a run is neither recorded nor drawn: its hash and snapshots
+  /// stay those of the start.
+  explicit Simulation(const Level& level, MakeMover make_mover = {});
 
   /// One tick of 1/60 s.
   void tick(const engine::TickInput& input);
@@ -60,8 +68,10 @@ class Simulation {
   void compute_hash();
 
   const Level* level_;
+  MakeMover make_mover_;
   std::unique_ptr<engine::Scene> scene_;
   std::unique_ptr<Player> player_;
+  Mover move_;
   Snapshot previous_;
   Snapshot current_;
   engine::StateHash hash_;

@@ -72,6 +72,23 @@ void add_later_notes(Report& report, const Study& study) {
 /// Empty for what is no number.
 std::string cell(double value) { return std::isnan(value) ? "" : significant(value, 3); }
 
+std::vector<std::string> notes_on_baselines(const Study& study) {
+  std::vector<std::string> notes =
+      who_is_ahead(study.points(), [](const std::string& method) { return method == "direct"; });
+  if (study.no_chains.empty()) {
+    notes.emplace_back(
+        "box2d_chain is the level with each cord as thin boxes on Box2D's joints, in the same world, which takes the "
+        "substeps: springs in the joints where the cord resists bending (softer where it bends far), drag as Box2D's "
+        "damping, mass and contact as the cord's; of stretch, none. box2d_max_distance also keeps a hand no further "
+        "from the cord's pins than the cord is long. Their cost is of player and world alone; that of cords has the "
+        "tick's state hash and snapshot in it. b2Rope neither holds nor meets a body, so that it cannot stand in a "
+        "level; it stands in the scene heavy_swing.");
+  } else {
+    notes.push_back("Box2D's chains are not applicable: " + study.no_chains + ".");
+  }
+  return notes;
+}
+
 Report report_of(const Study& study) {
   Report report;
   report.title = study.level;
@@ -90,6 +107,7 @@ Report report_of(const Study& study) {
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
   add_later_notes(report, study);
   report.points = study.points();
+  for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
   report.columns = {"position_m",  "position_share", "player_m",         "stretch", "tension",
                     "penetration", "energy",         "momentum",         "mesh_m",  "newton_a_tick",
                     "fallbacks",   "halvings",       "unconverged_ticks"};
@@ -122,11 +140,11 @@ Report report_of(const Study& study) {
 
 void print_table(const Report& report) {
   const std::vector<std::size_t> on_front = front(report.points);
-  std::printf("%-7s %-44s %10s %10s %10s\n", "method", "setting", "us_a_tick", "p99_us", "error_m");
+  std::printf("%-18s %-44s %10s %10s %10s\n", "method", "setting", "us_a_tick", "p99_us", "error_m");
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
     const bool best = std::find(on_front.begin(), on_front.end(), k) != on_front.end();
-    std::printf("%-7s %-44s %10.2f %10.2f %10s%s\n", p.method.c_str(), p.setting.c_str(), p.cost_us, p.p99_us,
+    std::printf("%-18s %-44s %10.2f %10.2f %10s%s\n", p.method.c_str(), p.setting.c_str(), p.cost_us, p.p99_us,
                 p.failure.empty() ? significant(p.error_m, 3).c_str() : p.failure.c_str(), best ? "  front" : "");
   }
 }
@@ -197,7 +215,7 @@ int tell_terms(const LevelFile& file, const std::string& replay) {
 
 void print_grid(const std::vector<Dials>& all) {
   std::printf("%zu settings:\n", all.size());
-  for (const Dials& dials : all) std::printf("  %-7s %s\n", dials.solver.c_str(), name_of(dials).c_str());
+  for (const Dials& dials : all) std::printf("  %-18s %s\n", dials.solver.c_str(), name_of(dials).c_str());
   std::fflush(stdout);
 }
 

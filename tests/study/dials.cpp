@@ -6,12 +6,16 @@ namespace study {
 
 std::string name_of(const Dials& dials) {
   std::string name = "substeps=" + std::to_string(dials.substeps);
-  if (dials.solver != "thesis") {
+  if (is_box2d(dials)) {
+    name += " iterations=" + std::to_string(dials.iterations) + "/" + std::to_string(3 * dials.iterations / 8);
+  } else if (dials.solver != "thesis") {
     name = dials.integrator + " " + name + " tolerance=" + significant(dials.tolerance, 6);
   }
   if (dials.points != 1.0) name += " points=x" + significant(dials.points, 6);
   return name;
 }
+
+bool is_box2d(const Dials& dials) { return dials.solver.starts_with("box2d"); }
 
 std::vector<Dials> grid(bool quick) {
   std::vector<Dials> all = {{"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
@@ -32,6 +36,14 @@ std::vector<Dials> grid(bool quick) {
     for (const int n : quick ? std::vector{1} : std::vector{1, 4}) add({"direct", "tr_bdf2", n, 5e-4, points});
   }
   for (const int n : quick ? std::vector{8} : std::vector{4, 16, 64}) add({"thesis", "", n, 0.0});
+  const auto add_chain = [&add](const char* solver, int n, int iterations) {
+    add({solver, "", n, 0.0, 1.0, iterations});
+  };
+  for (const int n : quick ? std::vector{1, 16} : std::vector{1, 4, 16, 64}) add_chain("box2d_chain", n, 8);
+  if (quick) return all;
+  add_chain("box2d_chain", 1, 128);
+  add_chain("box2d_chain", 4, 32);
+  for (const int n : {1, 4, 16}) add_chain("box2d_max_distance", n, 8);
   return all;
 }
 

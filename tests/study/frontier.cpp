@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/study/words.h"
+
 namespace study {
 namespace {
 
@@ -16,6 +18,10 @@ std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Bett
     if (counts(points[k]) && meets(points[k]) && (!found || better(points[k], points[*found]))) found = k;
   }
   return found;
+}
+
+std::string with_cost(const Point& point) {
+  return point.method + " " + point.setting + " takes " + significant(point.cost_us, 3) + " us a tick";
 }
 
 }  // namespace
@@ -34,6 +40,29 @@ std::vector<std::size_t> front(std::span<const Point> points) {
     if (on_it.empty() || points[k].error_m < points[on_it.back()].error_m) on_it.push_back(k);
   }
   return on_it;
+}
+
+std::vector<std::string> who_is_ahead(std::span<const Point> points,
+                                      const std::function<bool(const std::string& method)>& is_ours) {
+  const auto ours = [&](const Point& p) { return counts(p) && is_ours(p.method); };
+  const auto others = [&](const Point& p) { return counts(p) && !is_ours(p.method); };
+  if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return {};
+  std::vector<std::string> sentences;
+  const Point* before = nullptr;  // on the front: what is cheaper, and enough where its error is allowed
+  for (const std::size_t k : front(points)) {
+    const Point& p = points[k];
+    if (!is_ours(p.method)) {
+      const auto rival = best(
+          points, [&](const Point& q) { return is_ours(q.method) && q.error_m <= p.error_m; },
+          [](const Point& a, const Point& b) { return a.cost_us < b.cost_us; });
+      sentences.push_back("A baseline is ahead at errors from " + significant(p.error_m, 3) + " m " +
+                          (before == nullptr ? "up" : "to " + significant(before->error_m, 3) + " m") + ": " +
+                          with_cost(p) + ", " + (rival ? with_cost(points[*rival]) : "none of ours is so exact") + ".");
+    }
+    before = &p;
+  }
+  if (sentences.empty()) sentences.emplace_back("At every error our settings are the front.");
+  return sentences;
 }
 
 std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -28,6 +29,11 @@ inline constexpr double kept_budget = 0.75;
 /// Those that no other is both cheaper and more exact than, by rising cost. What failed or stands apart is never
 /// among them.
 std::vector<std::size_t> front(std::span<const Point> points);
+
+/// What the front says of our methods against the others, in sentences: where one of those is on it, at which errors,
+/// and what ours cost there; or that none is. Empty if either are missing.
+std::vector<std::string> who_is_ahead(std::span<const Point> points,
+                                      const std::function<bool(const std::string& method)>& is_ours);
 
 /// The cheapest whose error is at most kept_error · `most_error` [m].
 std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error);

@@ -41,6 +41,38 @@ TEST(Frontier, OfEqualCostTheMoreExactIsOnIt) {
   EXPECT_EQ(front(points), std::vector<std::size_t>{1});
 }
 
+bool is_direct(const std::string& method) { return method == "direct"; }
+
+TEST(Frontier, ABaselineOnItIsToldWithTheErrorsWhereItIsAhead) {
+  std::vector<Point> points = scene();
+  EXPECT_TRUE(who_is_ahead(points, is_direct).empty());  // nobody to compare with
+  points.push_back(point(4.0, 0.3));
+  points.back().method = "chain";
+  EXPECT_EQ(who_is_ahead(points, is_direct), std::vector<std::string>{"At every error our settings are the front."});
+
+  points.push_back(point(3.0, 0.25));
+  points.back().method = "chain";
+  for (const double cost_us : {0.25, 0.5}) {
+    points.push_back(point(cost_us, 1.0 / cost_us));
+    points.back().method = "chain";
+  }
+  points.push_back(point(32.0, 0.001));
+  points.back().method = "chain";
+  points.push_back(point(0.1, 0.0, "failed"));
+  points.back().method = "chain";
+  EXPECT_EQ(
+      who_is_ahead(points, is_direct),
+      (std::vector<std::string>{
+          "A baseline is ahead at errors from 4 m up: chain some takes 0.25 us a tick, direct some takes 1 us a "
+          "tick.",
+          "A baseline is ahead at errors from 2 m to 4 m: chain some takes 0.5 us a tick, direct some takes 1 us a "
+          "tick.",
+          "A baseline is ahead at errors from 0.25 m to 0.5 m: chain some takes 3 us a tick, direct some takes 4 "
+          "us a tick.",
+          "A baseline is ahead at errors from 0.001 m to 0.0625 m: chain some takes 32 us a tick, none of ours "
+          "is so exact."}));
+}
+
 TEST(Frontier, TheCheapestKeepsTheErrorWithItsMargin) {
   EXPECT_EQ(cheapest_within(scene(), 0.25 / kept_error), 2U);
   EXPECT_EQ(cheapest_within(scene(), 0.99 * 0.25 / kept_error), 0U);

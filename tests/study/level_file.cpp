@@ -80,6 +80,7 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) {
       set(cord, "columns", std::max(links, 1) + 1);
     }
   }
+  if (is_box2d(dials)) return;  // the cords are its measure, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
   if (dials.solver == "thesis") {

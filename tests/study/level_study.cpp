@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/replay.h"
+#include "tests/study/chain_mover.h"
 #include "tests/study/results.h"
 #include "tests/study/words.h"
 #include "tests/tradeoff/measure.h"
@@ -37,7 +38,13 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-double work_of(const Dials& dials) { return dials.points * (1.0 + 0.7 * dials.substeps); }
+/// In substeps of a cord of the level's points.
+double work_of(const Dials& dials) {
+  if (is_box2d(dials)) return 1.0 + 0.1 * dials.substeps * dials.iterations;
+  return dials.points * (1.0 + 0.7 * dials.substeps);
+}
+
+Method method_of(const Dials& dials) { return is_box2d(dials) ? chain_method(dials) : Method{}; }
 
 std::vector<double> meshes_of(const std::vector<Dials>& grid) {
   std::vector<double> meshes;
@@ -45,6 +52,12 @@ std::vector<double> meshes_of(const std::vector<Dials>& grid) {
     if (std::find(meshes.begin(), meshes.end(), dials.points) == meshes.end()) meshes.push_back(dials.points);
   }
   return meshes;
+}
+
+std::vector<Dials> grid_of(bool quick, bool chains) {
+  std::vector<Dials> all = grid(quick);
+  if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
+  return all;
 }
 
 struct Converged {
@@ -59,9 +72,10 @@ class LevelStudy {
       : file_(&file),
         results_(&results),
         options_(&options),
-        grid_(grid(options.quick)),
-        progress_(options, all_work()),
-        inputs_(std::move(inputs)) {}
+        inputs_(std::move(inputs)),
+        no_chains_(options.chains ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
+        grid_(grid_of(options.quick, no_chains_.empty())),
+        progress_(options, all_work()) {}
 
   Study run() {
     Study study = measure_all();
@@ -73,6 +87,7 @@ class LevelStudy {
   Study measure_all() {
     Study study;
     study.ticks = inputs_.size();
+    study.no_chains = no_chains_;
     for (const double points : meshes_of(grid_)) {
       if (!find_reference(points)) return study;
       study.references.push_back(converged_[points].about);
@@ -118,9 +133,9 @@ class LevelStudy {
     return trace;
   }
 
-  Trace run_once(const game::Level& level) {
+  Trace run_once(const game::Level& level, const Method& method = {}) {
     ++runs_;
-    return study::run(level, inputs_);
+    return study::run(level, inputs_, method);
   }
 
   bool find_reference(double points) {
@@ -149,7 +164,7 @@ class LevelStudy {
 
   Measured measure_error(const Dials& dials, const Trace& fine) {
     const Converged& own = converged_[dials.points];
-    const Trace trace = run_once(file_->with(dials));
+    const Trace trace = run_once(file_->with(dials), method_of(dials));
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
@@ -170,15 +185,16 @@ class LevelStudy {
     double round = 0.0;
     for (const Measured& measured : settings) {
       const game::Level& level = levels.emplace_back(file_->with(measured.dials));
-      timed.push_back(timed_run(level, inputs_));
+      timed.push_back(timed_run(level, inputs_, method_of(measured.dials)));
       round += work_of(measured.dials);
     }
     if (stopped()) return false;
     const auto timings = tradeoff::interleaved_timings(timed, static_cast<int>(inputs_.size()), options_->repeats,
                                                        [&](double) { progress_.add(round); });
     for (std::size_t k = 0; k < settings.size(); ++k) {
-      settings[k].cost_us = timings[k].median_us;
-      settings[k].p99_us = timings[k].p99_us;
+      const bool shows = is_box2d(settings[k].dials);
+      settings[k].cost_us = shows ? timings[k].share_us : timings[k].median_us;
+      settings[k].p99_us = shows ? timings[k].share_p99_us : timings[k].p99_us;
     }
     return true;
   }
@@ -186,9 +202,10 @@ class LevelStudy {
   const LevelFile* file_;
   Results* results_;
   const StudyOptions* options_;
+  std::vector<engine::TickInput> inputs_;
+  std::string no_chains_;
   std::vector<Dials> grid_;
   Progress progress_;
-  std::vector<engine::TickInput> inputs_;
   std::map<double, Converged> converged_;
   int runs_ = 0;
 };

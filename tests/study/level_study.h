@@ -44,6 +44,7 @@ struct Study {
   std::vector<Reference> references;
   std::vector<Measured> settings;
   int runs = 0;           ///< of the level, to find errors: those that the folder knew were not run again
+  std::string no_chains;  ///< why none of Box2D's chains are among them; empty if they are
   bool complete = false;  ///< false if it was interrupted
 
   std::vector<Point> points() const;
@@ -52,6 +53,7 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
+  bool chains = true;                            ///< measure Box2D's too, where the level can be run by them
   std::string folder;                            ///< where results are kept; empty: nowhere
   std::function<bool()> stopped;                 ///< asked between runs
   std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left

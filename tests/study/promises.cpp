@@ -14,6 +14,7 @@ StudyOptions quick_options() {
   StudyOptions options;
   options.quick = true;
   options.repeats = repeats;
+  options.chains = false;  // which are never recommended
   return options;
 }
 

@@ -73,17 +73,26 @@ void add_figures(Errors& errors, std::span<const Figures> run, const Trace& refe
                     (reference.mass * speed);
 }
 
-/// That of game::Level's cords, which do not bump into players.
-b2Filter cord_filter() {
+/// That of game::Level's cords, which do not bump into players, nor into what moves them.
+b2Filter cord_filter(const Method& method) {
   b2Filter filter;
-  filter.maskBits = static_cast<std::uint16_t>(~game::player_category);
+  filter.maskBits = static_cast<std::uint16_t>(~(game::player_category | method.categories));
   return filter;
 }
 
-void add_tick(Trace& trace, const game::Simulation& simulation) {
+/// What cords that do not move themselves know of positions only.
+Figures figures_of(const engine::Scene& scene, const Method& method) {
+  Figures figures = study::figures_of(scene.world(), scene.coupling(), cord_filter(method));
+  if (!method.make_mover) return figures;
+  figures.tension = figures.energy = figures.kinetic = lacking;
+  figures.momentum = {lacking, lacking};
+  return figures;
+}
+
+void add_tick(Trace& trace, const game::Simulation& simulation, const Method& method) {
   const engine::Coupling& coupling = simulation.scene().coupling();
   std::vector<Vec2>& places = trace.places.emplace_back();
-  Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene().world(), coupling, cord_filter()));
+  Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene(), method));
   double& most_stretch = trace.stretch.emplace_back(0.0);
   bool unconverged = false;
   for (int c = 0; c < coupling.size(); ++c) {
@@ -119,21 +128,28 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay) {
   return inputs;
 }
 
-tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs) {
-  const auto run = std::make_shared<LevelRun>(level, inputs);
-  return {[run] { run->reset(); }, [run] { run->tick(); }};
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs, Method method) {
+  const bool shows = static_cast<bool>(method.show);
+  const auto run = std::make_shared<LevelRun>(level, inputs, std::move(method));
+  tradeoff::Timed timed{[run] { run->reset(); }, [run] { run->tick(); }};
+  if (shows) timed.rest = [run] { run->show(); };
+  return timed;
 }
 
 void LevelRun::reset() {
-  simulation_ = std::make_unique<game::Simulation>(*level_);
+  simulation_ = std::make_unique<game::Simulation>(*level_, method_.make_mover);
   next_ = 0;
 }
 
 void LevelRun::tick() { simulation_->tick(inputs_[next_++]); }
 
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
+void LevelRun::show() const {
+  if (method_.show) method_.show();
+}
+
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method) {
   Trace trace;
-  LevelRun run(level, inputs);
+  LevelRun run(level, inputs, method);
   run.reset();
   const engine::Scene& start = run.simulation().scene();
   for (int c = 0; c < start.coupling().size(); ++c) {
@@ -145,10 +161,11 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
   PassageWatch watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
-    add_tick(trace, run.simulation());
+    run.show();
+    add_tick(trace, run.simulation(), method);
     if (run.simulation().run_ticks() == 1) watch.forget();  // the player has begun again
     const engine::Scene& now = run.simulation().scene();
-    trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter()));
+    trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter(method)));
     if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_somewhere)) {
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;

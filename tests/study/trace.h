@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,25 +34,36 @@ struct Trace {
   std::string failure;                            ///< what became of it, if it ended before its time
 };
 
+/// Who moves a level's cords, if they do not move themselves.
+struct Method {
+  game::MakeMover make_mover = {};
+  std::function<void()> show = {};  ///< lays the cords where they have been moved to; before every look at them
+  std::uint16_t categories = 0;     ///< of what moves them
+};
+
 /// A run that may be begun again, for the clock.
 class LevelRun {
  public:
-  /// Keeps references to both.
-  LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs) : level_(&level), inputs_(inputs) {}
+  /// Keeps references to level and inputs.
+  LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs, Method method = {})
+      : level_(&level), inputs_(inputs), method_(std::move(method)) {}
 
   void reset();
+  /// After a tick somebody has to `show` what it did.
   void tick();
+  void show() const;
   const game::Simulation& simulation() const { return *simulation_; }
 
  private:
   const game::Level* level_;
   std::span<const engine::TickInput> inputs_;
+  Method method_;
   std::unique_ptr<game::Simulation> simulation_;
   std::size_t next_ = 0;
 };
 
-/// Keeps references to both.
-tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs);
+/// Keeps references to level and inputs. What a method takes to show is its rest, and is not its cost.
+tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs, Method method = {});
 
 std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 
@@ -58,7 +71,7 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::CordIndex cord);
 
 /// Runs all inputs, or until a place is no number or further off than a kilometre.
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs);
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});
 
 /// How far a run is from a reference, each error of its own kind. What one of the runs lacks is no number.
 ///

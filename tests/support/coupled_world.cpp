@@ -1,7 +1,6 @@
 #include "tests/support/coupled_world.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/convert.h"
 #include "tests/support/contact_figures.h"
@@ -39,41 +38,11 @@ int CoupledWorld::add(ribbon::CordDef def) {
   return static_cast<int>(defs_.size()) - 1;
 }
 
-/// A box's skin is half its thickness, for Box2D's own is a centimetre.
 void CoupledWorld::add_chain(const ribbon::CordDef& def) {
-  Chain chain;
-  const auto half_thickness = static_cast<float>(0.5 * def.radius);
-  for (int k = 0; k + 1 < def.points; ++k) {
-    const Vec2 a = def.positions[at(k)];
-    const Vec2 b = def.positions[at(k + 1)];
-    b2BodyDef body;
-    body.type = b2_dynamicBody;
-    body.position = to_float(0.5 * (a + b));
-    body.angle = static_cast<float>(std::atan2(b.y - a.y, b.x - a.x));
-    b2Body* box = world.CreateBody(&body);
-    const double length = ribbon::length(b - a);
-    b2PolygonShape shape;
-    shape.SetAsBox(static_cast<float>(0.5 * length), half_thickness);
-    shape.m_radius = half_thickness;
-    b2FixtureDef fixture;
-    fixture.shape = &shape;
-    fixture.friction = static_cast<float>(def.friction);
-    fixture.restitution = static_cast<float>(def.restitution);
-    fixture.filter.categoryBits = box_category;
-    if (!method_.chain_meets_itself) fixture.filter.maskBits &= static_cast<uint16>(~box_category);
-    box->CreateFixture(&fixture);
-    const double mass = def.mass_per_length * def.length / (def.points - 1);
-    const b2MassData data{static_cast<float>(mass), b2Vec2_zero, static_cast<float>(0.25 * mass * length * length)};
-    box->SetMassData(&data);
-    if (k > 0) {
-      b2RevoluteJointDef joint;
-      joint.Initialize(chain.boxes.back(), box, to_float(a));
-      world.CreateJoint(&joint);
-    }
-    chain.boxes.push_back(box);
-    chain.half_lengths.push_back(static_cast<float>(0.5 * length));
-  }
-  chains_.push_back(std::move(chain));
+  b2Filter filter;
+  filter.categoryBits = box_category;
+  if (!method_.chain_meets_itself) filter.maskBits &= static_cast<uint16>(~box_category);
+  chains_.push_back({JointChain(world, def, filter)});
   const int cord = static_cast<int>(chains_.size()) - 1;
   for (const int pin : def.pins) hold_chain(cord, pin, *ground_);
 }
@@ -120,9 +89,8 @@ b2Body& CoupledWorld::add_load(b2BodyType type, Vec2 position, double mass, doub
 
 bool CoupledWorld::is_first(int cord, int point) const { return point < defs_[at(cord)].points / 2; }
 
-b2Vec2 CoupledWorld::end_of(const Chain& chain, bool first) const {
-  return first ? chain.boxes.front()->GetWorldPoint({-chain.half_lengths.front(), 0.0F})
-               : chain.boxes.back()->GetWorldPoint({chain.half_lengths.back(), 0.0F});
+int CoupledWorld::end_of(const Chain& chain, int cord, int point) const {
+  return is_first(cord, point) ? 0 : chain.boxes.points() - 1;
 }
 
 void CoupledWorld::hold(int cord, int point, b2Body& body) {
@@ -135,10 +103,7 @@ void CoupledWorld::hold(int cord, int point, b2Body& body) {
 
 void CoupledWorld::hold_chain(int cord, int point, b2Body& body) {
   Chain& chain = chains_[at(cord)];
-  const bool first = is_first(cord, point);
-  b2RevoluteJointDef joint;
-  joint.Initialize(&body, first ? chain.boxes.front() : chain.boxes.back(), end_of(chain, first));
-  (first ? chain.first : chain.last) = world.CreateJoint(&joint);
+  (is_first(cord, point) ? chain.first : chain.last) = &chain.boxes.hold(end_of(chain, cord, point), body);
 }
 
 void CoupledWorld::pull(int cord, int point, Vec2 force) {
@@ -164,8 +129,8 @@ void CoupledWorld::step_world() {
     for (const Pull& pull : pulls_) {
       if (!method_.chain) break;
       const Chain& chain = chains_[at(pull.cord)];
-      const bool first = is_first(pull.cord, pull.point);
-      (first ? chain.boxes.front() : chain.boxes.back())->ApplyForce(to_float(pull.force), end_of(chain, first), true);
+      const int end = end_of(chain, pull.cord, pull.point);
+      chain.boxes.box_of(end).ApplyForce(to_float(pull.force), chain.boxes.point(end), true);
     }
     world.Step(static_cast<float>(dt / substeps), method_.velocity_iterations, method_.position_iterations);
   }
@@ -176,11 +141,9 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
     const auto positions = coupling.positions(cord);
     return {positions.begin(), positions.end()};
   }
-  const Chain& chain = chains_[at(cord)];
-  std::vector<Vec2> points = {to_double(end_of(chain, true))};
-  for (std::size_t k = 0; k < chain.boxes.size(); ++k) {
-    points.push_back(to_double(chain.boxes[k]->GetWorldPoint({chain.half_lengths[k], 0.0F})));
-  }
+  const JointChain& boxes = chains_[at(cord)].boxes;
+  std::vector<Vec2> points;
+  for (int k = 0; k < boxes.points(); ++k) points.push_back(to_double(boxes.point(k)));
   return points;
 }
 
@@ -212,7 +175,8 @@ double CoupledWorld::energy() const {
   }
   for (const Pull& pull : pulls_) {
     if (!method_.chain) break;  // the cord's own energy has it
-    sum -= dot(pull.force, to_double(end_of(chains_[at(pull.cord)], is_first(pull.cord, pull.point))));
+    const Chain& chain = chains_[at(pull.cord)];
+    sum -= dot(pull.force, to_double(chain.boxes.point(end_of(chain, pull.cord, pull.point))));
   }
   return sum;
 }

@@ -6,12 +6,13 @@
 
 #include "engine/coupling.h"
 #include "ribbon/cord.h"
+#include "tests/support/joint_chain.h"
 
 namespace test_support {
 
 /// How a CoupledWorld makes its cords.
 struct CordMethod {
-  bool chain = false;               ///< thin boxes on revolute joints instead of a cord of the direct solver
+  bool chain = false;               ///< a JointChain instead of a cord of the direct solver
   ribbon::Accuracy accuracy;        ///< of a cord
   int substeps = 1;                 ///< of the world: its own steps a tick, for a chain
   int velocity_iterations = 8;      ///< a substep
@@ -77,9 +78,8 @@ class CoupledWorld {
 
  private:
   struct Chain {
-    std::vector<b2Body*> boxes;
-    std::vector<float> half_lengths;  // m
-    b2Joint* first = nullptr;         // what holds its first point
+    JointChain boxes;
+    b2Joint* first = nullptr;  // what holds its first point
     b2Joint* last = nullptr;
   };
   struct Pull {
@@ -90,7 +90,8 @@ class CoupledWorld {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void add_chain(const ribbon::CordDef& def);
   bool is_first(int cord, int point) const;
-  b2Vec2 end_of(const Chain& chain, bool first) const;
+  /// The chain's first or last point, whichever the cord's is nearer to.
+  int end_of(const Chain& chain, int cord, int point) const;
   void damp_bodies(float damping);
   void hold_chain(int cord, int point, b2Body& body);
 

@@ -114,7 +114,8 @@ Contestant contestant(const ContactContestant& how) {
             set_up();
             return how.figures(**world);
           },
-          [world] { (*world)->step_world(); }};
+          [world] { (*world)->step_world(); },
+          how.setting};
 }
 
 std::vector<Column> contact_columns(const std::vector<std::string>& more) {

@@ -66,8 +66,12 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
   const std::vector<Contestant> contestants = scene->contestants();
   const std::vector<Row> rows = run_scene(*scene, contestants, repeats);
   csv ? print_csv(*scene, rows) : print_table(*scene, rows);
+  const study::Report report = tradeoff::report_of(*scene, rows);
+  for (const std::string& note : report.notes) {
+    if (!csv) std::printf("%s\n", note.c_str());
+  }
   if (folder.empty()) return 0;
-  study::write_report(tradeoff::report_of(*scene, rows), folder);
+  study::write_report(report, folder);
   std::printf("report: %s/index.html\n", folder.c_str());
   return 0;
 }

@@ -51,8 +51,12 @@ Timing timing_of(const Timed& contestant, const Samples& samples) {
   if (!contestant.rest) return timing;
   timing.share_us = quantile(samples.share_means, 0.5);
   timing.rest_us = timing.median_us - timing.share_us;
-  for (const std::vector<double>& tick : samples.share)
+  std::vector<double> all;
+  for (const std::vector<double>& tick : samples.share) {
     timing.worst_us = std::max(timing.worst_us, quantile(tick, 0.5));
+    all.insert(all.end(), tick.begin(), tick.end());
+  }
+  timing.share_p99_us = quantile(all, 0.99);
   return timing;
 }
 

@@ -21,8 +21,9 @@ struct Timing {
   double p99_us = 0.0;  ///< that 99 of 100 single ticks of all repeats stay below. The clock is read after each, which
                         ///< costs it some 0.03 µs
   // If there is a rest:
-  double share_us = 0.0;  ///< of the median's: the tick without its rest
-  double rest_us = 0.0;   ///< and the rest
+  double share_us = 0.0;      ///< of the median's: the tick without its rest
+  double rest_us = 0.0;       ///< and the rest
+  double share_p99_us = 0.0;  ///< that 99 of 100 single ticks without their rest stay below
   double worst_us = 0.0;  ///< the dearest tick of a repeat without its rest: each taken as its median over the repeats
 };
 

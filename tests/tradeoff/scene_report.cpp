@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace tradeoff {
 namespace {
@@ -19,6 +20,24 @@ double value_of(const Scene& scene, const Row& row, const char* name) {
   const auto found =
       std::find_if(scene.columns.begin(), scene.columns.end(), [name](const Column& c) { return c.name == name; });
   return found == scene.columns.end() ? std::nan("") : found->value(row);
+}
+
+bool is_cord(const std::string& method) { return method.starts_with("cord") || method == "held"; }
+
+/// Of each experiment, with its name where there are several.
+std::vector<std::string> who_is_ahead(const std::vector<Row>& rows, const std::vector<study::Point>& points) {
+  std::map<std::string, std::vector<study::Point>> experiments;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    experiments[rows[k].contestant.experiment].push_back(points[k]);
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [name, own] : experiments) {
+    for (const std::string& sentence : study::who_is_ahead(own, is_cord)) {
+      std::string& told = sentences.emplace_back(sentence);
+      if (experiments.size() > 1) told.insert(0, name + ": ");
+    }
+  }
+  return sentences;
 }
 
 }  // namespace
@@ -46,6 +65,7 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
     for (const Column* column : told) cells.push_back(text(column->value(row)));
     report.cells.push_back(std::move(cells));
   }
+  for (std::string& sentence : who_is_ahead(rows, report.points)) report.notes.push_back(std::move(sentence));
   for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct"}) {
     if (!has(name)) continue;
     study::Metric& metric = report.metrics.emplace_back();

@@ -81,7 +81,9 @@ Contestant contestant(const std::string& name, const std::string& setting, const
           [method, start, converged] {
             method->restore(*start);
             return std::vector<double>{rms(path_of(*method), *converged)};
-          }};
+          },
+          {},
+          "condition " + name.substr(name.find('_') + 1)};
 }
 
 void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {

@@ -18,6 +18,7 @@ struct Contestant {
   std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
                                                  ///< columns ask for. Empty if they ask for none
   Tick rest = {};                                ///< see Timed
+  std::string experiment = {};                   ///< errors of different ones in a scene are not compared
 };
 
 /// What is told of a contestant.

@@ -1,0 +1,160 @@
+#include "tests/study/chain_mover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/convert.h"
+#include "game/buttons.h"
+#include "tests/support/joint_chain.h"
+
+namespace study {
+namespace {
+
+using engine::Coupling;
+using engine::to_double;
+using engine::to_float;
+using ribbon::Vec2;
+using test_support::JointChain;
+
+constexpr double lost = 1e9;  // m, where a point is drawn that is no number any more
+
+constexpr std::uint16_t meets_cords = 0x0004;  // categories of boxes: of cords that declare cord_contact,
+constexpr std::uint16_t meets_none = 0x0008;   // and of those that do not
+
+/// As the cord's own, which does not meet players.
+b2Filter filter_of(const ribbon::CordDef& def, int cord) {
+  b2Filter filter;
+  filter.categoryBits = def.cord_contact ? meets_cords : meets_none;
+  filter.maskBits = static_cast<std::uint16_t>(~(game::player_category | meets_none));
+  if (!def.cord_contact) filter.maskBits &= static_cast<std::uint16_t>(~meets_cords);
+  filter.groupIndex = static_cast<std::int16_t>(def.self_contact ? cord + 1 : -(cord + 1));
+  return filter;
+}
+
+class ChainMover {
+ public:
+  ChainMover(engine::Scene& scene, game::Player& player, const Dials& dials)
+      : scene_(&scene), player_(&player), dials_(dials) {
+    const b2BodyDef fixed;
+    ground_ = scene.world().CreateBody(&fixed);
+    Coupling& coupling = scene.coupling();
+    for (int c = 0; c < coupling.size(); ++c) {
+      ribbon::CordDef def = coupling.direct_cord(c).def();
+      def.positions.assign(coupling.positions(c).begin(), coupling.positions(c).end());
+      const JointChain& chain = chains_.emplace_back(scene.world(), def, filter_of(def, c));
+      for (const int pin : def.pins) chain.hold(pin, *ground_);
+      mirrors_.push_back(coupling.direct_cord(c).save());
+    }
+  }
+
+  void tick(double dt) {
+    const Vec2 from = follow_hand();
+    const Vec2 to = player_->grip();
+    pull_down_player(dt);
+    for (int k = 1; k <= dials_.substeps; ++k) {
+      move_hand(from + (static_cast<double>(k) / dials_.substeps) * (to - from));
+      scene_->world().Step(static_cast<float>(dt / dials_.substeps), dials_.iterations, 3 * dials_.iterations / 8);
+      if (k == 1) player_->feel_ground();
+    }
+  }
+
+  void show() {
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      std::vector<Vec2>& positions = mirrors_[c].positions;
+      for (std::size_t p = 0; p < positions.size(); ++p) {
+        const b2Vec2 place = chains_[c].point(static_cast<int>(p));
+        positions[p] = place.IsValid() ? to_double(place) : Vec2{lost, lost};
+      }
+      scene_->coupling().direct_cord(static_cast<int>(c)).restore(mirrors_[c]);
+    }
+  }
+
+ private:
+  /// Begins and ends the hand's joints as the player does. m, where the hand is, as seen from the player's middle.
+  Vec2 follow_hand() {
+    const auto held = scene_->coupling().held_by(player_->body());
+    if (!held) {
+      let_go();
+      return {};
+    }
+    if (hand_ == nullptr) {
+      hand_ = &chains_[static_cast<std::size_t>(held->cord)].hold(held->point, player_->body());
+      if (dials_.solver == "box2d_max_distance") keep_near_pins(*held);
+      return player_->grip();
+    }
+    return to_double(hand_->GetLocalAnchorA());
+  }
+
+  /// While he holds nothing he falls as in a single world step a tick, however many there are: how exactly the game
+  /// lets him fly is not what its cords are measured by.
+  void pull_down_player(double dt) {
+    b2Body& body = player_->body();
+    body.SetGravityScale(hand_ == nullptr ? 0.0F : 1.0F);
+    if (hand_ != nullptr) return;
+    body.SetLinearVelocity(body.GetLinearVelocity() + static_cast<float>(dt) * scene_->world().GetGravity());
+  }
+
+  void let_go() {
+    if (hand_ != nullptr) scene_->world().DestroyJoint(hand_);
+    for (b2DistanceJoint* limit : limits_) scene_->world().DestroyJoint(limit);
+    hand_ = nullptr;
+    limits_.clear();
+  }
+
+  void keep_near_pins(const engine::CordPoint& held) {
+    const ribbon::CordDef& def = scene_->coupling().direct_cord(held.cord).def();
+    for (const int pin : def.pins) {
+      b2DistanceJointDef joint;
+      joint.bodyA = &player_->body();
+      joint.bodyB = ground_;
+      joint.localAnchorB = chains_[static_cast<std::size_t>(held.cord)].point(pin);  // the ground is at the origin
+      joint.minLength = 0.0F;
+      joint.maxLength = static_cast<float>(def.length * std::abs(held.point - pin) / (def.points - 1));
+      limits_.push_back(static_cast<b2DistanceJoint*>(scene_->world().CreateJoint(&joint)));
+    }
+  }
+
+  void move_hand(Vec2 local) {
+    if (hand_ == nullptr) return;
+    test_support::move_first_anchor(*hand_, to_float(local));
+    for (b2DistanceJoint* limit : limits_) test_support::move_first_anchor(*limit, to_float(local));
+  }
+
+  engine::Scene* scene_;
+  game::Player* player_;
+  Dials dials_;
+  b2Body* ground_ = nullptr;
+  std::vector<JointChain> chains_;
+  std::vector<ribbon::Cord::State> mirrors_;  // of the cords, with the chains' positions
+  b2RevoluteJoint* hand_ = nullptr;           // while the player holds a cord
+  std::vector<b2DistanceJoint*> limits_;
+};
+
+}  // namespace
+
+Method chain_method(const Dials& dials) {
+  const auto latest = std::make_shared<std::optional<ChainMover>>();
+  const auto make = [latest, dials](engine::Scene& scene, game::Player& player) -> game::Mover {
+    latest->emplace(scene, player, dials);
+    return [latest](double dt) { (*latest)->tick(dt); };
+  };
+  return {make, [latest] { (*latest)->show(); }, meets_cords | meets_none};
+}
+
+std::string why_no_chains(const game::Level& level, std::span<const engine::TickInput> inputs) {
+  const auto scene = level.make_scene();
+  const Coupling& coupling = scene->coupling();
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) != engine::Solver::direct || coupling.shape(c).rows > 1) {
+      return "a chain has no width, and cord " + std::to_string(c) + " of the level is a ribbon";
+    }
+  }
+  const auto drags = [](const engine::TickInput& input) { return (input.buttons & game::button_drag) != 0; };
+  if (std::any_of(inputs.begin(), inputs.end(), drags)) return "the recording drags cords with the pointer";
+  return {};
+}
+
+}  // namespace study
