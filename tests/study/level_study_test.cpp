@@ -15,6 +15,7 @@
 #include "tests/study/kept_trace.h"
 #include "tests/study/plot.h"
 #include "tests/study/report.h"
+#include "tests/study/results.h"
 #include "tests/study/terms.h"
 #include "tests/study/words.h"
 
@@ -186,6 +187,22 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
   EXPECT_EQ(content_of(path).find(kept), 0U);
   const std::string all = content_of(path);
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
+}
+
+TEST_F(LevelStudy, ASettingIsKeptWithAllItsNumbers) {
+  Measured measured;
+  measured.error = {1.0, 2.0, 3.0, 4.0, lacking, 6.0, 7.0, 8.0};
+  measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, lacking, 18.0};
+  measured.later.values = {21.0, 22.0, lacking, 24.0, 25.0, 26.0};
+  measured.known_to_m = 0.1;
+  measured.unconverged_ticks = 31;
+  measured.failure = "31 ticks not converged";
+  Results(home + "/kept", 1, replay_path, false).add(measured);
+  const Results again(home + "/kept", 1, replay_path, false);
+  ASSERT_NE(again.find({}), nullptr);
+  expect_the_same(*again.find({}), measured);
+  EXPECT_EQ(Results(home + "/kept", 1, replay_path, true).find({}), nullptr);  // another grid's reference
+  EXPECT_EQ(Results(home + "/kept", 2, replay_path, false).find({}), nullptr);
 }
 
 TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
