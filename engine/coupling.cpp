@@ -20,9 +20,8 @@ using ribbon::Vec2;
 // Room that every cord has from the start, so that the first circle to come near takes no memory.
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_grips = 8;
-constexpr double direct_reach = 4.0;      // times the way that a cord goes in a tick
-constexpr double snap = 2.0;              // times the speed that all of the elastic energy gives all of a cord
-constexpr double single_roundings = 8.0;  // within which a body is where it was led to
+constexpr double direct_reach = 4.0;  // times the way that a cord goes in a tick
+constexpr double snap = 2.0;          // times the speed that all of the elastic energy gives all of a cord
 
 /// Whether its numbers are such that a cord can meet it.
 bool is_sound(const b2Body& body) {
@@ -229,13 +228,12 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
     gathered_.push_back({&body, -1});
     RigidBody rigid = rigid_body(body, gravity);
     if (LedBody* before = led(body)) {
-      rigid.acceleration += reaction(body, *before);
       rigid.velocity += ahead(body, *before);
+      rigid.acceleration += reaction(body, *before);
       rigid.angular_velocity += before->ahead_turning;
       // What single precision has lost of where it was led to.
-      const double rounding = single_roundings * static_cast<double>(std::numeric_limits<float>::epsilon());
-      const double scale = std::abs(rigid.position.x) + std::abs(rigid.position.y) + 1.0;
-      if (length(rigid.position - before->position) <= rounding * scale) rigid.position = before->position;
+      if (length(rigid.position - before->position) <= single_rounding(rigid.position))
+        rigid.position = before->position;
     }
     rigid_.push_back(rigid);
   }

@@ -230,7 +230,10 @@ class Coupling {
     double ahead_turning = 0.0;  // rad/s, the same of the rotation
     ribbon::Vec2 position;       // m, of the centre of mass, where it was led to
     ribbon::Vec2 velocity;       // m/s, which Box2D leaves it with if it meets nothing
+    ribbon::Vec2 start;          // m, of the centre of mass, from where,
+    double dt;                   // s, and in what time
     ribbon::Vec2 pushed;         // m/s, by which it was more, in the tick before this one
+    ribbon::Vec2 expected_push;  // m/s, by which it was taken to be more, in the last
     bool led;                    // in this tick
   };
   struct GatheredBody {
@@ -264,6 +267,9 @@ class Coupling {
   LedBody* led(const b2Body& body);
   ribbon::Vec2 reaction(const b2Body& body, LedBody& led) const;
   const LedBody* led(const b2Body& body) const;
+  static double single_rounding(ribbon::Vec2 position);
+  static ribbon::Vec2 given(const b2Body& body, const LedBody& led);
+  static ribbon::Vec2 pushed(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 ahead(const b2Body& body, const LedBody& led);
   LedBody& led_or_new(const b2Body& body);
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);

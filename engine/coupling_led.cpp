@@ -12,46 +12,30 @@ namespace {
 using ribbon::RigidBody;
 using ribbon::Vec2;
 
-constexpr double unworthy_push = 1e-5;  // m/s, and as a share, that single precision explains
+constexpr double single_roundings = 8.0;  // within which a body is where it was led to
+constexpr double unworthy_push = 1e-5;    // m/s, and as a share, that single precision explains
 
 /// By what Box2D divides velocities in a tick.
 double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
 
-/// N·s, what a contact gave its second body in the last world.Step.
-Vec2 impulse_of(const b2Contact& contact, Vec2 normal) {
-  const b2Manifold& manifold = *contact.GetManifold();
-  const Vec2 tangent{normal.y, -normal.x};  // as b2ContactSolver has it
-  Vec2 sum;
-  for (int k = 0; k < manifold.pointCount; ++k) {
-    sum += static_cast<double>(manifold.points[k].normalImpulse) * normal +
-           static_cast<double>(manifold.points[k].tangentImpulse) * tangent;
+bool meets_anything(const b2Body& body) {
+  if (body.GetJointList() != nullptr) return true;
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching() && edge->contact->GetManifold()->pointCount > 0) return true;
   }
-  return sum;
+  return false;
 }
 
-/// m/s, what of the `change` of a body's velocity [m/s] since it was led its contacts and joints in Box2D explain; the
-/// rest is what somebody gave it by ApplyForce, ApplyLinearImpulse and the like. A contact that Box2D solved at its
-/// time of impact keeps no impulse: then it is all that the change is away from it.
-Vec2 pushed_by_others(const b2Body& body, Vec2 change) {
-  const double inverse_mass = body.GetMass() > 0.0F ? 1.0 / static_cast<double>(body.GetMass()) : 0.0;
-  Vec2 sum;
+/// Takes away from v what is along the normals of a body's contacts.
+Vec2 along_contacts(const b2Body& body, Vec2 v) {
   for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
-    const b2Contact& contact = *edge->contact;
-    if (!contact.IsTouching() || !contact.IsEnabled() || contact.GetManifold()->pointCount == 0) continue;
+    if (!edge->contact->IsTouching() || edge->contact->GetManifold()->pointCount == 0) continue;
     b2WorldManifold manifold;
-    contact.GetWorldManifold(&manifold);
-    const double sign = contact.GetFixtureB()->GetBody() == &body ? 1.0 : -1.0;
+    edge->contact->GetWorldManifold(&manifold);
     const Vec2 normal = to_double(manifold.normal);
-    const Vec2 impulse = impulse_of(contact, normal);
-    const double away = sign * dot(change, normal);
-    if (impulse == Vec2{} && away > 0.0) sum += (sign * away) * normal;
-    sum += (sign * inverse_mass) * impulse;
+    v -= dot(v, normal) * normal;
   }
-  for (const b2JointEdge* edge = body.GetJointList(); edge != nullptr; edge = edge->next) {
-    const double sign = edge->joint->GetBodyB() == &body ? 1.0 : -1.0;
-    sum += (sign * inverse_mass) * to_double(edge->joint->GetReactionForce(1.0F));
-  }
-  return sum;
+  return v;
 }
 
 }  // namespace
@@ -79,6 +63,8 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
                                   true);
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
   led.ahead = (1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall));
+  led.start = to_double(body.GetWorldCenter());
+  led.dt = dt_;
   led.position = rigid.position + rigid.moved;
   const Vec2 weight = (dt_ * static_cast<double>(body.GetGravityScale())) * gravity_;
   led.velocity = (1.0 / divided) * (to_double(body.GetLinearVelocity()) + weight);
@@ -113,30 +99,60 @@ Coupling::LedBody* Coupling::led(const b2Body& body) {
 
 const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
 
-/// What a body met pushes it in a direction in which its velocity is Box2D's then, with nothing ahead of it: who stands
-/// does not go on falling. What the game itself gives a body comes on top.
-Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
-  const Vec2 pushed = pushed_by_others(body, to_double(body.GetLinearVelocity()) - led.velocity);
-  const double size = length(pushed);
-  if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
-  const Vec2 n = (1.0 / size) * pushed;
-  return led.ahead - dot(led.ahead, n) * n;
+/// By how much a place may be other for having been in single precision.
+double Coupling::single_rounding(Vec2 position) {
+  const double scale = std::abs(position.x) + std::abs(position.y) + 1.0;
+  return single_roundings * static_cast<double>(std::numeric_limits<float>::epsilon()) * scale;
 }
 
-/// What holds up a body that stands or leans, m/s²: what Box2D's other contacts have pushed it with in both of the last
-/// two ticks. The cord would let it fall otherwise, and be told after each tick that it did not.
+/// m/s, what somebody has given a body since world.Step, by ApplyLinearImpulse and the like: a step moves it with the
+/// velocity that it leaves it with. Not along the normals of its contacts, in which Box2D moves it out of what it is
+/// in, nor where joints do so.
+Vec2 Coupling::given(const b2Body& body, const LedBody& led) {
+  const Vec2 v = to_double(body.GetLinearVelocity());
+  const Vec2 center = to_double(body.GetWorldCenter());
+  if (body.GetJointList() != nullptr || led.dt == 0.0) return {};
+  const Vec2 given = along_contacts(body, v - (1.0 / led.dt) * (center - led.start));
+  const double noise = single_rounding(center) / led.dt + single_rounding(v);
+  const bool is_teleported = length(given) > 2.0 * length(v - led.velocity) + noise;
+  return length(given) <= noise || is_teleported ? Vec2{} : given;
+}
+
+/// m/s, what contacts, joints and forces in Box2D pushed a body with in the last step.
+Vec2 Coupling::pushed(const b2Body& body, const LedBody& led) {
+  return to_double(body.GetLinearVelocity()) - led.velocity - given(body, led);
+}
+
+/// What a body met pushes it in a direction in which its velocity is Box2D's then, with nothing ahead of it: who stands
+/// does not go on falling. A force does so until it is expected, and as far as it pushes.
+Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
+  const Vec2 all = pushed(body, led);
+  const Vec2 by = meets_anything(body) ? all : all - led.expected_push;
+  const double size = length(by);
+  if (!(size > unworthy_push * (1.0 + length(led.velocity)))) return led.ahead;
+  const Vec2 n = (1.0 / size) * by;
+  const double along = dot(led.ahead, n);
+  return led.ahead - (meets_anything(body) ? along : std::clamp(along, -size, size)) * n;
+}
+
+/// What holds up a body that stands or leans, or draws it steadily, m/s²: what Box2D's contacts and forces have pushed
+/// it with in both of the last two ticks. The cord would let it fall otherwise, and be told after each tick that it did
+/// not.
 Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
   const Vec2 before = led.pushed;
-  led.pushed = pushed_by_others(body, to_double(body.GetLinearVelocity()) - led.velocity);
+  led.pushed = pushed(body, led);
+  led.expected_push = {};
   const double along = dot(before, led.pushed);
-  if (!(along > 0.0)) return {};
-  const double least = std::min(length(before), length(led.pushed));
-  return (least / (length(led.pushed) * dt_)) * led.pushed;
+  if (along > 0.0) {
+    const double least = std::min(length(before), length(led.pushed));
+    led.expected_push = (least / length(led.pushed)) * led.pushed;
+  }
+  return (1.0 / dt_) * led.expected_push;
 }
 
 Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
   if (LedBody* before = led(body)) return *before;
-  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, {}, {}, true});
+  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, {}, {}, 0.0, {}, {}, true});
 }
 
 Vec2 Coupling::velocity(const b2Body& body) const {

@@ -55,6 +55,48 @@ double path_length(const ribbon::Cord& cord) {
   return sum;
 }
 
+/// Who pumps a swing gets all of it: by an impulse a tick, by a force, before the coupling's part of the tick or after.
+TEST(HeldCord, WhatTheGameGivesAHolderHeGets) {
+  ribbon::CordDef def;
+  def.points = 31;
+  def.length = 6.0;
+  def.mass_per_length = 0.5;
+  def.pins = {0};
+  for (int i = 0; i < 31; ++i) def.positions.push_back({0.0, -0.2 * i});
+  constexpr double mass = 60.0;
+  constexpr double push = 270.0;  // N
+  ribbon::CordDef fine = def;
+  fine.accuracy.substeps = 64;
+  ribbon::Cord exact(fine);
+  exact.attach_mass(30, mass);
+  exact.set_load(30, {push, 0.0});
+  for (int k = 0; k < 60; ++k) exact.step(dt, {0.0, -9.81});
+  for (const bool impulse : {true, false}) {
+    for (const bool before : {true, false}) {
+      World scene;
+      scene.coupling.add(ribbon::Cord(def));
+      scene.make_body({0.0, -6.0}, mass, 0.0);
+      scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
+      const auto give = [&] {
+        if (impulse) scene.body->ApplyLinearImpulseToCenter({static_cast<float>(push * dt), 0.0F}, true);
+        if (!impulse) scene.body->ApplyForceToCenter({static_cast<float>(push), 0.0F}, true);
+      };
+      for (int k = 0; k < 60; ++k) {
+        if (before) give();
+        scene.coupling.gather(scene.world, dt);
+        scene.coupling.step();
+        scene.coupling.apply();
+        if (!before) give();
+        scene.world.Step(static_cast<float>(dt), 8, 3);
+      }
+      // An impulse comes a tick's half before or after a force of the same size: 1.7 % of the way in a second.
+      const Vec2 way = to_double(scene.body->GetPosition()) - Vec2{0.0, -6.0};
+      EXPECT_NEAR(way.x, exact.positions()[30].x, 0.02 * exact.positions()[30].x) << impulse << before;
+      EXPECT_NEAR(scene.coupling.velocity(*scene.body).x, exact.velocities()[30].x, 0.05) << impulse << before;
+    }
+  }
+}
+
 /// heavy_swing with the load a body of Box2D's, held at its centre: 2 cm and 0.05 % are the bars.
 TEST(HeldCord, HeavySwingThroughBox2D) {
   const std::vector<Vec2> exact = test_support::exact_heavy_load();
