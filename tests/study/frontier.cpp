@@ -18,12 +18,10 @@ std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Bett
   return found;
 }
 
-}  // namespace
-
-std::vector<std::size_t> front(std::span<const Point> points) {
+std::vector<std::size_t> front_of(std::span<const Point> points, const std::string& group) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (counts(points[k])) order.push_back(k);
+    if (counts(points[k]) && points[k].group == group) order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(), [points](std::size_t a, std::size_t b) {
     if (points[a].cost_us != points[b].cost_us) return points[a].cost_us < points[b].cost_us;
@@ -34,6 +32,25 @@ std::vector<std::size_t> front(std::span<const Point> points) {
     if (on_it.empty() || points[k].error_m < points[on_it.back()].error_m) on_it.push_back(k);
   }
   return on_it;
+}
+
+}  // namespace
+
+std::vector<std::string> groups_of(std::span<const Point> points) {
+  std::vector<std::string> groups;
+  for (const Point& point : points) {
+    if (std::find(groups.begin(), groups.end(), point.group) == groups.end()) groups.push_back(point.group);
+  }
+  return groups;
+}
+
+std::vector<std::size_t> front(std::span<const Point> points) {
+  std::vector<std::size_t> all;
+  for (const std::string& group : groups_of(points)) {
+    const std::vector<std::size_t> own = front_of(points, group);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
 }
 
 std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error) {

@@ -200,8 +200,8 @@ TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
   const std::string complaint = message_of([&] { write_report(report, folder); });
   EXPECT_TRUE(complaint.empty() || complaint.find("gnuplot-nox") != std::string::npos) << complaint;
   EXPECT_EQ(content_of(folder + "/points.csv"),
-            "method,setting,cost_us,p99_us,error_m,failure,stretch\ndirect,fast,1,2,0.1,,0.1\n"
-            "chain,slow,50,60,0.2,,0.2\nchain,worse,5,6,,blew up in tick 3,0.3\n");
+            "group,method,setting,cost_us,p99_us,error_m,failure,stretch\n,direct,fast,1,2,0.1,,0.1\n"
+            ",chain,slow,50,60,0.2,,0.2\n,chain,worse,5,6,,blew up in tick 3,0.3\n");
   EXPECT_NE(content_of(folder + "/points.json").find("\"front\": true"), std::string::npos);
   const std::string page = content_of(folder + "/index.html");
   EXPECT_NE(page.find("a &lt;scene&gt;"), std::string::npos);
@@ -231,8 +231,8 @@ TEST_F(LevelStudy, WithoutAPlottingProgramTheNumbersAreWritten) {
 
 TEST(Report, FailuresAreDrawnAtTheTop) {
   const std::string plot = plot_of(small_report().points, "error [m]", "front");
-  EXPECT_NE(plot.find("$failed << END\n5 0.8\nEND"), std::string::npos) << plot;
-  EXPECT_NE(plot.find("$front << END\n1 0.1\nEND"), std::string::npos);
+  EXPECT_NE(plot.find("$failed1_0 << END\n5 0.8\nEND"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("$front_0 << END\n1 0.1\nEND"), std::string::npos);
 }
 
 }  // namespace

@@ -141,6 +141,7 @@ double penetration(const CoupledWorld& world) {
   for (const b2Body* body = world.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       if (fixture->GetType() == b2Shape::e_polygon) continue;  // a chain's boxes
+      if (world.method().thesis && fixture->GetType() != b2Shape::e_circle) continue;
       b2AABB box;
       fixture->GetShape()->ComputeAABB(&box, body->GetTransform(), 0);
       obstacles.push_back({fixture, {to_double(box.lowerBound), to_double(box.upperBound)}});

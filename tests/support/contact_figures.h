@@ -21,7 +21,7 @@ int mutual_crossings(const CoupledWorld& world);
 /// Cells of ribbons with a corner that is turned inside out.
 int inverted_cells(const CoupledWorld& world);
 /// m, the deepest that a cord's link is in a circle or an edge of the world, its radius counted; 0 if none is. An edge
-/// that is crossed counts as deep as the nearer end of what crosses it.
+/// that is crossed counts as deep as the nearer end of what crosses it; for the thesis's cords there are no edges.
 double penetration(const CoupledWorld& world);
 /// Of a rope, as a share of its length.
 double stretch(const CoupledWorld& world, int cord);

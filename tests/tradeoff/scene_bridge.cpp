@@ -34,7 +34,8 @@ std::vector<double> figures(CoupledWorld& world) {
 std::vector<Contestant> contestants() {
   std::vector<Contestant> list;
   for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
-    for (const NamedMethod& method : together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16}))) {
+    for (const NamedMethod& method : 
+         together(together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16})), thesis_cords({8, 32, 128}))) {
       list.push_back(contestant({method,
                                  "ratio=" + number(ratio),
                                  [ratio](CoupledWorld& world) { test_support::hang_bridge(world, ratio); },
@@ -50,7 +51,8 @@ std::vector<Contestant> contestants() {
 
 Scene bridge_scene() {
   return {"bridge", "a ball of 0.01 to 100 times a cord's mass that rests on it: drift and jitter in ten seconds", 120,
-          contestants, contact_columns({"drift_m", "jitter_m"})};
+          contestants, contact_columns({"drift_m", "jitter_m"}), {},
+          {"The thesis's cord is a strip of square cells, a link wide, without friction.", no_b2_rope}};
 }
 
 }  // namespace tradeoff

@@ -7,9 +7,9 @@
 
 namespace tradeoff {
 
-/// What a scene came to, for a page and plots: its error is the column rms_error_m if it has one, and penetration_m if
-/// not; stretch, energy and the error against its own converged motion are plots of their own. What did not converge
-/// counts as failed.
+/// What a scene came to, for a page and plots: its error is the first that it has of the columns rms_error_m,
+/// stretch_error_m, creep_95pct_m and penetration_m; each other kind of error is a plot of its own. What blew up, let
+/// something through, or did not converge in any tick counts as failed.
 study::Report report_of(const Scene& scene, const std::vector<Row>& rows);
 
 }  // namespace tradeoff

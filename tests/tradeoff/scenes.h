@@ -18,6 +18,7 @@ struct Contestant {
   std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
                                                  ///< columns ask for. Empty if they ask for none
   Tick rest = {};                                ///< see Timed
+  std::string group = {};  ///< what it simulates, if a scene has several such: ratio=100
 };
 
 /// What is told of a contestant.
@@ -54,6 +55,7 @@ struct Scene {
   std::vector<Contestant> (*contestants)();
   std::vector<Column> columns = {us_per_tick(), p99_us()};
   std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
+  std::vector<std::string> notes = {};  ///< sentences for its report: who takes no part, and why
 };
 
 const std::vector<Scene>& scenes();
