@@ -17,7 +17,7 @@ struct Point {
   double p99_us = 0.0;                                        ///< that 99 of 100 ticks stay below
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< the greatest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it does
-  bool apart = false;  ///< its error is against another motion than the others': told, and never compared
+  bool apart = false;      ///< its error is against another motion than the others': told, and never compared
   std::string group = {};  ///< what was simulated, if a report has several such: ratio=100. Groups are not compared
 };
 

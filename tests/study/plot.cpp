@@ -43,6 +43,18 @@ std::pair<double, double> range_of(std::span<const Point> points) {
   return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
 }
 
+/// The least and the greatest cost that is drawn, the same for all groups, µs.
+std::pair<double, double> costs_of(std::span<const Point> points) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const Point& point : points) {
+    if ((!is_drawn(point) && point.failure.empty()) || !(point.cost_us > 0.0)) continue;
+    least = std::min(least, point.cost_us);
+    most = std::max(most, point.cost_us);
+  }
+  return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
+}
+
 /// As one word for a shell, whatever is in it.
 std::string in_shell_quotes(const std::string& text) {
   std::string quoted = "'";
@@ -126,14 +138,17 @@ std::string plot_of(std::span<const Point> points, const std::string& axis, cons
   const std::vector<std::string> methods = methods_of(points);
   const std::size_t columns = groups.size() > 1 ? 2 : 1;
   const std::size_t rows = (groups.size() + columns - 1) / columns;
+  const auto [least, most] = costs_of(points);
+  const double right = std::max(1.4 * most, 1500.0);
   std::ostringstream out;
   out << "set terminal svg size " << (columns > 1 ? 1200 : 960) << ',' << (columns > 1 ? 440 * rows : 640)
       << " font 'DejaVu Sans,13' background rgb 'white'\n"
       << "set output '" << name << ".svg'\n"
       << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
       << "set xlabel 'cost [µs a tick]'\nset ylabel '" << axis << "' noenhanced\n"
-      << "set key below\nset offsets graph 0.02, graph 0.02, 0, 0\nset xrange [*:20000<*]\n";
+      << "set key outside right center\nset xrange [" << number(0.7 * least) << ':' << number(right) << "]\n";
   for (const auto& [us, label] : {std::pair{1000, "1 ms"}, {16700, "16.7 ms"}}) {
+    if (us > right) continue;
     out << "set arrow from " << us << ", graph 0 to " << us << ", graph 1 nohead dashtype 2 linecolor 'gray'\n"
         << "set label '" << label << "' at " << us << ", graph 0.03 right offset -0.5,0\n";
   }

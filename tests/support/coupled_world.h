@@ -13,6 +13,7 @@ namespace test_support {
 struct CordMethod {
   bool chain = false;               ///< thin boxes on revolute joints instead of a cord of the direct solver
   bool thesis = false;              ///< or a cord of the thesis's
+  double spring_share = 0.45;       ///< k of its springs: of a link's error, given back an iteration, 0 … below 1
   ribbon::Accuracy accuracy;        ///< of a cord
   int substeps = 1;                 ///< a tick: the world's own steps for a chain, iterations of the thesis's
   int velocity_iterations = 8;      ///< a substep
@@ -32,8 +33,7 @@ class CoupledWorld {
 
   /// Returns its index. Of a chain, that of a rope: its boxes are as thick as the cord, and have its friction. Of the
   /// thesis's, a grid of as many columns of square cells: a rope has a second row to its right, a link away, both rows
-  /// of the same weight; its springs are as stiff, and its bars as damped, as its substeps bear. It meets circles, and
-  /// itself if it declares that, without friction or thickness.
+  /// of the same weight. It meets circles, and itself if it declares that, without friction or thickness.
   int add(ribbon::CordDef def);
   b2Body& add_circle(b2BodyType type, ribbon::Vec2 position, double radius, double mass, double friction);
   /// Of static edges, from corner to corner.

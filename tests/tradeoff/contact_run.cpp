@@ -76,13 +76,14 @@ std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_its
   return list;
 }
 
-std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps) {
+std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps, double spring_share) {
   std::vector<NamedMethod> list;
   for (const int count : substeps) {
     CordMethod how;
     how.thesis = true;
     how.substeps = count;
-    list.push_back({"thesis", "substeps=" + std::to_string(count), how});
+    how.spring_share = spring_share;
+    list.push_back({"thesis", "substeps=" + std::to_string(count) + " k=" + number(spring_share), how});
   }
   return list;
 }

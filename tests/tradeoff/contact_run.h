@@ -21,8 +21,8 @@ struct NamedMethod {
 std::vector<NamedMethod> presets(const std::vector<std::string>& names);
 /// Box2D's chains, with substeps of 8 and 3 iterations.
 std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_itself = false);
-/// The thesis's cords, with so many iterations.
-std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps);
+/// The thesis's cords, with so many iterations and springs that give back so much (see CordMethod): its own k was 0.45.
+std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps, double spring_share);
 /// Both lists, one after the other.
 std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<NamedMethod>& b);
 
@@ -34,10 +34,10 @@ struct ContactFigures {
   double max_stretch = 0.0;  ///< of a rope, the most after any tick, as a share
   double energy_gain = 0.0;  ///< the most that energy rose above the lowest before, as a share of energy_scale
   double penetration = 0.0;  ///< m, the most after any tick
-  int unconverged = 0;  ///< ticks in which a substep of a cord's island was left unconverged, of all cords; of the
-                        ///< thesis's, in which one was left to the springs
-  int mended = 0;       ///< the same of searches, fallbacks, energy gains and halvings; of points held back
-  int blew_up = 0;      ///< the tick, from 1, in which a point was no number or 10 km away: the last one run; 0: none
+  int unconverged = 0;       ///< ticks in which a substep of a cord's island was left unconverged, of all cords; of the
+                             ///< thesis's, in which one was left to the springs
+  int mended = 0;            ///< the same of searches, fallbacks, energy gains and halvings; of points held back
+  int blew_up = 0;  ///< the tick, from 1, in which a point was no number or 10 km away: the last one run; 0: none
   int self_crossings = 0;  ///< these three after the last tick
   int mutual_crossings = 0;
   int inverted = 0;
@@ -65,6 +65,8 @@ struct ContactContestant {
 Contestant contestant(const ContactContestant& how);
 
 /// For the reports of all scenes in which something is met.
+inline constexpr const char* thesis_strip =
+    "The thesis's cord is a strip of square cells, a link wide, and has no friction; penetration is into the strip.";
 inline constexpr const char* no_b2_rope = "b2Rope meets no bodies, and takes no part.";
 
 /// The whole tick, our share of it and b2World::Step's, then what came of it. `more` are the names of further figures.

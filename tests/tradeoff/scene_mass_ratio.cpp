@@ -68,16 +68,16 @@ std::vector<Contestant> contestants() {
 }  // namespace
 
 Scene mass_ratio_scene() {
-  return {"mass_ratio",
-          "a cord of 31 points that holds a body of 168 to 1,000,000 times its mass: stretch, jitter, pull",
-          120,
-          contestants,
-          {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us(), figure("max_stretch_pct", 0),
-           figure("elastic_pct", 1), figure("jitter_m", 2), figure("pull_error_pct", 3), figure("energy_gain_pct", 4),
-           figure("mended", 5), figure("unconverged", 6), figure("stretch_error_m", 7)},
-          {},
-          {"stretch_error_m is by how much the cord is longer than it should become at the most, or shorter.",
-           no_b2_rope}};
+  return {
+      "mass_ratio",
+      "a cord of 31 points that holds a body of 168 to 1,000,000 times its mass: stretch, jitter, pull",
+      120,
+      contestants,
+      {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us(), figure("max_stretch_pct", 0),
+       figure("elastic_pct", 1), figure("jitter_m", 2), figure("pull_error_pct", 3), figure("energy_gain_pct", 4),
+       figure("mended", 5), figure("unconverged", 6), figure("stretch_error_m", 7)},
+      {},
+      {"stretch_error_m is by how much the cord is longer than it should become at the most, or shorter.", no_b2_rope}};
 }
 
 }  // namespace tradeoff

@@ -8,6 +8,8 @@
 namespace tradeoff {
 namespace {
 
+constexpr double known_depth = 1e-6;  // m, below which nobody sees a difference
+
 std::string text(double value) {
   if (std::isnan(value)) return {};
   std::array<char, 32> buffer{};
@@ -25,6 +27,9 @@ double value_of(const Scene& scene, const Row& row, const char* name) {
 std::string failure_of(const Scene& scene, const Row& row) {
   const double tick = value_of(scene, row, "blew_up");
   if (tick > 0.0) return "blew up in tick " + text(tick);
+  const double energy = value_of(scene, row, "energy_gain_pct");
+  if (energy > 100.0) return "blew up: " + text(energy) + " % more energy";
+  if (value_of(scene, row, "let_through") > 0.0) return "let something through";
   const double own = value_of(scene, row, "crossings");
   const double mutual = value_of(scene, row, "mutual_crossings");
   const double crossings = (own > 0.0 ? own : 0.0) + (mutual > 0.0 ? mutual : 0.0);
@@ -45,7 +50,9 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   study::Report report;
   report.title = scene.name;
   report.axis = error;
+  const bool is_depth = report.axis == "penetration_m";
   report.notes = {scene.description + ". The error is " + error + "."};
+  if (is_depth) report.notes.front() += " Less than a micrometre counts as that: nothing is ahead by less.";
   report.notes.insert(report.notes.end(), scene.notes.begin(), scene.notes.end());
   std::vector<const Column*> told;
   for (const Column& column : scene.columns) {
@@ -55,7 +62,7 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   }
   for (const Row& row : rows) {
     study::Point point{row.contestant.method, row.contestant.setting, row.timing.median_us, row.timing.p99_us};
-    point.error_m = value_of(scene, row, error);
+    point.error_m = is_depth ? std::max(value_of(scene, row, error), known_depth) : value_of(scene, row, error);
     point.group = row.contestant.group;
     point.failure = failure_of(scene, row);
     report.points.push_back(point);

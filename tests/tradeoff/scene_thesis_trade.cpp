@@ -103,7 +103,8 @@ void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
   const auto converged = std::make_shared<const Path>(path_of(fine));
   for (const auto& [setting, preset] :
        {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
-    list.push_back(contestant("cord", setting, condition, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
+    list.push_back(
+        contestant("cord", setting, condition, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
   }
 }
 

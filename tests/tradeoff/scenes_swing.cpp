@@ -196,14 +196,18 @@ std::vector<Scene> swing_scenes() {
                                        figure("unconverged", 3)};
   std::vector<Column> with_own = columns;
   with_own.push_back(figure("own_error_m", 4));
-  return {{"heavy_swing",
-           "51 points of 1 kg and a load of 70 kg, released from the horizontal: cords, Box2D's, the thesis's",
-           test_support::heavy::ticks, heavy_swing, with_own, "balanced"},
-          {"held_swing",
-           "the same with the load a body of Box2D's that the cord carries, and what b2World::Step takes of it",
-           test_support::heavy::ticks, held_swings, columns, "balanced",
-           {"`cord` carries a point mass in place of the body. The load of Box2D's chains and of the thesis's cord is a "
-            "body in any case: they are those of heavy_swing. b2Rope holds no body, and takes no part."}}};
+  return {
+      {"heavy_swing",
+       "51 points of 1 kg and a load of 70 kg, released from the horizontal: cords, Box2D's, the thesis's",
+       test_support::heavy::ticks, heavy_swing, with_own, "balanced"},
+      {"held_swing",
+       "the same with the load a body of Box2D's that the cord carries, and what b2World::Step takes of it",
+       test_support::heavy::ticks,
+       held_swings,
+       columns,
+       "balanced",
+       {"`cord` carries a point mass in place of the body. The load of Box2D's chains and of the thesis's cord is a "
+        "body in any case: they are those of heavy_swing. b2Rope holds no body, and takes no part."}}};
 }
 
 }  // namespace tradeoff
