@@ -68,28 +68,45 @@ std::string in_shell_quotes(const std::string& text) {
   return quoted + "'";
 }
 
+std::string color_of(std::size_t method) {
+  return std::string(" linecolor '") + colors.at(method % colors.size()) + "'";
+}
+
+std::string mark_of(std::size_t method) { return "points pointtype " + std::to_string(method + 4) + color_of(method); }
+
+/// What the marks are, once for all groups.
+std::string legend_of(std::span<const Point> points, const std::vector<std::string>& methods) {
+  std::string legend = ", keyentry with lines linewidth 2 linecolor 'black' title 'front'";
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    legend += ", keyentry with " + mark_of(m) + " title '" + methods[m] + "' noenhanced";
+  }
+  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); })) {
+    legend += ", keyentry with points pointtype 2 linewidth 2 linecolor 'black' title 'failed'";
+  }
+  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return p.apart; })) {
+    legend += ", keyentry with points pointtype 7 pointsize 0.3 linecolor 'black' title 'not compared'";
+  }
+  return legend;
+}
+
 /// One group's plot: blocks of data under names of its own, and what draws them.
 class Panel {
  public:
   Panel(std::span<const Point> points, const std::string& group, std::size_t index)
       : group_(group), suffix_(std::string("_").append(std::to_string(index))) {
-    for (const Point& point : points) {
-      if (point.group == group) points_.push_back(point);
-    }
+    std::copy_if(points.begin(), points.end(), std::back_inserter(points_),
+                 [&](const Point& p) { return p.group == group; });
     const auto [least, most] = range_of(points_);
     bottom_ = 0.3 * least;
     top_ = 4.0 * most;
   }
 
   /// `methods` are those of all groups, so that each looks the same in all of them.
-  std::string text(const std::vector<std::string>& methods) {
+  std::string text(const std::vector<std::string>& methods, const std::string& legend) {
     std::vector<Point> best;
     for (const std::size_t k : front(points_)) best.push_back(points_[k]);
-    add("front", best, "lines linewidth 2 linecolor 'black' title 'front'");
+    add("front", best, "lines linewidth 2 linecolor 'black'");
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const std::string color = std::string(" linecolor '") + colors.at(m % colors.size()) + "'";
-      const std::string mark = "points pointtype " + std::to_string(m + 4) + color;
-      const auto title = [&](const char* more) { return " title '" + methods[m] + more + "' noenhanced"; };
       const auto those = [&](auto&& take) {
         std::vector<Point> some;
         std::copy_if(points_.begin(), points_.end(), std::back_inserter(some),
@@ -97,16 +114,14 @@ class Panel {
         return some;
       };
       const std::string index = std::to_string(m);
-      add("method" + index, those([](const Point& p) { return is_drawn(p) && !p.apart; }),
-          mark + " pointsize 0.9" + title(""));
-      add("apart" + index, those([](const Point& p) { return is_drawn(p) && p.apart; }),
-          mark + " pointsize 0.4" + title(", not compared"));
+      add("method" + index, those([](const Point& p) { return is_drawn(p) && !p.apart; }), mark_of(m));
+      add("apart" + index, those([](const Point& p) { return is_drawn(p) && p.apart; }), mark_of(m) + " pointsize 0.4");
       add("failed" + index, those([](const Point& p) { return !p.failure.empty(); }),
-          "points pointtype 2 linewidth 2 pointsize 0.9" + color + title(", failed"));
+          "points pointtype 2 linewidth 2" + color_of(m));
     }
     std::ostringstream out;
     out << data_.str() << "set title '" << group_ << "' noenhanced\nset yrange [" << number(0.5 * bottom_) << ':'
-        << number(1.5 * top_) << "]\nplot " << (layers_.empty() ? "NaN notitle" : layers_) << '\n';
+        << number(1.5 * top_) << "]\nplot NaN notitle" << layers_ << legend << '\n';
     return out.str();
   }
 
@@ -119,7 +134,7 @@ class Panel {
       data_ << number(p.cost_us) << ' ' << number(p.failure.empty() ? std::max(p.error_m, bottom_) : top_) << '\n';
     }
     data_ << "END\n";
-    layers_ += (layers_.empty() ? "$" : ", $") + name + suffix_ + " using 1:2 with " + style;
+    layers_ += ", $" + name + suffix_ + " using 1:2 with " + style + " notitle";
   }
 
   std::string group_;
@@ -131,30 +146,47 @@ class Panel {
   std::string layers_;
 };
 
+/// Room for panels of equal size, two beside each other, and for the legend to their right.
+std::string layout_of(std::size_t panels, const std::string& name) {
+  const std::size_t columns = panels > 1 ? 2 : 1;
+  const std::size_t rows = (panels + columns - 1) / columns;
+  const double width = columns > 1 ? 1200.0 : 960.0;
+  const double height = columns > 1 ? 400.0 * static_cast<double>(rows) : 640.0;
+  std::ostringstream out;
+  out << "set terminal svg size " << number(width) << ',' << number(height)
+      << " font 'DejaVu Sans,13' background rgb 'white'\n"
+      << "set output '" << name << ".svg'\n"
+      << "set multiplot layout " << rows << ',' << columns << " margins " << number(90.0 / width) << ','
+      << number(1.0 - 200.0 / width) << ',' << number(60.0 / height) << ',' << number(1.0 - 40.0 / height)
+      << " spacing " << number(100.0 / width) << ',' << number(100.0 / height) << '\n';
+  return out.str();
+}
+
 }  // namespace
 
 std::string plot_of(std::span<const Point> points, const std::string& axis, const std::string& name) {
   const std::vector<std::string> groups = groups_of(points);
   const std::vector<std::string> methods = methods_of(points);
-  const std::size_t columns = groups.size() > 1 ? 2 : 1;
-  const std::size_t rows = (groups.size() + columns - 1) / columns;
   const auto [least, most] = costs_of(points);
+  const double left = 0.7 * least;
   const double right = std::max(1.4 * most, 1500.0);
   std::ostringstream out;
-  out << "set terminal svg size " << (columns > 1 ? 1200 : 960) << ',' << (columns > 1 ? 440 * rows : 640)
-      << " font 'DejaVu Sans,13' background rgb 'white'\n"
-      << "set output '" << name << ".svg'\n"
-      << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
+  out << layout_of(groups.size(), name);
+  out << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
       << "set xlabel 'cost [µs a tick]'\nset ylabel '" << axis << "' noenhanced\n"
-      << "set key outside right center\nset xrange [" << number(0.7 * least) << ':' << number(right) << "]\n";
+      << "set xrange [" << number(left) << ':' << number(right) << "]\n";
   for (const auto& [us, label] : {std::pair{1000, "1 ms"}, {16700, "16.7 ms"}}) {
-    if (us > right) continue;
+    if (us < 3.0 * left || us > right) continue;
     out << "set arrow from " << us << ", graph 0 to " << us << ", graph 1 nohead dashtype 2 linecolor 'gray'\n"
         << "set label '" << label << "' at " << us << ", graph 0.03 right offset -0.5,0\n";
   }
-  if (columns > 1) out << "set multiplot layout " << rows << ',' << columns << '\n';
-  for (std::size_t g = 0; g < groups.size(); ++g) out << Panel(points, groups[g], g).text(methods);
-  if (columns > 1) out << "unset multiplot\n";
+  const std::size_t upper_right = groups.size() > 1 ? 1 : 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const bool has_legend = g == upper_right;
+    out << (has_legend ? "set key outside right top Left reverse samplen 2\n" : "unset key\n")
+        << Panel(points, groups[g], g).text(methods, has_legend ? legend_of(points, methods) : "");
+  }
+  out << "unset multiplot\n";
   return out.str();
 }
 
