@@ -265,15 +265,25 @@ void Coupling::step_direct() {
   }
   if (direct_cords_.empty()) return;
   direct_reports_.resize(direct_cords_.size());
+  if (probe_) probe_->foresee(direct_cords_, rigid_, dt_, gravity_);
   direct_solver_.step(direct_cords_, rigid_, dt_, gravity_, direct_reports_);
   std::size_t k = 0;
   for (CoupledCord& coupled : cords_) {
-    if (!std::holds_alternative<ribbon::Cord>(coupled.cord)) continue;
+    const auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
+    if (direct == nullptr) continue;
+    if (probe_) coupled.direct_error = probe_->error(k, *direct);
     coupled.direct_report = direct_reports_[k++];
     coupled.direct_total += coupled.direct_report;
   }
   follow_grips();
   find_touch_events();
+}
+
+void Coupling::estimate_errors(bool wanted) {
+  if (wanted == estimates_errors()) return;
+  probe_.reset();
+  if (wanted) probe_.emplace();
+  for (CoupledCord& coupled : cords_) coupled.direct_error = 0.0;
 }
 
 void Coupling::apply() {

@@ -13,6 +13,7 @@
 #include "engine/fixture_ids.h"
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
+#include "ribbon/error_probe.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_cord.h"
 
@@ -127,6 +128,13 @@ class Coupling {
   const ribbon::CordReport& direct_report(CordIndex index) const { return cords_[at(index)].direct_report; }
   /// What has happened to it since it was added, summed up.
   const ribbon::CordReport& direct_total(CordIndex index) const { return cords_[at(index)].direct_total; }
+  /// Estimates the error of each tick of the cords of the direct solver from now on, or no longer: see
+  /// ribbon::ErrorProbe. It costs four ticks more and changes nothing of what the cords do.
+  void estimate_errors(bool wanted);
+  bool estimates_errors() const { return probe_.has_value(); }
+  /// m, estimated, of the last tick: what its length costs, as if the one before had been exact. 0 unless it is asked
+  /// for.
+  double direct_error(CordIndex index) const { return cords_[at(index)].direct_error; }
   /// What happened in the cord's last step.
   const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
   /// What has happened to the cord since it was added, summed up.
@@ -189,6 +197,7 @@ class Coupling {
     b2Filter filter;
     ribbon::CordReport direct_report{};
     ribbon::CordReport direct_total{};
+    double direct_error = 0.0;
     ribbon::StepReport report{};
     ribbon::StepReport total{};
     ribbon::Box reach{};  // of this tick
@@ -268,6 +277,7 @@ class Coupling {
   std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
   FixtureIds fixture_ids_;
   ribbon::DirectSolver direct_solver_;
+  std::optional<ribbon::ErrorProbe> probe_;
   ribbon::Vec2 gravity_;
   double dt_ = 0.0;  // s, of the tick that was gathered for
   // This tick's bodies: Box2D's and the cord's view of each, at the same index.

@@ -97,6 +97,13 @@ std::string per_cent(double share) {
   return text.data();
 }
 
+/// To two significant digits if it is small, without the unit.
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), metres < 1e-2 ? "%.2g" : "%.0f", 1e3 * metres);
+  return text.data();
+}
+
 /// What a tick costs, against the sixtieth of a second that it may.
 std::string cost_in_words(const Meter& meter) {
   std::array<char, 96> text{};
@@ -108,14 +115,16 @@ std::string cost_in_words(const Meter& meter) {
 Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
   Table table = {
       {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
-  if (meter != nullptr) table.front().emplace_back("peak stretch");
+  if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::direct) continue;
     const ribbon::CordReport& total = coupling.direct_total(c);
     const auto touches = static_cast<int>(coupling.direct_cord(c).touches().size());
     table.push_back(in_words({c, points_of(coupling, c), touches, coupling.direct_report(c).iterations, total.impacts,
                               total.fallbacks, total.unconverged}));
-    if (meter != nullptr) table.back().push_back(per_cent(meter->peak_stretch(c)));
+    if (meter == nullptr) continue;
+    table.back().push_back(per_cent(meter->peak_stretch(c)));
+    table.back().push_back(millimetres(meter->error_a_second(c)));
   }
   return table;
 }

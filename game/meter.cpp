@@ -1,6 +1,7 @@
 #include "game/meter.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace game {
 namespace {
@@ -26,20 +27,26 @@ double rest_length_of(const engine::Coupling& coupling, engine::CordIndex cord) 
 }  // namespace
 
 void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
-  recent_us_[ticks_++ % remembered] = 1e-3 * static_cast<double>(nanoseconds);
+  ++ticks_;
   const engine::Coupling& coupling = simulation.scene().coupling();
   const bool restarted = simulation.run_ticks() <= last_run_tick_;
   last_run_tick_ = simulation.run_ticks();
-  if (restarted || peaks_.empty()) peaks_.assign(static_cast<std::size_t>(coupling.size()), 0.0);
+  if (restarted || cords_.empty()) cords_.assign(static_cast<std::size_t>(coupling.size()), {});
   for (int c = 0; c < coupling.size(); ++c) {
-    double& peak = peaks_[static_cast<std::size_t>(c)];
-    peak = std::max(peak, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
+    OfCord& cord = cords_[static_cast<std::size_t>(c)];
+    cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
+    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.direct_error(c);
+  }
+  if (coupling.estimates_errors()) {
+    ++estimated_;
+  } else {
+    recent_us_[timed_++ % remembered] = 1e-3 * static_cast<double>(nanoseconds);
   }
 }
 
 double Meter::median_us() const {
   std::array<double, remembered> sorted = recent_us_;
-  const std::size_t count = std::min(ticks_, remembered);
+  const std::size_t count = std::min(timed_, remembered);
   if (count == 0) return 0.0;
   std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
   return sorted[count / 2];
@@ -49,7 +56,14 @@ double Meter::worst_us() const { return *std::max_element(recent_us_.begin(), re
 
 double Meter::peak_stretch(engine::CordIndex cord) const {
   const auto index = static_cast<std::size_t>(cord);
-  return index < peaks_.size() ? peaks_[index] : 0.0;
+  return index < cords_.size() ? cords_[index].peak_stretch : 0.0;
+}
+
+double Meter::error_a_second(engine::CordIndex cord) const {
+  const auto index = static_cast<std::size_t>(cord);
+  if (index >= cords_.size()) return 0.0;
+  const auto& errors = cords_[index].errors;
+  return ticks_an_estimate * std::accumulate(errors.begin(), errors.end(), 0.0);
 }
 
 }  // namespace game

@@ -22,6 +22,8 @@ class RecordedRun {
   RecordedRun& operator=(const RecordedRun&) = delete;
 
   const Simulation& simulation() const { return simulation_; }
+  /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
+  void estimate_errors(bool wanted) { simulation_.scene().coupling().estimate_errors(wanted); }
   bool has_replay() const { return replay_.has_value(); }
   /// True when the replay has ended, or has differed while being verified. Never without a replay.
   bool is_over() const;

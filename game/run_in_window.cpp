@@ -108,6 +108,7 @@ class WindowGame {
   void tick() {
     next_.buttons = static_cast<std::uint16_t>(held_ | tapped_);
     tapped_ = 0;
+    run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
     const std::int64_t begun = engine::now_ns();
     try {
       run_.tick(next_);

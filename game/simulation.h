@@ -38,6 +38,8 @@ class Simulation {
 
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }
+  /// What is changed in it is in no recording.
+  engine::Scene& scene() { return *scene_; }
   const Player& player() const { return *player_; }
   const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
   const Snapshot& previous() const { return previous_; }         ///< before the last tick

@@ -82,7 +82,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, 1.0};
     const Vec2 u = perp(d);
     const MixedBar mixed = bar(stage, x, e, size, d);
-    const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e]);
+    const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size);
     const double g = slack ? 0.0 : geometric(stage, e, size, tensions[e]);
     a.xx += g * u.x * u.x;
     a.xy += g * u.x * u.y;
@@ -157,7 +157,7 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     const MixedBar mixed = bar(stage, x, e, size, -d);
     blocks.make_dual(dual);
     right_side[static_cast<std::size_t>(dual)] = {};
-    if (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e])) {
+    if (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size)) {
       blocks.add(dual, -1.0, 0.0, -1.0);
       continue;
     }
@@ -175,6 +175,17 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
 void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> /*tensions*/,
                    std::span<const Vec2> /*direction*/, std::span<const Vec2> duals, std::span<double> next) {
   for (std::size_t e = 0; e < rest_.size(); ++e) next[e] = duals[e].x;
+}
+
+double Chain::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  double most = 0.0;
+  for (std::size_t e = 0; tension_only_ && e < rest_.size(); ++e) {
+    const Vec2 ab = x[e] - x[e + 1];
+    const double size = length(ab);
+    const MixedBar mixed = bar(stage, x, e, size, size > 0.0 ? (1.0 / size) * ab : Vec2{});
+    most = std::max(most, ribbon::misjudged_way(mixed, tensions[e], 1.0 / stage.inertia[e]));
+  }
+  return most;
 }
 
 double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {

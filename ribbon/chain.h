@@ -26,6 +26,7 @@ class Chain final : public Elasticity {
             int first_dual, std::span<Vec2> right_side) override;
   void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
               std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) override;
+  double misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) override;
   double energy(const Motion& at, std::span<const double> tensions) const override;
 

@@ -171,6 +171,12 @@ void Cord::set_velocity(int point, Vec2 velocity) {
   restart_ = true;
 }
 
+void Cord::set_accuracy(const Accuracy& accuracy) {
+  check(accuracy);
+  if (accuracy.integrator != def_.accuracy.integrator) restart_ = true;  // implicit Euler's are those of another order
+  def_.accuracy = accuracy;
+}
+
 void Cord::reel(int first, int last, double length, double speed) {
   check_range("first", first, 0, def_.points - 2);
   check_range("last", last, first + 1, def_.points - 1);

@@ -89,6 +89,8 @@ class Cord {
   void release(int point);
   /// Sets a point's velocity, m/s, each component up to ±1e9.
   void set_velocity(int point, Vec2 velocity);
+  /// Has it solved so from the next step on; in an island the sharpest of all holds.
+  void set_accuracy(const Accuracy& accuracy);
   /// Reels the links from column `first` to column `last` in or out, until their rest lengths add up to `length` [m],
   /// 1e-3 to 1e3 times what they were made with, at `speed` [m/s, above 0, up to 1e6] in sum. They keep their
   /// proportions. What a winch of that speed does to the load, it does; nothing jumps.

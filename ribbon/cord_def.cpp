@@ -7,12 +7,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void check(const Accuracy& accuracy) {
-  check_range("accuracy.substeps", accuracy.substeps, 1, 4096);
-  check_range("accuracy.max_iterations", accuracy.max_iterations, 1, 1000);
-  check_range("accuracy.tolerance", accuracy.tolerance, 1e-12, 1.0);
-}
-
 void check_rope(const CordDef& def) {
   if (def.width != 0.0) refuse("width", def.width, "0 for a rope (rows is 1); its thickness is radius");
   if (def.poisson_ratio != 0.0) refuse("poisson_ratio", def.poisson_ratio, "0 for a rope (rows is 1)");
@@ -44,6 +38,12 @@ void check_ribbon(const CordDef& def) {
 }
 
 }  // namespace
+
+void check(const Accuracy& accuracy) {
+  check_range("accuracy.substeps", accuracy.substeps, 1, 4096);
+  check_range("accuracy.max_iterations", accuracy.max_iterations, 1, 1000);
+  check_range("accuracy.tolerance", accuracy.tolerance, 1e-12, 1.0);
+}
 
 void check(const CordDef& def) {
   check_range("rows", def.rows, 1, 64);

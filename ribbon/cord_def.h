@@ -69,10 +69,13 @@ struct CordDef {
   std::vector<Vec2> positions;
   /// Points constrained to where they start, by index.
   std::vector<int> pins;
+
+  bool operator==(const CordDef&) const = default;
 };
 
 /// Throws DefinitionError at the first field that is out of its range, or that the other fields exclude.
 void check(const CordDef& def);
+void check(const Accuracy& accuracy);
 
 /// Stiffnesses of a ribbon; `apply_to` sets them in a definition.
 struct RibbonMaterial {

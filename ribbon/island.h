@@ -162,6 +162,7 @@ class Island {
   void move(std::span<Vec2> x, double share) const;
   void close_arms(std::span<Vec2> x) const;
   bool full_steps(Stage& stage, CordReport& report);
+  bool are_bars_settled(const Stage& stage, int iteration);
   bool searched_steps(Stage& stage, CordReport& report);
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void go_led(double& left);

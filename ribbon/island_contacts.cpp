@@ -70,7 +70,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     strict = !strict && share < crawling_share * free;
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (!small || left > 0.0 || slips_) continue;
+    if (!small || left > 0.0 || slips_ || !are_bars_settled(stage, iteration)) continue;
     if (contacts_.is_settled(positions_, tolerated) || (rough && fulls >= enough_fulls && contacts_.are_shallow())) {
       return ends_stage(from);
     }

@@ -14,8 +14,10 @@ constexpr double penalty_factor = 2.0;   // by which the exact penalty of a sear
 // negative one, and without it Newton converges slowly; two bars a point of 2·share each leave the matrix positive
 // definite.
 constexpr double bearable_push = -0.24;
-constexpr double shortest_step = 1e-6;  // of a Newton step, below which a line search gives up
-constexpr double most_motion = 1e12;    // m, of a Newton step, beyond which it is none
+constexpr double shortest_step = 1e-6;    // of a Newton step, below which a line search gives up
+constexpr int judging_iterations = 7;     // Newton steps in which a stage has to find out which bars are slack
+constexpr double misjudged_share = 1e-6;  // of the tolerance, by which one that is nearly slack may be misjudged
+constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
 }  // namespace
 
@@ -168,9 +170,22 @@ bool Island::full_steps(Stage& stage, CordReport& report) {
     if (!(moved <= most_motion)) return false;
     move(positions_, 1.0);
     tensions_.swap(next_);
-    if (moved <= tolerance_ && !slips_) return true;
+    if (moved <= tolerance_ && !slips_ && are_bars_settled(stage, iteration)) return true;
   }
   return false;
+}
+
+/// Whether no bar was taken for slack or taut that is not, so that the last step may be the last: by and by, for where
+/// nothing pulls it may be either.
+bool Island::are_bars_settled(const Stage& stage, int iteration) {
+  if (iteration >= judging_iterations) return true;
+  for (const Member& member : members_) {
+    const double way =
+        member.cord->elasticity_->misjudged_way(stage_of(stage, member), part(positions_, member.first, member.count),
+                                                part(tensions_, member.first_tension, member.tensions));
+    if (way > misjudged_share * tolerance_) return false;
+  }
+  return true;
 }
 
 /// Newton's direction is one of descent, for its matrix is positive definite; each step is halved until the stage's
@@ -195,7 +210,7 @@ bool Island::searched_steps(Stage& stage, CordReport& report) {
     }
     positions_.swap(trial_);
     tensions_.swap(next_);
-    if (moved <= tolerance_ && !slips_) return true;
+    if (moved <= tolerance_ && !slips_ && are_bars_settled(stage, iteration)) return true;
   }
   return false;
 }

@@ -185,6 +185,17 @@ double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span
   return sum;
 }
 
+double Lattice::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  const Shape at = shape(stage, x);
+  double most = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    most = std::max(most, term->misjudged_way(at, tensions.subspan(first, term->tension_count())));
+    first += term->tension_count();
+  }
+  return most;
+}
+
 double Lattice::energy(const Motion& at, std::span<const double> tensions) const {
   double sum = 0.0;
   std::size_t first = 0;

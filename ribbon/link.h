@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace ribbon {
@@ -8,6 +9,8 @@ namespace ribbon {
 constexpr double singular_share = 1e-10;  // where the system would be singular: between two constrained points
 constexpr double dual_share = 1e-12;      // where a tension stays an unknown of a system that others are coupled with
 constexpr double proximal_share = 1e-7;   // where tensions are eliminated first, and approached by iteration
+
+constexpr double nearly_taut = 1e-12;  // of its length, that a bar may be short and is not slack for
 
 /// A bar as mixed Newton sees it: W = ½·c²/α for an elongation c, its tension λ an unknown that obeys
 ///
@@ -45,10 +48,19 @@ inline double exact_penalty(const MixedBar& bar, double most) {
   return c < most * bar.compliance ? 0.5 * c * c / bar.compliance : most * (c - 0.5 * most * bar.compliance);
 }
 
-/// Whether a bar that cannot push is slack: by its elongation where that says it, and by the sign of λ + c/give (the
-/// primal-dual active set of Hintermüller, Ito & Kunisch 2003) where it is inextensible, `give` being any compliance.
-inline bool is_slack(const MixedBar& bar, double tension, double give) {
-  return bar.compliance > 0.0 ? bar.elongation <= 0.0 : tension * give + bar.elongation <= 0.0;
+/// Whether a bar that cannot push is slack, by the sign of λ + (c − α·λ)/k (the primal-dual active set of Hintermüller,
+/// Ito & Kunisch 2003) with the greater of α and `give` for k: what is stiff by its tension, what is soft by its
+/// elongation alone. In doubt it is taut: if it should be slack it pushes in the next step, whoever else does, while of
+/// a row of slack bars only the first would be found taut at a time. `size` [m] is what its elongation is rounded by.
+inline bool is_slack(const MixedBar& bar, double tension, double give, double size) {
+  return tension * std::max(0.0, give - bar.compliance) + bar.elongation < -nearly_taut * size;
+}
+
+/// m, how wrong it was, in the step that led here, to take such a bar for slack, and then it is too long, or for taut,
+/// and then it pushes: by how far that moves a point of this `give`.
+inline double misjudged_way(const MixedBar& bar, double tension, double give) {
+  if (tension != 0.0) return std::max(0.0, -tension) * give;
+  return std::max(0.0, bar.elongation) * give / (give + bar.compliance);
 }
 
 }  // namespace ribbon

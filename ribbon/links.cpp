@@ -57,9 +57,9 @@ Links::Linearised Links::linearise(const Shape& shape, const Link& link, double 
   const Vec2 ab = shape.x[static_cast<std::size_t>(link.b)] - shape.x[static_cast<std::size_t>(link.a)];
   const double size = length(ab);
   const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, -1.0};
-  const double give = 1.0 / shape.stage.inertia[static_cast<std::size_t>(link.a)];
+  const double give = this->give(shape, link);
   MixedBar mixed = bar(shape, link, d);
-  if (tension_only_ && is_slack(mixed, tension, give)) return {d, 0.0, 0.0, 0.0};
+  if (tension_only_ && is_slack(mixed, tension, give, size)) return {d, 0.0, 0.0, 0.0};
   const double least = proximal_share * give;
   if (mixed.compliance < least) {
     mixed.elongation += (least - mixed.compliance) * tension;
@@ -91,6 +91,18 @@ void Links::update(const NewtonSystem& system, std::span<const double> tensions,
     const Vec2 apart = direction[static_cast<std::size_t>(link.b)] - direction[static_cast<std::size_t>(link.a)];
     next[e] = at.force + at.stiffness * dot(at.d, apart);
   }
+}
+
+double Links::misjudged_way(const Shape& shape, std::span<const double> tensions) const {
+  double most = 0.0;
+  for (std::size_t e = 0; tension_only_ && e < links_.size(); ++e) {
+    const Link& link = links_[e];
+    const Vec2 ab = shape.x[static_cast<std::size_t>(link.b)] - shape.x[static_cast<std::size_t>(link.a)];
+    const double size = length(ab);
+    const MixedBar mixed = bar(shape, link, size > 0.0 ? (1.0 / size) * ab : Vec2{});
+    most = std::max(most, ribbon::misjudged_way(mixed, tensions[e], give(shape, link)));
+  }
+  return most;
 }
 
 double Links::potential(const Shape& shape, std::span<const double> most) const {

@@ -21,6 +21,7 @@ class Links final : public Term {
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
+  double misjudged_way(const Shape& shape, std::span<const double> tensions) const override;
   double potential(const Shape& shape, std::span<const double> most) const override;
   double energy(const Motion& at, std::span<const double> tensions) const override;
 
@@ -40,6 +41,9 @@ class Links final : public Term {
     double across;     // N/m, the geometric stiffness
   };
   MixedBar bar(const Shape& shape, const Link& link, Vec2 d) const;
+  double give(const Shape& shape, const Link& link) const {
+    return 1.0 / shape.stage.inertia[static_cast<std::size_t>(link.a)];
+  }
   Linearised linearise(const Shape& shape, const Link& link, double tension) const;
   double compliance(const Link& link) const { return link.rest * inverse_stiffness_; }
 

@@ -67,6 +67,7 @@ class Term {
   /// The tensions after the step `direction`.
   virtual void update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
                       std::span<const Vec2> /*direction*/, std::span<double> /*next*/) const {}
+  virtual double misjudged_way(const Shape& /*shape*/, std::span<const double> /*tensions*/) const { return 0.0; }
   /// See Elasticity. A quadratic term's is its energy at the damped positions over the stiffening, whose gradient is
   /// the elastic and the damping force.
   virtual double potential(const Shape& shape, std::span<const double> most) const = 0;

@@ -53,5 +53,29 @@ TEST(Meter, RemembersTheMostThatACordWasStretchedSinceTheRestart) {
   EXPECT_EQ(meter.peak_stretch(99), 0.0);
 }
 
+TEST(Meter, EstimatesErrorsTenTimesASecondAndNoTimeByThose) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  Simulation alone(level);
+  Meter meter;
+  double sum = 0.0;
+  int estimates = 0;
+  for (int k = 0; k < 60; ++k) {
+    const bool wanted = meter.wants_estimate();
+    simulation.scene().coupling().estimate_errors(wanted);
+    simulation.tick({});
+    alone.tick({});
+    meter.add(simulation, wanted ? 900'000 : 10'000);
+    if (wanted) sum += simulation.scene().coupling().direct_error(3);
+    estimates += wanted ? 1 : 0;
+  }
+  EXPECT_EQ(estimates, 10);
+  EXPECT_GT(sum, 1e-6);  // the bridge swings from the start
+  EXPECT_NEAR(meter.error_a_second(3), 6.0 * sum, 1e-15);
+  EXPECT_EQ(meter.error_a_second(99), 0.0);
+  EXPECT_EQ(meter.worst_us(), 10.0);
+  EXPECT_TRUE(simulation.hash() == alone.hash());
+}
+
 }  // namespace
 }  // namespace game

@@ -330,6 +330,77 @@ TEST(CordTensionOnly, HangsAsAnyOther) {
   for (std::size_t p = 0; p <= 20; ++p) EXPECT_NEAR(length(pulling.positions()[p] - bars.positions()[p]), 0.0, 1e-6);
 }
 
+/// In short steps a Newton step that takes all links for slack moves them by less than any tolerance: it must not be
+/// the last for that.
+TEST(CordTensionOnly, HangsStillInShortSteps) {
+  for (const double stiffness : {infinity, 1e9}) {
+    for (const double bending : {0.0, 0.5}) {
+      for (const int substeps : {1, 64, 256, 1024}) {
+        CordDef def = hanging(41, 8.0);
+        def.stretch_stiffness = stiffness;
+        def.bending_stiffness = bending;
+        def.tension_only = true;
+        def.accuracy = {Integrator::tr_bdf2, substeps, 8, 1e-7};
+        Cord cord(def);
+        const std::vector<Vec2> start(cord.positions().begin(), cord.positions().end());
+        CordReport report;
+        for (int k = 0; k < 20; ++k) report += cord.step(1.0 / 60.0, gravity);
+        for (std::size_t p = 0; p < start.size(); ++p) {
+          EXPECT_LE(length(cord.positions()[p] - start[p]), stiffness < infinity ? 1e-6 : 1e-10) << substeps;
+        }
+        for (const double tension : cord.tensions()) EXPECT_GT(tension, 0.0);
+        EXPECT_EQ(report.searches + report.unconverged, 0);
+        EXPECT_LE(report.iterations, 1.2 * report.stages);
+      }
+    }
+  }
+}
+
+/// Who catches a rope on the way up goes on up, however short the steps; links that push would stop him.
+TEST(CordTensionOnly, DoesNotStopWhoCatchesItRising) {
+  for (const int substeps : {1, 8, 64}) {
+    CordDef def = hanging(41, 8.0);
+    def.tension_only = true;
+    def.accuracy.substeps = substeps;
+    Cord cord(def);
+    std::vector<RigidBody> bodies(1);
+    bodies[0].position = cord.positions()[30];
+    bodies[0].velocity = {6.0, 2.2};
+    bodies[0].inverse_mass = 1.0 / 60.0;
+    bodies[0].acceleration = gravity;
+    std::vector<Grip> grips(1);
+    grips[0].point = 30;
+    EXPECT_EQ(cord.step(1.0 / 60.0, gravity, {bodies, {}, grips}).unconverged, 0);
+    EXPECT_NEAR(bodies[0].velocity.y + bodies[0].impulse.y / 60.0, 2.2, 0.05) << substeps;  // its owner adds gravity
+    EXPECT_NEAR(bodies[0].velocity.x + bodies[0].impulse.x / 60.0, 6.0, 0.1) << substeps;
+  }
+}
+
+// --- accuracy that changes on the way
+// ---------------------------------------------------------------------------------
+
+TEST(CordAccuracy, ChangedBetweenStepsItHoldsFromTheNextOn) {
+  Cord changed(hanging(21, 2.0));
+  changed.set_velocity(20, {3.0, 0.0});
+  for (int k = 0; k < 10; ++k) changed.step(1.0 / 60.0, gravity);
+  const Accuracy fine{Integrator::tr_bdf2, 16, 8, 1e-7};
+  CordDef def = hanging(21, 2.0);
+  def.accuracy = fine;
+  Cord other(def);
+  other.restore(changed.save());
+  changed.set_accuracy(fine);
+  for (int k = 0; k < 10; ++k) {
+    const CordReport report = changed.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(report.stages, 32);
+    EXPECT_TRUE(report == other.step(1.0 / 60.0, gravity));
+  }
+  EXPECT_TRUE(changed.save() == other.save());
+  changed.set_accuracy(Accuracy::fast());
+  EXPECT_EQ(changed.step(1.0 / 60.0, gravity).stages, 1);
+  EXPECT_THROW(changed.set_accuracy({Integrator::tr_bdf2, 0, 8, 1e-7}), DefinitionError);
+  EXPECT_TRUE(changed.def().accuracy == Accuracy::fast());
+}
+
 // --- what is not declared is not there -------------------------------------------------------------------------------
 
 TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
@@ -434,7 +505,7 @@ TEST(CordSameBits, OnEveryCompiler) {
     CordDef def;
     std::uint64_t bits;
   };
-  for (const auto& [def, bits] : {Golden{rope, 11759835462446360271U}, Golden{bending, 14851555841355241847U},
+  for (const auto& [def, bits] : {Golden{rope, 11759835462446360271U}, Golden{bending, 3579113854357751420U},
                                   Golden{ribbon, 12193571052792361413U}}) {
     Cord cord(def);
     cord.attach_mass(cord.size() - 1, 5.0);

@@ -1,6 +1,7 @@
 #include "tests/study/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -34,13 +35,42 @@ std::string replay_of(const Command& command, const LevelFile& file) {
 
 std::string seconds_of(const Reference& reference, std::size_t ticks) {
   const std::string points = "With " + significant(reference.points, 6) + " times the links ";
-  const std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
+  std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
+  if (reference.unconverged_ticks > 0) {
+    agreement += " (though " + count_of(reference.unconverged_ticks, "tick") + " of the finer one did not converge)";
+  }
   if (reference.ticks == ticks) return points + agreement + " all along.";
   return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +
          " s; after it a tenth of a millimetre, or a disturbance of 1e-10 m grown to a centimetre, is between them, "
          "and "
-         "nothing is compared.";
+         "nothing is compared but statistics.";
 }
+
+/// What two converged runs differ by where all is chance: no setting can be known to be nearer.
+std::string yardstick_of(const Reference& reference) {
+  std::string sentence = "The two converged runs of " + significant(reference.points, 6) + " times the links: ";
+  for (std::size_t k = 0; k < Statistics::count; ++k) {
+    sentence +=
+        (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.later.values[k], 2);
+  }
+  return sentence + ".";
+}
+
+void add_later_notes(Report& report, const Study& study) {
+  const auto is_chance = [&](const Reference& reference) { return reference.ticks < study.ticks; };
+  if (std::none_of(study.references.begin(), study.references.end(), is_chance)) return;
+  report.notes.push_back(
+      "The columns later_… are of the ticks after those, where a run is one of many that the same input could have led "
+      "to: the mean and standard deviation (sd) of the player's height and of the kinetic energy a unit of mass, the "
+      "cords' mean stretch and the greatest. Each is how far the setting's statistic is from the converged run's, a "
+      "difference of two chaotic runs. What is no greater than the difference of two converged runs says nothing:");
+  for (const Reference& reference : study.references) {
+    if (is_chance(reference)) report.notes.push_back(yardstick_of(reference));
+  }
+}
+
+/// Empty for what is no number.
+std::string cell(double value) { return std::isnan(value) ? "" : significant(value, 3); }
 
 Report report_of(const Study& study) {
   Report report;
@@ -52,18 +82,28 @@ Report report_of(const Study& study) {
       "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
       "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
       "the one of four times the level's links.");
+  report.notes.push_back(
+      "Each error is of its own kind. tension: of the peak, as a share of the converged one. penetration: the deepest "
+      "that a cord is in a body after a tick, as a share of its radius. energy and momentum: the furthest from the "
+      "converged ones of the same tick, as shares of weight times longest cord, and of mass times the speed of a free "
+      "fall of half that length; who plays gives and takes both, so that there is no drift to be told.");
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
+  add_later_notes(report, study);
   report.points = study.points();
-  report.columns = {"position_m",    "position_share", "player_m", "stretch",          "mesh_m",
-                    "newton_a_tick", "fallbacks",      "halvings", "unconverged_ticks"};
+  report.columns = {"position_m",  "position_share", "player_m",         "stretch", "tension",
+                    "penetration", "energy",         "momentum",         "mesh_m",  "newton_a_tick",
+                    "fallbacks",   "halvings",       "unconverged_ticks"};
+  report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
     const bool direct = m.dials.solver == "direct";
     report.cells.push_back(
         {significant(m.error.position_m, 3), significant(m.error.position_share, 3), significant(m.error.player_m, 3),
-         significant(m.error.stretch, 3), significant(m.mesh.greatest_length(), 3),
+         significant(m.error.stretch, 3), cell(m.error.tension), cell(m.error.penetration), cell(m.error.energy),
+         cell(m.error.momentum), significant(m.mesh.greatest_length(), 3),
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
+    for (const double later : m.later.values) report.cells.back().push_back(cell(later));
   }
   const auto add = [&](const char* name, double (*value)(const Measured&)) {
     Metric& metric = report.metrics.emplace_back();
@@ -73,6 +113,10 @@ Report report_of(const Study& study) {
   add("position_m", [](const Measured& m) { return m.error.position_m; });
   add("player_m", [](const Measured& m) { return m.error.player_m; });
   add("stretch", [](const Measured& m) { return m.error.stretch; });
+  add("tension", [](const Measured& m) { return m.error.tension; });
+  add("penetration", [](const Measured& m) { return m.error.penetration; });
+  add("energy", [](const Measured& m) { return m.error.energy; });
+  add("momentum", [](const Measured& m) { return m.error.momentum; });
   return report;
 }
 
@@ -134,8 +178,14 @@ int tell_promises(const LevelFile& file, const Command& command) {
 int tell_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
   std::printf("Compared for %.2f s; after that what a run does is chance.\n", static_cast<double>(terms.ticks) / 60.0);
-  for (const TermResult& result : terms.declared) {
-    std::printf("%-18s cost without it %5.2fx  %s\n", result.term.c_str(), result.cost_share, verdict(result).c_str());
+  for (const bool declared : {true, false}) {
+    std::puts(declared ? "Without each term that is declared:"
+                       : "With each term that is not, and has one natural value:");
+    for (const TermResult& result : terms.results) {
+      if (result.declared != declared) continue;
+      const std::string cost = std::isnan(result.cost_share) ? "-" : fixed(result.cost_share, 2) + "x";
+      std::printf("%-18s cost %6s  %s\n", result.term.c_str(), cost.c_str(), verdict(result).c_str());
+    }
   }
   for (const Symptom& symptom : terms.lacking) {
     std::printf("%-18s MAY BE LACKING: %s, first in tick %zu, in %zu ticks\n", symptom.term.c_str(),

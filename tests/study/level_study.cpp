@@ -7,6 +7,7 @@
 
 #include "engine/replay.h"
 #include "tests/study/results.h"
+#include "tests/study/words.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
@@ -53,14 +54,23 @@ struct Converged {
 
 class LevelStudy {
  public:
-  LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options)
+  LevelStudy(const LevelFile& file, std::vector<engine::TickInput> inputs, const StudyOptions& options,
+             Results& results)
       : file_(&file),
+        results_(&results),
         options_(&options),
         grid_(grid(options.quick)),
         progress_(options, all_work()),
         inputs_(std::move(inputs)) {}
 
-  Study run(Results& results) {
+  Study run() {
+    Study study = measure_all();
+    study.runs = runs_;
+    return study;
+  }
+
+ private:
+  Study measure_all() {
     Study study;
     study.ticks = inputs_.size();
     for (const double points : meshes_of(grid_)) {
@@ -69,16 +79,16 @@ class LevelStudy {
     }
     const Dials finest = reference(finer_mesh, false, options_->quick);
     if (stopped()) return study;
-    const Trace fine = study::run(file_->with(finest), inputs_);
+    const Trace fine = converged_run(finest, 0.0);
     progress_.add(work_of(finest));
     for (const Dials& dials : grid_) {
       if (stopped()) return study;
       Measured measured;
-      if (const Measured* known = results.find(dials)) {
+      if (const Measured* known = results_->find(dials)) {
         measured = *known;
       } else {
         measured = measure_error(dials, fine);
-        results.add(measured);
+        results_->add(measured);
       }
       study.settings.push_back(measured);
       progress_.add(work_of(dials));
@@ -87,7 +97,6 @@ class LevelStudy {
     return study;
   }
 
- private:
   double all_work() const {
     double sum = work_of(reference(finer_mesh, false, options_->quick));
     for (const double points : meshes_of(grid_)) {
@@ -100,22 +109,39 @@ class LevelStudy {
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
 
+  /// With the cords moved by `offset` [m]; as the folder keeps it, if it does.
+  Trace converged_run(const Dials& dials, double offset) {
+    const std::string name = name_of(dials) + (offset == 0.0 ? "" : " disturbed");
+    if (std::optional<Trace> known = results_->run(name)) return *known;
+    Trace trace = run_once(file_->moved(dials, offset));
+    results_->add_run(name, trace);
+    return trace;
+  }
+
+  Trace run_once(const game::Level& level) {
+    ++runs_;
+    return study::run(level, inputs_);
+  }
+
   bool find_reference(double points) {
     const Dials first = reference(points, false, options_->quick);
     const Dials second = reference(points, true, options_->quick);
     if (stopped()) return false;
     Converged converged;
-    converged.trace = study::run(file_->with(second), inputs_);
+    converged.trace = converged_run(second, 0.0);
     progress_.add(work_of(second));
     if (stopped()) return false;
-    const Trace other = study::run(file_->with(first), inputs_);
+    const Trace other = converged_run(first, 0.0);
     progress_.add(work_of(first));
     if (stopped()) return false;
-    const Trace disturbed = study::run(file_->moved(first, disturbance), inputs_);
+    const Trace disturbed = converged_run(first, disturbance);
     progress_.add(work_of(first));
     converged.about.points = points;
     converged.about.ticks =
         std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, agreed));
+    const std::size_t ticks = converged.about.ticks;
+    converged.about.later = difference(statistics(converged.trace, ticks), statistics(other, ticks));
+    converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[points] = std::move(converged);
     return true;
@@ -123,15 +149,16 @@ class LevelStudy {
 
   Measured measure_error(const Dials& dials, const Trace& fine) {
     const Converged& own = converged_[dials.points];
-    const Trace trace = study::run(file_->with(dials), inputs_);
+    const Trace trace = run_once(file_->with(dials));
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);
+    measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;
     measured.unconverged_ticks = trace.unconverged_ticks;
-    measured.failure = trace.failure;
+    measured.failure = failure_of(trace, own.trace, own.about.ticks);
     return measured;
   }
 
@@ -157,14 +184,23 @@ class LevelStudy {
   }
 
   const LevelFile* file_;
+  Results* results_;
   const StudyOptions* options_;
   std::vector<Dials> grid_;
   Progress progress_;
   std::vector<engine::TickInput> inputs_;
   std::map<double, Converged> converged_;
+  int runs_ = 0;
 };
 
 }  // namespace
+
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
+  if (!run.failure.empty()) return run.failure;
+  std::string passed = let_through(run.passages, reference.passages, reference.declared, ticks);
+  if (!passed.empty()) return passed;
+  return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
+}
 
 Point Measured::point() const {
   Point point{dials.solver, name_of(dials), cost_us, p99_us};
@@ -185,16 +221,16 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
   const game::Level level = file.level();
   engine::check_header(replay.header, game::Simulation::replay_header(level));
   if (replay.ticks.empty()) throw engine::ReplayError(replay_path + " has no ticks; a study needs one or more");
-  Results results(options.folder, file.hash(), replay_path);
-  Study study = LevelStudy(file, inputs_of(replay), options).run(results);
+  Results results(options.folder, file.hash(), replay_path, options.quick);
+  Study study = LevelStudy(file, inputs_of(replay), options, results).run();
   study.level = level.name;
   study.replay = replay_path;
   return study;
 }
 
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options) {
-  Results nowhere("", file.hash(), "");
-  Study study = LevelStudy(file, inputs, options).run(nowhere);
+  Results nowhere("", file.hash(), "", options.quick);
+  Study study = LevelStudy(file, inputs, options, nowhere).run();
   study.level = file.level().name;
   return study;
 }

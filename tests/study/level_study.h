@@ -7,6 +7,7 @@
 #include "tests/study/dials.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
+#include "tests/study/statistics.h"
 #include "tests/study/trace.h"
 
 namespace study {
@@ -16,6 +17,7 @@ struct Measured {
   Dials dials;
   Errors error;             ///< of time and solver: against the converged motion of the same points
   Errors mesh;              ///< of the points: of that motion against the converged one of four times as many links
+  Statistics later;         ///< after what is compared: how far from the converged motion's
   double known_to_m = 0.0;  ///< below which the error is not known
   ribbon::CordReport work;
   int unconverged_ticks = 0;
@@ -29,8 +31,10 @@ struct Measured {
 /// What the converged runs of a level say.
 struct Reference {
   double points = 1.0;
-  std::size_t ticks = 0;     ///< in which 1e-10 m do not grow to 1 cm, nor the runs differ by 0.1 mm; or all
-  double agreement_m = 0.0;  ///< of two converged runs of different substeps in them
+  std::size_t ticks = 0;      ///< in which 1e-10 m do not grow to 1 cm, nor the runs differ by 0.1 mm; or all
+  double agreement_m = 0.0;   ///< of two converged runs of different substeps in them
+  Statistics later;           ///< of these two after them: how far apart
+  int unconverged_ticks = 0;  ///< of the one that others are compared with
 };
 
 struct Study {
@@ -39,6 +43,7 @@ struct Study {
   std::size_t ticks = 0;
   std::vector<Reference> references;
   std::vector<Measured> settings;
+  int runs = 0;           ///< of the level, to find errors: those that the folder knew were not run again
   bool complete = false;  ///< false if it was interrupted
 
   std::vector<Point> points() const;
@@ -58,6 +63,10 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
 
 /// The same of inputs that were not recorded; nothing is kept in a folder.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
+
+/// Why a run does not count, in words: it blew up, let something through that its reference did not (see let_through),
+/// or did not converge in all ticks; empty if it does.
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
 
 /// The settings that a level's own cords can have: those of other solvers and numbers of points stand apart, for they
 /// would be other cords.

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "engine/replay.h"
 #include "tests/study/command.h"
+#include "tests/study/kept_trace.h"
 #include "tests/study/plot.h"
 #include "tests/study/report.h"
 #include "tests/study/terms.h"
@@ -66,6 +68,8 @@ std::string message_of(const std::function<void()>& call) {
   }
   return {};
 }
+
+bool is_same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 TEST(Dials, NoSettingOfAGridStandsInItTwice) {
   for (const bool quick : {false, true}) {
@@ -127,11 +131,42 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   }
 }
 
+/// All that does not come from the clock.
+void expect_the_same(const Measured& a, const Measured& b) {
+  for (const auto member : {&Errors::position_m, &Errors::position_share, &Errors::player_m, &Errors::stretch,
+                            &Errors::tension, &Errors::penetration, &Errors::energy, &Errors::momentum}) {
+    EXPECT_PRED2(is_same_number, a.error.*member, b.error.*member);
+    EXPECT_PRED2(is_same_number, a.mesh.*member, b.mesh.*member);
+  }
+  for (std::size_t k = 0; k < Statistics::count; ++k) {
+    EXPECT_PRED2(is_same_number, a.later.values[k], b.later.values[k]);
+  }
+  EXPECT_EQ(a.known_to_m, b.known_to_m);
+  EXPECT_EQ(a.work.iterations, b.work.iterations);
+  EXPECT_EQ(a.unconverged_ticks, b.unconverged_ticks);
+  EXPECT_EQ(a.failure, b.failure);
+}
+
 TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
-  StudyOptions stops = options();
-  int asked = 0;
-  stops.stopped = [&asked] { return ++asked > 15; };
-  const Study half = measure(LevelFile(level_path), replay_path, stops);
+  StudyOptions elsewhere = options();
+  elsewhere.folder = home + "/other_report";
+  const Study uninterrupted = measure(LevelFile(level_path), replay_path, elsewhere);
+  const int all_runs = 3 * 3 + 1 + static_cast<int>(grid(true).size());
+  EXPECT_EQ(uninterrupted.runs, all_runs);
+
+  int runs = 0;
+  const auto run_until = [&](int most_asked) {
+    StudyOptions stops = options();
+    int asked = 0;
+    stops.stopped = [&asked, most_asked] { return ++asked > most_asked; };
+    Study study = measure(LevelFile(level_path), replay_path, stops);
+    runs += study.runs;
+    return study;
+  };
+  EXPECT_FALSE(run_until(5).complete);  // amid the converged runs
+  EXPECT_GT(runs, 0);
+  EXPECT_LT(runs, 3 * 3);
+  const Study half = run_until(15);
   EXPECT_FALSE(half.complete);
   ASSERT_GT(half.settings.size(), 0U);
   const std::string path = options().folder + "/results.jsonl";
@@ -140,15 +175,124 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
 
   std::ofstream(path, std::ios::app) << "{\"key\": \"half a li";
   std::ofstream(path, std::ios::app) << '\n';
-  const Study whole = measure(LevelFile(level_path), replay_path, options());
+  const Study whole = run_until(1000);
   EXPECT_TRUE(whole.complete);
-  EXPECT_EQ(whole.settings.size(), grid(true).size());
-  for (std::size_t k = 0; k < half.settings.size(); ++k) {
-    EXPECT_EQ(whole.settings[k].error.position_m, half.settings[k].error.position_m);
+  EXPECT_EQ(runs, all_runs);  // nothing was run again
+  ASSERT_EQ(whole.settings.size(), grid(true).size());
+  for (std::size_t k = 0; k < whole.settings.size(); ++k) {
+    expect_the_same(whole.settings[k], uninterrupted.settings[k]);
   }
-  EXPECT_EQ(content_of(path).find(kept), 0U);  // nothing was measured again
+  EXPECT_EQ(whole.references[1].agreement_m, uninterrupted.references[1].agreement_m);
+  EXPECT_EQ(content_of(path).find(kept), 0U);
   const std::string all = content_of(path);
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
+}
+
+TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
+  const std::string path = home + "/some.run";
+  const std::vector<engine::TickInput> inputs(5);
+  Trace trace = run(game::load_level(level_path), inputs);
+  trace.failure = "blew up in tick 5";
+  ASSERT_TRUE(keep(trace, "this one", path));
+  const auto again = kept("this one", path);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->lengths, trace.lengths);
+  EXPECT_EQ(again->places, trace.places);
+  EXPECT_EQ(again->player, trace.player);
+  EXPECT_EQ(again->stretch, trace.stretch);
+  EXPECT_EQ(again->figures.back().energy, trace.figures.back().energy);
+  EXPECT_EQ(again->declared, trace.declared);
+  EXPECT_EQ(again->passages, trace.passages);
+  EXPECT_EQ(again->mass, trace.mass);
+  EXPECT_EQ(again->gravity, trace.gravity);
+  EXPECT_EQ(again->work, trace.work);
+  EXPECT_EQ(again->failure, trace.failure);
+  EXPECT_FALSE(kept("another", path));
+  EXPECT_FALSE(kept("this one", home + "/no.run"));
+  const std::string content = content_of(path);
+  std::string changed = content;
+  changed[content.size() / 2] = static_cast<char>(changed[content.size() / 2] ^ 1);
+  for (const std::string& broken : {content.substr(0, content.size() / 2), content + "x", changed, std::string()}) {
+    std::ofstream(path, std::ios::binary) << broken;
+    EXPECT_FALSE(kept("this one", path));
+  }
+}
+
+TEST(Failure, IsWhatBlewUpOrLetThroughOrDidNotConverge) {
+  Trace reference;
+  reference.declared = {through_body};
+  reference.passages.assign(10, {0});
+  Trace trace = reference;
+  EXPECT_EQ(failure_of(trace, reference, 10), "");
+  trace.unconverged_ticks = 1;
+  EXPECT_EQ(failure_of(trace, reference, 10), "1 tick not converged");
+  trace.unconverged_ticks = 2;
+  EXPECT_EQ(failure_of(trace, reference, 10), "2 ticks not converged");
+  trace.passages[4] = {through_body};
+  EXPECT_EQ(failure_of(trace, reference, 10), "cord 1 went through a body in tick 5");
+  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference did so too
+  trace.failure = "blew up in tick 6";
+  EXPECT_EQ(failure_of(trace, reference, 10), "blew up in tick 6");
+}
+
+/// The thesis's cords meet circles and no ground: let go above it, they fall through.
+TEST_F(LevelStudy, WhatFallsThroughTheGroundHasFailed) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  for (auto& layer : json["layers"]) {
+    auto objects = nlohmann::ordered_json::array();
+    int cords = 0;
+    for (auto& object : layer["objects"]) {
+      if (object.contains("polyline") && cords++ > 0) continue;
+      if (object.contains("polyline")) {
+        object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 60}, {"y", 0}}};
+        object["x"] = 120;
+        object["y"] = 410;  // 20 cm above it
+        for (auto& property : object["properties"]) {
+          if (property["name"] == "pin_first") property["value"] = false;
+          if (property["name"] == "columns") property["value"] = 9;
+        }
+      }
+      objects.push_back(object);
+    }
+    layer["objects"] = objects;
+  }
+  std::ofstream(level_path) << json.dump();
+  record(replay_path, 30);
+  const Study study = measure(LevelFile(level_path), replay_path, options());
+  for (const Measured& m : study.settings) {
+    const bool passed = m.failure.find("went through a body in tick") != std::string::npos;
+    EXPECT_EQ(passed, m.dials.solver == "thesis") << name_of(m.dials) << ": " << m.failure;
+  }
+}
+
+TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
+  Command command;
+  command.level = level_path;
+  command.replay = replay_path;
+  command.folder = home + "/report";
+  command.quick = true;
+  command.repeats = 1;
+  message_of([&] { run(command); });  // without gnuplot, of the plots
+  const std::string csv = content_of(command.folder + "/points.csv");
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line + ",");
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  ASSERT_EQ(rows.size(), 1 + grid(true).size());
+  for (const std::string name : {"tension", "penetration", "energy", "momentum"}) {
+    const auto column = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+    ASSERT_LT(column, rows[0].size()) << name;
+    for (const auto& row : rows) {
+      ASSERT_EQ(row.size(), rows[0].size());
+      const bool lacks = row[0] == "thesis" && name != "momentum";
+      EXPECT_EQ(row[column].empty(), lacks) << row[1] << ' ' << name;
+    }
+    EXPECT_TRUE(fs::exists(command.folder + "/" + name + ".gp")) << name;
+  }
+  EXPECT_NE(csv.find("later_height_m,later_height_sd_m,later_stretch,later_peak_stretch"), std::string::npos);
 }
 
 TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
@@ -170,7 +314,7 @@ TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
 TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
   const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
   const auto result = [&](const std::string& term) {
-    return *std::find_if(terms.declared.begin(), terms.declared.end(), [&](const auto& r) { return r.term == term; });
+    return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });
   };
   EXPECT_EQ(result("cord_contact").shows_at, 0U);  // its cords do not meet in a third of a second
   EXPECT_EQ(result("cord_contact").change.greatest_length(), 0.0);
@@ -178,6 +322,58 @@ TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
   EXPECT_GT(result("bending_stiffness").shows_at, 0U);
   EXPECT_NE(verdict(result("bending_stiffness")).find("from tick"), std::string::npos);
   EXPECT_TRUE(terms.lacking.empty());
+  const TermResult self = result("self_contact");  // which no cord declares
+  EXPECT_FALSE(self.declared);
+  EXPECT_EQ(self.shows_at, 0U);
+  EXPECT_GT(self.cost_share, 0.0);
+  EXPECT_NE(verdict(self).find("not needed: with it"), std::string::npos);
+  EXPECT_FALSE(result("tension_only").can_be_built);    // its ropes do not stretch
+  EXPECT_FALSE(result("area_stiffness").can_be_built);  // and are no ribbons
+  EXPECT_NE(verdict(result("area_stiffness")).find("left out"), std::string::npos);
+}
+
+TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  for (auto& layer : json["layers"]) {
+    for (auto& object : layer["objects"]) {
+      if (!object.contains("polyline")) continue;
+      object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
+      object["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
+    }
+  }
+  std::ofstream(level_path) << json.dump();
+  record(replay_path, 10);
+  const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
+  ASSERT_EQ(terms.lacking.size(), 1U);
+  EXPECT_EQ(terms.lacking[0].term, "tension_only");
+  EXPECT_LE(terms.lacking[0].first_tick, 3U);
+  EXPECT_GE(terms.lacking[0].ticks, 5U);
+  const auto tension_only = std::find_if(terms.results.begin(), terms.results.end(),
+                                         [](const TermResult& r) { return r.term == "tension_only"; });
+  ASSERT_NE(tension_only, terms.results.end());
+  EXPECT_TRUE(tension_only->can_be_built);
+  EXPECT_GT(tension_only->shows_at, 0U);
+  EXPECT_NE(verdict(*tension_only).find("with it something is a centimetre elsewhere"), std::string::npos);
+
+  const game::Level held = *LevelFile(level_path).switched_on("tension_only", true, "stretch_stiffness");
+  game::Simulation simulation(held);
+  for (int k = 0; k < 10; ++k) simulation.tick({});
+  EXPECT_FALSE(pushes(simulation.scene().coupling().direct_cord(0), 9.81));
+}
+
+TEST_F(LevelStudy, ATermIsSwitchedOnWhereItCanBe) {
+  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+  int cords = 0;
+  for (auto& layer : json["layers"]) {
+    for (auto& object : layer["objects"]) {
+      if (!object.contains("polyline") || cords++ > 0) continue;
+      object["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
+    }
+  }
+  std::ofstream(level_path) << json.dump();
+  const auto scene = LevelFile(level_path).switched_on("tension_only", true, "stretch_stiffness")->make_scene();
+  for (int c = 0; c < cords; ++c) EXPECT_EQ(scene->coupling().direct_cord(c).def().tension_only, c == 0) << c;
+  EXPECT_FALSE(LevelFile(level_path).switched_on("area_stiffness", 1.0));
 }
 
 // --- the report --------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/state_hash.h"
+#include "tests/study/kept_trace.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -16,24 +17,27 @@ using Json = nlohmann::ordered_json;
 
 unsigned long long hash_of(const std::string& path) { return engine::hash_bytes(content_of(path)); }
 
-Json json_of(const Errors& e) { return Json::array({e.position_m, e.position_share, e.player_m, e.stretch}); }
+Json json_of(const Errors& e) {
+  return Json::array(
+      {e.position_m, e.position_share, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
+}
 
-Errors errors_of(const Json& j) { return {j.at(0), j.at(1), j.at(2), j.at(3)}; }
+/// JSON has no number that is none: it writes null.
+double number_of(const Json& j) { return j.is_null() ? lacking : j.get<double>(); }
+
+Errors errors_of(const Json& j) {
+  const auto at = [&j](std::size_t k) { return number_of(j.at(k)); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},
-          {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps},
-          {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},
-          {"error", json_of(m.error)},
-          {"mesh", json_of(m.mesh)},
-          {"known_to", m.known_to_m},
-          {"iterations", m.work.iterations},
-          {"stages", m.work.stages},
-          {"fallbacks", m.work.fallbacks},
-          {"halvings", m.work.halvings},
-          {"unconverged_ticks", m.unconverged_ticks},
+  return {{"solver", m.dials.solver},     {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps}, {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},     {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},      {"later", m.later.values},
+          {"known_to", m.known_to_m},     {"iterations", m.work.iterations},
+          {"stages", m.work.stages},      {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},  {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
 
@@ -42,6 +46,7 @@ Measured measured_of(const Json& j) {
   m.dials = {j.at("solver"), j.at("integrator"), j.at("substeps"), j.at("tolerance"), j.at("points")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
+  for (std::size_t k = 0; k < Statistics::count; ++k) m.later.values[k] = number_of(j.at("later").at(k));
   m.known_to_m = j.at("known_to");
   m.work.iterations = j.at("iterations");
   m.work.stages = j.at("stages");
@@ -54,12 +59,14 @@ Measured measured_of(const Json& j) {
 
 }  // namespace
 
-Results::Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path) {
+Results::Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path, bool quick)
+    : folder_(folder) {
   if (folder.empty()) return;
   std::array<char, 64> key{};
   std::snprintf(key.data(), key.size(), "%016llx-%016llx-%016llx", static_cast<unsigned long long>(level_hash),
                 hash_of(replay_path), hash_of("/proc/self/exe"));
   key_ = key.data();
+  key_ += quick ? "-quick" : "";
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const std::string path = folder + "/results.jsonl";
@@ -80,6 +87,21 @@ const Measured* Results::find(const Dials& dials) const {
 void Results::add(const Measured& measured) {
   if (!out_.is_open()) return;
   out_ << Json{{"key", key_}, {"measured", json_of(measured)}}.dump() << std::endl;
+}
+
+std::string Results::path_of_run(const std::string& name) const {
+  std::string file = name;
+  std::replace(file.begin(), file.end(), ' ', '_');
+  return folder_ + "/" + file + ".run";
+}
+
+std::optional<Trace> Results::run(const std::string& name) const {
+  if (folder_.empty()) return {};
+  return kept(key_ + " " + name, path_of_run(name));
+}
+
+void Results::add_run(const std::string& name, const Trace& trace) {
+  if (!folder_.empty()) keep(trace, key_ + " " + name, path_of_run(name));
 }
 
 }  // namespace study

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <optional>
+#include <variant>
 
 #include "engine/replay.h"
 #include "tests/study/words.h"
@@ -18,10 +19,22 @@ using ribbon::Vec2;
 constexpr double disturbance = 1e-10;  // m
 constexpr double visible = 1e-2;       // m
 constexpr int repeats = 7;
-constexpr double saved_share = 0.02;  // of the cost, less of which is noise
+constexpr double noise_share = 0.02;    // of the cost
+constexpr double pushing_share = 1e-3;  // of a cord's weight
 constexpr std::array<const char*, 10> switchable = {
     "friction", "restitution", "self_contact",      "cord_contact",  "tension_only",
     "drag",     "damping",     "bending_stiffness", "poisson_ratio", "area_stiffness"};
+
+/// What can be switched on, on cords that declare something else, if anything.
+struct Switch {
+  const char* term;
+  std::variant<bool, double> value;
+  const char* among;
+};
+constexpr std::array<Switch, 4> undeclared_terms = {{{"self_contact", true, ""},
+                                                     {"cord_contact", true, ""},
+                                                     {"tension_only", true, "stretch_stiffness"},
+                                                     {"area_stiffness", 1.0, ""}}};
 
 void note(Symptom& symptom, std::size_t tick) {
   if (symptom.ticks++ == 0) symptom.first_tick = tick;
@@ -34,6 +47,13 @@ std::vector<std::vector<Vec2>> lines_of(const engine::Coupling& coupling) {
     if (coupling.solver(c) == engine::Solver::direct) lines.push_back(middle_line(coupling, c));
   }
   return lines;
+}
+
+bool any_pushing(const engine::Coupling& coupling, double gravity) {
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) == engine::Solver::direct && pushes(coupling.direct_cord(c), gravity)) return true;
+  }
+  return false;
 }
 
 bool any_self_crossing(const std::vector<std::vector<Vec2>>& lines) {
@@ -71,6 +91,7 @@ std::vector<Symptom> find_symptoms(const LevelFile& file, std::span<const engine
   Symptom self{"cords pass through themselves", "self_contact"};
   Symptom mutual{"cords pass through each other", "cord_contact"};
   Symptom inverted{"cells of ribbons are turned inside out", "area_stiffness"};
+  Symptom pushing{"links push", "tension_only"};
   const game::Level level = file.level();
   LevelRun run(level, inputs);
   run.reset();
@@ -81,15 +102,88 @@ std::vector<Symptom> find_symptoms(const LevelFile& file, std::span<const engine
     if (any_self_crossing(lines)) note(self, tick);
     if (any_mutual_crossing(lines)) note(mutual, tick);
     if (any_inverted_cell(coupling)) note(inverted, tick);
+    const b2Vec2 gravity = run.simulation().scene().world().GetGravity();
+    if (any_pushing(coupling, static_cast<double>(gravity.Length()))) note(pushing, tick);
   }
   std::vector<Symptom> seen;
-  for (const Symptom& symptom : {self, mutual, inverted}) {
+  for (const Symptom& symptom : {self, mutual, inverted, pushing}) {
     if (symptom.ticks > 0) seen.push_back(symptom);
   }
   return seen;
 }
 
+/// A level to be compared with the one as it is, and what comes of it.
+struct Trial {
+  TermResult result;
+  std::optional<game::Level> level;
+};
+
+Trial without(const LevelFile& file, const char* term) {
+  Trial trial;
+  trial.result.term = term;
+  try {
+    trial.level = file.with_property(term, nullptr);
+  } catch (const engine::MapError&) {
+    trial.result.can_be_built = false;
+  }
+  return trial;
+}
+
+Trial with(const LevelFile& file, const Switch& on) {
+  Trial trial;
+  trial.result.term = on.term;
+  trial.result.declared = false;
+  trial.level = std::visit([&](auto value) { return file.switched_on(on.term, value, on.among); }, on.value);
+  trial.result.can_be_built = trial.level.has_value();
+  return trial;
+}
+
+std::vector<Trial> trials_of(const LevelFile& file) {
+  std::vector<Trial> trials;
+  for (const char* term : switchable) {
+    if (file.declares(term)) trials.push_back(without(file, term));
+  }
+  for (const Switch& on : undeclared_terms) {
+    if (!file.declares(on.term)) trials.push_back(with(file, on));
+  }
+  return trials;
+}
+
+void compare(Trial& trial, const Trace& as_it_is, std::span<const engine::TickInput> inputs, std::size_t ticks) {
+  const Trace changed = run(*trial.level, inputs);
+  const std::size_t same = std::min(ticks_together(as_it_is, changed, visible), ticks);
+  trial.result.shows_at = same < ticks ? same + 1 : 0;
+  trial.result.change = difference(changed, as_it_is, same);
+}
+
+void time(std::vector<Trial>& trials, const game::Level& as_it_is, std::span<const engine::TickInput> inputs,
+          const std::function<void(double)>& progress) {
+  std::vector<tradeoff::Timed> timed{timed_run(as_it_is, inputs)};
+  for (const Trial& trial : trials) {
+    if (trial.level) timed.push_back(timed_run(*trial.level, inputs));
+  }
+  const auto timings = tradeoff::interleaved_timings(timed, static_cast<int>(inputs.size()), repeats, progress);
+  std::size_t next = 1;
+  for (Trial& trial : trials) {
+    if (trial.level) trial.result.cost_share = timings[next++].median_us / timings[0].median_us;
+  }
+}
+
+/// At 12 % more cost; nothing is made of what is noise.
+std::string cost_in_words(double share) {
+  if (std::abs(share - 1.0) <= noise_share) return "at about the same cost";
+  return "at " + fixed(100.0 * std::abs(share - 1.0), 0) + " % " + (share > 1.0 ? "more" : "less") + " cost";
+}
+
 }  // namespace
+
+bool pushes(const ribbon::Cord& cord, double gravity) {
+  const ribbon::CordDef& def = cord.def();
+  if (def.rows > 1 || std::isinf(def.stretch_stiffness) || def.tension_only) return false;
+  const double most = pushing_share * def.mass_per_length * def.length * gravity;
+  return std::any_of(cord.tensions().begin(), cord.tensions().end(),
+                     [most](double tension) { return tension < -most; });
+}
 
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress) {
   const std::vector<engine::TickInput> inputs = inputs_of(engine::load_replay(replay_path));
@@ -100,43 +194,29 @@ Terms try_terms(const LevelFile& file, const std::string& replay_path, const std
   terms.ticks = ticks_together(trace, disturbed, visible);
   terms.lacking = find_symptoms(file, inputs);
 
-  std::vector<std::unique_ptr<game::Level>> levels;
-  std::vector<tradeoff::Timed> timed{timed_run(as_it_is, inputs)};
-  for (const char* term : switchable) {
-    if (!file.declares(term)) continue;
-    TermResult& result = terms.declared.emplace_back();
-    result.term = term;
-    try {
-      levels.push_back(std::make_unique<game::Level>(file.with_property(term, nullptr)));
-    } catch (const engine::MapError&) {
-      result.can_do_without = false;
-      continue;
-    }
-    const Trace without = run(*levels.back(), inputs);
-    const std::size_t same = ticks_together(trace, without, visible);
-    result.shows_at = same < terms.ticks ? same + 1 : 0;
-    result.change = difference(trace, without, std::min(same, terms.ticks));
-    timed.push_back(timed_run(*levels.back(), inputs));
-    progress(0.05 * static_cast<double>(terms.declared.size()));
+  std::vector<Trial> trials = trials_of(file);
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    if (trials[k].level) compare(trials[k], trace, inputs, terms.ticks);
+    progress(0.5 * static_cast<double>(k + 1) / static_cast<double>(trials.size()));
   }
-  const auto timings = tradeoff::interleaved_timings(timed, static_cast<int>(inputs.size()), repeats,
-                                                     [&](double share) { progress(0.5 + 0.5 * share); });
-  std::size_t next = 1;
-  for (TermResult& result : terms.declared) {
-    if (result.can_do_without) result.cost_share = timings[next++].median_us / timings[0].median_us;
-  }
+  time(trials, as_it_is, inputs, [&](double share) { progress(0.5 + 0.5 * share); });
+  for (Trial& trial : trials) terms.results.push_back(std::move(trial.result));
   return terms;
 }
 
 std::string verdict(const TermResult& result) {
-  if (!result.can_do_without) return "needed: such a cord cannot be built without it";
-  if (result.shows_at > 0) {
-    return "needed: without it something is a centimetre elsewhere from tick " + std::to_string(result.shows_at) +
-           " on";
+  if (!result.can_be_built) {
+    return result.declared ? "needed: such a cord cannot be built without it" : "left out: no cord of it can have it";
   }
-  const double saved = 1.0 - result.cost_share;
-  return "not needed: without it all is where it was, to " + significant(result.change.greatest_length(), 2) +
-         " m, at " + (saved > saved_share ? fixed(100.0 * saved, 0) + " % less" : "about the same") + " cost";
+  const std::string how = result.declared ? "without" : "with";
+  const std::string cost = cost_in_words(result.cost_share);
+  if (result.shows_at > 0) {
+    const std::string elsewhere =
+        how + " it something is a centimetre elsewhere from tick " + std::to_string(result.shows_at) + " on";
+    return result.declared ? "needed: " + elsewhere : "changes what happens: " + elsewhere + ", " + cost;
+  }
+  return "not needed: " + how + " it all is where it was, to " + significant(result.change.greatest_length(), 2) +
+         " m, " + cost;
 }
 
 }  // namespace study

@@ -26,6 +26,80 @@ void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
   }
 }
 
+double peak(std::span<const double> values) { return *std::max_element(values.begin(), values.end()); }
+
+/// No number if any is none.
+template <typename Value>
+double greatest(std::size_t count, Value&& value) {
+  double most = value(0);
+  for (std::size_t k = 1; k < count; ++k) {
+    const double next = value(k);
+    if (next > most || std::isnan(next)) most = next;
+  }
+  return most;
+}
+
+void add_places(Errors& errors, const Trace& run, const Trace& reference, std::size_t ticks) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < ticks; ++k) {
+    for (std::size_t s = 0; s < run.places[k].size(); ++s) {
+      const Vec2 off = run.places[k][s] - reference.places[k][s];
+      const double own_length = run.lengths[s / Trace::stations];
+      errors.position_m += dot(off, off);
+      errors.position_share += dot(off, off) / (own_length * own_length);
+      ++count;
+    }
+    const Vec2 off = run.player[k] - reference.player[k];
+    errors.player_m += dot(off, off);
+  }
+  errors.position_m = std::sqrt(errors.position_m / static_cast<double>(count));
+  errors.position_share = std::sqrt(errors.position_share / static_cast<double>(count));
+  errors.player_m = std::sqrt(errors.player_m / static_cast<double>(ticks));
+}
+
+void add_figures(Errors& errors, std::span<const Figures> run, const Trace& reference) {
+  const std::vector<Figures>& others = reference.figures;
+  const double tension = greatest(run.size(), [&](std::size_t k) { return run[k].tension; });
+  const double own = greatest(run.size(), [&](std::size_t k) { return others[k].tension; });
+  if (own > 0.0) errors.tension = std::abs(tension - own) / own;
+  errors.penetration = greatest(run.size(), [&](std::size_t k) { return run[k].penetration; });
+
+  const double longest = *std::max_element(reference.lengths.begin(), reference.lengths.end());
+  const double speed = std::sqrt(reference.gravity * longest);
+  if (!(reference.mass * speed > 0.0)) return;
+  errors.energy = greatest(run.size(), [&](std::size_t k) { return std::abs(run[k].energy - others[k].energy); }) /
+                  (reference.mass * speed * speed);
+  errors.momentum = greatest(run.size(), [&](std::size_t k) { return length(run[k].momentum - others[k].momentum); }) /
+                    (reference.mass * speed);
+}
+
+/// That of game::Level's cords, which do not bump into players.
+b2Filter cord_filter() {
+  b2Filter filter;
+  filter.maskBits = static_cast<std::uint16_t>(~game::player_category);
+  return filter;
+}
+
+void add_tick(Trace& trace, const game::Simulation& simulation) {
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  std::vector<Vec2>& places = trace.places.emplace_back();
+  Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene().world(), coupling, cord_filter()));
+  double& most_stretch = trace.stretch.emplace_back(0.0);
+  bool unconverged = false;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const std::vector<Vec2> line = middle_line(coupling, c);
+    add_stations(line, places);
+    const double stretch = length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0;
+    most_stretch = std::max(most_stretch, stretch);
+    figures.stretch += stretch / coupling.size();
+    if (coupling.solver(c) != engine::Solver::direct) continue;
+    trace.work += coupling.direct_report(c);
+    unconverged = unconverged || coupling.direct_report(c).unconverged > 0;
+  }
+  trace.unconverged_ticks += unconverged ? 1 : 0;
+  trace.player.push_back(simulation.player().position());
+}
+
 bool is_somewhere(Vec2 place) { return std::abs(place.x) <= furthest && std::abs(place.y) <= furthest; }
 
 }  // namespace
@@ -61,26 +135,21 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
   Trace trace;
   LevelRun run(level, inputs);
   run.reset();
-  const engine::Coupling* coupling = &run.simulation().scene().coupling();
-  for (int c = 0; c < coupling->size(); ++c) trace.lengths.push_back(length_of(middle_line(*coupling, c)));
+  const engine::Scene& start = run.simulation().scene();
+  for (int c = 0; c < start.coupling().size(); ++c) {
+    trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
+  }
+  trace.declared = declared_contacts(start.coupling());
+  trace.mass = mass_of(start.world(), start.coupling());
+  trace.gravity = static_cast<double>(start.world().GetGravity().Length());
+  PassageWatch watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
-    coupling = &run.simulation().scene().coupling();
-    std::vector<Vec2>& places = trace.places.emplace_back();
-    double stretch = 0.0;
-    bool unconverged = false;
-    for (int c = 0; c < coupling->size(); ++c) {
-      const std::vector<Vec2> line = middle_line(*coupling, c);
-      add_stations(line, places);
-      stretch = std::max(stretch, length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0);
-      if (coupling->solver(c) != engine::Solver::direct) continue;
-      trace.work += coupling->direct_report(c);
-      unconverged = unconverged || coupling->direct_report(c).unconverged > 0;
-    }
-    trace.unconverged_ticks += unconverged ? 1 : 0;
-    trace.player.push_back(run.simulation().player().position());
-    trace.stretch.push_back(stretch);
-    if (!std::all_of(places.begin(), places.end(), is_somewhere)) {
+    add_tick(trace, run.simulation());
+    if (run.simulation().run_ticks() == 1) watch.forget();  // the player has begun again
+    const engine::Scene& now = run.simulation().scene();
+    trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter()));
+    if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_somewhere)) {
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;
     }
@@ -88,30 +157,15 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs) {
   return trace;
 }
 
-Errors difference(const Trace& a, const Trace& b, std::size_t ticks) {
-  ticks = std::min({ticks, a.places.size(), b.places.size()});
+Errors difference(const Trace& run, const Trace& reference, std::size_t ticks) {
+  ticks = std::min({ticks, run.places.size(), reference.places.size()});
   Errors errors;
   if (ticks == 0) return errors;
-  double peak_a = 0.0;
-  double peak_b = 0.0;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < ticks; ++k) {
-    for (std::size_t s = 0; s < a.places[k].size(); ++s) {
-      const Vec2 off = a.places[k][s] - b.places[k][s];
-      const double own_length = a.lengths[s / Trace::stations];
-      errors.position_m += dot(off, off);
-      errors.position_share += dot(off, off) / (own_length * own_length);
-      ++count;
-    }
-    const Vec2 off = a.player[k] - b.player[k];
-    errors.player_m += dot(off, off);
-    peak_a = std::max(peak_a, a.stretch[k]);
-    peak_b = std::max(peak_b, b.stretch[k]);
-  }
-  errors.position_m = std::sqrt(errors.position_m / static_cast<double>(count));
-  errors.position_share = std::sqrt(errors.position_share / static_cast<double>(count));
-  errors.player_m = std::sqrt(errors.player_m / static_cast<double>(ticks));
-  errors.stretch = std::abs(peak_a - peak_b);
+  add_places(errors, run, reference, ticks);
+  errors.stretch =
+      std::abs(peak(std::span(run.stretch).first(ticks)) - peak(std::span(reference.stretch).first(ticks)));
+  const std::size_t known = std::min({ticks, run.figures.size(), reference.figures.size()});
+  if (known > 0) add_figures(errors, std::span(run.figures).first(known), reference);
   return errors;
 }
 

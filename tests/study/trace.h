@@ -8,6 +8,8 @@
 #include "engine/replay.h"
 #include "game/level.h"
 #include "game/simulation.h"
+#include "tests/study/figures.h"
+#include "tests/study/passages.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
@@ -20,6 +22,11 @@ struct Trace {
   std::vector<std::vector<ribbon::Vec2>> places;  ///< m, by tick: of all stations of all cords
   std::vector<ribbon::Vec2> player;               ///< m, by tick
   std::vector<double> stretch;                    ///< by tick: the most of a cord's whole length, as a share
+  std::vector<Figures> figures;                   ///< by tick
+  Passages declared;                              ///< what its cords must not go through
+  std::vector<Passages> passages;                 ///< by tick
+  double mass = 0.0;                              ///< kg, of cords and dynamic bodies
+  double gravity = 0.0;                           ///< m/s², its size
   ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver
   int unconverged_ticks = 0;                      ///< in which a cord of it was left unconverged
   std::string failure;                            ///< what became of it, if it ended before its time
@@ -53,19 +60,26 @@ std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::
 /// Runs all inputs, or until a place is no number or further off than a kilometre.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs);
 
-/// Errors, each of its own kind.
+/// How far a run is from a reference, each error of its own kind. What one of the runs lacks is no number.
+///
+/// Energy and momentum are no drifts: who plays gives a level both, and takes them, so that each is compared with the
+/// reference's in the same tick.
 struct Errors {
-  double position_m = 0.0;      ///< RMS over all stations and ticks
-  double position_share = 0.0;  ///< the same of each cord's own length
-  double player_m = 0.0;        ///< RMS over all ticks
-  double stretch = 0.0;         ///< of the peak, as a share of a cord's length
+  double position_m = 0.0;       ///< RMS over all stations and ticks
+  double position_share = 0.0;   ///< the same of each cord's own length
+  double player_m = 0.0;         ///< RMS over all ticks
+  double stretch = 0.0;          ///< of the peak, as a share of a cord's length
+  double tension = lacking;      ///< of the peak, as a share of the reference's peak
+  double penetration = lacking;  ///< the run's own deepest after any tick, as a share of the cord's radius
+  double energy = lacking;       ///< the greatest after any tick, as a share of weight of all × longest cord
+  double momentum = lacking;     ///< the greatest after any tick, as a share of mass of all × √(g × longest cord)
 
   /// m, the greatest of those that are lengths.
   double greatest_length() const { return position_m > player_m ? position_m : player_m; }
 };
 
-/// The difference of two runs of a level in the first `ticks`, at most as many as both have.
-Errors difference(const Trace& a, const Trace& b, std::size_t ticks);
+/// How far `run` is from `reference`, a run of the same level, in the first `ticks`, at most as many as both have.
+Errors difference(const Trace& run, const Trace& reference, std::size_t ticks);
 
 /// The first tick after which two runs are further apart than `most` metres anywhere, or all there are: beyond that
 /// what a run does is chance.

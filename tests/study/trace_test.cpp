@@ -16,6 +16,13 @@ Trace still(std::size_t ticks) {
   trace.places.assign(ticks, std::vector<Vec2>(2 * Trace::stations));
   trace.player.assign(ticks, {});
   trace.stretch.assign(ticks, 0.0);
+  trace.mass = 3.0;
+  trace.gravity = 9.0;
+  Figures figures;
+  figures.tension = 100.0;
+  figures.penetration = 0.0;
+  figures.energy = 50.0;
+  trace.figures.assign(ticks, figures);
   return trace;
 }
 
@@ -34,6 +41,38 @@ TEST(Trace, ErrorsAreWhatTheyAreMadeOf) {
   EXPECT_NEAR(errors.stretch, 0.01, 1e-15);
   EXPECT_NEAR(errors.greatest_length(), std::sqrt(2.0), 1e-15);
   EXPECT_NEAR(difference(a, b, 3).stretch, 0.0, 1e-15);
+}
+
+TEST(Trace, ErrorsOfOtherKindsAreSharesOfTheirScales) {
+  const Trace reference = still(10);
+  Trace trace = still(10);
+  trace.figures[2].tension = 130.0;
+  trace.figures[4].penetration = 0.7;
+  trace.figures[5].energy = 50.0 - 27.0;
+  trace.figures[6].momentum = {0.0, -9.0};
+  const Errors errors = difference(trace, reference, 10);
+  EXPECT_NEAR(errors.tension, 0.3, 1e-15);
+  EXPECT_NEAR(errors.penetration, 0.7, 1e-15);
+  EXPECT_NEAR(errors.energy, 27.0 / (3.0 * 9.0 * 4.0), 1e-15);  // the longest cord has 4 m
+  EXPECT_NEAR(errors.momentum, 9.0 / (3.0 * 6.0), 1e-15);
+  EXPECT_NEAR(difference(reference, trace, 10).tension, 30.0 / 130.0, 1e-15);
+  EXPECT_EQ(difference(reference, trace, 10).penetration, 0.0);  // the run's own
+  EXPECT_EQ(difference(trace, reference, 2).tension, 0.0);
+  EXPECT_EQ(difference(trace, reference, 2).energy, 0.0);
+}
+
+TEST(Trace, WhatARunLacksIsNoError) {
+  Trace trace = still(10);
+  trace.figures[3] = {};
+  Errors errors = difference(trace, still(10), 10);
+  for (const double error : {errors.tension, errors.penetration, errors.energy}) EXPECT_TRUE(std::isnan(error));
+  EXPECT_EQ(errors.momentum, 0.0);
+  trace.figures.clear();
+  errors = difference(trace, still(10), 10);
+  EXPECT_TRUE(std::isnan(errors.momentum));
+  Trace weightless = still(10);
+  weightless.gravity = 0.0;
+  EXPECT_TRUE(std::isnan(difference(still(10), weightless, 10).energy));
 }
 
 TEST(Trace, RunsAreTogetherUntilTheirFirstDifference) {
@@ -61,6 +100,18 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
   EXPECT_EQ(trace.places.back()[Trace::stations - 1], x.back());
   EXPECT_EQ(trace.player.back(), simulation.player().position());
   EXPECT_GT(trace.work.iterations, 0);
+  EXPECT_GT(trace.figures.back().tension, 0.0);
+  EXPECT_GE(trace.figures.back().penetration, 0.0);
+  EXPECT_LT(trace.figures.back().penetration, 1.0);
+  EXPECT_NEAR(trace.figures.back().stretch, 0.0, 1e-3);
+  double energy = 0.0;
+  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    const double speed = length(simulation.scene().coupling().velocity(*body));
+    if (body->GetType() == b2_dynamicBody) energy += 0.5 * static_cast<double>(body->GetMass()) * speed * speed;
+  }
+  EXPECT_GE(trace.figures.back().kinetic, energy);
+  EXPECT_GT(trace.mass, level.player_mass + 13.0);  // its cords
+  EXPECT_NEAR(trace.gravity, 9.81, 1e-6);
   EXPECT_TRUE(trace.failure.empty());
 }
 

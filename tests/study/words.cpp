@@ -19,6 +19,10 @@ std::string fixed(double value, int decimals) {
   return text.data();
 }
 
+std::string count_of(int count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string content_of(const std::string& path) {
   const std::ifstream in(path, std::ios::binary);
   std::ostringstream content;

@@ -8,6 +8,8 @@ namespace study {
 std::string significant(double value, int digits);
 /// With so many decimals: 8.45.
 std::string fixed(double value, int decimals);
+/// 1 tick, 2 ticks.
+std::string count_of(int count, const std::string& what);
 /// What a file has in it; empty if it cannot be read.
 std::string content_of(const std::string& path);
 

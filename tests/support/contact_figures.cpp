@@ -1,6 +1,7 @@
 #include "tests/support/contact_figures.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/convert.h"
 #include "ribbon/cell.h"
@@ -44,21 +45,46 @@ int side(Vec2 a, Vec2 b, Vec2 p) {
   return twice_area > 0.0 ? 1 : twice_area < 0.0 ? -1 : 0;
 }
 
-/// m, how much nearer the segment a b is to the fixture than `radius` allows.
-double depth(const b2Fixture& fixture, Vec2 a, Vec2 b, double radius) {
-  const b2Body& body = *fixture.GetBody();
-  if (fixture.GetType() == b2Shape::e_circle) {
-    const auto& circle = static_cast<const b2CircleShape&>(*fixture.GetShape());
-    const Vec2 center = to_double(body.GetWorldPoint(circle.m_p));
-    return radius + static_cast<double>(circle.m_radius) - gap_between(center, a, b).distance;
-  }
-  if (fixture.GetType() != b2Shape::e_edge) return 0.0;
-  const auto& edge = static_cast<const b2EdgeShape&>(*fixture.GetShape());
+/// How far a and b are beyond `edge` along n, the nearer of them; below 0 if they are not.
+double beyond(Vec2 n, Vec2 edge, Vec2 a, Vec2 b) { return std::min(dot(n, a - edge), dot(n, b - edge)); }
+
+double depth_in_circle(const b2CircleShape& circle, const b2Body& body, Vec2 a, Vec2 b) {
+  const Vec2 center = to_double(body.GetWorldPoint(circle.m_p));
+  return static_cast<double>(circle.m_radius) - gap_between(center, a, b).distance;
+}
+
+double depth_in_edge(const b2EdgeShape& edge, const b2Body& body, Vec2 a, Vec2 b) {
   const Vec2 c = to_double(body.GetWorldPoint(edge.m_vertex1));
   const Vec2 d = to_double(body.GetWorldPoint(edge.m_vertex2));
   const double ends = std::min(gap_between(a, c, d).distance, gap_between(b, c, d).distance);
-  if (is_crossing(a, b, c, d)) return radius + ends;
-  return radius - std::min({ends, gap_between(c, a, b).distance, gap_between(d, a, b).distance});
+  if (is_crossing(a, b, c, d)) return ends;
+  return -std::min({ends, gap_between(c, a, b).distance, gap_between(d, a, b).distance});
+}
+
+/// Two convex shapes overlap by the least way along a normal of either that takes them apart (separating axes).
+double depth_in_polygon(const b2PolygonShape& polygon, const b2Body& body, Vec2 a, Vec2 b) {
+  const Vec2 across = length(b - a) > 0.0 ? (1.0 / length(b - a)) * perp(b - a) : Vec2{0.0, 1.0};
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  double apart = most;
+  double distance = least;
+  for (int k = 0; k < polygon.m_count; ++k) {
+    const Vec2 c = to_double(body.GetWorldPoint(polygon.m_vertices[k]));
+    const Vec2 d = to_double(body.GetWorldPoint(polygon.m_vertices[(k + 1) % polygon.m_count]));
+    apart = std::max(apart, beyond(to_double(body.GetWorldVector(polygon.m_normals[k])), c, a, b));
+    least = std::min(least, dot(across, c - a));
+    most = std::max(most, dot(across, c - a));
+    distance = std::min(
+        {distance, gap_between(a, c, d).distance, gap_between(b, c, d).distance, gap_between(c, a, b).distance});
+  }
+  apart = std::max({apart, least, -most});
+  return apart < 0.0 ? -apart : -distance;
+}
+
+Bounds bounds_of(const b2Fixture& fixture) {
+  b2AABB box;
+  fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), 0);
+  return {to_double(box.lowerBound), to_double(box.upperBound)};
 }
 
 }  // namespace
@@ -97,6 +123,17 @@ int mutual_crossings(std::span<const Vec2> a, bool a_closed, std::span<const Vec
   return count;
 }
 
+std::vector<Vec2> outline_of(std::span<const Vec2> points, int rows) {
+  if (rows == 1) return {points.begin(), points.end()};
+  const int columns = static_cast<int>(points.size()) / rows;
+  std::vector<Vec2> around;
+  for (int i = 0; i < columns; ++i) around.push_back(points[at(i * rows)]);
+  for (int j = 1; j + 1 < rows; ++j) around.push_back(points[at((columns - 1) * rows + j)]);
+  for (int i = columns; i-- > 0;) around.push_back(points[at(i * rows + rows - 1)]);
+  for (int j = rows - 1; j-- > 1;) around.push_back(points[at(j)]);
+  return around;
+}
+
 int self_crossings(const CoupledWorld& world) {
   int count = 0;
   for (int c = 0; c < world.cords(); ++c) count += self_crossings(world.outline(c), world.is_closed(c));
@@ -132,33 +169,48 @@ int inverted_cells(const CoupledWorld& world) {
   return count;
 }
 
-double penetration(const CoupledWorld& world) {
-  struct Obstacle {
-    const b2Fixture* fixture;
-    Bounds bounds;
-  };
-  std::vector<Obstacle> obstacles;
-  for (const b2Body* body = world.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-      if (fixture->GetType() == b2Shape::e_polygon) continue;  // a chain's boxes
-      if (world.method().thesis && fixture->GetType() != b2Shape::e_circle) continue;
-      b2AABB box;
-      fixture->GetShape()->ComputeAABB(&box, body->GetTransform(), 0);
-      obstacles.push_back({fixture, {to_double(box.lowerBound), to_double(box.upperBound)}});
-    }
+bool meets(const b2Fixture& fixture, const b2Filter& filter) {
+  if (fixture.IsSensor() || !fixture.GetBody()->IsEnabled()) return false;
+  const b2Filter& other = fixture.GetFilterData();
+  if (filter.groupIndex == other.groupIndex && filter.groupIndex != 0) return filter.groupIndex > 0;
+  return (filter.maskBits & other.categoryBits) != 0 && (filter.categoryBits & other.maskBits) != 0;
+}
+
+double depth(const b2Fixture& fixture, Vec2 a, Vec2 b) {
+  const b2Body& body = *fixture.GetBody();
+  switch (fixture.GetType()) {
+    case b2Shape::e_circle: return depth_in_circle(static_cast<const b2CircleShape&>(*fixture.GetShape()), body, a, b);
+    case b2Shape::e_edge: return depth_in_edge(static_cast<const b2EdgeShape&>(*fixture.GetShape()), body, a, b);
+    case b2Shape::e_polygon:
+      return depth_in_polygon(static_cast<const b2PolygonShape&>(*fixture.GetShape()), body, a, b);
+    default: return -std::numeric_limits<double>::infinity();
   }
+}
+
+double penetration(const b2World& world, const Outline& outline, const b2Filter& filter) {
+  Bounds near = bounds_of(outline.points);
+  near.grow(outline.radius);
   double deepest = 0.0;
-  for (int c = 0; c < world.cords(); ++c) {
-    const std::vector<Vec2> line = world.outline(c);
-    const double radius = world.radius(c);
-    Bounds near = bounds_of(line);
-    near.grow(radius);
-    for (const Obstacle& obstacle : obstacles) {
-      if (!near.meets(obstacle.bounds)) continue;
-      for (std::size_t k = 0; k < links_of(line, world.is_closed(c)); ++k) {
-        deepest = std::max(deepest, depth(*obstacle.fixture, line[k], line[(k + 1) % line.size()], radius));
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      if (!meets(*fixture, filter) || !near.meets(bounds_of(*fixture))) continue;
+      for (std::size_t k = 0; k < links_of(outline.points, outline.closed); ++k) {
+        const Vec2 next = outline.points[(k + 1) % outline.points.size()];
+        deepest = std::max(deepest, outline.radius + depth(*fixture, outline.points[k], next));
       }
     }
+  }
+  return deepest;
+}
+
+double penetration(const CoupledWorld& world) {
+  b2Filter met;
+  met.maskBits = static_cast<uint16>(~CoupledWorld::box_category);
+  if (world.method().thesis) met.maskBits &= static_cast<uint16>(~CoupledWorld::edge_category);
+  double deepest = 0.0;
+  for (int c = 0; c < world.cords(); ++c) {
+    const Outline outline{world.outline(c), world.is_closed(c), world.radius(c)};
+    deepest = std::max(deepest, penetration(world.world, outline, met));
   }
   return deepest;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/convert.h"
+#include "tests/support/contact_figures.h"
 
 namespace test_support {
 namespace {
@@ -29,8 +30,6 @@ void slow_down(Cord& cord) {
     cord.set_velocity(static_cast<int>(p), 0.9 * cord.velocities()[p]);
   }
 }
-
-constexpr uint16 box_category = 2;  // of all chains: with others' boxes they collide as with their own
 
 /// Where a cord without positions lies.
 std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
@@ -152,6 +151,7 @@ b2Body& CoupledWorld::add_edges(const std::vector<Vec2>& corners, double frictio
     b2FixtureDef fixture;
     fixture.shape = &shape;
     fixture.friction = static_cast<float>(friction);
+    fixture.filter.categoryBits = edge_category;
     body->CreateFixture(&fixture);
   }
   return *body;
@@ -249,15 +249,7 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
 
 std::vector<Vec2> CoupledWorld::outline(int cord) const {
   if (!is_closed(cord)) return points(cord);
-  const auto all = coupling.positions(cord);
-  const int rows = this->rows(cord);
-  const int columns = defs_[at(cord)].points;
-  std::vector<Vec2> around;
-  for (int i = 0; i < columns; ++i) around.push_back(all[at(i * rows)]);
-  for (int j = 1; j + 1 < rows; ++j) around.push_back(all[at((columns - 1) * rows + j)]);
-  for (int i = columns; i-- > 0;) around.push_back(all[at(i * rows + rows - 1)]);
-  for (int j = rows - 1; j-- > 1;) around.push_back(all[at(j)]);
-  return around;
+  return outline_of(coupling.positions(cord), rows(cord));
 }
 
 double CoupledWorld::tension(int cord, int point) const {

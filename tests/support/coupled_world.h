@@ -30,6 +30,9 @@ class CoupledWorld {
   CoupledWorld& operator=(const CoupledWorld&) = delete;
 
   static constexpr double dt = 1.0 / 60.0;  // s
+  /// Of the boxes of all chains: with others' they collide as with their own.
+  static constexpr uint16 box_category = 2;
+  static constexpr uint16 edge_category = 4;
 
   /// Returns its index. Of a chain, that of a rope: its boxes are as thick as the cord, and have its friction. Of the
   /// thesis's, a grid of as many columns of square cells: a rope has a second row to its right, a link away, both rows

@@ -1,0 +1,117 @@
+#include "tests/study/figures.h"
+
+#include <algorithm>
+
+#include "engine/convert.h"
+
+namespace study {
+namespace {
+
+using engine::to_double;
+using ribbon::Vec2;
+
+/// The greater; a number is greater than none.
+double greater(double a, double b) { return b > a || a != a ? b : a; }
+
+bool is_direct(const engine::Coupling& coupling, engine::CordIndex cord) {
+  return coupling.solver(cord) == engine::Solver::direct;
+}
+
+double mass_of_point(const engine::Coupling& coupling, engine::CordIndex cord, int point) {
+  return is_direct(coupling, cord) ? coupling.direct_cord(cord).mass(point) : coupling.cord(cord).def().point_mass;
+}
+
+std::span<const Vec2> velocities_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  return is_direct(coupling, cord) ? coupling.direct_cord(cord).velocities() : coupling.cord(cord).velocities();
+}
+
+/// N, of a rope's links, or of a ribbon's bars, which stand behind its cells.
+double tension_of(const ribbon::Cord& cord) {
+  const ribbon::CordDef& def = cord.def();
+  const bool has_cells = def.rows > 1 && def.elements == ribbon::Elements::cells;
+  const auto cells = static_cast<std::size_t>(has_cells ? (def.points - 1) * (def.rows - 1) : 0);
+  double most = lacking;
+  for (const double tension : cord.tensions().subspan(cells)) most = greater(most, tension);
+  return most;
+}
+
+struct Motion {
+  double mass = 0.0;  // kg
+  double kinetic = 0.0;
+  double potential = 0.0;
+  Vec2 momentum{};
+
+  void add(double m, Vec2 x, Vec2 v, Vec2 gravity) {
+    mass += m;
+    kinetic += 0.5 * m * dot(v, v);
+    potential -= m * dot(gravity, x);
+    momentum += m * v;
+  }
+};
+
+Motion motion_of_bodies(const b2World& world, const engine::Coupling& coupling) {
+  Motion motion;
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (body->GetType() != b2_dynamicBody) continue;
+    const double mass = static_cast<double>(body->GetMass());
+    motion.add(mass, to_double(body->GetWorldCenter()), coupling.velocity(*body), to_double(world.GetGravity()));
+    // Box2D tells the inertia about the body's origin; Steiner's term takes it to the centre of mass.
+    const Vec2 from_origin = to_double(body->GetLocalCenter());
+    const double inertia = static_cast<double>(body->GetInertia()) - mass * dot(from_origin, from_origin);
+    const double turning = static_cast<double>(body->GetAngularVelocity());
+    motion.kinetic += 0.5 * inertia * turning * turning;
+  }
+  return motion;
+}
+
+Motion motion_of_cord(const engine::Coupling& coupling, engine::CordIndex cord, Vec2 gravity) {
+  Motion motion;
+  const auto x = coupling.positions(cord);
+  const auto v = velocities_of(coupling, cord);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    motion.add(mass_of_point(coupling, cord, static_cast<int>(p)), x[p], v[p], gravity);
+  }
+  return motion;
+}
+
+}  // namespace
+
+double mass_of(const b2World& world, const engine::Coupling& coupling) {
+  double mass = motion_of_bodies(world, coupling).mass;
+  for (int c = 0; c < coupling.size(); ++c) mass += motion_of_cord(coupling, c, {}).mass;
+  return mass;
+}
+
+Figures figures_of(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter) {
+  const Vec2 gravity = to_double(world.GetGravity());
+  const Motion bodies = motion_of_bodies(world, coupling);
+  Figures figures;
+  figures.kinetic = bodies.kinetic;
+  figures.momentum = bodies.momentum;
+  figures.energy = bodies.kinetic + bodies.potential;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const Motion motion = motion_of_cord(coupling, c, gravity);
+    figures.kinetic += motion.kinetic;
+    figures.momentum += motion.momentum;
+    if (!is_direct(coupling, c)) {
+      figures.energy = lacking;
+      continue;
+    }
+    const ribbon::Cord& cord = coupling.direct_cord(c);
+    figures.energy += cord.energy(gravity).total();
+    figures.tension = greater(figures.tension, tension_of(cord));
+    const double radius = cord.def().radius;
+    if (radius == 0.0) continue;
+    const double deepest = test_support::penetration(world, outline_of(coupling, c), filter);
+    figures.penetration = greater(figures.penetration, deepest / radius);
+  }
+  return figures;
+}
+
+test_support::Outline outline_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  const int rows = coupling.shape(cord).rows;
+  const double radius = is_direct(coupling, cord) ? coupling.direct_cord(cord).def().radius : 0.0;
+  return {test_support::outline_of(coupling.positions(cord), rows), rows > 1, radius};
+}
+
+}  // namespace study

@@ -1,0 +1,122 @@
+#include "tests/study/kept_trace.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <type_traits>
+
+#include "engine/state_hash.h"
+#include "tests/study/words.h"
+
+namespace study {
+namespace {
+
+/// Puts values behind each other as they stand in memory: files are for the program that wrote them.
+class Writer {
+ public:
+  template <typename T>
+  void operator()(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <typename T>
+  void operator()(const std::vector<T>& values) {
+    (*this)(values.size());
+    for (const T& value : values) (*this)(value);
+  }
+  void operator()(const std::string& text) {
+    (*this)(text.size());
+    bytes_ += text;
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Takes them from there; what it reads has been found to be whole.
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : bytes_(&bytes) {}
+  template <typename T>
+  void operator()(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(&value, bytes_->data() + at_, sizeof value);
+    at_ += sizeof value;
+  }
+  template <typename T>
+  void operator()(std::vector<T>& values) {
+    values.resize(size());
+    for (T& value : values) (*this)(value);
+  }
+  void operator()(std::string& text) {
+    const std::size_t length = size();
+    text = bytes_->substr(at_, length);
+    at_ += length;
+  }
+
+ private:
+  std::size_t size() {
+    std::size_t size = 0;
+    (*this)(size);
+    return size;
+  }
+
+  const std::string* bytes_;
+  std::size_t at_ = 0;
+};
+
+/// All that a trace has, by name: what is new in it does not compile until it is kept too.
+template <typename T, typename Visit>
+void visit_all(T& trace, Visit& visit) {
+  auto& [lengths, places, player, stretch, figures, declared, passages, mass, gravity, work, unconverged_ticks,
+         failure] = trace;
+  visit(lengths);
+  visit(places);
+  visit(player);
+  visit(stretch);
+  visit(figures);
+  visit(declared);
+  visit(passages);
+  visit(mass);
+  visit(gravity);
+  visit(work);
+  visit(unconverged_ticks);
+  visit(failure);
+}
+
+/// What stands before it: the key, and the hash of what follows.
+std::string head_of(const std::string& key, const std::string& content) {
+  return key + ' ' + std::to_string(engine::hash_bytes(content)) + '\n';
+}
+
+}  // namespace
+
+bool keep(const Trace& trace, const std::string& key, const std::string& path) {
+  Writer writer;
+  visit_all(trace, writer);
+  const std::string beside = path + ".new";
+  {
+    std::ofstream out(beside, std::ios::binary);
+    out << head_of(key, writer.bytes()) << writer.bytes();
+    out.flush();
+    if (!out) return false;
+  }
+  std::error_code error;
+  std::filesystem::rename(beside, path, error);
+  return !error;
+}
+
+std::optional<Trace> kept(const std::string& key, const std::string& path) {
+  const std::string all = content_of(path);
+  const std::size_t end = all.find('\n');
+  if (end == std::string::npos) return {};
+  const std::string content = all.substr(end + 1);
+  if (all.compare(0, end + 1, head_of(key, content)) != 0) return {};
+  Trace trace;
+  Reader reader(content);
+  visit_all(trace, reader);
+  return trace;
+}
+
+}  // namespace study

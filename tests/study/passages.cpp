@@ -1,0 +1,188 @@
+#include "tests/study/passages.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/convert.h"
+#include "tests/study/trace.h"
+#include "tests/support/contact_figures.h"
+
+namespace study {
+namespace {
+
+using engine::to_double;
+using ribbon::Vec2;
+using Line = std::vector<Vec2>;
+
+constexpr std::size_t lag = 15;  // ticks, by which a run's motion may differ from its reference's
+
+bool is_circle(const b2Fixture& fixture) { return fixture.GetType() == b2Shape::e_circle; }
+
+Vec2 center_of(const b2Fixture& fixture) {
+  const b2Shape& shape = *fixture.GetShape();
+  b2Vec2 local{0.0F, 0.0F};
+  if (is_circle(fixture)) local = static_cast<const b2CircleShape&>(shape).m_p;
+  if (fixture.GetType() == b2Shape::e_polygon) local = static_cast<const b2PolygonShape&>(shape).m_centroid;
+  return to_double(fixture.GetBody()->GetWorldPoint(local));
+}
+
+double radius_of(const b2Fixture& fixture) {
+  return is_circle(fixture) ? static_cast<double>(fixture.GetShape()->m_radius) : 0.0;
+}
+
+std::vector<const b2Fixture*> fixtures_of(const b2World& world, const b2Filter& filter) {
+  std::vector<const b2Fixture*> fixtures;
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      if (test_support::meets(*fixture, filter)) fixtures.push_back(fixture);
+    }
+  }
+  return fixtures;
+}
+
+PassingLink passing_link(const PassageWatch::Moment& moment, std::size_t cord, std::size_t link, std::size_t fixture) {
+  const Line& line = moment.lines[cord];
+  return {line[link], line[link + 1], moment.centers[fixture]};
+}
+
+/// By column of a cord: whether somebody drives a point of it.
+std::vector<char> driven_columns(const engine::Coupling& coupling, engine::CordIndex cord) {
+  const engine::CordShape shape = coupling.shape(cord);
+  std::vector<char> driven(static_cast<std::size_t>(shape.columns), 0);
+  for (int p = 0; p < shape.columns * shape.rows; ++p) {
+    if (coupling.kind(cord, p) != ribbon::PointKind::free) driven[static_cast<std::size_t>(p / shape.rows)] = 1;
+  }
+  return driven;
+}
+
+/// Whether the link is, or was, where it can have met the fixture.
+bool may_meet(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is) {
+  b2AABB box;
+  fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), 0);
+  const Vec2 low = to_double(box.lowerBound) - (is.c - was.c);
+  const Vec2 high = to_double(box.upperBound) - (is.c - was.c);
+  const auto [left, right] = std::minmax({was.a.x, was.b.x, is.a.x, is.b.x});
+  const auto [bottom, top] = std::minmax({was.a.y, was.b.y, is.a.y, is.b.y});
+  return std::min(low.x, to_double(box.lowerBound).x) <= right &&
+         left <= std::max(high.x, to_double(box.upperBound).x) && std::min(low.y, to_double(box.lowerBound).y) <= top &&
+         bottom <= std::max(high.y, to_double(box.upperBound).y);
+}
+
+/// Whether a link of this half thickness is on both sides of the fixture, or came to its other side.
+bool is_through(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is, double half_thickness) {
+  if (!may_meet(fixture, was, is)) return false;
+  const double depth = test_support::depth(fixture, is.a, is.b);
+  switch (fixture.GetType()) {
+    case b2Shape::e_edge: return depth > 0.0;
+    case b2Shape::e_circle: return depth > std::max(radius_of(fixture) - half_thickness, 0.0) || passes(was, is);
+    default: return depth > half_thickness || passes(was, is);
+  }
+}
+
+bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::size_t to, std::size_t cord, int kind) {
+  for (std::size_t k = from; k < std::min(to, passages.size()); ++k) {
+    if (cord < passages[k].size() && (passages[k][cord] & kind) != 0) return true;
+  }
+  return false;
+}
+
+/// What the thesis's cords should not cross is known to others only.
+bool may_declare(const engine::Coupling& coupling, engine::CordIndex cord, bool ribbon::CordDef::*contact) {
+  return coupling.solver(cord) == engine::Solver::thesis || coupling.direct_cord(cord).def().*contact;
+}
+
+void mark(Passages& passages, int cord, Passage kind) {
+  unsigned char& bits = passages[static_cast<std::size_t>(cord)];
+  bits = static_cast<unsigned char>(bits | kind);
+}
+
+void mark_crossings(Passages& passages, const engine::Coupling& coupling, const std::vector<Line>& lines) {
+  for (int a = 0; a < coupling.size(); ++a) {
+    const Line& line = lines[static_cast<std::size_t>(a)];
+    if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
+      mark(passages, a, through_itself);
+    }
+    for (int b = 0; b < a && may_declare(coupling, a, &ribbon::CordDef::cord_contact); ++b) {
+      if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
+      if (test_support::mutual_crossings(line, false, lines[static_cast<std::size_t>(b)], false) == 0) continue;
+      mark(passages, a, through_cord);
+      mark(passages, b, through_cord);
+    }
+  }
+}
+
+}  // namespace
+
+bool passes(const PassingLink& before, const PassingLink& after) {
+  // As seen from c, with p and q the ends: p + t·dp, q + t·dq, and on one line with c where their cross product is 0.
+  const Vec2 p = before.a - before.c;
+  const Vec2 q = before.b - before.c;
+  const Vec2 dp = after.a - after.c - p;
+  const Vec2 dq = after.b - after.c - q;
+  const double c0 = cross(p, q);
+  const double c1 = cross(p, dq) + cross(dp, q);
+  const double c2 = cross(dp, dq);
+  const auto is_between = [&](double t) { return t > 0.0 && t <= 1.0 && dot(p + t * dp, q + t * dq) < 0.0; };
+  const double root = std::sqrt(std::max(c1 * c1 - 4.0 * c2 * c0, 0.0));
+  if (c1 * c1 < 4.0 * c2 * c0) return false;
+  // Both without the difference of near numbers; one is none where nothing bends.
+  const double sum = -0.5 * (c1 + std::copysign(root, c1));
+  return (sum != 0.0 && is_between(c0 / sum)) || (c2 != 0.0 && is_between(sum / c2));
+}
+
+Passages PassageWatch::look(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter) {
+  const std::vector<const b2Fixture*> fixtures = fixtures_of(world, filter);
+  Moment now;
+  for (const b2Fixture* fixture : fixtures) now.centers.push_back(center_of(*fixture));
+  for (int c = 0; c < coupling.size(); ++c) now.lines.push_back(middle_line(coupling, c));
+  const bool is_known = before_.centers.size() == now.centers.size() && before_.lines.size() == now.lines.size();
+  const Moment& before = is_known ? before_ : now;
+
+  Passages passages(now.lines.size(), 0);
+  for (int c = 0; c < coupling.size(); ++c) {
+    const std::vector<char> driven = driven_columns(coupling, c);
+    const double half_thickness = 0.5 * coupling.shape(c).thickness;
+    for (std::size_t k = 0; k + 1 < driven.size(); ++k) {
+      if (driven[k] != 0 || driven[k + 1] != 0) continue;
+      for (std::size_t f = 0; f < fixtures.size(); ++f) {
+        const PassingLink was = passing_link(before, static_cast<std::size_t>(c), k, f);
+        const PassingLink is = passing_link(now, static_cast<std::size_t>(c), k, f);
+        if (is_through(*fixtures[f], was, is, half_thickness)) mark(passages, c, through_body);
+      }
+    }
+  }
+  mark_crossings(passages, coupling, now.lines);
+  before_ = std::move(now);
+  return passages;
+}
+
+Passages declared_contacts(const engine::Coupling& coupling) {
+  Passages declared(static_cast<std::size_t>(coupling.size()), through_body);
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) == engine::Solver::thesis) continue;
+    if (coupling.direct_cord(c).def().self_contact) mark(declared, c, through_itself);
+    if (coupling.direct_cord(c).def().cord_contact) mark(declared, c, through_cord);
+  }
+  return declared;
+}
+
+std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference,
+                        const Passages& declared, std::size_t ticks) {
+  constexpr std::array<std::pair<Passage, const char*>, 3> kinds = {
+      {{through_body, "a body"}, {through_itself, "itself"}, {through_cord, "another cord"}}};
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    const std::size_t from = std::min(k, ticks) - std::min({k, ticks, lag});
+    const std::size_t to = k < ticks ? k + lag + 1 : reference.size();
+    for (std::size_t c = 0; c < run[k].size(); ++c) {
+      for (const auto& [kind, what] : kinds) {
+        if ((run[k][c] & declared[c] & kind) == 0 || is_marked(reference, from, to, c, kind)) continue;
+        return "cord " + std::to_string(c + 1) + " went through " + what + " in tick " + std::to_string(k + 1);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace study

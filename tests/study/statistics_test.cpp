@@ -1,0 +1,46 @@
+#include "tests/study/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace study {
+namespace {
+
+/// Of 2 kg in 6 ticks: the player at heights 0 … 5 m, stretches of a hundredth a tick, 4 J a tick.
+Trace rising() {
+  Trace trace;
+  trace.mass = 2.0;
+  for (int k = 0; k < 6; ++k) {
+    trace.player.push_back({9.0, 1.0 * k});
+    trace.stretch.push_back(k == 3 ? 0.5 : 0.02 * k);
+    Figures& figures = trace.figures.emplace_back();
+    figures.stretch = 0.01 * k;
+    figures.kinetic = 4.0 * k;
+  }
+  return trace;
+}
+
+TEST(Statistics, AreOfTheTicksThatAreLeft) {
+  const Statistics later = statistics(rising(), 2);
+  const double deviation = std::sqrt(1.25);  // of 2, 3, 4, 5
+  const std::array<double, Statistics::count> expected = {3.5, deviation, 0.035, 0.5, 7.0, 2.0 * deviation};
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(later.values[k], expected[k], 1e-15) << later.names[k];
+  EXPECT_NEAR(statistics(rising(), 4).values[3], 0.1, 1e-15);
+}
+
+TEST(Statistics, DifferencesHaveNoSign) {
+  const Statistics off = difference(statistics(rising(), 4), statistics(rising(), 2));
+  EXPECT_NEAR(off.values[0], 1.0, 1e-15);
+  EXPECT_NEAR(off.values[3], 0.4, 1e-15);
+}
+
+TEST(Statistics, OfNoTicksThereAreNone) {
+  for (const double value : statistics(rising(), 6).values) EXPECT_TRUE(std::isnan(value));
+  Trace failed = rising();
+  failed.failure = "blew up in tick 6";
+  for (const double value : statistics(failed, 2).values) EXPECT_TRUE(std::isnan(value));
+}
+
+}  // namespace
+}  // namespace study
