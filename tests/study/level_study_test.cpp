@@ -398,8 +398,8 @@ TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
   const std::string complaint = message_of([&] { write_report(report, folder); });
   EXPECT_EQ(complaint.empty(), can_plot()) << complaint;
   EXPECT_EQ(content_of(folder + "/points.csv"),
-            "group,method,setting,cost_us,p99_us,error_m,failure,stretch\n,direct,fast,1,2,0.1,,0.1\n"
-            ",chain,slow,50,60,0.2,,0.2\n,chain,worse,5,6,,blew up in tick 3,0.3\n");
+            "method,setting,cost_us,p99_us,error_m,failure,group,stretch\ndirect,fast,1,2,0.1,,,0.1\n"
+            "chain,slow,50,60,0.2,,,0.2\nchain,worse,5,6,,blew up in tick 3,,0.3\n");
   EXPECT_NE(content_of(folder + "/points.json").find("\"front\": true"), std::string::npos);
   const std::string page = content_of(folder + "/index.html");
   EXPECT_NE(page.find("a &lt;scene&gt;"), std::string::npos);
@@ -440,7 +440,7 @@ TEST_F(LevelStudy, GroupsOfAReportStandApart) {
   EXPECT_NE(heading, std::string::npos) << page;
   EXPECT_LT(page.find("<td>worse"), heading);  // beside what it is compared with
   EXPECT_NE(page.find("<th>depth"), std::string::npos);
-  EXPECT_NE(content_of(folder + "/points.csv").find("\nheavy & slow,chain,slow,"), std::string::npos);
+  EXPECT_NE(content_of(folder + "/points.csv").find("\nchain,slow,50,60,0.2,,heavy & slow,"), std::string::npos);
   const std::string plot = content_of(folder + "/front.gp");
   EXPECT_NE(plot.find("$front_0 << END\n1 0.1\nEND"), std::string::npos) << plot;
   EXPECT_NE(plot.find("$front_1 << END\n50 0.2\nEND"), std::string::npos);

@@ -44,13 +44,13 @@ bool is_shown(const Point& point) { return point.failure.empty() && std::isfinit
 
 std::string csv_of(const Report& report) {
   std::ostringstream out;
-  out << "group,method,setting,cost_us,p99_us,error_m,failure";
+  out << "method,setting,cost_us,p99_us,error_m,failure,group";
   for (const std::string& column : report.columns) out << ',' << column;
   out << '\n';
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
-    out << p.group << ',' << p.method << ',' << p.setting << ',' << number(p.cost_us) << ',' << number(p.p99_us) << ','
-        << (is_shown(p) ? number(p.error_m) : "") << ',' << p.failure;
+    out << p.method << ',' << p.setting << ',' << number(p.cost_us) << ',' << number(p.p99_us) << ','
+        << (is_shown(p) ? number(p.error_m) : "") << ',' << p.failure << ',' << p.group;
     if (k < report.cells.size()) {
       for (const std::string& cell : report.cells[k]) out << ',' << cell;
     }
