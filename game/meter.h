@@ -13,8 +13,8 @@ namespace game {
 /// it.
 class Meter {
  public:
-  /// Whether the next tick is one of those whose error is to be estimated (engine::Coupling::estimate_errors): ten a second,
-  /// for it costs more than the tick.
+  /// Whether the next tick is one of those whose error is to be estimated (engine::Coupling::estimate_errors): ten a
+  /// second, for it costs more than the tick.
   bool wants_estimate() const { return ticks_ % ticks_an_estimate == 0; }
   /// After a tick that took so long. One with an estimate tells nothing of what others cost.
   void add(const Simulation& simulation, std::int64_t nanoseconds);

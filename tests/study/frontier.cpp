@@ -24,12 +24,10 @@ std::string with_cost(const Point& point) {
   return point.method + " " + point.setting + " takes " + significant(point.cost_us, 3) + " us a tick";
 }
 
-}  // namespace
-
-std::vector<std::size_t> front(std::span<const Point> points) {
+std::vector<std::size_t> front_of(std::span<const Point> points, const std::string& group) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (counts(points[k])) order.push_back(k);
+    if (counts(points[k]) && points[k].group == group) order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(), [points](std::size_t a, std::size_t b) {
     if (points[a].cost_us != points[b].cost_us) return points[a].cost_us < points[b].cost_us;
@@ -42,26 +40,55 @@ std::vector<std::size_t> front(std::span<const Point> points) {
   return on_it;
 }
 
-std::vector<std::string> who_is_ahead(std::span<const Point> points,
-                                      const std::function<bool(const std::string& method)>& is_ours) {
-  const auto ours = [&](const Point& p) { return counts(p) && is_ours(p.method); };
-  const auto others = [&](const Point& p) { return counts(p) && !is_ours(p.method); };
-  if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return {};
-  std::vector<std::string> sentences;
+void add_who_is_ahead(std::span<const Point> points, const std::string& group,
+                      const std::function<bool(const std::string& method)>& is_ours, const std::string& prefix,
+                      std::vector<std::string>& sentences) {
+  const auto ours = [&](const Point& p) { return counts(p) && p.group == group && is_ours(p.method); };
+  const auto others = [&](const Point& p) { return counts(p) && p.group == group && !is_ours(p.method); };
+  if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return;
+  const std::size_t told = sentences.size();
   const Point* before = nullptr;  // on the front: what is cheaper, and enough where its error is allowed
-  for (const std::size_t k : front(points)) {
+  for (const std::size_t k : front_of(points, group)) {
     const Point& p = points[k];
     if (!is_ours(p.method)) {
       const auto rival = best(
-          points, [&](const Point& q) { return is_ours(q.method) && q.error_m <= p.error_m; },
+          points, [&](const Point& q) { return ours(q) && q.error_m <= p.error_m; },
           [](const Point& a, const Point& b) { return a.cost_us < b.cost_us; });
-      sentences.push_back("A baseline is ahead at errors from " + significant(p.error_m, 3) + " m " +
+      sentences.push_back(prefix + "A baseline is ahead at errors from " + significant(p.error_m, 3) + " m " +
                           (before == nullptr ? "up" : "to " + significant(before->error_m, 3) + " m") + ": " +
                           with_cost(p) + ", " + (rival ? with_cost(points[*rival]) : "none of ours is so exact") + ".");
     }
     before = &p;
   }
-  if (sentences.empty()) sentences.emplace_back("At every error our settings are the front.");
+  if (sentences.size() == told) sentences.push_back(prefix + "At every error our settings are the front.");
+}
+
+}  // namespace
+
+std::vector<std::string> groups_of(std::span<const Point> points) {
+  std::vector<std::string> groups;
+  for (const Point& point : points) {
+    if (std::find(groups.begin(), groups.end(), point.group) == groups.end()) groups.push_back(point.group);
+  }
+  return groups;
+}
+
+std::vector<std::size_t> front(std::span<const Point> points) {
+  std::vector<std::size_t> all;
+  for (const std::string& group : groups_of(points)) {
+    const std::vector<std::size_t> own = front_of(points, group);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+std::vector<std::string> who_is_ahead(std::span<const Point> points,
+                                      const std::function<bool(const std::string& method)>& is_ours) {
+  std::vector<std::string> sentences;
+  const std::vector<std::string> groups = groups_of(points);
+  for (const std::string& group : groups) {
+    add_who_is_ahead(points, group, is_ours, groups.size() > 1 ? group + ": " : "", sentences);
+  }
   return sentences;
 }
 

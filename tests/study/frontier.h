@@ -18,16 +18,20 @@ struct Point {
   double p99_us = 0.0;                                        ///< that 99 of 100 ticks stay below
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< the greatest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it does
-  bool apart = false;  ///< its error is against another motion than the others': told, and never compared
+  bool apart = false;      ///< its error is against another motion than the others': told, and never compared
+  std::string group = {};  ///< what was simulated, if a report has several such: ratio=100. Groups are not compared
 };
+
+/// The names of the points' groups, each once, in their order.
+std::vector<std::string> groups_of(std::span<const Point> points);
 
 /// Of what is promised, that a setting has to meet when it is measured: the rest is for another run, another machine's
 /// mood.
 inline constexpr double kept_error = 0.8;
 inline constexpr double kept_budget = 0.75;
 
-/// Those that no other is both cheaper and more exact than, by rising cost. What failed or stands apart is never
-/// among them.
+/// Those that no other of their group is both cheaper and more exact than: group by group, by rising cost. What failed
+/// or stands apart is never among them.
 std::vector<std::size_t> front(std::span<const Point> points);
 
 /// What the front says of our methods against the others, in sentences: where one of those is on it, at which errors,

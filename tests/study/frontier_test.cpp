@@ -36,6 +36,14 @@ TEST(Frontier, WhatStandsApartIsNotCompared) {
   EXPECT_EQ(cheapest_within(points, 100.0), 3U);
 }
 
+TEST(Frontier, GroupsAreNotCompared) {
+  std::vector<Point> points = {point(1.0, 0.5), point(2.0, 0.1), point(3.0, 0.4), point(4.0, 0.3)};
+  for (const std::size_t k : {0U, 2U, 3U}) points[k].group = "heavy";
+  points[1].group = "light";  // would be ahead of the other two
+  EXPECT_EQ(groups_of(points), (std::vector<std::string>{"heavy", "light"}));
+  EXPECT_EQ(front(points), (std::vector<std::size_t>{0, 2, 3, 1}));
+}
+
 TEST(Frontier, OfEqualCostTheMoreExactIsOnIt) {
   const std::vector<Point> points = {point(1.0, 0.5), point(1.0, 0.2), point(2.0, 0.2)};
   EXPECT_EQ(front(points), std::vector<std::size_t>{1});

@@ -1,9 +1,12 @@
 #include "tests/study/plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -12,7 +15,9 @@
 namespace study {
 namespace {
 
-constexpr double least = 1e-12;  // drawn, for a logarithm has no 0
+/// Told apart by who does not see red and green alike too.
+constexpr std::array<const char*, 8> colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                               "#e69f00", "#56b4e9", "#7f3c8d", "#666666"};
 
 std::string number(double value) { return significant(value, 4); }
 
@@ -26,26 +31,28 @@ std::vector<std::string> methods_of(std::span<const Point> points) {
   return methods;
 }
 
-/// Above all errors: where failures are drawn.
-double top_of(std::span<const Point> points) {
+/// The least and the greatest error above 0 that is drawn; 1 if there is none.
+std::pair<double, double> range_of(std::span<const Point> points) {
+  double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
   for (const Point& point : points) {
-    if (is_drawn(point)) most = std::max(most, point.error_m);
+    if (!is_drawn(point) || point.error_m <= 0.0) continue;
+    least = std::min(least, point.error_m);
+    most = std::max(most, point.error_m);
   }
-  return most > 0.0 ? 4.0 * most : 1.0;
+  return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
 }
 
-/// A block of data by name; gnuplot does without one that is empty only if it has a line that is no number.
-template <typename Take>
-void add_data(std::ostringstream& out, const std::string& name, std::span<const Point> points, Take&& take) {
-  out << '$' << name << " << END\n";
-  bool any = false;
-  for (const Point& p : points) {
-    if (!take(p)) continue;
-    out << number(p.cost_us) << ' ' << number(std::max(p.error_m, least)) << '\n';
-    any = true;
+/// The least and the greatest cost that is drawn, the same for all groups, µs.
+std::pair<double, double> costs_of(std::span<const Point> points) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const Point& point : points) {
+    if ((!is_drawn(point) && point.failure.empty()) || !(point.cost_us > 0.0)) continue;
+    least = std::min(least, point.cost_us);
+    most = std::max(most, point.cost_us);
   }
-  out << (any ? "END\n" : "NaN NaN\nEND\n");
+  return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
 }
 
 /// As one word for a shell, whatever is in it.
@@ -61,39 +68,125 @@ std::string in_shell_quotes(const std::string& text) {
   return quoted + "'";
 }
 
+std::string color_of(std::size_t method) {
+  return std::string(" linecolor '") + colors.at(method % colors.size()) + "'";
+}
+
+std::string mark_of(std::size_t method) { return "points pointtype " + std::to_string(method + 4) + color_of(method); }
+
+/// What the marks are, once for all groups.
+std::string legend_of(std::span<const Point> points, const std::vector<std::string>& methods) {
+  std::string legend = ", keyentry with lines linewidth 2 linecolor 'black' title 'front'";
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    legend += ", keyentry with " + mark_of(m) + " title '" + methods[m] + "' noenhanced";
+  }
+  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); })) {
+    legend += ", keyentry with points pointtype 2 linewidth 2 linecolor 'black' title 'failed'";
+  }
+  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return p.apart; })) {
+    legend += ", keyentry with points pointtype 7 pointsize 0.3 linecolor 'black' title 'not compared'";
+  }
+  return legend;
+}
+
+/// One group's plot: blocks of data under names of its own, and what draws them.
+class Panel {
+ public:
+  Panel(std::span<const Point> points, const std::string& group, std::size_t index)
+      : group_(group), suffix_(std::string("_").append(std::to_string(index))) {
+    std::copy_if(points.begin(), points.end(), std::back_inserter(points_),
+                 [&](const Point& p) { return p.group == group; });
+    const auto [least, most] = range_of(points_);
+    bottom_ = 0.3 * least;
+    top_ = 4.0 * most;
+  }
+
+  /// `methods` are those of all groups, so that each looks the same in all of them.
+  std::string text(const std::vector<std::string>& methods, const std::string& legend) {
+    std::vector<Point> best;
+    for (const std::size_t k : front(points_)) best.push_back(points_[k]);
+    add("front", best, "lines linewidth 2 linecolor 'black'");
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const auto those = [&](auto&& take) {
+        std::vector<Point> some;
+        std::copy_if(points_.begin(), points_.end(), std::back_inserter(some),
+                     [&](const Point& p) { return p.method == methods[m] && take(p); });
+        return some;
+      };
+      const std::string index = std::to_string(m);
+      add("method" + index, those([](const Point& p) { return is_drawn(p) && !p.apart; }), mark_of(m));
+      add("apart" + index, those([](const Point& p) { return is_drawn(p) && p.apart; }), mark_of(m) + " pointsize 0.4");
+      add("failed" + index, those([](const Point& p) { return !p.failure.empty(); }),
+          "points pointtype 2 linewidth 2" + color_of(m));
+    }
+    std::ostringstream out;
+    out << data_.str() << "set title '" << group_ << "' noenhanced\nset yrange [" << number(0.5 * bottom_) << ':'
+        << number(1.5 * top_) << "]\nplot NaN notitle" << layers_ << legend << '\n';
+    return out.str();
+  }
+
+ private:
+  /// A logarithm has no 0: that is drawn below the least.
+  void add(const std::string& name, const std::vector<Point>& points, const std::string& style) {
+    if (points.empty()) return;
+    data_ << '$' << name << suffix_ << " << END\n";
+    for (const Point& p : points) {
+      data_ << number(p.cost_us) << ' ' << number(p.failure.empty() ? std::max(p.error_m, bottom_) : top_) << '\n';
+    }
+    data_ << "END\n";
+    layers_ += ", $" + name + suffix_ + " using 1:2 with " + style + " notitle";
+  }
+
+  std::string group_;
+  std::string suffix_;
+  std::vector<Point> points_;
+  double bottom_ = 0.0;
+  double top_ = 0.0;
+  std::ostringstream data_;
+  std::string layers_;
+};
+
+/// Room for panels of equal size, two beside each other, and for the legend to their right.
+std::string layout_of(std::size_t panels, const std::string& name) {
+  const std::size_t columns = panels > 1 ? 2 : 1;
+  const std::size_t rows = (panels + columns - 1) / columns;
+  const double width = columns > 1 ? 1200.0 : 960.0;
+  const double height = columns > 1 ? 400.0 * static_cast<double>(rows) : 640.0;
+  std::ostringstream out;
+  out << "set terminal svg size " << number(width) << ',' << number(height)
+      << " font 'DejaVu Sans,13' background rgb 'white'\n"
+      << "set output '" << name << ".svg'\n"
+      << "set multiplot layout " << rows << ',' << columns << " margins " << number(90.0 / width) << ','
+      << number(1.0 - 200.0 / width) << ',' << number(60.0 / height) << ',' << number(1.0 - 40.0 / height)
+      << " spacing " << number(100.0 / width) << ',' << number(100.0 / height) << '\n';
+  return out.str();
+}
+
 }  // namespace
 
 std::string plot_of(std::span<const Point> points, const std::string& axis, const std::string& name) {
-  std::ostringstream out;
+  const std::vector<std::string> groups = groups_of(points);
   const std::vector<std::string> methods = methods_of(points);
-  const double top = top_of(points);
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    add_data(out, "method" + std::to_string(m), points,
-             [&](const Point& p) { return p.method == methods[m] && is_drawn(p); });
-  }
-  std::vector<Point> best;
-  for (const std::size_t k : front(points)) best.push_back(points[k]);
-  add_data(out, "front", best, [](const Point&) { return true; });
-  std::vector<Point> failed(points.begin(), points.end());
-  for (Point& point : failed) point.error_m = top;
-  add_data(out, "failed", failed, [](const Point& p) { return !p.failure.empty(); });
-
-  out << "set terminal svg size 960,640 font 'DejaVu Sans,13' background rgb 'white'\n"
-      << "set output '" << name << ".svg'\n"
-      << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
+  const auto [least, most] = costs_of(points);
+  const double left = 0.7 * least;
+  const double right = std::max(1.4 * most, 1500.0);
+  std::ostringstream out;
+  out << layout_of(groups.size(), name);
+  out << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
       << "set xlabel 'cost [µs a tick]'\nset ylabel '" << axis << "' noenhanced\n"
-      << "set key outside right center\nset offsets graph 0.02, graph 0.02, 0, 0\n"
-      << "set xrange [*:20000<*]\nset yrange [*:" << number(1.5 * top) << "]\n";
+      << "set xrange [" << number(left) << ':' << number(right) << "]\n";
   for (const auto& [us, label] : {std::pair{1000, "1 ms"}, {16700, "16.7 ms"}}) {
+    if (us < 3.0 * left || us > right) continue;
     out << "set arrow from " << us << ", graph 0 to " << us << ", graph 1 nohead dashtype 2 linecolor 'gray'\n"
-        << "set label '" << label << "' at " << us << ", graph 0.97 right offset -0.5,0\n";
+        << "set label '" << label << "' at " << us << ", graph 0.03 right offset -0.5,0\n";
   }
-  out << "plot $front using 1:2 with lines linewidth 2 linecolor 'black' title 'front'";
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    out << ", $method" << m << " using 1:2 with points pointtype " << m + 4 << " pointsize 0.9 title '" << methods[m]
-        << "' noenhanced";
+  const std::size_t upper_right = groups.size() > 1 ? 1 : 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const bool has_legend = g == upper_right;
+    out << (has_legend ? "set key outside right top Left reverse samplen 2\n" : "unset key\n")
+        << Panel(points, groups[g], g).text(methods, has_legend ? legend_of(points, methods) : "");
   }
-  out << ", $failed using 1:2 with points pointtype 2 pointsize 1.2 linecolor 'red' title 'failed'\n";
+  out << "unset multiplot\n";
   return out.str();
 }
 

@@ -7,8 +7,8 @@
 
 namespace study {
 
-/// What gnuplot draws NAME.svg from: the points' errors against their costs, their front, and failures at the top. What
-/// has no number is left out.
+/// What gnuplot draws NAME.svg from: the points' errors against their costs, their front, and failures at the top; a
+/// plot a group, beside each other. What has no number is left out.
 std::string plot_of(std::span<const Point> points, const std::string& axis, const std::string& name);
 
 /// Has gnuplot draw NAME.gp in a folder. False if it could not; then gnuplot.log is there.

@@ -44,13 +44,13 @@ bool is_shown(const Point& point) { return point.failure.empty() && std::isfinit
 
 std::string csv_of(const Report& report) {
   std::ostringstream out;
-  out << "method,setting,cost_us,p99_us,error_m,failure";
+  out << "method,setting,cost_us,p99_us,error_m,failure,group";
   for (const std::string& column : report.columns) out << ',' << column;
   out << '\n';
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
     out << p.method << ',' << p.setting << ',' << number(p.cost_us) << ',' << number(p.p99_us) << ','
-        << (is_shown(p) ? number(p.error_m) : "") << ',' << p.failure;
+        << (is_shown(p) ? number(p.error_m) : "") << ',' << p.failure << ',' << p.group;
     if (k < report.cells.size()) {
       for (const std::string& cell : report.cells[k]) out << ',' << cell;
     }
@@ -65,7 +65,7 @@ std::string json_of(const Report& report) {
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
     nlohmann::ordered_json entry{
-        {"method", p.method}, {"setting", p.setting}, {"cost_us", p.cost_us}, {"p99_us", p.p99_us}};
+        {"group", p.group}, {"method", p.method}, {"setting", p.setting}, {"cost_us", p.cost_us}, {"p99_us", p.p99_us}};
     entry["error_m"] = is_shown(p) ? nlohmann::ordered_json(p.error_m) : nlohmann::ordered_json();
     entry["failure"] = p.failure;
     entry["front"] = std::find(on_front.begin(), on_front.end(), k) != on_front.end();
@@ -94,18 +94,11 @@ bool plot(const std::string& folder, const std::vector<Point>& points, const std
   return draw(folder, name);
 }
 
-std::string html_of(const Report& report) {
-  std::ostringstream out;
-  out << head_of(report.title + ": what accuracy costs");
-  for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
-  out << "<p><img src=\"front.svg\" alt=\"Error against cost, both logarithmic\"></p>\n"
-         "<p>Bold: no other setting is both cheaper and more exact.</p>\n<table>\n<tr><th>method<th>setting<th>µs a "
-         "tick<th>99 of 100 below<th>error [m]";
-  for (const std::string& column : report.columns) out << "<th>" << escaped(column);
-  out << "\n";
+void add_rows(std::ostringstream& out, const Report& report, const std::string& group) {
   const std::vector<std::size_t> on_front = front(report.points);
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
+    if (p.group != group) continue;
     const bool best = std::find(on_front.begin(), on_front.end(), k) != on_front.end();
     out << (best          ? "<tr class=\"front\">"
             : is_shown(p) ? "<tr>"
@@ -117,6 +110,22 @@ std::string html_of(const Report& report) {
       for (const std::string& cell : report.cells[k]) out << "<td>" << escaped(cell);
     }
     out << "\n";
+  }
+}
+
+std::string html_of(const Report& report) {
+  std::ostringstream out;
+  out << head_of(report.title + ": what accuracy costs");
+  for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
+  out << "<p><img src=\"front.svg\" alt=\"Error against cost, both logarithmic\"></p>\n"
+         "<p>Bold: no other setting is both cheaper and more exact.</p>\n<table>\n<tr><th>method<th>setting<th>µs a "
+         "tick<th>99 of 100 below<th>"
+      << escaped(report.axis);
+  for (const std::string& column : report.columns) out << "<th>" << escaped(column);
+  out << "\n";
+  for (const std::string& group : groups_of(report.points)) {
+    if (!group.empty()) out << "<tr><th colspan=\"" << 5 + report.columns.size() << "\">" << escaped(group) << "\n";
+    add_rows(out, report, group);
   }
   out << "</table>\n";
   for (const Metric& metric : report.metrics) {
@@ -136,7 +145,7 @@ void write_report(const Report& report, const std::string& folder) {
   write(folder + "/points.csv", csv_of(report));
   write(folder + "/points.json", json_of(report));
   write(folder + "/index.html", html_of(report));
-  bool drawn = plot(folder, report.points, "error [m]", "front");
+  bool drawn = plot(folder, report.points, report.axis, "front");
   for (const Metric& metric : report.metrics) {
     std::vector<Point> points = report.points;
     for (std::size_t k = 0; k < points.size(); ++k) points[k].error_m = metric.values[k];
@@ -150,6 +159,8 @@ void write_report(const Report& report, const std::string& folder) {
 
 void write_contents(const std::string& title, const std::vector<std::string>& notes,
                     const std::vector<std::string>& folders, const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
   std::ostringstream out;
   out << head_of(title);
   for (const std::string& note : notes) out << "<p>" << escaped(note) << "</p>\n";

@@ -21,6 +21,7 @@ struct Report {
   std::vector<std::string> columns;               ///< names of further columns, by point in `cells`
   std::vector<std::vector<std::string>> cells{};  ///< their texts
   std::vector<Metric> metrics{};                  ///< further plots: errors of another kind are never made one
+  std::string axis = "error [m]";                 ///< what the points' own error is
 };
 
 /// Writes points.csv, points.json, index.html and a plot of the points' own error and of each metric, drawn by gnuplot
@@ -28,7 +29,7 @@ struct Report {
 /// cannot be written, or, with everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
 
-/// A page with the plots of reports in folders of these names beside it.
+/// A page with the plots of reports in folders of these names beside it. Makes the folder.
 void write_contents(const std::string& title, const std::vector<std::string>& notes,
                     const std::vector<std::string>& folders, const std::string& folder);
 

@@ -31,14 +31,21 @@ Errors errors_of(const Json& j) {
 }
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},     {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps}, {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},     {"velocity_iterations", m.dials.iterations},
-          {"error", json_of(m.error)},    {"mesh", json_of(m.mesh)},
+  return {{"solver", m.dials.solver},
+          {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps},
+          {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},
+          {"velocity_iterations", m.dials.iterations},
+          {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},
           {"later", m.later.values},
-          {"known_to", m.known_to_m},     {"iterations", m.work.iterations},
-          {"stages", m.work.stages},      {"fallbacks", m.work.fallbacks},
-          {"halvings", m.work.halvings},  {"unconverged_ticks", m.unconverged_ticks},
+          {"known_to", m.known_to_m},
+          {"iterations", m.work.iterations},
+          {"stages", m.work.stages},
+          {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},
+          {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
 

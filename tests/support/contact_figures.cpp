@@ -204,12 +204,13 @@ double penetration(const b2World& world, const Outline& outline, const b2Filter&
 }
 
 double penetration(const CoupledWorld& world) {
-  b2Filter all_but_boxes;
-  all_but_boxes.maskBits = static_cast<uint16>(~CoupledWorld::box_category);
+  b2Filter met;
+  met.maskBits = static_cast<uint16>(~CoupledWorld::box_category);
+  if (world.method().thesis) met.maskBits &= static_cast<uint16>(~CoupledWorld::edge_category);
   double deepest = 0.0;
   for (int c = 0; c < world.cords(); ++c) {
     const Outline outline{world.outline(c), world.is_closed(c), world.radius(c)};
-    deepest = std::max(deepest, penetration(world.world, outline, all_but_boxes));
+    deepest = std::max(deepest, penetration(world.world, outline, met));
   }
   return deepest;
 }

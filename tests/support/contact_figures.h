@@ -37,7 +37,7 @@ double depth(const b2Fixture& fixture, ribbon::Vec2 a, ribbon::Vec2 b);
 /// m, the deepest that an outline is in a circle, an edge or a polygon of the world that `filter` lets it meet, its
 /// radius counted; 0 if it is in none.
 double penetration(const b2World& world, const Outline& outline, const b2Filter& filter);
-/// The deepest of its cords; of chains, without the boxes.
+/// The deepest of its cords; of chains, without the boxes, and of the thesis's, without edges.
 double penetration(const CoupledWorld& world);
 /// Of a rope, as a share of its length.
 double stretch(const CoupledWorld& world, int cord);

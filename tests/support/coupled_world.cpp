@@ -1,6 +1,8 @@
 #include "tests/support/coupled_world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "engine/convert.h"
 #include "tests/support/contact_figures.h"
@@ -12,10 +14,56 @@ using engine::to_double;
 using engine::to_float;
 using ribbon::Vec2;
 
+/// J, without that of its springs, which as stiff as these hold next to none.
+double energy_of(const ribbon::ThesisCord& cord, Vec2 gravity) {
+  double sum = 0.0;
+  for (std::size_t p = 0; p < cord.positions().size(); ++p) {
+    const Vec2 v = cord.velocities()[p];
+    sum += cord.def().point_mass * (0.5 * dot(v, v) - dot(gravity, cord.positions()[p]));
+  }
+  return sum;
+}
+
+template <typename Cord>
+void slow_down(Cord& cord) {
+  for (std::size_t p = 0; p < cord.positions().size(); ++p) {
+    cord.set_velocity(static_cast<int>(p), 0.9 * cord.velocities()[p]);
+  }
+}
+
 /// Where a cord without positions lies.
 std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
   if (!def.positions.empty()) return def.positions;
   return {ribbon::Cord(def).positions().begin(), ribbon::Cord(def).positions().end()};
+}
+
+/// The same cord as the thesis makes it. Its springs are as stiff as give back their share of a link's error whatever
+/// the substeps: of stiffer ones, 0.9 and more, those across a cell make what meets circles hum, up to speeds of 100
+/// m/s.
+ribbon::ThesisDef thesis_def(const ribbon::CordDef& def, const CordMethod& method) {
+  const double inverse_substep = method.substeps / CoupledWorld::dt;
+  ribbon::ThesisDef thesis;
+  thesis.w = def.points;
+  thesis.h = std::max(def.rows, 2);
+  thesis.spacing = def.length / (def.points - 1);
+  thesis.point_mass = def.mass_per_length * def.length / (thesis.w * thesis.h);
+  const double kappa = method.spring_share / (1.0 - method.spring_share);
+  thesis.spring_stiffness = 0.5 * kappa * thesis.point_mass * inverse_substep * inverse_substep;
+  thesis.bar_damping = thesis.point_mass * inverse_substep;
+  thesis.self_collision = def.self_contact;
+  thesis.substeps = method.substeps;
+  const int rows = thesis.h / def.rows;
+  for (const int pin : def.pins) thesis.pins.push_back(rows * pin);
+  const std::vector<Vec2>& line = def.positions;
+  thesis.positions = line;
+  if (rows == 1) return thesis;
+  thesis.positions.clear();
+  for (std::size_t p = 0; p < line.size(); ++p) {
+    const Vec2 along = line[std::min(p + 1, line.size() - 1)] - line[p > 0 ? p - 1 : 0];
+    thesis.positions.push_back(line[p]);
+    thesis.positions.push_back(line[p] - (thesis.spacing / length(along)) * perp(along));
+  }
+  return thesis;
 }
 
 }  // namespace
@@ -32,6 +80,8 @@ int CoupledWorld::add(ribbon::CordDef def) {
   defs_.push_back(std::move(def));
   if (method_.chain) {
     add_chain(defs_.back());
+  } else if (method_.thesis) {
+    coupling.add(ribbon::ThesisCord(thesis_def(defs_.back(), method_)));
   } else {
     coupling.add(ribbon::Cord(defs_.back()));
   }
@@ -71,6 +121,7 @@ b2Body& CoupledWorld::add_edges(const std::vector<Vec2>& corners, double frictio
     b2FixtureDef fixture;
     fixture.shape = &shape;
     fixture.friction = static_cast<float>(friction);
+    fixture.filter.categoryBits = edge_category;
     body->CreateFixture(&fixture);
   }
   return *body;
@@ -97,7 +148,8 @@ void CoupledWorld::hold(int cord, int point, b2Body& body) {
   if (method_.chain) {
     hold_chain(cord, point, body);
   } else {
-    coupling.hold(cord, point, body, body.GetLocalPoint(to_float(coupling.positions(cord)[at(point)])));
+    const int index = index_of(cord, point);
+    coupling.hold(cord, index, body, body.GetLocalPoint(to_float(coupling.positions(cord)[at(index)])));
   }
 }
 
@@ -107,7 +159,7 @@ void CoupledWorld::hold_chain(int cord, int point, b2Body& body) {
 }
 
 void CoupledWorld::pull(int cord, int point, Vec2 force) {
-  if (!method_.chain) coupling.direct_cord(cord).set_load(point, force);
+  if (!method_.chain && !method_.thesis) coupling.direct_cord(cord).set_load(point, force);
   for (Pull& pull : pulls_) {
     if (pull.cord != cord || pull.point != point) continue;
     pull.force = force;
@@ -118,9 +170,18 @@ void CoupledWorld::pull(int cord, int point, Vec2 force) {
 
 void CoupledWorld::our_share() {
   if (coupling.size() == 0) return;
+  if (method_.thesis) pull_thesis_cords();
   coupling.gather(world, dt);
   coupling.step();
   coupling.apply();
+}
+
+void CoupledWorld::pull_thesis_cords() {
+  for (const Pull& pull : pulls_) {
+    ribbon::ThesisCord& cord = coupling.cord(pull.cord);
+    const int point = index_of(pull.cord, pull.point);
+    cord.set_velocity(point, cord.velocities()[at(point)] + (dt / cord.def().point_mass) * pull.force);
+  }
 }
 
 void CoupledWorld::step_world() {
@@ -139,7 +200,10 @@ void CoupledWorld::step_world() {
 std::vector<Vec2> CoupledWorld::points(int cord) const {
   if (!method_.chain) {
     const auto positions = coupling.positions(cord);
-    return {positions.begin(), positions.end()};
+    std::vector<Vec2> points;
+    const int count = defs_[at(cord)].points * defs_[at(cord)].rows;
+    for (int p = 0; p < count; ++p) points.push_back(positions[at(index_of(cord, p))]);
+    return points;
   }
   const JointChain& boxes = chains_[at(cord)].boxes;
   std::vector<Vec2> points;
@@ -147,10 +211,14 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
   return points;
 }
 
-std::vector<Vec2> CoupledWorld::outline(int cord) const { return outline_of(points(cord), defs_[at(cord)].rows); }
+std::vector<Vec2> CoupledWorld::outline(int cord) const {
+  if (!is_closed(cord)) return points(cord);
+  return outline_of(coupling.positions(cord), rows(cord));
+}
 
 double CoupledWorld::tension(int cord, int point) const {
   const bool first = is_first(cord, point);
+  if (method_.thesis) return std::numeric_limits<double>::quiet_NaN();
   if (!method_.chain) {
     const auto tensions = coupling.direct_cord(cord).tensions();
     return first ? tensions.front() : tensions.back();
@@ -164,7 +232,9 @@ double CoupledWorld::tension(int cord, int point) const {
 double CoupledWorld::energy() const {
   const Vec2 gravity = to_double(world.GetGravity());
   double sum = 0.0;
-  for (int c = 0; c < coupling.size(); ++c) sum += coupling.direct_cord(c).energy(gravity).total();
+  for (int c = 0; c < coupling.size(); ++c) {
+    sum += method_.thesis ? energy_of(coupling.cord(c), gravity) : coupling.direct_cord(c).energy(gravity).total();
+  }
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
     const Vec2 v = velocity(*body);
@@ -174,7 +244,8 @@ double CoupledWorld::energy() const {
     sum += 0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
   }
   for (const Pull& pull : pulls_) {
-    if (!method_.chain) break;  // the cord's own energy has it
+    if (method_.thesis) sum -= dot(pull.force, points(pull.cord)[at(pull.point)]);
+    if (!method_.chain) continue;  // the cord's own energy has it
     const Chain& chain = chains_[at(pull.cord)];
     sum -= dot(pull.force, to_double(chain.boxes.point(end_of(chain, pull.cord, pull.point))));
   }
@@ -201,8 +272,7 @@ void CoupledWorld::calm(int ticks) {
   for (int k = 0; k < ticks; ++k) {
     tick();
     for (int c = 0; c < coupling.size(); ++c) {
-      ribbon::Cord& cord = coupling.direct_cord(c);
-      for (int p = 0; p < cord.size(); ++p) cord.set_velocity(p, 0.9 * cord.velocities()[at(p)]);
+      method_.thesis ? slow_down(coupling.cord(c)) : slow_down(coupling.direct_cord(c));
     }
   }
   damp_bodies(0.0F);

@@ -14,6 +14,7 @@ using test_support::CoupledWorld;
 
 namespace {
 
+constexpr double furthest = 1e4;  // m
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Accuracy preset(const std::string& name) {
@@ -23,10 +24,32 @@ Accuracy preset(const std::string& name) {
 
 void count_reports(const CoupledWorld& world, ContactFigures& figures) {
   for (int c = 0; c < world.coupling.size(); ++c) {
+    if (world.method().thesis) {
+      const ribbon::StepReport& report = world.coupling.report(c);
+      figures.unconverged += report.fem_skipped > 0 ? 1 : 0;
+      figures.mended += report.motion_limited > 0 ? 1 : 0;
+      continue;
+    }
     const ribbon::CordReport& report = world.coupling.direct_report(c);
     figures.unconverged += report.unconverged > 0 ? 1 : 0;
     figures.mended += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
   }
+}
+
+bool is_somewhere(const CoupledWorld& world) {
+  for (int c = 0; c < world.cords(); ++c) {
+    const std::vector<ribbon::Vec2> points = world.outline(c);
+    if (!std::all_of(points.begin(), points.end(), [](ribbon::Vec2 p) { return length(p) <= furthest; })) return false;
+  }
+  return true;
+}
+
+template <typename Declares>
+bool any_cord(const CoupledWorld& world, Declares&& declares) {
+  for (int c = 0; c < world.cords(); ++c) {
+    if (declares(world.def(c))) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -53,6 +76,18 @@ std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_its
   return list;
 }
 
+std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps, double spring_share) {
+  std::vector<NamedMethod> list;
+  for (const int count : substeps) {
+    CordMethod how;
+    how.thesis = true;
+    how.substeps = count;
+    how.spring_share = spring_share;
+    list.push_back({"thesis", "substeps=" + std::to_string(count) + " k=" + number(spring_share), how});
+  }
+  return list;
+}
+
 std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<NamedMethod>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -64,6 +99,10 @@ ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(Coup
   double gain = 0.0;
   for (int tick = 0; tick < ticks; ++tick) {
     world.tick();
+    if (!is_somewhere(world)) {
+      figures.blew_up = tick + 1;
+      break;
+    }
     if (after_tick) after_tick(world);
     count_reports(world, figures);
     for (int c = 0; c < world.cords(); ++c) {
@@ -84,15 +123,18 @@ ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(Coup
 std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& figures, std::optional<double> bar_us) {
   const bool chain = world.method().chain;
   const bool ropes = world.def(0).rows == 1;
-  return {chain ? none : bar_us.value_or(none),
+  const bool meets_itself = any_cord(world, [](const ribbon::CordDef& def) { return def.self_contact; });
+  const bool meets_others = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
+  return {world.method().thesis || chain ? none : bar_us.value_or(none),
           ropes ? 100.0 * figures.max_stretch : none,
           100.0 * figures.energy_gain,
           chain ? none : figures.mended,
           chain ? none : figures.unconverged,
           figures.penetration,
-          static_cast<double>(figures.self_crossings),
-          static_cast<double>(figures.mutual_crossings),
-          ropes ? none : figures.inverted};
+          meets_itself ? figures.self_crossings : none,
+          meets_others ? figures.mutual_crossings : none,
+          ropes ? none : figures.inverted,
+          static_cast<double>(figures.blew_up)};
 }
 
 Contestant contestant(const ContactContestant& how) {
@@ -103,10 +145,10 @@ Contestant contestant(const ContactContestant& how) {
   };
   set_up();
   int points = 0;
-  for (int c = 0; c < (*world)->cords(); ++c) points += static_cast<int>((*world)->points(c).size());
+  for (int c = 0; c < (*world)->cords(); ++c) points += static_cast<int>((*world)->outline(c).size());
   world->reset();
   return {how.method.method,
-          how.method.setting + (how.setting.empty() ? "" : " " + how.setting),
+          how.method.setting,
           points,
           how.goes_on ? std::function<void()>() : set_up,
           [world] { (*world)->our_share(); },
@@ -115,14 +157,14 @@ Contestant contestant(const ContactContestant& how) {
             return how.figures(**world);
           },
           [world] { (*world)->step_world(); },
-          how.setting};
+          how.group};
 }
 
 std::vector<Column> contact_columns(const std::vector<std::string>& more) {
   std::vector<Column> columns = {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us()};
   std::size_t index = 0;
   for (const char* name : {"our_bar_us", "max_stretch_pct", "energy_gain_pct", "mended", "unconverged", "penetration_m",
-                           "crossings", "mutual_crossings", "inverted"}) {
+                           "crossings", "mutual_crossings", "inverted", "blew_up"}) {
     columns.push_back(figure(name, index++));
   }
   for (const std::string& name : more) columns.push_back(figure(name, index++));

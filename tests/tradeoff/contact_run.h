@@ -12,7 +12,7 @@ namespace tradeoff {
 
 /// A way of making cords, by name.
 struct NamedMethod {
-  std::string method;   ///< cord, box2d_chain
+  std::string method;   ///< cord, box2d_chain, thesis
   std::string setting;  ///< balanced, substeps=4 iterations=8/3
   test_support::CordMethod how;
 };
@@ -21,6 +21,8 @@ struct NamedMethod {
 std::vector<NamedMethod> presets(const std::vector<std::string>& names);
 /// Box2D's chains, with substeps of 8 and 3 iterations.
 std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_itself = false);
+/// The thesis's cords, with so many iterations and springs that give back so much (see CordMethod): its own k was 0.45.
+std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps, double spring_share);
 /// Both lists, one after the other.
 std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<NamedMethod>& b);
 
@@ -32,9 +34,11 @@ struct ContactFigures {
   double max_stretch = 0.0;  ///< of a rope, the most after any tick, as a share
   double energy_gain = 0.0;  ///< the most that energy rose above the lowest before, as a share of energy_scale
   double penetration = 0.0;  ///< m, the most after any tick
-  int unconverged = 0;       ///< ticks in which a substep of a cord's island was left unconverged, of all cords
-  int mended = 0;            ///< the same of searches, fallbacks, energy gains and halvings
-  int self_crossings = 0;    ///< these three after the last tick
+  int unconverged = 0;       ///< ticks in which a substep of a cord's island was left unconverged, of all cords; of the
+                             ///< thesis's, in which one was left to the springs
+  int mended = 0;            ///< the same of searches, fallbacks, energy gains and halvings; of points held back
+  int blew_up = 0;  ///< the tick, from 1, in which a point was no number or 10 km away: the last one run; 0: none
+  int self_crossings = 0;  ///< these three after the last tick
   int mutual_crossings = 0;
   int inverted = 0;
 };
@@ -43,14 +47,15 @@ struct ContactFigures {
 ContactFigures run(test_support::CoupledWorld& world, int ticks,
                    const std::function<void(test_support::CoupledWorld&)>& after_tick = {});
 
-/// By contact_columns: what our share of a tick may cost, and what came of it. Any more come behind.
+/// By contact_columns: what our share of a tick may cost, and what came of it; crossings only of cords that are to meet
+/// themselves, or each other. Any more come behind.
 std::vector<double> figures_of(const test_support::CoupledWorld& world, const ContactFigures& figures,
                                std::optional<double> bar_us = std::nullopt);
 
 /// A world set up anew before every repeat, or one that goes on where its figures left it.
 struct ContactContestant {
   NamedMethod method;
-  std::string setting;  ///< added to the method's
+  std::string group;
   SetUp set_up;
   bool goes_on = false;
   ribbon::Vec2 gravity{0.0, -9.81};
@@ -58,6 +63,11 @@ struct ContactContestant {
   std::function<std::vector<double>(test_support::CoupledWorld&)> figures;
 };
 Contestant contestant(const ContactContestant& how);
+
+/// For the reports of all scenes in which something is met.
+inline constexpr const char* thesis_strip =
+    "The thesis's cord is a strip of square cells, a link wide, and has no friction; penetration is into the strip.";
+inline constexpr const char* no_b2_rope = "b2Rope meets no bodies, and takes no part.";
 
 /// The whole tick, our share of it and b2World::Step's, then what came of it. `more` are the names of further figures.
 std::vector<Column> contact_columns(const std::vector<std::string>& more = {});

@@ -2,21 +2,21 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "game/level.h"
 #include "tests/study/command.h"
-#include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
 #include "tests/study/words.h"
+#include "tests/tradeoff/run_scene.h"
 #include "tests/tradeoff/scene_report.h"
 #include "tests/tradeoff/scenes.h"
+#include "tests/tradeoff/standard_report.h"
 #include "tests/tradeoff/table.h"
 
 namespace {
 
-using study::show_progress;
 using tradeoff::Contestant;
 using tradeoff::Row;
 using tradeoff::Scene;
@@ -24,26 +24,6 @@ using tradeoff::Scene;
 void list_scenes() {
   for (const Scene& scene : tradeoff::scenes())
     std::printf("%-17s %s\n", scene.name.c_str(), scene.description.c_str());
-}
-
-std::vector<double> figures_of(const Contestant& contestant) {
-  if (contestant.figures) return contestant.figures();
-  contestant.tick();  // warm-up: what is allocated once is allocated here
-  return {};
-}
-
-std::vector<Row> run_scene(const Scene& scene, const std::vector<Contestant>& contestants, int repeats) {
-  std::vector<Row> rows;
-  std::vector<tradeoff::Timed> timed;
-  for (const Contestant& contestant : contestants) {
-    rows.push_back({contestant, {}, figures_of(contestant)});
-    timed.push_back({contestant.reset, contestant.tick, contestant.rest});
-    show_progress("figures", static_cast<double>(rows.size()) / static_cast<double>(contestants.size()));
-  }
-  const auto timings =
-      tradeoff::interleaved_timings(timed, scene.ticks, repeats, [](double share) { show_progress("timing", share); });
-  for (std::size_t c = 0; c < rows.size(); ++c) rows[c].timing = timings[c];
-  return rows;
 }
 
 #ifdef TRADEOFF_BOX2D_FROM_SOURCE
@@ -64,7 +44,7 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
     return 2;
   }
   const std::vector<Contestant> contestants = scene->contestants();
-  const std::vector<Row> rows = run_scene(*scene, contestants, repeats);
+  const std::vector<Row> rows = tradeoff::run_scene(*scene, contestants, repeats);
   csv ? print_csv(*scene, rows) : print_table(*scene, rows);
   const study::Report report = tradeoff::report_of(*scene, rows);
   for (const std::string& note : report.notes) {
@@ -72,32 +52,6 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
   }
   if (folder.empty()) return 0;
   study::write_report(report, folder);
-  std::printf("report: %s/index.html\n", folder.c_str());
-  return 0;
-}
-
-/// Scenes that others are measured on too, and all levels of the game: one page.
-int write_standard_report(bool quick, const std::string& folder) {
-  if (folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
-  std::vector<std::string> names;
-  for (const char* name : {"heavy_swing", "held_swing", "thesis_trade", "drape", "bridge", "capstan", "mass_ratio"}) {
-    run_named_scene(name, quick ? 1 : 9, false, folder + "/" + name);
-    names.emplace_back(name);
-  }
-  for (const std::string& level : game::level_names()) {
-    study::Command command;
-    command.level = level;
-    command.quick = quick;
-    command.repeats = quick ? 1 : 9;
-    command.folder.append(folder).append("/").append(level);
-    study::run(command);
-    names.push_back(level);
-  }
-  study::write_contents(
-      "What a cord's accuracy costs",
-      {"Each mark is one setting of one method; the line joins those that no other is both cheaper and "
-       "more exact than. Each page has its numbers and further kinds of error."},
-      names, folder);
   std::printf("report: %s/index.html\n", folder.c_str());
   return 0;
 }
@@ -132,15 +86,16 @@ int main(int argc, char** argv) {
   std::string name;
   app.add_flag("--list", list, "List the scenes");
   app.add_option("--scene", name, "The scene to run");
-  auto* repeats_option =
-      app.add_option("--repeats", repeats, "Repeats to take the median of: 25 of a scene, 9 of a level unless given")
-          ->check(CLI::Range(1, 100000));
+  auto* repeats_option = app.add_option("--repeats", repeats,
+                                        "Repeats to take the median of, unless given 25 of a scene, 9 of a level, at "
+                                        "most 9 in a report, 1 in a quick one")
+                             ->check(CLI::Range(1, 100000));
   study::Command study;
   app.add_option("--out", study.folder, "A folder for the report: CSV, JSON, a plot and a page");
   auto* level = app.add_option("--level", study.level, "A level (a name, or a .tmj file) instead of a scene");
   app.add_option("--replay", study.replay, "Its recorded input; that of its name in the assets unless given")
       ->needs(level);
-  app.add_flag("--quick", study.quick, "A small grid of a level; of the report, one repeat too");
+  app.add_flag("--quick", study.quick, "A small grid of a level; a report of fewer scenes too");
   bool report = false;
   app.add_flag("--report", report, "The standard report of scenes and levels, into --out");
   app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
@@ -167,12 +122,13 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    if (report) return write_standard_report(study.quick, study.folder);
+    const std::optional<int> asked_repeats = repeats_option->count() > 0 ? std::optional(repeats) : std::nullopt;
+    if (report) return tradeoff::write({study.folder, study.quick, asked_repeats});
     if (study.level.empty()) return run_named_scene(name, repeats, csv, study.folder);
     if (study.apply && !study.max_error_m && !study.budget_us) {
       throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
     }
-    if (repeats_option->count() > 0) study.repeats = repeats;
+    study.repeats = asked_repeats.value_or(study.repeats);
     return study::run(study);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tradeoff: %s\n", error.what());

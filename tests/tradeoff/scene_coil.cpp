@@ -7,15 +7,17 @@ namespace {
 
 using test_support::CoupledWorld;
 
-constexpr int ticks = 120;  // that are timed
-constexpr int settling_ticks = 300;
 constexpr double friction = 0.3;
 constexpr double pull = 20.0;  // N
 
-std::vector<double> figures(CoupledWorld& world) { return figures_of(world, run(world, settling_ticks)); }
+struct Length {
+  int timed;    // ticks
+  int figures;  // ticks
+};
 
-void add(std::vector<Contestant>& list, const NamedMethod& method, int rows) {
+void add(std::vector<Contestant>& list, const NamedMethod& method, int rows, Length length) {
   const std::string name = rows > 1 ? "ribbon" : "rope";
+  const auto figures = [length](CoupledWorld& world) { return figures_of(world, run(world, length.figures)); };
   list.push_back(contestant({method,
                              name + " wound",
                              [rows](CoupledWorld& world) {
@@ -33,20 +35,37 @@ void add(std::vector<Contestant>& list, const NamedMethod& method, int rows) {
                              figures}));
 }
 
-/// Five seconds of each, of which the first two, the dearest, are timed.
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> list;
-  for (const NamedMethod& method : together(presets({"fast", "balanced"}), chains({1, 4, 16}, true)))
-    add(list, method, 1);
-  for (const NamedMethod& method : presets({"fast", "balanced"})) add(list, method, 2);
-  return list;
+Scene coil(const std::string& name, const std::string& length_note, Length length) {
+  const auto contestants = [length] {
+    std::vector<Contestant> list;
+    for (const NamedMethod& method : together(presets({"fast", "balanced"}), chains({1, 4, 16}, true)))
+      add(list, method, 1, length);
+    for (const NamedMethod& method : presets({"fast", "balanced"})) add(list, method, 2, length);
+    return list;
+  };
+  return {
+      name,
+      "a rope or ribbon wound four turns around a circle and pulled, and one that falls into a pile",
+      length.timed,
+      contestants,
+      contact_columns(),
+      {},
+      {length_note,
+       "The thesis's cord takes no part: it has no friction and no forces on points, meets no edges, and its square "
+       "cells are wider than the turns are apart.",
+       "Box2D has no ribbons.", no_b2_rope},
+      {"balanced", "substeps=16"},
+      5};
 }
 
 }  // namespace
 
 Scene coil_scene() {
-  return {"coil", "a rope or ribbon wound four turns around a circle and pulled, and one that falls into a pile", ticks,
-          contestants, contact_columns()};
+  return coil("coil", "Five seconds of each, of which the first two, the dearest, are timed.", {120, 300});
+}
+
+Scene short_coil_scene() {
+  return coil("coil_short", "The first second and a half of each; `tradeoff --scene coil` runs for five.", {90, 90});
 }
 
 }  // namespace tradeoff

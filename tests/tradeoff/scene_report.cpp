@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace tradeoff {
 namespace {
+
+constexpr double known_depth = 1e-6;  // m, below which nobody sees a difference
 
 std::string text(double value) {
   if (std::isnan(value)) return {};
@@ -24,20 +25,20 @@ double value_of(const Scene& scene, const Row& row, const char* name) {
 
 bool is_cord(const std::string& method) { return method.starts_with("cord") || method == "held"; }
 
-/// Of each experiment, with its name where there are several.
-std::vector<std::string> who_is_ahead(const std::vector<Row>& rows, const std::vector<study::Point>& points) {
-  std::map<std::string, std::vector<study::Point>> experiments;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    experiments[rows[k].contestant.experiment].push_back(points[k]);
-  }
-  std::vector<std::string> sentences;
-  for (const auto& [name, own] : experiments) {
-    for (const std::string& sentence : study::who_is_ahead(own, is_cord)) {
-      std::string& told = sentences.emplace_back(sentence);
-      if (experiments.size() > 1) told.insert(0, name + ": ");
-    }
-  }
-  return sentences;
+/// Why a setting does not count; empty if it does.
+std::string failure_of(const Scene& scene, const Row& row) {
+  const double tick = value_of(scene, row, "blew_up");
+  if (tick > 0.0) return "blew up in tick " + text(tick);
+  const double energy = value_of(scene, row, "energy_gain_pct");
+  if (energy > 100.0) return "blew up: " + text(energy) + " % more energy";
+  if (value_of(scene, row, "let_through") > 0.0) return "let something through";
+  const double own = value_of(scene, row, "crossings");
+  const double mutual = value_of(scene, row, "mutual_crossings");
+  const double crossings = (own > 0.0 ? own : 0.0) + (mutual > 0.0 ? mutual : 0.0);
+  if (crossings > 0.0) return "let something through: " + text(crossings) + " crossings";
+  const double unconverged = value_of(scene, row, "unconverged");
+  if (unconverged > 0.0) return "not converged " + text(unconverged) + " times";
+  return {};
 }
 
 }  // namespace
@@ -46,10 +47,15 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   const auto has = [&](const char* name) {
     return std::any_of(scene.columns.begin(), scene.columns.end(), [name](const Column& c) { return c.name == name; });
   };
-  const char* error = has("rms_error_m") ? "rms_error_m" : "penetration_m";
+  const std::array errors = {"rms_error_m", "stretch_error_m", "creep_95pct_m", "penetration_m"};
+  const char* error = *std::find_if(errors.begin(), errors.end() - 1, has);
   study::Report report;
   report.title = scene.name;
+  report.axis = error;
+  const bool is_depth = report.axis == "penetration_m";
   report.notes = {scene.description + ". The error is " + error + "."};
+  if (is_depth) report.notes.front() += " Less than a micrometre counts as that: nothing is ahead by less.";
+  report.notes.insert(report.notes.end(), scene.notes.begin(), scene.notes.end());
   std::vector<const Column*> told;
   for (const Column& column : scene.columns) {
     if (column.name == "us_per_tick" || column.name == "p99_us") continue;
@@ -58,16 +64,18 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   }
   for (const Row& row : rows) {
     study::Point point{row.contestant.method, row.contestant.setting, row.timing.median_us, row.timing.p99_us};
-    point.error_m = value_of(scene, row, error);
-    if (value_of(scene, row, "unconverged") > 0.0) point.failure = "not converged";
+    point.error_m = is_depth ? std::max(value_of(scene, row, error), known_depth) : value_of(scene, row, error);
+    point.group = row.contestant.group;
+    point.failure = failure_of(scene, row);
     report.points.push_back(point);
     std::vector<std::string> cells;
     for (const Column* column : told) cells.push_back(text(column->value(row)));
     report.cells.push_back(std::move(cells));
   }
-  for (std::string& sentence : who_is_ahead(rows, report.points)) report.notes.push_back(std::move(sentence));
-  for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct"}) {
-    if (!has(name)) continue;
+  for (std::string& sentence : study::who_is_ahead(report.points, is_cord)) report.notes.push_back(std::move(sentence));
+  for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct", "pull_error_pct",
+                           "ratio_error_pct", "penetration_m", "drift_m", "jitter_m"}) {
+    if (!has(name) || name == report.axis) continue;
     study::Metric& metric = report.metrics.emplace_back();
     metric.name = name;
     for (const Row& row : rows) metric.values.push_back(std::abs(value_of(scene, row, name)));

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"
 #include "tests/tradeoff/scenes_contact.h"
@@ -7,27 +9,48 @@ namespace {
 
 using test_support::CoupledWorld;
 
-constexpr int ticks = 300;
-constexpr double bar = 16000.0;  // µs
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> list;
-  for (const bool meeting : {true, false}) {
-    list.push_back(contestant({presets({"fast"}).front(),
-                               meeting ? "meeting each other" : "meeting circles alone",
-                               [meeting](CoupledWorld& world) { test_support::drop_strips(world, 150, meeting); },
-                               false,
-                               {0.0, -9.81},
-                               [](CoupledWorld& world) { return figures_of(world, run(world, ticks), bar); }}));
-  }
-  return list;
+struct Size {
+  int strips;
+  int ticks;
+};
+
+Scene strips(const std::string& name, const std::string& size_note, Size size, double bar_us) {
+  const auto contestants = [size, bar_us] {
+    std::vector<Contestant> list;
+    const auto add = [&](const NamedMethod& method, bool meeting) {
+      list.push_back(
+          contestant({method,
+                      meeting ? "meeting each other" : "meeting circles alone",
+                      [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, meeting); },
+                      false,
+                      {0.0, -9.81},
+                      [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), bar_us); }}));
+    };
+    for (const NamedMethod& method : presets({"fast", "balanced"})) add(method, true);
+    for (const NamedMethod& method : together(presets({"fast", "balanced"}), thesis_cords({8, 16}, 0.45)))
+      add(method, false);
+    return list;
+  };
+  return {name,
+          "ribbons of 33 x 2 points that fall through a lattice of circles",
+          size.ticks,
+          contestants,
+          contact_columns(),
+          {},
+          {size_note, "The thesis's strips meet circles alone: not each other, walls or a floor, and without friction.",
+           "Box2D has no ribbons; a chain of a strip's middle line would be another thing.", no_b2_rope},
+          {"balanced"},
+          5};
 }
 
 }  // namespace
 
-Scene strips_scene() {
-  return {"strips", "150 ribbons of 33 x 2 points that fall through a lattice of circles", ticks, contestants,
-          contact_columns()};
+Scene strips_scene() { return strips("strips", "150 strips, five seconds.", {150, 300}, 16000.0); }
+
+Scene short_strips_scene() {
+  return strips("strips_short", "30 strips, two seconds; `tradeoff --scene strips` has 150 for five.", {30, 120}, none);
 }
 
 }  // namespace tradeoff

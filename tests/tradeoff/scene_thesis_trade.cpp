@@ -70,8 +70,8 @@ double rms(const Path& a, const Path& b) {
 }
 
 template <typename Method>
-Contestant contestant(const std::string& name, const std::string& setting, const std::shared_ptr<Method>& method,
-                      const std::shared_ptr<const Path>& converged) {
+Contestant contestant(const char* name, const std::string& setting, const ThesisCondition& condition,
+                      const std::shared_ptr<Method>& method, const std::shared_ptr<const Path>& converged) {
   const auto start = std::make_shared<typename Method::State>(method->save());
   return {name,
           setting,
@@ -83,14 +83,14 @@ Contestant contestant(const std::string& name, const std::string& setting, const
             return std::vector<double>{rms(path_of(*method), *converged)};
           },
           {},
-          "condition " + name.substr(name.find('_') + 1)};
+          std::string(condition.name)};
 }
 
 void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {
   ThesisCord fine(thesis_swing(condition, converged_substeps));
   const auto converged = std::make_shared<const Path>(path_of(fine));
   for (const int substeps : {1, 2, 4, 8, 16, 32, 64}) {
-    list.push_back(contestant(std::string(condition.name), "iterations=" + std::to_string(substeps),
+    list.push_back(contestant("thesis", "iterations=" + std::to_string(substeps), condition,
                               std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), converged));
   }
 }
@@ -101,11 +101,10 @@ void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
   accuracy.substeps = 256;
   Cord fine(cord_swing(condition, accuracy));
   const auto converged = std::make_shared<const Path>(path_of(fine));
-  std::string name(condition.name);
-  name.replace(0, name.find('_'), "cord");
   for (const auto& [setting, preset] :
        {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
-    list.push_back(contestant(name, setting, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
+    list.push_back(
+        contestant("cord", setting, condition, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
   }
 }
 
@@ -124,8 +123,7 @@ std::vector<Contestant> contestants() {
 Scene thesis_trade_scene() {
   return {"thesis_trade",
           "the thesis's conditions A to C (D is C) let go from the horizontal, 1 to 64 iterations, and cords as heavy "
-          "and stiff; "
-          "each against its own converged motion",
+          "and stiff; each against its own converged motion",
           ticks,
           contestants,
           {us_per_tick(), p99_us(), frames_per_second(), figure("rms_error_m", 0)}};

@@ -18,7 +18,7 @@ struct Contestant {
   std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
                                                  ///< columns ask for. Empty if they ask for none
   Tick rest = {};                                ///< see Timed
-  std::string experiment = {};                   ///< errors of different ones in a scene are not compared
+  std::string group = {};                        ///< what it simulates, if a scene has several such: ratio=100
 };
 
 /// What is told of a contestant.
@@ -52,9 +52,12 @@ struct Scene {
   std::string name;
   std::string description;
   int ticks = 0;  ///< a repeat
-  std::vector<Contestant> (*contestants)();
+  std::function<std::vector<Contestant>()> contestants;
   std::vector<Column> columns = {us_per_tick(), p99_us()};
   std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
+  std::vector<std::string> notes = {};  ///< sentences for its report: who takes no part, and why
+  std::vector<std::string> slow = {};   ///< settings that a quick report leaves out
+  int report_repeats = 9;               ///< of the standard report, unless others are asked for
 };
 
 const std::vector<Scene>& scenes();

@@ -28,7 +28,8 @@ Cells header(const Scene& scene) {
 }
 
 Cells cells_of(const Scene& scene, const Row& row) {
-  Cells cells = {scene.name, row.contestant.method, row.contestant.setting, std::to_string(row.contestant.points)};
+  const Contestant& c = row.contestant;
+  Cells cells = {scene.name, c.method, c.setting + (c.group.empty() ? "" : " " + c.group), std::to_string(c.points)};
   for (const Column& column : scene.columns) cells.push_back(text(column.value(row), column.decimals));
   return cells;
 }

@@ -1,0 +1,73 @@
+#include "tests/tradeoff/scene_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+// What a scene's figures mean for its settings.
+
+namespace tradeoff {
+namespace {
+
+using Figures = std::map<std::string, double>;
+
+/// One setting that came to these figures, and to nothing else of a scene's.
+study::Report report_of_one(const Figures& figures) {
+  Scene scene;
+  scene.name = "scene";
+  scene.description = "something";
+  scene.notes = {"A note."};
+  Contestant contestant;
+  contestant.method = "cord";
+  contestant.setting = "fast";
+  contestant.group = "light";
+  Row row{contestant, {}, {}};
+  for (const auto& [name, value] : figures) {
+    scene.columns.push_back(figure(name, row.figures.size()));
+    row.figures.push_back(value);
+  }
+  return report_of(scene, {row});
+}
+
+std::string failure_of(Figures figures) {
+  figures["penetration_m"] = 1e-3;
+  return report_of_one(figures).points.at(0).failure;
+}
+
+TEST(SceneReport, WhatWentWellCounts) {
+  const Figures well = {{"blew_up", 0.0}, {"crossings", 0.0},   {"energy_gain_pct", 5.0},          {"let_through", 0.0},
+                        {"mended", 9.0},  {"unconverged", 0.0}, {"mutual_crossings", std::nan("")}};
+  EXPECT_EQ(failure_of(well), "");
+  const study::Report report = report_of_one(well);
+  EXPECT_EQ(report.points.at(0).group, "light");
+  EXPECT_EQ(report.notes.at(1), "A note.");
+}
+
+TEST(SceneReport, WhatWentWrongDoesNot) {
+  EXPECT_EQ(failure_of({{"blew_up", 3.0}}), "blew up in tick 3");
+  EXPECT_EQ(failure_of({{"energy_gain_pct", 101.0}}), "blew up: 101 % more energy");
+  EXPECT_EQ(failure_of({{"let_through", 1.0}}), "let something through");
+  EXPECT_EQ(failure_of({{"crossings", 1.0}, {"mutual_crossings", 2.0}}), "let something through: 3 crossings");
+  EXPECT_EQ(failure_of({{"crossings", std::nan("")}, {"mutual_crossings", 2.0}}), "let something through: 2 crossings");
+  EXPECT_EQ(failure_of({{"unconverged", 4.0}}), "not converged 4 times");
+}
+
+TEST(SceneReport, EachKindOfErrorStandsByItself) {
+  const study::Report report =
+      report_of_one({{"penetration_m", 2e-9}, {"max_stretch_pct", -3.0}, {"jitter_m", 4.0}, {"our_us", 5.0}});
+  EXPECT_EQ(report.axis, "penetration_m");
+  EXPECT_EQ(report.points.at(0).error_m, 1e-6);  // depths below a micrometre are none
+  ASSERT_EQ(report.metrics.size(), 2U);
+  EXPECT_EQ(report.metrics[0].name, "max_stretch_pct");
+  EXPECT_EQ(report.metrics[0].values, std::vector<double>{3.0});
+  EXPECT_EQ(report.metrics[1].name, "jitter_m");
+
+  const study::Report swing = report_of_one({{"penetration_m", 0.1}, {"rms_error_m", 2e-9}});
+  EXPECT_EQ(swing.axis, "rms_error_m");
+  EXPECT_EQ(swing.points.at(0).error_m, 2e-9);
+  EXPECT_EQ(swing.metrics.at(0).name, "penetration_m");
+}
+
+}  // namespace
+}  // namespace tradeoff

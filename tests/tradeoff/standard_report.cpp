@@ -1,0 +1,88 @@
+#include "tests/tradeoff/standard_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+#include "game/level.h"
+#include "tests/study/command.h"
+#include "tests/study/report.h"
+#include "tests/tradeoff/run_scene.h"
+#include "tests/tradeoff/scene_report.h"
+#include "tests/tradeoff/table.h"
+
+namespace tradeoff {
+namespace {
+
+std::vector<std::string> scene_names(bool quick) {
+  std::vector<std::string> names = {"heavy_swing", "held_swing", "drape", "bridge", "coil_short", "strips_short"};
+  if (!quick) names.insert(names.end(), {"thesis_trade", "capstan", "mass_ratio"});
+  return names;
+}
+
+void write_contents(const StandardReport& report, const std::vector<std::string>& done, std::size_t all) {
+  std::vector<std::string> notes = {
+      "Each mark is one setting of one method; the line joins those that no other is both cheaper and more exact than, "
+      "among those that simulate the same. Each page has its numbers and further kinds of error.",
+      "coil_short and strips_short are the first moments of scenes that take minutes: tradeoff --scene coil, and "
+      "--scene strips."};
+  if (report.quick) {
+    notes.emplace_back(
+        "A quick report: levels are tried with a small grid, scenes without their slowest settings, and thesis_trade, "
+        "capstan and mass_ratio are left out.");
+  }
+  if (done.size() < all) {
+    notes.push_back("Not finished: " + std::to_string(done.size()) + " of " + std::to_string(all) +
+                    " pages. The same command does scenes anew, and goes on in the level where it stopped.");
+  }
+  study::write_contents("What a cord's accuracy costs", notes, done, report.folder);
+}
+
+void write_scene(const StandardReport& report, const Scene& scene) {
+  std::vector<Contestant> contestants = scene.contestants();
+  std::string left_out;
+  if (report.quick) {
+    for (const std::string& setting : scene.slow) left_out += (left_out.empty() ? "" : ", ") + setting;
+    const auto is_slow = [&](const Contestant& c) {
+      return std::find(scene.slow.begin(), scene.slow.end(), c.setting) != scene.slow.end();
+    };
+    contestants.erase(std::remove_if(contestants.begin(), contestants.end(), is_slow), contestants.end());
+  }
+  const std::vector<Row> rows =
+      run_scene(scene, contestants, report.repeats.value_or(report.quick ? 1 : scene.report_repeats));
+  print_table(scene, rows);
+  study::Report page = report_of(scene, rows);
+  if (!left_out.empty()) page.notes.push_back("A quick report: settings left out are " + left_out + ".");
+  study::write_report(page, report.folder + "/" + scene.name);
+}
+
+}  // namespace
+
+int write(const StandardReport& report) {
+  if (report.folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
+  const std::vector<std::string> scenes = scene_names(report.quick);
+  const std::vector<std::string> levels = game::level_names();
+  std::vector<std::string> done;
+  const auto add = [&](const std::string& name) {
+    done.push_back(name);
+    write_contents(report, done, scenes.size() + levels.size());
+  };
+  for (const std::string& name : scenes) {
+    write_scene(report, *find_scene(name));
+    add(name);
+  }
+  for (const std::string& level : levels) {
+    study::Command command;
+    command.level = level;
+    command.quick = report.quick;
+    command.repeats = report.repeats.value_or(report.quick ? 1 : command.repeats);
+    command.folder = report.folder + "/" + level;
+    if (const int status = study::run(command); status != 0) return status;
+    add(level);
+  }
+  std::printf("report: %s/index.html\n", report.folder.c_str());
+  return 0;
+}
+
+}  // namespace tradeoff
