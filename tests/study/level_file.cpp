@@ -141,12 +141,10 @@ game::Level LevelFile::with_property(const std::string& name, const Json& value)
   return level_of(json);
 }
 
-std::optional<game::Level> LevelFile::switched_on(const std::string& name, const Json& value,
-                                                  const std::string& among) const {
+std::optional<game::Level> LevelFile::switched_on(const std::string& name, const Json& value) const {
   Json json = json_;
   bool any = false;
   for_each_cord(json, [&](Json& cord) {
-    if (!among.empty() && find(cord, among) == nullptr) return;
     const Json before = cord;
     set(cord, name, value);
     try {

@@ -29,10 +29,8 @@ class LevelFile {
   game::Level displaced(double offset) const;
   /// With a property of all its cords set, or without it if the value is null.
   game::Level with_property(const std::string& name, const nlohmann::ordered_json& value) const;
-  /// With a property set on those of its cords that declare `among` (all if that is empty) and can be built with it;
-  /// nothing if there are none.
-  std::optional<game::Level> switched_on(const std::string& name, const nlohmann::ordered_json& value,
-                                         const std::string& among = {}) const;
+  /// With a property set on those of its cords that can be built with it; nothing if there are none.
+  std::optional<game::Level> switched_on(const std::string& name, const nlohmann::ordered_json& value) const;
   /// Whether a cord declares it, as something else than false or 0.
   bool declares(const std::string& property) const;
 

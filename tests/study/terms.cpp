@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -25,16 +24,13 @@ constexpr std::array<const char*, 10> switchable = {
     "friction", "restitution", "self_contact",      "cord_contact",  "tension_only",
     "drag",     "damping",     "bending_stiffness", "poisson_ratio", "area_stiffness"};
 
-/// What can be switched on, on cords that declare something else, if anything.
+/// What can be switched on.
 struct Switch {
   const char* term;
   std::variant<bool, double> value;
-  const char* among;
 };
-constexpr std::array<Switch, 4> undeclared_terms = {{{"self_contact", true, ""},
-                                                     {"cord_contact", true, ""},
-                                                     {"tension_only", true, "stretch_stiffness"},
-                                                     {"area_stiffness", 1.0, ""}}};
+constexpr std::array<Switch, 4> undeclared_terms = {
+    {{"self_contact", true}, {"cord_contact", true}, {"tension_only", true}, {"area_stiffness", 1.0}}};
 
 void note(Symptom& symptom, std::size_t tick) {
   if (symptom.ticks++ == 0) symptom.first_tick = tick;
@@ -133,7 +129,7 @@ Trial with(const LevelFile& file, const Switch& on) {
   Trial trial;
   trial.result.term = on.term;
   trial.result.declared = false;
-  trial.level = std::visit([&](auto value) { return file.switched_on(on.term, value, on.among); }, on.value);
+  trial.level = std::visit([&](auto value) { return file.switched_on(on.term, value); }, on.value);
   trial.result.can_be_built = trial.level.has_value();
   return trial;
 }
@@ -179,7 +175,7 @@ std::string cost_in_words(double share) {
 
 bool pushes(const ribbon::Cord& cord, double gravity) {
   const ribbon::CordDef& def = cord.def();
-  if (def.rows > 1 || std::isinf(def.stretch_stiffness) || def.tension_only) return false;
+  if (def.rows > 1 || def.tension_only) return false;
   const double most = pushing_share * def.mass_per_length * def.length * gravity;
   return std::any_of(cord.tensions().begin(), cord.tensions().end(),
                      [most](double tension) { return tension < -most; });

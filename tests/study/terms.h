@@ -34,15 +34,15 @@ struct Terms {
 };
 
 /// Takes the declared terms of the cords of the direct solver away, one at a time; switches those on that are not
-/// declared and have one natural value (contacts, tension_only of elastic ropes, area_stiffness 1 of ribbons); and
+/// declared and have one natural value (contacts, tension_only of ropes, area_stiffness 1 of ribbons); and
 /// looks for symptoms of what is not declared.
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress);
 
 /// Whether the level needs it, in a sentence.
 std::string verdict(const TermResult& result);
 
-/// Whether a link of a cord pushes that would not with tension_only: a rope's that stretches, by more than a
-/// thousandth of the cord's weight.
+/// Whether a link of a cord pushes that would not with tension_only: a rope's, by more than a thousandth of the cord's
+/// weight.
 bool pushes(const ribbon::Cord& cord, double gravity);
 
 }  // namespace study
