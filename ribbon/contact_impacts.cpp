@@ -69,9 +69,8 @@ bool Contacts::leans() const {
 
 void Contacts::remember_hits(double weight) {
   for (const Active& active : active_) {
-    const ContactPair& pair = pairs_[active.pair];
     hit_[active.pair] = 1;
-    impulses_[active.pair] += weight * pair.stiffness * (pair.reach - active.gap.distance);
+    impulses_[active.pair] += weight * pairs_[active.pair].stiffness * depth(active);
   }
 }
 

@@ -74,7 +74,8 @@ void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& ancho
   }
 }
 
-void Contacts::begin(std::span<const Vec2> x) {
+void Contacts::begin(std::span<const Vec2> x, double share) {
+  emerged_ = share;
   place(x, false, starts_);
   slots_then_.assign(x.begin(), x.end());
   turned_then_.resize(spots_.size());
@@ -126,7 +127,7 @@ bool Contacts::is_settled(std::span<const Vec2> x, double tolerated) {
   }
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
-    const double force = pair.stiffness * (pair.reach - active.gap.distance);
+    const double force = pair.stiffness * depth(active);
     sum += force + settled_depth * pair.stiffness / settled_share;
     take(pair, force - forces_[active.pair]);
     if (pair.friction == 0.0) continue;
@@ -156,7 +157,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   touching_.assign(pairs_.size(), 0);
   for (const std::size_t k : near_) {
     const Corner& corner = corners_[k];
-    const double reach = corner.reach + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
+    const double reach = reach_now(pairs_[k]) + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
     const Vec2 disc = anchors_[at(corner.disc)];
     const Vec2 a = anchors_[at(corner.a)];
     const Vec2 b = anchors_[at(corner.b)];
@@ -167,6 +168,11 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
     touching_[k] = 1;
   }
 }
+
+/// m, nearer than which a pair touches.
+double Contacts::reach_now(const ContactPair& pair) const { return pair.reach - (1.0 - emerged_) * pair.in; }
+
+double Contacts::depth(const Active& active) const { return reach_now(pairs_[active.pair]) - active.gap.distance; }
 
 /// Whether the distance is a local minimum along what the segment is part of, and this pair the one to say so: at a
 /// vertex the one of the segment before it.
@@ -248,8 +254,8 @@ double Contacts::potential(std::span<const Vec2> x) {
   double sum = 0.0;
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
-    const double depth = pair.reach - active.gap.distance;
-    sum += 0.5 * pair.stiffness * depth * depth;
+    const double in = depth(active);
+    sum += 0.5 * pair.stiffness * in * in;
     const double most = pair.friction * forces_[active.pair];
     if (most == 0.0) continue;
     const double stiffness = friction_share * pair.stiffness;
@@ -263,8 +269,8 @@ double Contacts::energy() const {
   double sum = 0.0;
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
-    const double depth = pair.reach - active.gap.distance;
-    sum += 0.5 * pair.stiffness * depth * depth;
+    const double in = depth(active);
+    sum += 0.5 * pair.stiffness * in * in;
   }
   return sum;
 }
@@ -311,7 +317,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     };
     const Row normal = normal_row(pair, gap, x);
     rows_.push_back(normal);
-    push(normal, pair.stiffness * (pair.reach - gap.distance));
+    push(normal, pair.stiffness * depth(active));
     matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
     const double expected = forces_[active.pair];
     if (gap.inside() && gap.distance > 0.0) {
@@ -354,10 +360,10 @@ void Contacts::update(std::span<const Vec2> direction) {
   std::fill(slid_.begin(), slid_.end(), 0.0);
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const ContactPair& pair = pairs_[active_[k].pair];
-    const double depth = pair.reach - active_[k].gap.distance - rows_[k].along(direction);
+    const double in = depth(active_[k]) - rows_[k].along(direction);
     const std::size_t p = active_[k].pair;
     const Friction& friction = frictions_[k];
-    presses_[p] = pair.stiffness * depth;
+    presses_[p] = pair.stiffness * in;
     forces_[p] = std::max(0.0, presses_[p]);
     // What friction pulled with in this solve: where it sticks by the step, and else as much as it was let.
     rubs_[p] = friction.force - friction.stiffness * friction.tangent.along(direction);
@@ -377,7 +383,7 @@ void Contacts::finish(std::span<const Vec2> x) {
     ContactPair& pair = pairs_[active.pair];
     Touch& touch = pair.touch;
     const double slid = stretch(active, tangent_row(pair, active.gap, x), x);
-    touch.force = pair.stiffness * (pair.reach - active.gap.distance);
+    touch.force = pair.stiffness * depth(active);
     const double most = pair.friction * touch.force / (friction_share * pair.stiffness);
     touch.stuck = std::clamp(slid, -most, most);
     touch.normal = active.gap.normal;

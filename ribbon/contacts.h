@@ -33,11 +33,13 @@ struct ContactPair {
   int disc = 0;
   int a = 0;
   int b = 0;
-  int before = -1;           ///< the anchor before a on what the segment is part of, −1 where that ends there
-  int after = -1;            ///< the same after b
-  bool ends = true;          ///< false where the segment's ends are somebody else's
-  bool mutual = false;       ///< the disc is a point whose own links meet the segment's ends: one of both counts
-  double reach = 0.0;        ///< m, the radii together
+  int before = -1;      ///< the anchor before a on what the segment is part of, −1 where that ends there
+  int after = -1;       ///< the same after b
+  bool ends = true;     ///< false where the segment's ends are somebody else's
+  bool mutual = false;  ///< the disc is a point whose own links meet the segment's ends: one of both counts
+  double reach = 0.0;   ///< m, the radii together
+  double in =
+      0.0;  ///< m, of it that the step found it nearer, for no force of its own: it comes out evenly in the step
   double disc_radius = 0.0;  ///< m
   double stiffness = 0.0;    ///< k, N/m
   double friction = 0.0;     ///< μ
@@ -66,8 +68,9 @@ class Contacts {
   std::span<ContactPair> pairs() { return pairs_; }
   std::span<const Spot> spots() const { return spots_; }
 
-  /// Begins a substep: where everything is now is from where friction slides.
-  void begin(std::span<const Vec2> x);
+  /// Begins a substep that ends with this share of the step: where everything is now is from where friction slides, and
+  /// who was in comes out so far.
+  void begin(std::span<const Vec2> x, double share);
   /// Finds out who touches at x, with the bodies' slots behind the points. True if others do than the last time.
   bool evaluate(std::span<const Vec2> x);
   /// Begins a stage: nobody has slid yet.
@@ -176,6 +179,8 @@ class Contacts {
   void watch(std::span<const Vec2> from, std::span<const Vec2> to);
   bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_near(const Corner& pair) const;
+  double reach_now(const ContactPair& pair) const;
+  double depth(const Active& active) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
@@ -189,6 +194,7 @@ class Contacts {
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;
+  double emerged_ = 0.0;  // share of what pairs were in, by which they are out
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;
   std::vector<Corner> corners_;  // of the pairs

@@ -120,7 +120,7 @@ class Island {
   void damp_deformation(const Member& member);
 
   void substep(double start, double dt, CordReport& report);
-  void begin_substep(double start);
+  void begin_substep(double start, double dt);
   void return_to_start();
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
   bool gained_energy(const Energy& before, double tolerated);

@@ -169,7 +169,8 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
 }
 
 /// Adds a pair that the member remembers, of masses that press and surfaces as they are. Who is pressed in already, by
-/// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have.
+/// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have: in a step
+/// if he is in a little, in several if he is in deep.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
   pair.stiffness = (is_rough() ? Contacts::rough_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
@@ -183,6 +184,7 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
   const double distance = gap_between(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
   const double depth = pair.reach - distance;
   if (depth > deep_share * pair.reach) pair.reach = distance + emerging_share * depth;
+  pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
   contacts_.add(pair);
 }
 

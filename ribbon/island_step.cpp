@@ -25,7 +25,7 @@ using std::numbers::sqrt2;
 /// One substep from `start` on, s since the step began, and its guard: what Newton does not solve, or what gains energy
 /// all the same, is taken again by implicit Euler, and that by halves.
 void Island::substep(double start, double dt, CordReport& report) {
-  begin_substep(start);
+  begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
   if (!second_order(start, dt, before, report)) {
@@ -111,14 +111,14 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
   return converged;
 }
 
-void Island::begin_substep(double start) {
+void Island::begin_substep(double start, double dt) {
   begin_ = start;
   x0_ = positions_;
   v0_ = velocities_;
   tension0_ = tensions_;
   if (contacts_.empty()) return;
   contacts_.place_led(start);
-  contacts_.begin(positions_);
+  contacts_.begin(positions_, (start + dt) / step_dt_);
 }
 
 void Island::return_to_start() {
@@ -321,7 +321,7 @@ bool Island::implicit_euler(double start, double dt, CordReport& report) {
 bool Island::halves(double start, double dt, int depth, int most_iterations, CordReport& report) {
   bool all = true;
   for (const double from : {start, start + 0.5 * dt}) {
-    begin_substep(from);
+    begin_substep(from, 0.5 * dt);
     if (implicit_euler(from, 0.5 * dt, report)) continue;
     if (depth == most_halves || report.iterations > most_iterations) {
       all = false;

@@ -101,6 +101,30 @@ TEST(CordContactLimits, AHeavyBallOnATautCordThatDoesNotStretchGainsNoEnergy) {
 }
 
 /// A string drawn far from the peg is let go: in one tick it goes past where contacts were looked for.
+/// What something else has pressed into a cord between two steps comes out in the next, and is not thrown: the shorter
+/// the substeps, the more of the energy of so stiff a contact they would give back.
+TEST(CordContactLimits, WhatIsPressedInIsNotThrownOut) {
+  for (const int substeps : {1, 4, 64, 256}) {
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    def.radius = 0.05;
+    def.pins = {0};
+    def.accuracy.substeps = substeps;
+    ContactWorld world(def);
+    world.gravity = {};
+    constexpr double in = 1e-3;  // m
+    const int ball = world.add_ball({1.05, 0.25 - in}, 0.2, 0.5, 0.0);
+    for (int k = 0; k < 3; ++k) {
+      world.step();
+      EXPECT_LE(length(world.body(ball).velocity), 0.2 * in / world.dt) << substeps;  // the cord is the lighter
+      EXPECT_LE(world.fastest(), 3.0 * in / world.dt) << substeps;
+      EXPECT_LE(world.depth(), 1e-6) << substeps;
+    }
+    EXPECT_EQ(world.total.unconverged, 0);
+  }
+}
+
 TEST(CordContactLimits, ASnappingStringDoesNotGoThroughAPeg) {
   for (const int substeps : {1, 4}) {
     CordDef def;
