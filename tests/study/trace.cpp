@@ -109,6 +109,18 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
   trace.player.push_back(simulation.player().position());
 }
 
+/// A run that has not begun.
+Trace trace_of(const engine::Scene& start) {
+  Trace trace;
+  for (int c = 0; c < start.coupling().size(); ++c) {
+    trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
+  }
+  trace.declared = declared_contacts(start.coupling());
+  trace.mass = mass_of(start.world(), start.coupling());
+  trace.gravity = static_cast<double>(start.world().GetGravity().Length());
+  return trace;
+}
+
 bool is_somewhere(Vec2 place) { return std::abs(place.x) <= furthest && std::abs(place.y) <= furthest; }
 
 }  // namespace
@@ -148,16 +160,9 @@ void LevelRun::show() const {
 }
 
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method) {
-  Trace trace;
   LevelRun run(level, inputs, method);
   run.reset();
-  const engine::Scene& start = run.simulation().scene();
-  for (int c = 0; c < start.coupling().size(); ++c) {
-    trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
-  }
-  trace.declared = declared_contacts(start.coupling());
-  trace.mass = mass_of(start.world(), start.coupling());
-  trace.gravity = static_cast<double>(start.world().GetGravity().Length());
+  Trace trace = trace_of(run.simulation().scene());
   PassageWatch watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
@@ -170,6 +175,23 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, c
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;
     }
+  }
+  return trace;
+}
+
+Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
+               std::size_t ticks, const ribbon::Accuracy& accuracy) {
+  LevelRun run(level, inputs);
+  run.reset();
+  Trace trace = trace_of(run.simulation().scene());
+  for (std::size_t k = 0; k < begin; ++k) run.tick();
+  for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
+    engine::Coupling& coupling = run.simulation().scene().coupling();
+    for (int c = 0; c < coupling.size(); ++c) {
+      if (coupling.solver(c) == engine::Solver::direct) coupling.direct_cord(c).set_accuracy(accuracy);
+    }
+    run.tick();
+    add_tick(trace, run.simulation(), {});
   }
   return trace;
 }

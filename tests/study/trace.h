@@ -53,6 +53,7 @@ class LevelRun {
   void tick();
   void show() const;
   const game::Simulation& simulation() const { return *simulation_; }
+  game::Simulation& simulation() { return *simulation_; }
 
  private:
   const game::Level* level_;
@@ -72,6 +73,11 @@ std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::
 
 /// Runs all inputs, or until a place is no number or further off than a kilometre.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});
+
+/// Runs `ticks` of the inputs, or as many as there are, from the tick `begin` on, up to which the level is as it says,
+/// with all cords of the direct solver solved so.
+Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
+               std::size_t ticks, const ribbon::Accuracy& accuracy);
 
 /// How far a run is from a reference, each error of its own kind. What one of the runs lacks is no number.
 ///

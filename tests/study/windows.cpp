@@ -1,0 +1,94 @@
+#include "tests/study/windows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace study {
+namespace {
+
+constexpr double agreed = 1e-4;  // m
+
+/// Evenly along a run, each window whole if the run is as long as one.
+std::vector<std::size_t> begins_of(std::size_t ticks) {
+  if (ticks <= Windows::ticks) return {0};
+  const std::size_t room = ticks - Windows::ticks;
+  const std::size_t count = std::min(Windows::most, 1 + room / Windows::ticks);
+  std::vector<std::size_t> begins;
+  for (std::size_t k = 0; k < count; ++k) begins.push_back(count == 1 ? 0 : k * room / (count - 1));
+  return begins;
+}
+
+}  // namespace
+
+std::size_t cords_together(const Trace& a, const Trace& b, double most) {
+  const std::size_t ticks = std::min(a.places.size(), b.places.size());
+  for (std::size_t k = 0; k < ticks; ++k) {
+    double sum = 0.0;
+    for (std::size_t s = 0; s < a.places[k].size(); ++s) {
+      const ribbon::Vec2 off = a.places[k][s] - b.places[k][s];
+      sum += dot(off, off);
+    }
+    if (!(sum <= most * most * static_cast<double>(a.places[k].size()))) return k;
+  }
+  return ticks;
+}
+
+std::size_t players_together(const Trace& a, const Trace& b, double most) {
+  const std::size_t ticks = std::min(a.player.size(), b.player.size());
+  for (std::size_t k = 0; k < ticks; ++k) {
+    if (!(length(a.player[k] - b.player[k]) <= most)) return k;
+  }
+  return ticks;
+}
+
+Windows::Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
+                 const ribbon::Accuracy& finer)
+    : level_(&level), inputs_(inputs) {
+  std::vector<Trace> others;
+  for (const std::size_t begin : begins_of(inputs.size())) {
+    Window& window = windows_.emplace_back(Window{begin, run_from(level, inputs, begin, ticks, finer)});
+    const Trace& other = others.emplace_back(run_from(level, inputs, begin, ticks, fine));
+    window.cords = cords_together(other, window.reference, agreed);
+    window.player = players_together(other, window.reference, agreed);
+  }
+  agreement_ =
+      pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
+}
+
+WindowErrors Windows::errors(const ribbon::Accuracy& accuracy) const {
+  return pooled([&](const Window& window) {
+    return run_from(*level_, inputs_, window.begin, std::max(window.cords, window.player), accuracy);
+  });
+}
+
+/// RMS over the ticks of all windows that are compared.
+template <typename Run>
+WindowErrors Windows::pooled(Run&& run) const {
+  double cords = 0.0;
+  double players = 0.0;
+  WindowErrors sum;
+  for (const Window& window : windows_) {
+    if (std::max(window.cords, window.player) == 0) continue;
+    const Trace trace = run(window);
+    const double position = difference(trace, window.reference, window.cords).position_m;
+    const double player = difference(trace, window.reference, window.player).player_m;
+    sum.position_m += static_cast<double>(window.cords) * position * position;
+    sum.player_m += static_cast<double>(window.player) * player * player;
+    cords += static_cast<double>(window.cords);
+    players += static_cast<double>(window.player);
+  }
+  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : 0.0,
+          players > 0.0 ? std::sqrt(sum.player_m / players) : 0.0};
+}
+
+double Windows::share(std::size_t Window::*compared) const {
+  double some = 0.0;
+  double all = 0.0;
+  for (const Window& window : windows_) {
+    some += static_cast<double>(window.*compared);
+    all += static_cast<double>(window.reference.places.size());
+  }
+  return some / all;
+}
+
+}  // namespace study
