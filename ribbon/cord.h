@@ -24,7 +24,7 @@ struct CordReport {
   int searches = 0;      ///< stages that full Newton steps did not solve, begun again with a line search
   int fallbacks = 0;     ///< substeps taken again by implicit Euler because a stage had not converged
   int energy_gains = 0;  ///< substeps taken again, by implicit Euler or to a sharper tolerance, because energy had come
-                         ///< from nowhere; not looked for while something drives the cord
+                         ///< from nowhere; not looked for while something but hands drives the cord
   int halvings = 0;      ///< substeps of implicit Euler that had not converged either, taken as two
   int impacts = 0;       ///< substeps in which somebody began or ceased to touch, taken by implicit Euler and BDF2
   int unlocked = 0;      ///< steps in which cells that were inside out were turned back

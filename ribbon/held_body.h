@@ -34,6 +34,7 @@ struct HeldBody {
   double share = 0.0;    ///< of the step that has gone by at the end of the stage, 0 … 1
   double column = 0.0;   ///< where along the cord, in columns, when the step began,
   double climb = 0.0;    ///< and how far it moves in the step
+  double way = 0.0;      ///< m, that the hand moves in it on the body and along the cord
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
   double slides = 0.0;  ///< 0, or the sign of the force along the cord with which it does
   double slid = 0.0;    ///< columns, along the cord in the step

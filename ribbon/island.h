@@ -86,6 +86,7 @@ class Island {
   void take_hold(Member& member);
   void add_hold(Member& member, std::size_t index);
   void climb(const Member& member);
+  double work_of_hands(double dt) const;
   Vec2 pull_of(std::size_t hold, double dt) const;
   void slip();
   std::size_t body_slot(int index);
@@ -201,6 +202,7 @@ class Island {
   double step_dt_ = 0.0;
   double tolerance_ = 0.0;        // m, of this step
   double least_tolerance_ = 0.0;  // m
+  double guarded_dt_ = 0.0;       // s, of the substep
   bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;

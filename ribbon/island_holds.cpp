@@ -56,7 +56,8 @@ void Island::add_hold(Member& member, std::size_t index) {
   const Vec2 off = grip.offset - held.arm;
   const double most = drawn_share * cord.rest_[0];
   held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
-  driven_ = driven_ || length(held.travel) > unworthy_travel * cord.rest_[0] || held.climb != 0.0;
+  const double way = length(held.travel) + std::abs(held.climb) * cord.rest_[0];
+  held.way = way > unworthy_travel * cord.rest_[0] ? way : 0.0;
   const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
   const auto after = std::upper_bound(first, held_.end(), held.point,
                                       [](std::size_t point, const HeldBody& other) { return point < other.point; });
@@ -176,6 +177,21 @@ double Island::hold_potential(std::span<const Vec2> x) const {
       const Vec2 t = hold_tangent(held_[k]);
       sum += most * std::abs(cross(t, gap)) + held_[k].slides * held_[k].strength * dot(t, gap);
     }
+  }
+  return sum;
+}
+
+/// J, the most that hands which move on their bodies, or along a cord, can have done in a substep: by twice what they
+/// pull with at its end or, of bodies that nothing else moves, pulled with on average.
+double Island::work_of_hands(double dt) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    if (held_[k].way == 0.0) continue;
+    const std::size_t c = center(held_[k].body);
+    const Vec2 pull = together_
+                          ? hold_pull(tensions_, k)
+                          : masses_[c] * ((1.0 / dt) * (velocities_[c] - v0_[c]) - bodies_[held_[k].body].acceleration);
+    sum += 2.0 * length(pull) * held_[k].way * dt / step_dt_;
   }
   return sum;
 }

@@ -25,6 +25,7 @@ using std::numbers::sqrt2;
 /// One substep from `start` on, s since the step began, and its guard: what Newton does not solve, or what gains energy
 /// all the same, is taken again by implicit Euler, and that by halves.
 void Island::substep(double start, double dt, CordReport& report) {
+  guarded_dt_ = dt;
   begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
@@ -134,7 +135,8 @@ void Island::return_to_start() {
 bool Island::gained_energy(const Energy& before, double tolerated) {
   if (driven_) return false;
   energy_after_ = total_energy();
-  return !(energy_after_.total() - before.total() <= ledger_ + tolerated * energy_scale(before));
+  const double work = work_of_hands(guarded_dt_);
+  return !(energy_after_.total() - before.total() <= ledger_ + work + tolerated * energy_scale(before));
 }
 
 /// An impact by implicit Euler takes some angular momentum of what is free, and so large a force loses digits of the
@@ -208,8 +210,9 @@ void Island::calm(const Energy& before) {
 void Island::account(const Energy& before) {
   const double kept = ledger_ > 0.0 ? ledger_decay * ledger_ : ledger_;
   const double scale = energy_scale(before);
-  ledger_ =
-      std::clamp(kept + before.total() - energy_after_.total(), -tolerated_gain * scale, returnable_share * scale);
+  const double lost = before.total() - energy_after_.total();
+  const double unexplained = lost < 0.0 ? std::min(0.0, lost + work_of_hands(guarded_dt_)) : lost;
+  ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable_share * scale);
 }
 
 Cord::Energy Island::total_energy() {
