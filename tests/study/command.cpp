@@ -180,16 +180,25 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   return true;
 }
 
+void print_tally(const std::string& promise, const Tally& tally) {
+  std::printf("%s: %d of %d chosen settings kept it with another player", promise.c_str(), tally.kept, tally.found);
+  if (tally.none > 0) std::printf("; in %s none was found", count_of(tally.none, "further try").c_str());
+  std::putchar('\n');
+}
+
 /// What is asked for, or a centimetre and a tenth of a millisecond.
-int tell_promises(const LevelFile& file, const Command& command) {
-  const double max_error = command.max_error_m.value_or(1e-2);
-  const double budget = command.budget_us.value_or(100.0);
-  const Promises promises =
-      try_promises(file, max_error, budget, *command.promises, [](double share) { show_progress("tries", share); });
-  std::printf("an error of %g m: %d of %d chosen settings kept it with another player\n", max_error,
-              promises.errors_kept, promises.error_tries);
-  std::printf("a cost of %g us: %d of %d chosen settings kept it with another player\n", budget, promises.budgets_kept,
-              promises.budget_tries);
+int tell_promises(const Command& command) {
+  const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
+  const std::vector<LevelFile> levels(names.begin(), names.end());
+  if (levels.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
+  PromiseOptions options;
+  options.max_error_m = command.max_error_m.value_or(options.max_error_m);
+  options.budget_us = command.budget_us.value_or(options.budget_us);
+  options.tries = *command.promises;
+  const Promises promises = try_promises(levels, options, [](double share) { show_progress("tries", share); });
+  for (const std::string& broken : promises.broken) std::printf("broken: %s\n", broken.c_str());
+  print_tally("an error of " + significant(options.max_error_m, 6) + " m", promises.error);
+  print_tally("a cost of " + significant(options.budget_us, 6) + " us", promises.budget);
   return 0;
 }
 
@@ -222,8 +231,8 @@ void print_grid(const std::vector<Dials>& all) {
 }  // namespace
 
 int run(const Command& command) {
+  if (command.promises) return tell_promises(command);
   const LevelFile file(command.level);
-  if (command.promises) return tell_promises(file, command);
   const std::string replay = replay_of(command, file);
   if (command.terms) return tell_terms(file, replay);
 

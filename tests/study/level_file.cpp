@@ -1,10 +1,13 @@
 #include "tests/study/level_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 
+#include "engine/state_hash.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -26,7 +29,7 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
   pixels_per_metre_ = level.map.pixels_per_metre;
   json_ = Json::parse(content_of(path_));
   int cords = 0;
-  for_each_cord(json_, [&cords](Json&) { ++cords; });
+  for_each_cord(json_, [&cords](const Json&) { ++cords; });
   if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
 }
 
@@ -35,13 +38,13 @@ game::Level LevelFile::level_of(const Json& json) const {
 }
 
 template <typename Visit>
-void LevelFile::for_each_cord(Json& json, Visit&& visit) {
+void LevelFile::for_each_object(Json& json, const std::string& kind, Visit&& visit) {
   if (!json.contains("layers")) return;
   for (Json& layer : json["layers"]) {
-    for_each_cord(layer, visit);
+    for_each_object(layer, kind, visit);
     if (!layer.contains("objects")) continue;
     for (Json& object : layer["objects"]) {
-      if (kind_of(object) == "cord") visit(object);
+      if (kind_of(object) == kind) visit(object);
     }
   }
 }
@@ -72,14 +75,15 @@ void LevelFile::set(Json& cord, const std::string& name, const Json& value) {
   properties.push_back({{"name", name}, {"type", value.is_number_integer() ? "int" : type}, {"value", value}});
 }
 
+void LevelFile::multiply_links(Json& cord, double times) {
+  const Json* columns = find(cord, "columns");
+  if (columns == nullptr) return;
+  const int links = static_cast<int>(std::lround(times * (columns->get<int>() - 1)));
+  set(cord, "columns", std::clamp(links, 1, 4999) + 1);
+}
+
 void LevelFile::set_dials(Json& cord, const Dials& dials) {
-  if (dials.points != 1.0) {
-    const Json* columns = find(cord, "columns");
-    if (columns != nullptr) {
-      const int links = static_cast<int>(std::lround(dials.points * (columns->get<int>() - 1)));
-      set(cord, "columns", std::max(links, 1) + 1);
-    }
-  }
+  if (dials.points != 1.0) multiply_links(cord, dials.points);
   if (is_box2d(dials)) return;  // the cords are its measure, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
@@ -114,6 +118,12 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   set(cord, "bar_damping", mass / (columns * thesis_rows) * dials.substeps * 60.0);
 }
 
+game::Level LevelFile::level() const {
+  game::Level level = level_of(json_);
+  level.map.content_hash = hash_;  // which recordings know it by
+  return level;
+}
+
 game::Level LevelFile::with(const Dials& dials) const { return moved(dials, 0.0); }
 
 game::Level LevelFile::moved(const Dials& dials, double offset) const {
@@ -133,6 +143,32 @@ game::Level LevelFile::displaced(double offset) const {
 
 void LevelFile::displace(Json& cord, double offset) const {
   if (offset != 0.0) cord["x"] = cord["x"].get<double>() + offset * pixels_per_metre_;
+}
+
+LevelFile LevelFile::varied(unsigned seed) const {
+  std::mt19937 random(seed);
+  const auto between = [&random](double low, double high) {  // the same bits with every library, as std's are not
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  const auto factor = [&between](double most) { return std::exp(between(-std::log(most), std::log(most))); };
+  LevelFile other = *this;
+  for_each_object(other.json_, "player",
+                  [&](Json& player) { set(player, "mass", level().player_mass * factor(Variation::factor)); });
+  for_each_cord(other.json_, [&](Json& cord) {
+    multiply_links(cord, factor(Variation::links));
+    for (const char* name : {"mass", "drag", "damping", "bending_stiffness"}) {
+      const double times = factor(Variation::factor);
+      const Json* value = find(cord, name);
+      if (value != nullptr) set(cord, name, value->get<double>() * times);
+    }
+    for (const char* axis : {"x", "y"}) {
+      const double offset = between(-Variation::place, Variation::place);
+      cord[axis] = cord[axis].get<double>() + offset * pixels_per_metre_;
+    }
+  });
+  other.hash_ = engine::hash_bytes(other.json_.dump());
+  other.level();  // what cannot be built is refused here
+  return other;
 }
 
 game::Level LevelFile::with_property(const std::string& name, const Json& value) const {

@@ -54,8 +54,8 @@ std::vector<double> meshes_of(const std::vector<Dials>& grid) {
   return meshes;
 }
 
-std::vector<Dials> grid_of(bool quick, bool chains) {
-  std::vector<Dials> all = grid(quick);
+std::vector<Dials> grid_of(const StudyOptions& options, bool chains) {
+  std::vector<Dials> all = options.grid.empty() ? grid(options.quick) : options.grid;
   if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
   return all;
 }
@@ -73,8 +73,8 @@ class LevelStudy {
         results_(&results),
         options_(&options),
         inputs_(std::move(inputs)),
-        no_chains_(options.chains ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
-        grid_(grid_of(options.quick, no_chains_.empty())),
+        no_chains_(options.grid.empty() ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
+        grid_(grid_of(options, no_chains_.empty())),
         progress_(options, all_work()) {}
 
   Study run() {
@@ -94,7 +94,7 @@ class LevelStudy {
     }
     const Dials finest = reference(finer_mesh, false, options_->quick);
     if (stopped()) return study;
-    const Trace fine = converged_run(finest, 0.0);
+    const Trace fine = options_->grid.empty() ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
     for (const Dials& dials : grid_) {
       if (stopped()) return study;
@@ -168,7 +168,7 @@ class LevelStudy {
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
-    measured.mesh = difference(own.trace, fine, own.about.ticks);
+    measured.mesh = difference(own.trace, fine, own.about.ticks);  // none, if there is no finer one
     measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;

@@ -53,7 +53,7 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  bool chains = true;                            ///< measure Box2D's too, where the level can be run by them
+  std::vector<Dials> grid;                       ///< what to measure, instead of what `quick` says, and no meshes
   std::string folder;                            ///< where results are kept; empty: nowhere
   std::function<bool()> stopped;                 ///< asked between runs
   std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left
