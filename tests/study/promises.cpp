@@ -10,7 +10,6 @@
 namespace study {
 namespace {
 
-constexpr int ticks = 120;
 constexpr int repeats = 3;
 
 /// The quick grid, of it what a level's own cords can have.
@@ -80,14 +79,14 @@ Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& o
   for (int k = 0; k < options.tries; ++k) {
     const auto seed = static_cast<unsigned>(2 * k);
     const LevelFile level = levels[static_cast<std::size_t>(k) % levels.size()].varied(seed);
-    const Study chosen_on = measure_level(level, random_inputs(seed, ticks), options_of(own_settings()));
+    const Study chosen_on = measure_level(level, random_inputs(seed, options.ticks), options_of(own_settings()));
     const std::vector<Point> points = applicable(chosen_on);
     const Chosen chosen{cheapest_within(points, options.max_error_m), most_exact_within(points, options.budget_us)};
     promises.error.none += chosen.cheapest ? 0 : 1;
     promises.budget.none += chosen.most_exact ? 0 : 1;
     const std::vector<Dials> dials = chosen.dials(chosen_on.settings);
     if (!dials.empty()) {
-      const Study tried_on = measure_level(level, random_inputs(seed + 1, ticks), options_of(dials));
+      const Study tried_on = measure_level(level, random_inputs(seed + 1, options.ticks), options_of(dials));
       const std::vector<Point> again = tried_on.points();
       const std::string where = chosen_on.level + ", try " + std::to_string(k + 1) + ", ";
       if (chosen.cheapest) {

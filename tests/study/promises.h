@@ -28,6 +28,7 @@ struct PromiseOptions {
   double max_error_m = 1e-2;
   double budget_us = 100.0;
   int tries = 100;
+  int ticks = 120;  ///< that each player plays
 };
 
 using Measure =
