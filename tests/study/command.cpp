@@ -33,8 +33,14 @@ std::string replay_of(const Command& command, const LevelFile& file) {
   return path;
 }
 
+/// 1 times the links in 2 rows
+std::string name_of(const Mesh& mesh) {
+  return significant(mesh.points, 6) + " times the links" +
+         (mesh.rows > 1 ? " in " + std::to_string(mesh.rows) + " rows" : "");
+}
+
 std::string seconds_of(const Reference& reference, std::size_t ticks) {
-  const std::string points = "With " + significant(reference.points, 6) + " times the links ";
+  const std::string points = "With " + name_of(reference.mesh) + " ";
   std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
   if (reference.unconverged_ticks > 0) {
     agreement += " (though " + count_of(reference.unconverged_ticks, "tick") + " of the finer one did not converge)";
@@ -48,7 +54,7 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
 
 /// What two converged runs differ by where all is chance: no setting can be known to be nearer.
 std::string yardstick_of(const Reference& reference) {
-  std::string sentence = "The two converged runs of " + significant(reference.points, 6) + " times the links: ";
+  std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
   for (std::size_t k = 0; k < Statistics::count; ++k) {
     sentence +=
         (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.later.values[k], 2);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/state_hash.h"
+#include "tests/study/figures.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -82,7 +83,7 @@ void LevelFile::multiply_links(Json& cord, double times) {
   set(cord, "columns", std::clamp(links, 1, 4999) + 1);
 }
 
-void LevelFile::set_dials(Json& cord, const Dials& dials) {
+void LevelFile::set_dials(Json& cord, const Dials& dials) const {
   if (dials.points != 1.0) multiply_links(cord, dials.points);
   if (is_box2d(dials)) return;  // the cords are its measure, and are not stepped
   const Json* solver = find(cord, "solver");
@@ -93,10 +94,37 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) {
     return;
   }
   if (is_thesis) return;  // its material is no cord's of the direct solver
+  if (dials.rows > 1) make_ribbon(cord, dials.rows);
   set(cord, "accuracy", nullptr);
   set(cord, "integrator", dials.integrator);
   set(cord, "substeps", dials.substeps);
   set(cord, "tolerance", dials.tolerance);
+  set(cord, "max_iterations", dials.iterations > 0 ? Json(dials.iterations) : Json());
+}
+
+double LevelFile::ribbon_stiffness() const {
+  constexpr double loads = 5.0;  // a swing pulls with three weights, a catch with more
+  constexpr double stretch = 1e-4;
+  const game::Level own = level();
+  const auto scene = own.make_scene();
+  const double mass = mass_of(scene->world(), scene->coupling()) + own.player_mass;
+  return loads * mass * static_cast<double>(scene->world().GetGravity().Length()) / stretch;
+}
+
+/// The ribbon of the rope's mass, bending and thickness: a surface of half the radius on both sides of its width.
+void LevelFile::make_ribbon(Json& cord, int rows) const {
+  const Json* own_rows = find(cord, "rows");
+  if (own_rows != nullptr && own_rows->get<int>() > 1) return;
+  const Json* own_radius = find(cord, "radius");
+  const double radius = own_radius == nullptr ? ribbon::CordDef{}.radius : own_radius->get<double>();
+  set(cord, "rows", rows);
+  if (radius > 0.0) {
+    set(cord, "radius", 0.5 * radius);
+    set(cord, "width", radius);
+  }
+  if (find(cord, "stretch_stiffness") == nullptr) set(cord, "stretch_stiffness", std::max(ribbon_stiffness(), 1.0));
+  if (rows > 2 && find(cord, "bending_stiffness") == nullptr) set(cord, "bending_stiffness", 1e-6);  // it needs one
+  set(cord, "tension_only", nullptr);
 }
 
 /// The thesis's cord of the same mass and columns, its springs as stiff and its bars as damped as substeps of a
@@ -107,8 +135,8 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   const int own_rows = rows == nullptr ? 1 : rows->get<int>();
   const double mass = find(cord, "mass")->get<double>();
   for (const char* name : {"stretch_stiffness", "bending_stiffness", "poisson_ratio", "damping", "tension_only",
-                           "radius", "width", "accuracy", "integrator", "tolerance", "friction", "restitution",
-                           "self_contact", "cord_contact", "area_stiffness"}) {
+                           "radius", "width", "accuracy", "integrator", "tolerance", "max_iterations", "friction",
+                           "restitution", "self_contact", "cord_contact", "area_stiffness"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);

@@ -28,6 +28,9 @@ class LevelFile {
 
   /// The level as it is.
   game::Level level() const;
+  /// N, the stretch stiffness of the ribbons that stand in for ropes without one: with five times the weight of all
+  /// that moves on one of them it stretches by a ten thousandth.
+  double ribbon_stiffness() const;
   /// With all its cords solved so. Throws engine::MapError if that cannot be built.
   game::Level with(const Dials& dials) const;
   /// The same, the cords moved by `offset` [m] to the right.
@@ -60,7 +63,8 @@ class LevelFile {
   static const Json* find(const Json& cord, const std::string& name);
   void displace(Json& cord, double offset) const;
   static void multiply_links(Json& cord, double times);
-  static void set_dials(Json& cord, const Dials& dials);
+  void set_dials(Json& cord, const Dials& dials) const;
+  void make_ribbon(Json& cord, int rows) const;
   static void make_thesis(Json& cord, const Dials& dials);
 
   std::string path_;

@@ -17,7 +17,7 @@ std::vector<Dials> own_settings() {
   std::vector<Dials> own;
   const std::vector<Dials> all = grid(true);
   std::copy_if(all.begin(), all.end(), std::back_inserter(own),
-               [](const Dials& dials) { return dials.solver == "direct" && dials.points == 1.0; });
+               [](const Dials& dials) { return dials.solver == "direct" && mesh_of(dials) == Mesh{}; });
   return own;
 }
 
