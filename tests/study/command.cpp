@@ -188,7 +188,7 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
 
 void print_tally(const std::string& promise, const Tally& tally) {
   std::printf("%s: %d of %d chosen settings kept it with another player", promise.c_str(), tally.kept, tally.found);
-  if (tally.none > 0) std::printf("; in %s none was found", count_of(tally.none, "further try").c_str());
+  if (tally.none > 0) std::printf("; none was found in %d more", tally.none);
   std::putchar('\n');
 }
 
@@ -203,6 +203,7 @@ int tell_promises(const Command& command) {
   options.tries = *command.promises;
   const Promises promises = try_promises(levels, options, [](double share) { show_progress("tries", share); });
   for (const std::string& broken : promises.broken) std::printf("broken: %s\n", broken.c_str());
+  std::printf("the other player held a cord in %d of %d tries\n", promises.held, options.tries);
   print_tally("an error of " + significant(options.max_error_m, 6) + " m", promises.error);
   print_tally("a cost of " + significant(options.budget_us, 6) + " us", promises.budget);
   return 0;

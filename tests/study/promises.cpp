@@ -54,6 +54,14 @@ void count(Tally& tally, const Point& again, double Point::*value, double most, 
                    (again.failure.empty() ? significant(again.*value, 3) : again.failure));
 }
 
+bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>& inputs) {
+  game::Simulation simulation(level);
+  return std::any_of(inputs.begin(), inputs.end(), [&simulation](const engine::TickInput& input) {
+    simulation.tick(input);
+    return simulation.scene().coupling().held_by(simulation.player().body()).has_value();
+  });
+}
+
 }  // namespace
 
 std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
@@ -61,11 +69,14 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<engine::TickInput> inputs(static_cast<std::size_t>(count));
   std::uint16_t buttons = game::button_right;
-  for (engine::TickInput& input : inputs) {
+  for (engine::TickInput& input : inputs) {  // levels go to the right, and cords are there to be caught
     if (random() % held_for == 0) {
       buttons = 0;
-      for (const std::uint16_t button : {game::button_left, game::button_right, game::button_jump, game::button_grab}) {
-        if (random() % 2 == 0) buttons = static_cast<std::uint16_t>(buttons | button);
+      for (const auto& [button, eighths] : {std::pair{game::button_left, 1U},
+                                            {game::button_right, 7U},
+                                            {game::button_jump, 4U},
+                                            {game::button_grab, 6U}}) {
+        if (random() % 8 < eighths) buttons = static_cast<std::uint16_t>(buttons | button);
       }
     }
     input.buttons = buttons;
@@ -97,6 +108,7 @@ Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& o
         count(promises.budget, again.back(), &Point::cost_us, options.budget_us, where + "cost [us]", promises.broken);
       }
     }
+    promises.held += holds_a_cord(level.level(), random_inputs(seed + 1, options.ticks)) ? 1 : 0;
     progress(static_cast<double>(k + 1) / options.tries);
   }
   return promises;

@@ -20,6 +20,7 @@ struct Tally {
 struct Promises {
   Tally error;
   Tally budget;
+  int held = 0;                     ///< tries in which the other player held a cord
   std::vector<std::string> broken;  ///< each, in words
 };
 
