@@ -95,7 +95,7 @@ std::vector<std::string> notes_on_baselines(const Study& study) {
   return notes;
 }
 
-Report report_of(const Study& study) {
+Report report_of(const Study& study, const LevelFile& file) {
   Report report;
   report.title = study.level;
   report.notes.push_back(
@@ -105,6 +105,13 @@ Report report_of(const Study& study) {
       "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
       "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
       "the one of four times the level's links.");
+  if (std::any_of(study.references.begin(), study.references.end(),
+                  [](const Reference& r) { return r.mesh.rows > 1; })) {
+    report.notes.push_back(
+        "Cords of several rows are ribbons of the ropes' mass, bending and thickness, with a stretch_stiffness of " +
+        significant(file.ribbon_stiffness(), 2) +
+        " N where the rope has none: five times the weight of all that moves stretches one by a ten thousandth.");
+  }
   report.notes.push_back(
       "Each error is of its own kind. tension: of the peak, as a share of the converged one. penetration: the deepest "
       "that a cord is in a body after a tick, as a share of its radius. energy and momentum: the furthest from the "
@@ -259,7 +266,7 @@ int run(const Command& command) {
                                            : "what is measured is kept, and the same command goes on from there");
     return 1;
   }
-  const Report report = report_of(study);
+  const Report report = report_of(study, file);
   for (const std::string& note : report.notes) std::printf("%s\n", note.c_str());
   print_table(report);
   const bool kept = recommend(command, file, study);
