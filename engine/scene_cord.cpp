@@ -19,10 +19,10 @@ const Choices thesis_properties = {"solver",           "columns",     "rows",   
                                    "spring_stiffness", "bar_damping", "drag",      "area_stiffness",
                                    "self_collision",   "substeps",    "pin_first", "pin_last"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",        "mass",         "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",     "drag",         "tension_only",      "radius",
-    "width",         "accuracy",       "integrator",  "substeps",     "tolerance",         "pin_first",
-    "pin_last",      "friction",       "restitution", "self_contact", "cord_contact"};
+    "solver",        "columns",        "rows",       "mass",        "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",    "drag",        "tension_only",      "radius",
+    "width",         "accuracy",       "integrator", "substeps",    "tolerance",         "max_iterations",
+    "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -167,6 +167,7 @@ ribbon::Accuracy accuracy_of(const Properties& p) {
   }
   accuracy.substeps = substeps_of(p, accuracy.substeps);
   accuracy.tolerance = p.number_or("tolerance", accuracy.tolerance, {1e-12, 1.0});
+  accuracy.max_iterations = static_cast<int>(p.integer_or("max_iterations", accuracy.max_iterations, {1, 1000}));
   return accuracy;
 }
 

@@ -33,8 +33,14 @@ std::string replay_of(const Command& command, const LevelFile& file) {
   return path;
 }
 
+/// 1 times the links in 2 rows
+std::string name_of(const Mesh& mesh) {
+  return significant(mesh.points, 6) + " times the links" +
+         (mesh.rows > 1 ? " in " + std::to_string(mesh.rows) + " rows" : "");
+}
+
 std::string seconds_of(const Reference& reference, std::size_t ticks) {
-  const std::string points = "With " + significant(reference.points, 6) + " times the links ";
+  const std::string points = "With " + name_of(reference.mesh) + " ";
   std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
   if (reference.unconverged_ticks > 0) {
     agreement += " (though " + count_of(reference.unconverged_ticks, "tick") + " of the finer one did not converge)";
@@ -48,7 +54,7 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
 
 /// What two converged runs differ by where all is chance: no setting can be known to be nearer.
 std::string yardstick_of(const Reference& reference) {
-  std::string sentence = "The two converged runs of " + significant(reference.points, 6) + " times the links: ";
+  std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
   for (std::size_t k = 0; k < Statistics::count; ++k) {
     sentence +=
         (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.later.values[k], 2);
@@ -89,7 +95,7 @@ std::vector<std::string> notes_on_baselines(const Study& study) {
   return notes;
 }
 
-Report report_of(const Study& study) {
+Report report_of(const Study& study, const LevelFile& file) {
   Report report;
   report.title = study.level;
   report.notes.push_back(
@@ -99,6 +105,13 @@ Report report_of(const Study& study) {
       "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
       "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
       "the one of four times the level's links.");
+  if (std::any_of(study.references.begin(), study.references.end(),
+                  [](const Reference& r) { return r.mesh.rows > 1; })) {
+    report.notes.push_back(
+        "Cords of several rows are ribbons of the ropes' mass, bending and thickness, with a stretch_stiffness of " +
+        significant(file.ribbon_stiffness(), 2) +
+        " N where the rope has none: five times the weight of all that moves stretches one by a ten thousandth.");
+  }
   report.notes.push_back(
       "Each error is of its own kind. tension: of the peak, as a share of the converged one. penetration: the deepest "
       "that a cord is in a body after a tick, as a share of its radius. energy and momentum: the furthest from the "
@@ -180,16 +193,26 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   return true;
 }
 
+void print_tally(const std::string& promise, const Tally& tally) {
+  std::printf("%s: %d of %d chosen settings kept it with another player", promise.c_str(), tally.kept, tally.found);
+  if (tally.none > 0) std::printf("; none was found in %d more", tally.none);
+  std::putchar('\n');
+}
+
 /// What is asked for, or a centimetre and a tenth of a millisecond.
-int tell_promises(const LevelFile& file, const Command& command) {
-  const double max_error = command.max_error_m.value_or(1e-2);
-  const double budget = command.budget_us.value_or(100.0);
-  const Promises promises =
-      try_promises(file, max_error, budget, *command.promises, [](double share) { show_progress("tries", share); });
-  std::printf("an error of %g m: %d of %d chosen settings kept it with another player\n", max_error,
-              promises.errors_kept, promises.error_tries);
-  std::printf("a cost of %g us: %d of %d chosen settings kept it with another player\n", budget, promises.budgets_kept,
-              promises.budget_tries);
+int tell_promises(const Command& command) {
+  const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
+  const std::vector<LevelFile> levels(names.begin(), names.end());
+  if (levels.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
+  PromiseOptions options;
+  options.max_error_m = command.max_error_m.value_or(options.max_error_m);
+  options.budget_us = command.budget_us.value_or(options.budget_us);
+  options.tries = *command.promises;
+  const Promises promises = try_promises(levels, options, [](double share) { show_progress("tries", share); });
+  for (const std::string& broken : promises.broken) std::printf("broken: %s\n", broken.c_str());
+  std::printf("the other player held a cord in %d of %d tries\n", promises.held, options.tries);
+  print_tally("an error of " + significant(options.max_error_m, 6) + " m", promises.error);
+  print_tally("a cost of " + significant(options.budget_us, 6) + " us", promises.budget);
   return 0;
 }
 
@@ -222,8 +245,8 @@ void print_grid(const std::vector<Dials>& all) {
 }  // namespace
 
 int run(const Command& command) {
+  if (command.promises) return tell_promises(command);
   const LevelFile file(command.level);
-  if (command.promises) return tell_promises(file, command);
   const std::string replay = replay_of(command, file);
   if (command.terms) return tell_terms(file, replay);
 
@@ -243,7 +266,7 @@ int run(const Command& command) {
                                            : "what is measured is kept, and the same command goes on from there");
     return 1;
   }
-  const Report report = report_of(study);
+  const Report report = report_of(study, file);
   for (const std::string& note : report.notes) std::printf("%s\n", note.c_str());
   print_table(report);
   const bool kept = recommend(command, file, study);

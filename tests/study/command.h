@@ -2,14 +2,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace study {
 
 /// What tradeoff is asked about a level.
 struct Command {
   std::string level;
-  std::string replay;  ///< empty: the one of the level's name in the assets folder
-  std::string folder;  ///< of the report; empty: none is written
+  std::vector<std::string> levels;  ///< of promises; empty: all that the assets folder has
+  std::string replay;               ///< empty: the one of the level's name in the assets folder
+  std::string folder;               ///< of the report; empty: none is written
   bool quick = false;
   bool terms = false;
   bool apply = false;

@@ -11,9 +11,13 @@ std::string name_of(const Dials& dials) {
   } else if (dials.solver != "thesis") {
     name = dials.integrator + " " + name + " tolerance=" + significant(dials.tolerance, 6);
   }
+  if (!is_box2d(dials) && dials.iterations != 0) name += " iterations=" + std::to_string(dials.iterations);
+  if (dials.rows != 1) name += " rows=" + std::to_string(dials.rows);
   if (dials.points != 1.0) name += " points=x" + significant(dials.points, 6);
   return name;
 }
+
+Mesh mesh_of(const Dials& dials) { return {dials.points, dials.rows}; }
 
 bool is_box2d(const Dials& dials) { return dials.solver.starts_with("box2d"); }
 
@@ -35,6 +39,14 @@ std::vector<Dials> grid(bool quick) {
   for (const double points : {0.5, 2.0}) {
     for (const int n : quick ? std::vector{1} : std::vector{1, 4}) add({"direct", "tr_bdf2", n, 5e-4, points});
   }
+  if (!quick) {
+    for (const int iterations : {2, 32}) {
+      for (const double tolerance : {5e-4, 1e-5}) add({"direct", "tr_bdf2", 1, tolerance, 1.0, iterations});
+    }
+    for (const int rows : {2, 3}) {
+      for (const int n : {1, 4}) add({"direct", "tr_bdf2", n, 5e-4, 1.0, 0, rows});
+    }
+  }
   for (const int n : quick ? std::vector{8} : std::vector{4, 16, 64}) add({"thesis", "", n, 0.0});
   const auto add_chain = [&add](const char* solver, int n, int iterations) {
     add({solver, "", n, 0.0, 1.0, iterations});
@@ -47,8 +59,8 @@ std::vector<Dials> grid(bool quick) {
   return all;
 }
 
-Dials reference(double points, bool second, bool quick) {
-  return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick ? 2 : 1), 1e-7, points};
+Dials reference(const Mesh& mesh, bool second, bool quick) {
+  return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick || mesh.rows > 1 ? 2 : 1), 1e-7, mesh.points, 0, mesh.rows};
 }
 
 }  // namespace study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,22 @@ struct Dials {
   int substeps = 1;
   double tolerance = 5e-4;  ///< m, of the direct solver
   double points = 1.0;      ///< times the links that the level's cords have
-  int iterations = 0;       ///< of Box2D's velocities a substep, of its chains; of positions 3/8 of it
+  int iterations = 0;  ///< at most, of Newton's a solve (0: 8); of chains of Box2D's velocities a substep, and 3/8 of
+                       ///< it of positions
+  int rows = 1;        ///< of a ribbon to take the place of each rope
 
   bool operator==(const Dials&) const = default;
 };
+
+/// What decides to which motion a run converges.
+struct Mesh {
+  double points = 1.0;
+  int rows = 1;
+
+  auto operator<=>(const Mesh&) const = default;
+};
+
+Mesh mesh_of(const Dials& dials);
 
 /// tr_bdf2 substeps=1 tolerance=0.0005 points=x2
 std::string name_of(const Dials& dials);
@@ -23,12 +36,12 @@ std::string name_of(const Dials& dials);
 /// Whether chains of Box2D's joints are to stand in for the cords.
 bool is_box2d(const Dials& dials);
 
-/// Both integrators, 1 … 8 substeps, three tolerances; half and twice the points; the thesis's method; Box2D's
-/// chains. `quick`: the presets, and one step away from them.
+/// Both integrators, 1 … 8 substeps, three tolerances; few and many iterations; half and twice the points; two and
+/// three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step away from them.
 std::vector<Dials> grid(bool quick);
 
-/// The converged motion of a cord of so many points: 64 or 128 substeps solved to the tenth of a micrometre, half as
-/// many for `quick`.
-Dials reference(double points, bool second, bool quick);
+/// The converged motion of cords of such a mesh: 64 or 128 substeps solved to the tenth of a micrometre, half as
+/// many for `quick` and for ribbons.
+Dials reference(const Mesh& mesh, bool second, bool quick);
 
 }  // namespace study

@@ -1,10 +1,14 @@
 #include "tests/study/level_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 
+#include "engine/state_hash.h"
+#include "tests/study/figures.h"
 #include "tests/study/words.h"
 
 namespace study {
@@ -26,7 +30,7 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
   pixels_per_metre_ = level.map.pixels_per_metre;
   json_ = Json::parse(content_of(path_));
   int cords = 0;
-  for_each_cord(json_, [&cords](Json&) { ++cords; });
+  for_each_cord(json_, [&cords](const Json&) { ++cords; });
   if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
 }
 
@@ -35,13 +39,13 @@ game::Level LevelFile::level_of(const Json& json) const {
 }
 
 template <typename Visit>
-void LevelFile::for_each_cord(Json& json, Visit&& visit) {
+void LevelFile::for_each_object(Json& json, const std::string& kind, Visit&& visit) {
   if (!json.contains("layers")) return;
   for (Json& layer : json["layers"]) {
-    for_each_cord(layer, visit);
+    for_each_object(layer, kind, visit);
     if (!layer.contains("objects")) continue;
     for (Json& object : layer["objects"]) {
-      if (kind_of(object) == "cord") visit(object);
+      if (kind_of(object) == kind) visit(object);
     }
   }
 }
@@ -72,14 +76,15 @@ void LevelFile::set(Json& cord, const std::string& name, const Json& value) {
   properties.push_back({{"name", name}, {"type", value.is_number_integer() ? "int" : type}, {"value", value}});
 }
 
-void LevelFile::set_dials(Json& cord, const Dials& dials) {
-  if (dials.points != 1.0) {
-    const Json* columns = find(cord, "columns");
-    if (columns != nullptr) {
-      const int links = static_cast<int>(std::lround(dials.points * (columns->get<int>() - 1)));
-      set(cord, "columns", std::max(links, 1) + 1);
-    }
-  }
+void LevelFile::multiply_links(Json& cord, double times) {
+  const Json* columns = find(cord, "columns");
+  if (columns == nullptr) return;
+  const int links = static_cast<int>(std::lround(times * (columns->get<int>() - 1)));
+  set(cord, "columns", std::clamp(links, 1, 4999) + 1);
+}
+
+void LevelFile::set_dials(Json& cord, const Dials& dials) const {
+  if (dials.points != 1.0) multiply_links(cord, dials.points);
   if (is_box2d(dials)) return;  // the cords are its measure, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
@@ -89,10 +94,37 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) {
     return;
   }
   if (is_thesis) return;  // its material is no cord's of the direct solver
+  if (dials.rows > 1) make_ribbon(cord, dials.rows);
   set(cord, "accuracy", nullptr);
   set(cord, "integrator", dials.integrator);
   set(cord, "substeps", dials.substeps);
   set(cord, "tolerance", dials.tolerance);
+  set(cord, "max_iterations", dials.iterations > 0 ? Json(dials.iterations) : Json());
+}
+
+double LevelFile::ribbon_stiffness() const {
+  constexpr double loads = 5.0;  // a swing pulls with three weights, a catch with more
+  constexpr double stretch = 1e-4;
+  const game::Level own = level();
+  const auto scene = own.make_scene();
+  const double mass = mass_of(scene->world(), scene->coupling()) + own.player_mass;
+  return loads * mass * static_cast<double>(scene->world().GetGravity().Length()) / stretch;
+}
+
+/// The ribbon of the rope's mass, bending and thickness: a surface of half the radius on both sides of its width.
+void LevelFile::make_ribbon(Json& cord, int rows) const {
+  const Json* own_rows = find(cord, "rows");
+  if (own_rows != nullptr && own_rows->get<int>() > 1) return;
+  const Json* own_radius = find(cord, "radius");
+  const double radius = own_radius == nullptr ? ribbon::CordDef{}.radius : own_radius->get<double>();
+  set(cord, "rows", rows);
+  if (radius > 0.0) {
+    set(cord, "radius", 0.5 * radius);
+    set(cord, "width", radius);
+  }
+  if (find(cord, "stretch_stiffness") == nullptr) set(cord, "stretch_stiffness", std::max(ribbon_stiffness(), 1.0));
+  if (rows > 2 && find(cord, "bending_stiffness") == nullptr) set(cord, "bending_stiffness", 1e-6);  // it needs one
+  set(cord, "tension_only", nullptr);
 }
 
 /// The thesis's cord of the same mass and columns, its springs as stiff and its bars as damped as substeps of a
@@ -103,8 +135,8 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   const int own_rows = rows == nullptr ? 1 : rows->get<int>();
   const double mass = find(cord, "mass")->get<double>();
   for (const char* name : {"stretch_stiffness", "bending_stiffness", "poisson_ratio", "damping", "tension_only",
-                           "radius", "width", "accuracy", "integrator", "tolerance", "friction", "restitution",
-                           "self_contact", "cord_contact", "area_stiffness"}) {
+                           "radius", "width", "accuracy", "integrator", "tolerance", "max_iterations", "friction",
+                           "restitution", "self_contact", "cord_contact", "area_stiffness"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);
@@ -112,6 +144,12 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   set(cord, "rows", thesis_rows);
   set(cord, "spring_stiffness", 1e12);
   set(cord, "bar_damping", mass / (columns * thesis_rows) * dials.substeps * 60.0);
+}
+
+game::Level LevelFile::level() const {
+  game::Level level = level_of(json_);
+  level.map.content_hash = hash_;  // which recordings know it by
+  return level;
 }
 
 game::Level LevelFile::with(const Dials& dials) const { return moved(dials, 0.0); }
@@ -133,6 +171,32 @@ game::Level LevelFile::displaced(double offset) const {
 
 void LevelFile::displace(Json& cord, double offset) const {
   if (offset != 0.0) cord["x"] = cord["x"].get<double>() + offset * pixels_per_metre_;
+}
+
+LevelFile LevelFile::varied(unsigned seed) const {
+  std::mt19937 random(seed);
+  const auto between = [&random](double low, double high) {  // the same bits with every library, as std's are not
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  const auto factor = [&between](double most) { return std::exp(between(-std::log(most), std::log(most))); };
+  LevelFile other = *this;
+  for_each_object(other.json_, "player",
+                  [&](Json& player) { set(player, "mass", level().player_mass * factor(Variation::factor)); });
+  for_each_cord(other.json_, [&](Json& cord) {
+    multiply_links(cord, factor(Variation::links));
+    for (const char* name : {"mass", "drag", "damping", "bending_stiffness"}) {
+      const double times = factor(Variation::factor);
+      const Json* value = find(cord, name);
+      if (value != nullptr) set(cord, name, value->get<double>() * times);
+    }
+    for (const char* axis : {"x", "y"}) {
+      const double offset = between(-Variation::place, Variation::place);
+      cord[axis] = cord[axis].get<double>() + offset * pixels_per_metre_;
+    }
+  });
+  other.hash_ = engine::hash_bytes(other.json_.dump());
+  other.level();  // what cannot be built is refused here
+  return other;
 }
 
 game::Level LevelFile::with_property(const std::string& name, const Json& value) const {

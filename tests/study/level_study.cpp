@@ -41,21 +41,21 @@ class Progress {
 /// In substeps of a cord of the level's points.
 double work_of(const Dials& dials) {
   if (is_box2d(dials)) return 1.0 + 0.1 * dials.substeps * dials.iterations;
-  return dials.points * (1.0 + 0.7 * dials.substeps);
+  return dials.points * (1.0 + 0.7 * dials.substeps) * (dials.rows > 1 ? 3.0 * dials.rows : 1.0);
 }
 
 Method method_of(const Dials& dials) { return is_box2d(dials) ? chain_method(dials) : Method{}; }
 
-std::vector<double> meshes_of(const std::vector<Dials>& grid) {
-  std::vector<double> meshes;
+std::vector<Mesh> meshes_of(const std::vector<Dials>& grid) {
+  std::vector<Mesh> meshes;
   for (const Dials& dials : grid) {
-    if (std::find(meshes.begin(), meshes.end(), dials.points) == meshes.end()) meshes.push_back(dials.points);
+    if (std::find(meshes.begin(), meshes.end(), mesh_of(dials)) == meshes.end()) meshes.push_back(mesh_of(dials));
   }
   return meshes;
 }
 
-std::vector<Dials> grid_of(bool quick, bool chains) {
-  std::vector<Dials> all = grid(quick);
+std::vector<Dials> grid_of(const StudyOptions& options, bool chains) {
+  std::vector<Dials> all = options.grid.empty() ? grid(options.quick) : options.grid;
   if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
   return all;
 }
@@ -73,8 +73,8 @@ class LevelStudy {
         results_(&results),
         options_(&options),
         inputs_(std::move(inputs)),
-        no_chains_(options.chains ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
-        grid_(grid_of(options.quick, no_chains_.empty())),
+        no_chains_(options.grid.empty() ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
+        grid_(grid_of(options, no_chains_.empty())),
         progress_(options, all_work()) {}
 
   Study run() {
@@ -88,13 +88,13 @@ class LevelStudy {
     Study study;
     study.ticks = inputs_.size();
     study.no_chains = no_chains_;
-    for (const double points : meshes_of(grid_)) {
-      if (!find_reference(points)) return study;
-      study.references.push_back(converged_[points].about);
+    for (const Mesh& mesh : meshes_of(grid_)) {
+      if (!find_reference(mesh)) return study;
+      study.references.push_back(converged_[mesh].about);
     }
-    const Dials finest = reference(finer_mesh, false, options_->quick);
+    const Dials finest = reference({finer_mesh}, false, options_->quick);
     if (stopped()) return study;
-    const Trace fine = converged_run(finest, 0.0);
+    const Trace fine = options_->grid.empty() ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
     for (const Dials& dials : grid_) {
       if (stopped()) return study;
@@ -113,10 +113,9 @@ class LevelStudy {
   }
 
   double all_work() const {
-    double sum = work_of(reference(finer_mesh, false, options_->quick));
-    for (const double points : meshes_of(grid_)) {
-      sum +=
-          2.0 * work_of(reference(points, false, options_->quick)) + work_of(reference(points, true, options_->quick));
+    double sum = work_of(reference({finer_mesh}, false, options_->quick));
+    for (const Mesh& mesh : meshes_of(grid_)) {
+      sum += 2.0 * work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick));
     }
     for (const Dials& dials : grid_) sum += (1.0 + options_->repeats) * work_of(dials);
     return sum;
@@ -138,9 +137,9 @@ class LevelStudy {
     return study::run(level, inputs_, method);
   }
 
-  bool find_reference(double points) {
-    const Dials first = reference(points, false, options_->quick);
-    const Dials second = reference(points, true, options_->quick);
+  bool find_reference(const Mesh& mesh) {
+    const Dials first = reference(mesh, false, options_->quick);
+    const Dials second = reference(mesh, true, options_->quick);
     if (stopped()) return false;
     Converged converged;
     converged.trace = converged_run(second, 0.0);
@@ -151,24 +150,24 @@ class LevelStudy {
     if (stopped()) return false;
     const Trace disturbed = converged_run(first, disturbance);
     progress_.add(work_of(first));
-    converged.about.points = points;
+    converged.about.mesh = mesh;
     converged.about.ticks =
         std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, agreed));
     const std::size_t ticks = converged.about.ticks;
     converged.about.later = difference(statistics(converged.trace, ticks), statistics(other, ticks));
     converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
-    converged_[points] = std::move(converged);
+    converged_[mesh] = std::move(converged);
     return true;
   }
 
   Measured measure_error(const Dials& dials, const Trace& fine) {
-    const Converged& own = converged_[dials.points];
+    const Converged& own = converged_[mesh_of(dials)];
     const Trace trace = run_once(file_->with(dials), method_of(dials));
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
-    measured.mesh = difference(own.trace, fine, own.about.ticks);
+    measured.mesh = difference(own.trace, fine, own.about.ticks);  // none, if there is no finer one
     measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
     measured.work = trace.work;
@@ -206,7 +205,7 @@ class LevelStudy {
   std::string no_chains_;
   std::vector<Dials> grid_;
   Progress progress_;
-  std::map<double, Converged> converged_;
+  std::map<Mesh, Converged> converged_;
   int runs_ = 0;
 };
 
@@ -223,7 +222,7 @@ Point Measured::point() const {
   Point point{dials.solver, name_of(dials), cost_us, p99_us};
   point.error_m = std::max(error.greatest_length(), known_to_m);
   point.failure = failure;
-  point.apart = dials.points != 1.0;
+  point.apart = mesh_of(dials) != Mesh{};
   return point;
 }
 

@@ -30,7 +30,7 @@ struct Measured {
 
 /// What the converged runs of a level say.
 struct Reference {
-  double points = 1.0;
+  Mesh mesh;
   std::size_t ticks = 0;      ///< in which 1e-10 m do not grow to 1 cm, nor the runs differ by 0.1 mm; or all
   double agreement_m = 0.0;   ///< of two converged runs of different substeps in them
   Statistics later;           ///< of these two after them: how far apart
@@ -53,7 +53,7 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  bool chains = true;                            ///< measure Box2D's too, where the level can be run by them
+  std::vector<Dials> grid;                       ///< what to measure, instead of what `quick` says, and no meshes
   std::string folder;                            ///< where results are kept; empty: nowhere
   std::function<bool()> stopped;                 ///< asked between runs
   std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "engine/replay.h"
+#include "game/buttons.h"
 #include "tests/study/command.h"
 #include "tests/study/kept_trace.h"
 #include "tests/study/plot.h"
@@ -111,9 +112,40 @@ TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
     EXPECT_EQ(def.friction, old.friction);
     EXPECT_EQ(def.bending_stiffness, old.bending_stiffness);
   }
+  EXPECT_EQ(file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 32}).make_scene()->coupling().direct_cord(0).def().accuracy,
+            (ribbon::Accuracy{ribbon::Integrator::tr_bdf2, 1, 32, 5e-4}));
   const auto thesis = file.with({"thesis", "", 4, 0.0}).make_scene();
   EXPECT_EQ(thesis->coupling().solver(0), engine::Solver::thesis);
   EXPECT_EQ(thesis->coupling().cord(0).def().substeps, 4);
+}
+
+TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
+  const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
+  const auto ropes = file.level().make_scene();
+  for (const int rows : {2, 3}) {
+    const game::Level level = file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 0, rows});
+    const auto ribbons = level.make_scene();
+    for (int c = 0; c < ropes->coupling().size(); ++c) {
+      const ribbon::CordDef& is = ribbons->coupling().direct_cord(c).def();
+      const ribbon::CordDef& was = ropes->coupling().direct_cord(c).def();
+      EXPECT_EQ(is.rows, rows);
+      EXPECT_EQ(is.points, was.points);
+      EXPECT_EQ(is.mass_per_length, was.mass_per_length);
+      EXPECT_EQ(is.bending_stiffness, was.bending_stiffness);
+      EXPECT_NEAR(is.width + 2.0 * is.radius, 2.0 * was.radius, 1e-15);
+      EXPECT_EQ(is.stretch_stiffness, file.ribbon_stiffness());
+    }
+    engine::TickInput right;
+    right.buttons = game::button_right | game::button_grab;
+    std::vector<engine::TickInput> inputs(100, right);
+    for (std::size_t k = 20; k < 100; k += 20) inputs[k].buttons |= game::button_jump;
+    const Trace trace = run(level, inputs);
+    // Of three rows what is pulled at is the middle one, and the others, as soft as it bends, give way to a hand.
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      EXPECT_LT(rows == 2 ? trace.stretch[k] : trace.figures[k].tension / file.ribbon_stiffness(), 1e-4) << k;
+    }
+    EXPECT_GT(trace.player.back().y, 6.5);  // somebody hangs on one
+  }
 }
 
 TEST_F(LevelStudy, WhatIsAppliedStandsInTheFile) {
@@ -455,6 +487,41 @@ TEST_F(LevelStudy, WithoutAPlottingProgramTheNumbersAreWritten) {
   EXPECT_NE(complaint.find("gnuplot-nox"), std::string::npos) << complaint;
   EXPECT_FALSE(content_of(folder + "/points.csv").empty());
   EXPECT_FALSE(content_of(folder + "/index.html").empty());
+}
+
+TEST_F(LevelStudy, WithoutAPlottingProgramEveryPageIsWrittenAndItIsSaidOnce) {
+  const auto page = [&](const std::string& name) {
+    return Page{name, [this, name] {
+                  write_report(small_report(), home + "/" + name);
+                  return 0;
+                }};
+  };
+  std::vector<std::string> added;
+  const auto add = [&added](const std::vector<std::string>& done) { added = done; };
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", home.c_str(), 1);
+  testing::internal::CaptureStderr();
+  const int status = write_pages({page("first"), page("second")}, add);
+  const std::string complaint = testing::internal::GetCapturedStderr();
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(status, 1);
+  EXPECT_EQ(added, (std::vector<std::string>{"first", "second"}));
+  for (const std::string& name : added) EXPECT_FALSE(content_of(home + "/" + name + "/points.csv").empty()) << name;
+  EXPECT_NE(complaint.find("of first, second (see gnuplot.log"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("game/setup tests installs it"), std::string::npos);
+  EXPECT_EQ(complaint.find("gnuplot-nox"), complaint.rfind("gnuplot-nox"));
+}
+
+TEST(Report, PagesEndWithTheOneThatDoesNotGoOn) {
+  std::vector<std::string> added;
+  const auto add = [&added](const std::vector<std::string>& done) { added = done; };
+  const auto page = [](const std::string& name, int status) { return Page{name, [status] { return status; }}; };
+  EXPECT_EQ(write_pages({page("first", 0), page("second", 0)}, add), 0);
+  EXPECT_EQ(added.size(), 2U);
+  EXPECT_EQ(write_pages({page("first", 0), page("second", 1), page("third", 0)}, add), 1);
+  EXPECT_EQ(added, std::vector<std::string>{"first"});
+  const auto full = [] { return Page{"full", []() -> int { throw std::runtime_error("cannot write"); }}; };
+  EXPECT_THROW(write_pages({full()}, add), std::runtime_error);
 }
 
 TEST_F(LevelStudy, GroupsOfAReportStandApart) {

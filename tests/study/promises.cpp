@@ -1,21 +1,65 @@
 #include "tests/study/promises.h"
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "game/buttons.h"
+#include "tests/study/words.h"
 
 namespace study {
 namespace {
 
-constexpr int ticks = 120;
 constexpr int repeats = 3;
 
-StudyOptions quick_options() {
+/// The quick grid, of it what a level's own cords can have.
+std::vector<Dials> own_settings() {
+  std::vector<Dials> own;
+  const std::vector<Dials> all = grid(true);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+               [](const Dials& dials) { return dials.solver == "direct" && mesh_of(dials) == Mesh{}; });
+  return own;
+}
+
+StudyOptions options_of(std::vector<Dials> settings) {
   StudyOptions options;
   options.quick = true;
   options.repeats = repeats;
-  options.chains = false;  // which are never recommended
+  options.grid = std::move(settings);
   return options;
+}
+
+/// What is measured again of what was chosen; the same setting may be both.
+struct Chosen {
+  std::optional<std::size_t> cheapest;
+  std::optional<std::size_t> most_exact;
+
+  std::vector<Dials> dials(const std::vector<Measured>& settings) const {
+    std::vector<Dials> some;
+    if (cheapest) some.push_back(settings[*cheapest].dials);
+    if (most_exact && most_exact != cheapest) some.push_back(settings[*most_exact].dials);
+    return some;
+  }
+};
+
+/// Counts what became of a promise: `value` of the setting is to be at most `most`.
+void count(Tally& tally, const Point& again, double Point::*value, double most, const std::string& what,
+           std::vector<std::string>& broken) {
+  ++tally.found;
+  if (again.failure.empty() && again.*value <= most) {
+    ++tally.kept;
+    return;
+  }
+  broken.push_back(what + ": " + again.setting + ": " +
+                   (again.failure.empty() ? significant(again.*value, 3) : again.failure));
+}
+
+bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>& inputs) {
+  game::Simulation simulation(level);
+  return std::any_of(inputs.begin(), inputs.end(), [&simulation](const engine::TickInput& input) {
+    simulation.tick(input);
+    return simulation.scene().coupling().held_by(simulation.player().body()).has_value();
+  });
 }
 
 }  // namespace
@@ -25,11 +69,14 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<engine::TickInput> inputs(static_cast<std::size_t>(count));
   std::uint16_t buttons = game::button_right;
-  for (engine::TickInput& input : inputs) {
+  for (engine::TickInput& input : inputs) {  // levels go to the right, and cords are there to be caught
     if (random() % held_for == 0) {
       buttons = 0;
-      for (const std::uint16_t button : {game::button_left, game::button_right, game::button_jump, game::button_grab}) {
-        if (random() % 2 == 0) buttons = static_cast<std::uint16_t>(buttons | button);
+      for (const auto& [button, eighths] : {std::pair{game::button_left, 1U},
+                                            {game::button_right, 7U},
+                                            {game::button_jump, 4U},
+                                            {game::button_grab, 6U}}) {
+        if (random() % 8 < eighths) buttons = static_cast<std::uint16_t>(buttons | button);
       }
     }
     input.buttons = buttons;
@@ -37,26 +84,42 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   return inputs;
 }
 
-Promises try_promises(const LevelFile& file, double max_error, double budget_us, int tries,
-                      const std::function<void(double)>& progress) {
+Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
+                      const std::function<void(double)>& progress, const Measure& measure_level) {
   Promises promises;
-  for (int k = 0; k < tries; ++k) {
+  for (int k = 0; k < options.tries; ++k) {
     const auto seed = static_cast<unsigned>(2 * k);
-    const Study chosen_on = measure(file, random_inputs(seed, ticks), quick_options());
-    const Study tried_on = measure(file, random_inputs(seed + 1, ticks), quick_options());
+    const LevelFile level = levels[static_cast<std::size_t>(k) % levels.size()].varied(seed);
+    const Study chosen_on = measure_level(level, random_inputs(seed, options.ticks), options_of(own_settings()));
     const std::vector<Point> points = applicable(chosen_on);
-    const std::vector<Point> again = tried_on.points();
-    if (const auto chosen = cheapest_within(points, max_error)) {
-      ++promises.error_tries;
-      promises.errors_kept += again[*chosen].error_m <= max_error ? 1 : 0;
+    const Chosen chosen{cheapest_within(points, options.max_error_m), most_exact_within(points, options.budget_us)};
+    promises.error.none += chosen.cheapest ? 0 : 1;
+    promises.budget.none += chosen.most_exact ? 0 : 1;
+    const std::vector<Dials> dials = chosen.dials(chosen_on.settings);
+    if (!dials.empty()) {
+      const Study tried_on = measure_level(level, random_inputs(seed + 1, options.ticks), options_of(dials));
+      const std::vector<Point> again = tried_on.points();
+      const std::string where = chosen_on.level + ", try " + std::to_string(k + 1) + ", ";
+      if (chosen.cheapest) {
+        count(promises.error, again.front(), &Point::error_m, options.max_error_m, where + "error [m]",
+              promises.broken);
+      }
+      if (chosen.most_exact) {
+        count(promises.budget, again.back(), &Point::cost_us, options.budget_us, where + "cost [us]", promises.broken);
+      }
     }
-    if (const auto chosen = most_exact_within(points, budget_us)) {
-      ++promises.budget_tries;
-      promises.budgets_kept += again[*chosen].cost_us <= budget_us ? 1 : 0;
-    }
-    progress(static_cast<double>(k + 1) / tries);
+    promises.held += holds_a_cord(level.level(), random_inputs(seed + 1, options.ticks)) ? 1 : 0;
+    progress(static_cast<double>(k + 1) / options.tries);
   }
   return promises;
+}
+
+Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
+                      const std::function<void(double)>& progress) {
+  return try_promises(levels, options, progress,
+                      [](const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& how) {
+                        return measure(file, inputs, how);
+                      });
 }
 
 }  // namespace study

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,6 +14,8 @@
 
 namespace study {
 namespace {
+
+constexpr const char* way_out = "the package is gnuplot-nox, game/setup tests installs it. All numbers are written";
 
 std::string number(double value) { return significant(value, 4); }
 
@@ -152,9 +154,28 @@ void write_report(const Report& report, const std::string& folder) {
     drawn = plot(folder, points, metric.name, metric.name) && drawn;
   }
   if (!drawn) {
-    throw std::runtime_error("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); the package " +
-                             "is gnuplot-nox, game/setup tests installs it. All numbers are written");
+    throw PlotError("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); " + way_out);
   }
+}
+
+int write_pages(const std::vector<Page>& pages, const std::function<void(const std::vector<std::string>& done)>& add) {
+  std::vector<std::string> done;
+  std::string not_drawn;
+  int status = 0;
+  for (const Page& page : pages) {
+    try {
+      status = page.write();
+    } catch (const PlotError&) {
+      not_drawn += (not_drawn.empty() ? "" : ", ") + page.name;
+    }
+    if (status != 0) break;
+    done.push_back(page.name);
+    add(done);
+  }
+  if (not_drawn.empty()) return status;
+  std::fprintf(stderr, "tradeoff: gnuplot did not draw the plots of %s (see gnuplot.log in their folders); %s\n",
+               not_drawn.c_str(), way_out);
+  return 1;
 }
 
 void write_contents(const std::string& title, const std::vector<std::string>& notes,

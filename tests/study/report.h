@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,10 +26,27 @@ struct Report {
   std::string axis = "error [m]";                 ///< what the points' own error is
 };
 
+/// What no plot could be drawn for lack of: all else is written.
+class PlotError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Writes points.csv, points.json, index.html and a plot of the points' own error and of each metric, drawn by gnuplot
 /// (front.gp, front.svg; penetration_m.gp, …), into a folder, which it makes. Throws std::runtime_error if the folder
-/// cannot be written, or, with everything else written, if gnuplot fails.
+/// cannot be written, and PlotError, with everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
+
+/// A page of several, and what writes it; that returns the program's exit status.
+struct Page {
+  std::string name;
+  std::function<int()> write;
+};
+
+/// Writes one after the other, and calls `add` with the names of those that are written after each. What gnuplot could
+/// not draw is told once, at the end, and keeps no page from being written. The program's exit status: 1 if a plot is
+/// missing, or that of a page if it is not 0, after which there is no other.
+int write_pages(const std::vector<Page>& pages, const std::function<void(const std::vector<std::string>& done)>& add);
 
 /// A page with the plots of reports in folders of these names beside it. Makes the folder.
 void write_contents(const std::string& title, const std::vector<std::string>& notes,

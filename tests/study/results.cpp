@@ -31,28 +31,21 @@ Errors errors_of(const Json& j) {
 }
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},
-          {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps},
-          {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},
-          {"velocity_iterations", m.dials.iterations},
-          {"error", json_of(m.error)},
-          {"mesh", json_of(m.mesh)},
-          {"later", m.later.values},
-          {"known_to", m.known_to_m},
-          {"iterations", m.work.iterations},
-          {"stages", m.work.stages},
-          {"fallbacks", m.work.fallbacks},
-          {"halvings", m.work.halvings},
-          {"unconverged_ticks", m.unconverged_ticks},
+  return {{"solver", m.dials.solver},     {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps}, {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},     {"iterations_at_most", m.dials.iterations},
+          {"rows", m.dials.rows},         {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},      {"later", m.later.values},
+          {"known_to", m.known_to_m},     {"iterations", m.work.iterations},
+          {"stages", m.work.stages},      {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},  {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
 
 Measured measured_of(const Json& j) {
   Measured m;
-  m.dials = {j.at("solver"),    j.at("integrator"), j.at("substeps"),
-             j.at("tolerance"), j.at("points"),     j.at("velocity_iterations")};
+  m.dials = {j.at("solver"), j.at("integrator"),         j.at("substeps"), j.at("tolerance"),
+             j.at("points"), j.at("iterations_at_most"), j.at("rows")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k) m.later.values[k] = number_of(j.at("later").at(k));

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "game/buttons.h"
 
 namespace study {
 namespace {
@@ -113,6 +116,40 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
   EXPECT_GT(trace.mass, level.player_mass + 13.0);  // its cords
   EXPECT_NEAR(trace.gravity, 9.81, 1e-6);
   EXPECT_TRUE(trace.failure.empty());
+}
+
+/// A ball that flies over the pin of a hanging cord, to its other side; 64 pixels are a metre, y is down.
+constexpr const char* thrown_over = R"({
+ "type": "map", "orientation": "orthogonal", "width": 20, "height": 20, "tilewidth": 32, "tileheight": 32,
+ "layers": [{"type": "objectgroup", "name": "all", "objects": [
+  {"id": 1, "type": "ground", "x": 0, "y": 608, "width": 640, "height": 32},
+  {"id": 2, "type": "player", "x": 64, "y": 608, "width": 0, "height": 0, "point": true},
+  {"id": 3, "type": "goal", "x": 512, "y": 320, "width": 32, "height": 32},
+  {"id": 4, "type": "cord", "x": 320, "y": 240, "polyline": [{"x": 0, "y": 0}, {"x": 0, "y": 64}], "properties": [
+   {"name": "columns", "type": "int", "value": 9}, {"name": "mass", "type": "float", "value": 1},
+   {"name": "pin_first", "type": "bool", "value": true}]},
+  {"id": 5, "type": "circle", "x": 284.8, "y": 268.8, "width": 6.4, "height": 6.4, "ellipse": true, "properties": [
+   {"name": "density", "type": "float", "value": 1}, {"name": "velocity_x", "type": "float", "value": 2},
+   {"name": "velocity_y", "type": "float", "value": 4.9}]}]}]})";
+
+TEST(Trace, WhatARestartPutsBackWentThroughNothing) {
+  const game::Level level = game::level_of(engine::parse_tiled_map(thrown_over, "thrown_over.tmj"));
+  std::vector<engine::TickInput> inputs(70);
+  inputs[60].buttons = game::button_restart;
+  LevelRun jump(level, inputs);
+  jump.reset();
+  const auto ball = [&jump] { return jump.simulation().current().bodies.rbegin()[1].position; };  // before the player
+  const double start = ball().x;
+  for (int k = 0; k < 60; ++k) jump.tick();
+  EXPECT_GT(ball().x, 5.5);  // to the right of the cord
+  EXPECT_GT(ball().y, 5.5);  // and at its height
+  EXPECT_LT(ball().y, 6.0);
+  jump.tick();
+  EXPECT_NEAR(ball().x, start, 0.1);
+
+  const Trace trace = run(level, inputs);
+  ASSERT_EQ(trace.passages.size(), inputs.size());
+  for (std::size_t k = 0; k < inputs.size(); ++k) EXPECT_EQ(trace.passages[k], Passages{0}) << "in tick " << k + 1;
 }
 
 }  // namespace

@@ -92,23 +92,23 @@ int main(int argc, char** argv) {
                              ->check(CLI::Range(1, 100000));
   study::Command study;
   app.add_option("--out", study.folder, "A folder for the report: CSV, JSON, a plot and a page");
-  auto* level = app.add_option("--level", study.level, "A level (a name, or a .tmj file) instead of a scene");
+  auto* level = app.add_option("--level", study.levels, "A level (a name, or a .tmj file) instead of a scene")
+                    ->allow_extra_args(false);
   app.add_option("--replay", study.replay, "Its recorded input; that of its name in the assets unless given")
       ->needs(level);
   app.add_flag("--quick", study.quick, "A small grid of a level; a report of fewer scenes too");
   bool report = false;
   app.add_flag("--report", report, "The standard report of scenes and levels, into --out");
   app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
-      ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}))
-      ->needs(level);
+      ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}));
   app.add_option("--budget", study.budget_us, "Recommend the most exact setting that costs at most this: 50us")
-      ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}))
-      ->needs(level);
+      ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
   app.add_flag("--apply", study.apply, "Write what is recommended into the level")->needs(level);
-  app.add_option("--promises", study.promises,
-                 "So often choose settings with one random player and measure them with another")
-      ->check(CLI::Range(1, 10000))
-      ->needs(level);
+  app.add_option(
+         "--promises", study.promises,
+         "So often vary a level, choose settings with one random player in it and measure them with another; of "
+         "all the game's levels unless --level, once or more, says otherwise")
+      ->check(CLI::Range(1, 10000));
   app.add_flag("--terms", study.terms, "Tell which terms of its cords the level needs")->needs(level);
   app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
   try {
@@ -124,7 +124,16 @@ int main(int argc, char** argv) {
   try {
     const std::optional<int> asked_repeats = repeats_option->count() > 0 ? std::optional(repeats) : std::nullopt;
     if (report) return tradeoff::write({study.folder, study.quick, asked_repeats});
-    if (study.level.empty()) return run_named_scene(name, repeats, csv, study.folder);
+    if (study.promises) return study::run(study);
+    if (study.levels.empty() && (study.max_error_m || study.budget_us)) {
+      throw std::runtime_error(
+          "--max-error and --budget are of a level; accepted is --level, or --promises, beside them");
+    }
+    if (study.levels.empty()) return run_named_scene(name, repeats, csv, study.folder);
+    if (study.levels.size() > 1) {
+      throw std::runtime_error("--level is given more than once; accepted is that beside --promises only");
+    }
+    study.level = study.levels.front();
     if (study.apply && !study.max_error_m && !study.budget_us) {
       throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
     }

@@ -17,7 +17,8 @@ struct Timed {
 };
 
 struct Timing {
-  double median_us = 0.0;  ///< a tick and its rest: the median over the repeats of a repeat's mean
+  double median_us = 0.0;  ///< a tick and its rest: the median over the repeats of a repeat's mean; without a rest of
+                           ///< the time that the program itself was running
   double p99_us = 0.0;  ///< that 99 of 100 single ticks of all repeats stay below. The clock is read after each, which
                         ///< costs it some 0.03 µs
   // If there is a rest:

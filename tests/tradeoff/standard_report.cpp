@@ -57,32 +57,35 @@ void write_scene(const StandardReport& report, const Scene& scene) {
   study::write_report(page, report.folder + "/" + scene.name);
 }
 
+int write_level(const StandardReport& report, const std::string& level) {
+  study::Command command;
+  command.level = level;
+  command.quick = report.quick;
+  command.repeats = report.repeats.value_or(report.quick ? 1 : command.repeats);
+  command.folder = report.folder + "/" + level;
+  return study::run(command);
+}
+
 }  // namespace
 
 int write(const StandardReport& report) {
   if (report.folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
   const std::vector<std::string> scenes = scene_names(report.quick);
   const std::vector<std::string> levels = game::level_names();
-  std::vector<std::string> done;
-  const auto add = [&](const std::string& name) {
-    done.push_back(name);
-    write_contents(report, done, scenes.size() + levels.size());
-  };
+  std::vector<study::Page> pages;
   for (const std::string& name : scenes) {
-    write_scene(report, *find_scene(name));
-    add(name);
+    pages.push_back({name, [&report, name] {
+                       write_scene(report, *find_scene(name));
+                       return 0;
+                     }});
   }
   for (const std::string& level : levels) {
-    study::Command command;
-    command.level = level;
-    command.quick = report.quick;
-    command.repeats = report.repeats.value_or(report.quick ? 1 : command.repeats);
-    command.folder = report.folder + "/" + level;
-    if (const int status = study::run(command); status != 0) return status;
-    add(level);
+    pages.push_back({level, [&report, level] { return write_level(report, level); }});
   }
+  const int status = study::write_pages(
+      pages, [&](const std::vector<std::string>& done) { write_contents(report, done, pages.size()); });
   std::printf("report: %s/index.html\n", report.folder.c_str());
-  return 0;
+  return status;
 }
 
 }  // namespace tradeoff

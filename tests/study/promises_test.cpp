@@ -1,0 +1,222 @@
+#include "tests/study/promises.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace study {
+namespace {
+
+// --- arithmetic: a level whose settings come to what the test says
+// ----------------------------------------------------
+
+constexpr double found_at = 0.5;  // of what is promised, in the first measurement: below each margin
+
+/// Each setting of the grid costs and errs half of what is promised; in the second measurement as `again` says.
+Promises promises_of(int tries, const std::function<void(int k, Measured&)>& first,
+                     const std::function<void(int k, Measured&)>& again) {
+  int k = -1;
+  const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
+    const bool is_first = options.grid.size() > 2;  // of a try; what was chosen is one or two
+    k += is_first ? 1 : 0;
+    Study study;
+    study.level = "some";
+    for (const Dials& dials : options.grid) {
+      Measured& m = study.settings.emplace_back();
+      m.dials = dials;
+      m.error.position_m = found_at * 1e-2;
+      m.cost_us = found_at * 100.0;
+      (is_first ? first : again)(k, m);
+    }
+    return study;
+  };
+  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
+  PromiseOptions options;
+  options.tries = tries;
+  return try_promises(
+      levels, options, [](double) {}, measure);
+}
+
+const auto as_it_is = [](int, Measured&) {};
+
+TEST(Promises, AreKeptUpToWhatIsPromised) {
+  const Promises promises = promises_of(4, as_it_is, [](int k, Measured& m) {
+    m.error.position_m = k == 0 ? 1e-2 : k == 1 ? 1.01e-2 : 1e-3;
+    m.cost_us = k == 2 ? 101.0 : 100.0;
+  });
+  EXPECT_EQ(promises.error.found, 4);
+  EXPECT_EQ(promises.error.kept, 3);
+  EXPECT_EQ(promises.budget.found, 4);
+  EXPECT_EQ(promises.budget.kept, 3);
+  ASSERT_EQ(promises.broken.size(), 2U);
+  EXPECT_EQ(promises.broken[0].find("some, try 2, error [m]: "), 0U) << promises.broken[0];
+  EXPECT_NE(promises.broken[0].find(": 0.0101"), std::string::npos);
+  EXPECT_EQ(promises.broken[1].find("some, try 3, cost [us]: "), 0U) << promises.broken[1];
+}
+
+TEST(Promises, WhatFailsKeepsNone) {
+  const Promises promises = promises_of(2, as_it_is, [](int k, Measured& m) {
+    if (k == 1) m.failure = "blew up in tick 3";
+  });
+  EXPECT_EQ(promises.error.kept, 1);
+  EXPECT_EQ(promises.budget.kept, 1);
+  ASSERT_EQ(promises.broken.size(), 2U);
+  EXPECT_NE(promises.broken[0].find("blew up in tick 3"), std::string::npos);
+}
+
+TEST(Promises, TriesWithoutASettingAreToldApart) {
+  const auto first = [](int k, Measured& m) {
+    if (k == 0) m.failure = "blew up in tick 3";
+    if (k == 1) m.cost_us = 99.0;           // within the budget, but not with its margin
+    if (k == 2) m.error.position_m = 9e-3;  // within the error, but not with its margin
+  };
+  const Promises promises = promises_of(4, first, as_it_is);
+  EXPECT_EQ(promises.error.none, 2);
+  EXPECT_EQ(promises.error.found, 2);
+  EXPECT_EQ(promises.error.kept, 2);
+  EXPECT_EQ(promises.budget.none, 2);
+  EXPECT_EQ(promises.budget.found, 2);
+  EXPECT_EQ(promises.budget.kept, 2);
+  EXPECT_TRUE(promises.broken.empty());
+}
+
+TEST(Promises, OnlyWhatWasChosenIsMeasuredAgain) {
+  std::vector<std::size_t> grids;
+  const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
+    grids.push_back(options.grid.size());
+    Study study;
+    for (const Dials& dials : options.grid) {
+      Measured& m = study.settings.emplace_back();
+      m.dials = dials;
+      EXPECT_EQ(dials.solver, "direct");
+      EXPECT_EQ(dials.points, 1.0);
+      m.error.position_m = 1e-3 / dials.substeps;
+      m.cost_us = 10.0 * dials.substeps + (dials.integrator == "tr_bdf2" ? 1.0 : 0.0);
+    }
+    return study;
+  };
+  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
+  PromiseOptions options;
+  options.tries = 1;
+  const Promises promises = try_promises(
+      levels, options, [](double) {}, measure);
+  ASSERT_EQ(grids.size(), 2U);
+  EXPECT_GE(grids[0], 4U);
+  EXPECT_EQ(grids[1], 2U);
+  EXPECT_EQ(promises.error.kept + promises.budget.kept, 2);
+}
+
+TEST(Promises, LevelsTakeTurnsAndEachTryIsAnother) {
+  std::vector<std::uint64_t> hashes;
+  std::vector<std::vector<engine::TickInput>> inputs;
+  const Measure measure = [&](const LevelFile& file, const auto& input, const StudyOptions& options) {
+    hashes.push_back(file.hash());
+    inputs.push_back(input);
+    Study study;
+    for (const Dials& dials : options.grid) study.settings.emplace_back().dials = dials;
+    return study;
+  };
+  const LevelFile level(TEST_ASSETS "/levels/first_swing.tmj");
+  const std::vector<LevelFile> levels = {level, level.varied(1000)};
+  PromiseOptions options;
+  options.tries = 3;
+  try_promises(
+      levels, options, [](double) {}, measure);
+  ASSERT_EQ(hashes.size(), 6U);
+  EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 3U);
+  EXPECT_EQ(hashes[0], level.varied(0).hash());
+  EXPECT_EQ(hashes[1], hashes[0]);  // both players of a try are in the same one
+  EXPECT_EQ(hashes[2], level.varied(1000).varied(2).hash());
+  EXPECT_EQ(hashes[4], level.varied(4).hash());
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      EXPECT_FALSE(std::equal(inputs[j].begin(), inputs[j].end(), inputs[k].begin(),
+                              [](const auto& a, const auto& b) { return a.buttons == b.buttons; }));
+    }
+  }
+}
+
+TEST(Promises, OfARealLevelAreMeasured) {
+  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
+  PromiseOptions options;
+  options.tries = 1;
+  options.max_error_m = 10.0;
+  options.budget_us = 1e9;
+  options.ticks = 5;
+  const Promises promises = try_promises(levels, options, [](double) {});
+  EXPECT_EQ(promises.error.kept, 1);
+  EXPECT_EQ(promises.budget.kept, 1);
+}
+
+// --- variation
+// --------------------------------------------------------------------------------------------------------
+
+TEST(Variation, IsTheSameForTheSameSeed) {
+  const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
+  EXPECT_EQ(file.varied(3).hash(), file.varied(3).hash());
+  EXPECT_NE(file.varied(3).hash(), file.varied(4).hash());
+  EXPECT_EQ(file.varied(3).level().map.content_hash, file.varied(3).hash());
+  EXPECT_EQ(file.level().map.content_hash, game::load_level(file.path()).map.content_hash);
+}
+
+/// Least and greatest of what was seen, as a share of the level's own.
+struct Range {
+  double least = 1e9;
+  double most = 0.0;
+  void add(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+void expect_range(const Range& range, double factor) {
+  EXPECT_GE(range.least, 0.97 / factor);  // links are whole
+  EXPECT_LE(range.most, 1.03 * factor);
+  EXPECT_LT(range.least, 1.3 / factor);  // and it goes to the ends
+  EXPECT_GT(range.most, factor / 1.3);
+}
+
+TEST(Variation, GoesThroughItsRangesAndNoFurther) {
+  const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
+  const auto own = file.level().make_scene();
+  const double own_mass = file.level().player_mass;
+  Range mass, links, drag, damping, bending, player;
+  double furthest = 0.0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const game::Level level = file.varied(seed).level();
+    player.add(level.player_mass / own_mass);
+    const auto scene = level.make_scene();
+    for (int c = 0; c < own->coupling().size(); ++c) {
+      const ribbon::CordDef& is = scene->coupling().direct_cord(c).def();
+      const ribbon::CordDef& was = own->coupling().direct_cord(c).def();
+      mass.add(is.mass_per_length * is.length / (was.mass_per_length * was.length));
+      links.add((is.points - 1.0) / (was.points - 1.0));
+      drag.add(is.drag / was.drag);
+      damping.add(is.damping / was.damping);
+      bending.add(is.bending_stiffness / was.bending_stiffness);
+      const ribbon::Vec2 off = is.positions.front() - was.positions.front();
+      furthest = std::max({furthest, std::abs(off.x), std::abs(off.y)});
+      EXPECT_EQ(is.friction, was.friction);
+      EXPECT_EQ(is.pins.size(), was.pins.size());
+    }
+  }
+  for (const Range& range : {mass, drag, damping, bending, player}) expect_range(range, Variation::factor);
+  expect_range(links, Variation::links);
+  EXPECT_LE(furthest, Variation::place + 1e-12);
+  EXPECT_GT(furthest, 0.9 * Variation::place);
+}
+
+TEST(Variation, IsWhatIsMeasured) {
+  const LevelFile file = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").varied(7);
+  const auto with = file.with({"direct", "tr_bdf2", 2, 1e-5}).make_scene();
+  const auto own = file.level().make_scene();
+  EXPECT_EQ(with->coupling().direct_cord(0).def().points, own->coupling().direct_cord(0).def().points);
+  EXPECT_EQ(with->coupling().direct_cord(0).def().mass_per_length,
+            own->coupling().direct_cord(0).def().mass_per_length);
+  EXPECT_EQ(with->coupling().direct_cord(0).def().accuracy.substeps, 2);
+}
+
+}  // namespace
+}  // namespace study
