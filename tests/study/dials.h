@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace study {
@@ -25,7 +25,8 @@ struct Mesh {
   double points = 1.0;
   int rows = 1;
 
-  auto operator<=>(const Mesh&) const = default;
+  bool operator==(const Mesh&) const = default;
+  bool operator<(const Mesh& other) const { return std::pair(points, rows) < std::pair(other.points, other.rows); }
 };
 
 Mesh mesh_of(const Dials& dials);
