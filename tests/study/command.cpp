@@ -52,6 +52,16 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
          "nothing is compared but statistics.";
 }
 
+std::string windows_of(const Study& study) {
+  const auto per_cent = [](double share) { return fixed(100.0 * share, 0) + " %"; };
+  return "Windows: quarters of a second, " + std::to_string(Windows::most) +
+         " at most, all along the run, each begun from where the level's own cords are then; cords are compared in " +
+         per_cent(study.compared_cords) + " of their ticks, players in " + per_cent(study.compared_players) +
+         ", in which converged runs are a tenth of a millimetre apart at most (RMS " +
+         significant(study.agreement.greatest(), 2) +
+         " m). What is recommended keeps its word by the greater of the errors from the start and in windows.";
+}
+
 /// What two converged runs differ by where all is chance: no setting can be known to be nearer.
 std::string yardstick_of(const Reference& reference) {
   std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
@@ -118,19 +128,22 @@ Report report_of(const Study& study, const LevelFile& file) {
       "converged ones of the same tick, as shares of weight times longest cord, and of mass times the speed of a free "
       "fall of half that length; who plays gives and takes both, so that there is no drift to be told.");
   for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
+  report.notes.push_back(windows_of(study));
   add_later_notes(report, study);
   report.points = study.points();
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
-  report.columns = {"position_m",  "position_share", "player_m",         "stretch", "tension",
-                    "penetration", "energy",         "momentum",         "mesh_m",  "newton_a_tick",
-                    "fallbacks",   "halvings",       "unconverged_ticks"};
+  report.columns = {
+      "position_m", "position_share", "player_m",           "stretch",          "tension", "penetration",
+      "energy",     "momentum",       "windows_position_m", "windows_player_m", "mesh_m",  "newton_a_tick",
+      "fallbacks",  "halvings",       "unconverged_ticks"};
   report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
     const bool direct = m.dials.solver == "direct";
     report.cells.push_back(
         {significant(m.error.position_m, 3), significant(m.error.position_share, 3), significant(m.error.player_m, 3),
          significant(m.error.stretch, 3), cell(m.error.tension), cell(m.error.penetration), cell(m.error.energy),
-         cell(m.error.momentum), significant(m.mesh.greatest_length(), 3),
+         cell(m.error.momentum), cell(m.windows.position_m), cell(m.windows.player_m),
+         significant(m.mesh.greatest_length(), 3),
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
@@ -148,6 +161,8 @@ Report report_of(const Study& study, const LevelFile& file) {
   add("penetration", [](const Measured& m) { return m.error.penetration; });
   add("energy", [](const Measured& m) { return m.error.energy; });
   add("momentum", [](const Measured& m) { return m.error.momentum; });
+  add("windows_position_m", [](const Measured& m) { return m.windows.position_m; });
+  add("windows_player_m", [](const Measured& m) { return m.windows.player_m; });
   return report;
 }
 

@@ -17,6 +17,15 @@ std::string name_of(const Dials& dials) {
   return name;
 }
 
+ribbon::Accuracy accuracy_of(const Dials& dials) {
+  ribbon::Accuracy accuracy;
+  if (dials.integrator == "implicit_euler") accuracy.integrator = ribbon::Integrator::implicit_euler;
+  accuracy.substeps = dials.substeps;
+  accuracy.tolerance = dials.tolerance;
+  if (dials.iterations > 0) accuracy.max_iterations = dials.iterations;
+  return accuracy;
+}
+
 Mesh mesh_of(const Dials& dials) { return {dials.points, dials.rows}; }
 
 bool is_box2d(const Dials& dials) { return dials.solver.starts_with("box2d"); }

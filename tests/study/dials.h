@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "ribbon/cord_def.h"
+
 namespace study {
 
 /// How the cords of a level are solved: what a sweep turns.
@@ -33,6 +35,9 @@ Mesh mesh_of(const Dials& dials);
 
 /// tr_bdf2 substeps=1 tolerance=0.0005 points=x2
 std::string name_of(const Dials& dials);
+
+/// Of the direct solver.
+ribbon::Accuracy accuracy_of(const Dials& dials);
 
 /// Whether chains of Box2D's joints are to stand in for the cords.
 bool is_box2d(const Dials& dials);

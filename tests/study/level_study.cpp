@@ -96,13 +96,20 @@ class LevelStudy {
     if (stopped()) return study;
     const Trace fine = options_->grid.empty() ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
+    const game::Level as_it_is = file_->level();
+    const Windows windows(as_it_is, inputs_, accuracy_of(reference({}, false, options_->quick)),
+                          accuracy_of(reference({}, true, options_->quick)));
+    progress_.add(work_of_windows());
+    study.agreement = windows.agreement();
+    study.compared_cords = windows.compared_cords();
+    study.compared_players = windows.compared_players();
     for (const Dials& dials : grid_) {
       if (stopped()) return study;
       Measured measured;
       if (const Measured* known = results_->find(dials)) {
         measured = *known;
       } else {
-        measured = measure_error(dials, fine);
+        measured = measure_error(dials, fine, windows);
         results_->add(measured);
       }
       study.settings.push_back(measured);
@@ -113,12 +120,16 @@ class LevelStudy {
   }
 
   double all_work() const {
-    double sum = work_of(reference({finer_mesh}, false, options_->quick));
+    double sum = work_of(reference({finer_mesh}, false, options_->quick)) + work_of_windows();
     for (const Mesh& mesh : meshes_of(grid_)) {
       sum += 2.0 * work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick));
     }
     for (const Dials& dials : grid_) sum += (1.0 + options_->repeats) * work_of(dials);
     return sum;
+  }
+
+  double work_of_windows() const {
+    return work_of(reference({}, false, options_->quick)) + work_of(reference({}, true, options_->quick));
   }
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
@@ -161,7 +172,7 @@ class LevelStudy {
     return true;
   }
 
-  Measured measure_error(const Dials& dials, const Trace& fine) {
+  Measured measure_error(const Dials& dials, const Trace& fine, const Windows& windows) {
     const Converged& own = converged_[mesh_of(dials)];
     const Trace trace = run_once(file_->with(dials), method_of(dials));
     Measured measured;
@@ -170,6 +181,10 @@ class LevelStudy {
     measured.mesh = difference(own.trace, fine, own.about.ticks);  // none, if there is no finer one
     measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
+    if (dials.solver == "direct" && mesh_of(dials) == Mesh{}) {
+      measured.windows = windows.errors(accuracy_of(dials));
+      measured.windows_known_to_m = 10.0 * windows.agreement().greatest();
+    }
     measured.work = trace.work;
     measured.unconverged_ticks = trace.unconverged_ticks;
     measured.failure = failure_of(trace, own.trace, own.about.ticks);
@@ -254,7 +269,9 @@ Study measure(const LevelFile& file, const std::vector<engine::TickInput>& input
 std::vector<Point> applicable(const Study& study) {
   std::vector<Point> points = study.points();
   for (std::size_t k = 0; k < points.size(); ++k) {
-    points[k].apart = points[k].apart || study.settings[k].dials.solver != "direct";
+    const Measured& m = study.settings[k];
+    points[k].apart = points[k].apart || m.dials.solver != "direct";
+    points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_known_to_m});
   }
   return points;
 }

@@ -9,6 +9,7 @@
 #include "tests/study/level_file.h"
 #include "tests/study/statistics.h"
 #include "tests/study/trace.h"
+#include "tests/study/windows.h"
 
 namespace study {
 
@@ -19,6 +20,8 @@ struct Measured {
   Errors mesh;              ///< of the points: of that motion against the converged one of four times as many links
   Statistics later;         ///< after what is compared: how far from the converged motion's
   double known_to_m = 0.0;  ///< below which the error is not known
+  WindowErrors windows;     ///< of time and solver, in windows of the level as it is; of its own cords only
+  double windows_known_to_m = 0.0;
   ribbon::CordReport work;
   int unconverged_ticks = 0;
   std::string failure;
@@ -42,6 +45,9 @@ struct Study {
   std::string replay;
   std::size_t ticks = 0;
   std::vector<Reference> references;
+  WindowErrors agreement;         ///< of the references of windows
+  double compared_cords = 0.0;    ///< of all windows' ticks, in which these are compared,
+  double compared_players = 0.0;  ///< and these
   std::vector<Measured> settings;
   int runs = 0;           ///< of the level, to find errors: those that the folder knew were not run again
   std::string no_chains;  ///< why none of Box2D's chains are among them; empty if they are
@@ -70,8 +76,8 @@ Study measure(const LevelFile& file, const std::vector<engine::TickInput>& input
 /// or did not converge in all ticks; empty if it does.
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
 
-/// The settings that a level's own cords can have: those of other solvers and numbers of points stand apart, for they
-/// would be other cords.
+/// The settings that a level's own cords can have, by the greater of their errors from the start and in windows: those
+/// of other solvers and meshes stand apart, for they would be other cords.
 std::vector<Point> applicable(const Study& study);
 
 }  // namespace study

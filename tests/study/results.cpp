@@ -31,14 +31,23 @@ Errors errors_of(const Json& j) {
 }
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},     {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps}, {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},     {"iterations_at_most", m.dials.iterations},
-          {"rows", m.dials.rows},         {"error", json_of(m.error)},
-          {"mesh", json_of(m.mesh)},      {"later", m.later.values},
-          {"known_to", m.known_to_m},     {"iterations", m.work.iterations},
-          {"stages", m.work.stages},      {"fallbacks", m.work.fallbacks},
-          {"halvings", m.work.halvings},  {"unconverged_ticks", m.unconverged_ticks},
+  return {{"solver", m.dials.solver},
+          {"integrator", m.dials.integrator},
+          {"substeps", m.dials.substeps},
+          {"tolerance", m.dials.tolerance},
+          {"points", m.dials.points},
+          {"iterations_at_most", m.dials.iterations},
+          {"rows", m.dials.rows},
+          {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},
+          {"later", m.later.values},
+          {"windows", {m.windows.position_m, m.windows.player_m, m.windows_known_to_m}},
+          {"known_to", m.known_to_m},
+          {"iterations", m.work.iterations},
+          {"stages", m.work.stages},
+          {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},
+          {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
 
@@ -49,6 +58,8 @@ Measured measured_of(const Json& j) {
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k) m.later.values[k] = number_of(j.at("later").at(k));
+  m.windows = {number_of(j.at("windows").at(0)), number_of(j.at("windows").at(1))};
+  m.windows_known_to_m = j.at("windows").at(2);
   m.known_to_m = j.at("known_to");
   m.work.iterations = j.at("iterations");
   m.work.stages = j.at("stages");

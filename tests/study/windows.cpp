@@ -20,6 +20,14 @@ std::vector<std::size_t> begins_of(std::size_t ticks) {
 
 }  // namespace
 
+double WindowErrors::greatest() const {
+  double most = 0.0;
+  for (const double error : {position_m, player_m}) {
+    if (error > most) most = error;
+  }
+  return most;
+}
+
 std::size_t cords_together(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.places.size(), b.places.size());
   for (std::size_t k = 0; k < ticks; ++k) {
@@ -66,7 +74,7 @@ template <typename Run>
 WindowErrors Windows::pooled(Run&& run) const {
   double cords = 0.0;
   double players = 0.0;
-  WindowErrors sum;
+  WindowErrors sum{0.0, 0.0};
   for (const Window& window : windows_) {
     if (std::max(window.cords, window.player) == 0) continue;
     const Trace trace = run(window);
@@ -77,8 +85,8 @@ WindowErrors Windows::pooled(Run&& run) const {
     cords += static_cast<double>(window.cords);
     players += static_cast<double>(window.player);
   }
-  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : 0.0,
-          players > 0.0 ? std::sqrt(sum.player_m / players) : 0.0};
+  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : lacking,
+          players > 0.0 ? std::sqrt(sum.player_m / players) : lacking};
 }
 
 double Windows::share(std::size_t Window::*compared) const {

@@ -9,12 +9,13 @@
 
 namespace study {
 
-/// m, RMS.
+/// m, RMS. What is not compared is no number.
 struct WindowErrors {
-  double position_m = 0.0;  ///< over all stations
-  double player_m = 0.0;
+  double position_m = lacking;  ///< over all stations
+  double player_m = lacking;
 
-  double greatest() const { return position_m > player_m ? position_m : player_m; }
+  /// 0 if nothing is compared.
+  double greatest() const;
 };
 
 /// What a setting gets wrong in a quarter of a second, begun again and again from where the level's own cords are, all

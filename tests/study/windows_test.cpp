@@ -1,0 +1,71 @@
+#include "tests/study/windows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace study {
+namespace {
+
+using ribbon::Accuracy;
+using ribbon::Integrator;
+using ribbon::Vec2;
+
+/// A cord that stands still for so many ticks, and a player.
+Trace still(std::size_t ticks) {
+  Trace trace;
+  trace.lengths = {1.0};
+  trace.places.assign(ticks, std::vector<Vec2>(Trace::stations));
+  trace.player.assign(ticks, {});
+  trace.stretch.assign(ticks, 0.0);
+  return trace;
+}
+
+TEST(Windows, CordsAndPlayersPartEachInTheirOwnTick) {
+  const Trace a = still(10);
+  Trace b = still(10);
+  b.places[6][0] = {0.0, 0.01 * std::sqrt(1.0 * Trace::stations)};
+  b.player[3] = {0.02, 0.0};
+  EXPECT_EQ(cords_together(a, b, 0.0099), 6U);
+  EXPECT_EQ(cords_together(a, b, 0.0101), 10U);
+  EXPECT_EQ(players_together(a, b, 0.01), 3U);
+  b.places[2][0] = {std::nan(""), 0.0};
+  EXPECT_EQ(cords_together(a, b, 1.0), 2U);
+  EXPECT_EQ(players_together(a, still(2), 0.01), 2U);
+}
+
+TEST(Windows, WhatIsNotComparedIsNoError) {
+  EXPECT_EQ(WindowErrors{}.greatest(), 0.0);
+  EXPECT_EQ((WindowErrors{lacking, 2.0}.greatest()), 2.0);
+  EXPECT_EQ((WindowErrors{3.0, 2.0}.greatest()), 3.0);
+}
+
+/// From the level's own state at any tick, solved otherwise from then on.
+TEST(Windows, ARunFromATickIsTheLevelsUntilThen) {
+  const game::Level level = game::load_level("first_swing");
+  const std::vector<engine::TickInput> inputs(40);
+  const Trace whole = run(level, inputs);
+  const Trace same = run_from(level, inputs, 25, 10, Accuracy::balanced());
+  ASSERT_EQ(same.places.size(), 10U);
+  EXPECT_EQ(same.places.front(), whole.places[25]);
+  EXPECT_EQ(same.places.back(), whole.places[34]);
+  const Trace other = run_from(level, inputs, 25, 100, Accuracy::fast());
+  EXPECT_EQ(other.places.size(), 15U);
+  EXPECT_NE(other.places.front(), whole.places[25]);
+}
+
+TEST(Windows, ErrorsFallWithTheSubsteps) {
+  const game::Level level = game::load_level("first_swing");
+  const std::vector<engine::TickInput> inputs(40);
+  const Windows windows(level, inputs, {Integrator::tr_bdf2, 16, 8, 1e-7}, {Integrator::tr_bdf2, 32, 8, 1e-7});
+  EXPECT_EQ(windows.compared_cords(), 1.0);
+  EXPECT_EQ(windows.compared_players(), 1.0);
+  const double one = windows.errors({Integrator::tr_bdf2, 1, 8, 1e-5}).position_m;
+  const double four = windows.errors({Integrator::tr_bdf2, 4, 8, 1e-6}).position_m;
+  EXPECT_NEAR(std::log(one / four) / std::log(4.0), 2.0, 0.4);
+  EXPECT_LT(windows.agreement().position_m, 0.2 * four);
+  EXPECT_EQ(windows.errors({Integrator::tr_bdf2, 32, 8, 1e-7}).position_m, 0.0);
+}
+
+}  // namespace
+}  // namespace study
