@@ -13,11 +13,6 @@ using ribbon::Vec2;
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-ribbon::Accuracy accuracy_of(Method method) {
-  if (method == Method::fast) return ribbon::Accuracy::fast();
-  return method == Method::accurate ? ribbon::Accuracy::accurate() : ribbon::Accuracy::balanced();
-}
-
 /// The second row of a rope that the thesis's method needs, a link to its right.
 std::vector<Vec2> with_second_row(const std::vector<Vec2>& line, double spacing) {
   std::vector<Vec2> both;
@@ -62,6 +57,11 @@ std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
 std::string_view name(Method method) {
   constexpr std::string_view names[] = {"fast", "balanced", "accurate", "thesis"};
   return names[static_cast<std::size_t>(method)];
+}
+
+ribbon::Accuracy accuracy_of(Method method) {
+  if (method == Method::fast) return ribbon::Accuracy::fast();
+  return method == Method::accurate ? ribbon::Accuracy::accurate() : ribbon::Accuracy::balanced();
 }
 
 Counts& Counts::operator+=(const Counts& other) {

@@ -16,6 +16,8 @@ namespace extremes {
 enum class Method : unsigned char { fast, balanced, accurate, thesis };
 constexpr std::array<Method, 4> all_methods = {Method::fast, Method::balanced, Method::accurate, Method::thesis};
 std::string_view name(Method method);
+/// Of the direct solver's.
+ribbon::Accuracy accuracy_of(Method method);
 
 /// What the steps of either solver report, summed up.
 struct Counts {

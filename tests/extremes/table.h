@@ -18,10 +18,11 @@ struct Row {
   double worst = 0.0;
   std::string setting;  ///< of the worst case
   double bar = 0.0;     ///< the figure may not be above
+  int unconverged_bar = 0;  ///< substeps that may stay unconverged
   Counts counts;
 
-  /// Not if it is no number.
-  bool passed() const { return worst <= bar; }
+  /// Not if the figure is no number.
+  bool passed() const { return worst <= bar && counts.direct.unconverged <= unconverged_bar; }
 };
 
 /// Finds the worst of a figure.
