@@ -22,6 +22,8 @@ void Worst::take(double value, std::string_view setting) {
 const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
       {"sweep", "every length, width, load, stiffness and step", run_sweep},
+      {"starts", "from where no motion leads", run_starts},
+      {"drives", "anchors, lengths and gravity that change as nothing does", run_drives},
   };
   return all;
 }
