@@ -24,6 +24,7 @@ const std::vector<Group>& groups() {
       {"sweep", "every length, width, load, stiffness and step", run_sweep},
       {"starts", "from where no motion leads", run_starts},
       {"drives", "anchors, lengths and gravity that change as nothing does", run_drives},
+      {"crush", "circles that nothing stops, or that are born where the cord is", run_crush},
   };
   return all;
 }
