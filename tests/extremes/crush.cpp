@@ -119,32 +119,35 @@ std::vector<Row> run_crush(const Scope& scope) {
   double done = 0.0;
   const auto report = [&](const Figures& figures) {
     rows.insert(rows.end(), {figures.speed.row(), figures.strain.row(), figures.inverted.row()});
-    scope.progress(++done / 12.0);
+    scope.progress(++done / 16.0);
   };
   const auto figures_of = [](const std::string& what, Method method) {
     return Figures{{what, "fastest point, m/s", method, 50.0},
                    {what, "strain in the end", method, 1e-3},
                    {what, "corners inside out", method, 0.0}};
   };
-  const double first_column = 0.5 * links * link;  // the middle one
+  const double middle_column = 0.5 * links * link;  // the middle one
   for (const Method method : all_methods) {
     Figures crushed = figures_of("crushed to 5 %", method);
     Figures born = figures_of("circle born on its surface", method);
     Figures inside = figures_of("circle born inside", method);
+    Figures around = figures_of("cord born in a large circle", method);
     for (const Kind kind : all_kinds) {
       if (method == Method::thesis && kind < Kind::strip) continue;
       for (const double radius : {0.02, 0.1, 0.5}) squeeze(method, kind, radius, crushed);
       const double top = method == Method::thesis ? cord_of(kind).width : cord_of(kind).width + cord_of(kind).radius;
-      for (const double ratio : {1e-4, 1e-2, 1.0, 1e2, 1e3}) {
-        bear(method, kind, ratio * link, {first_column, top + 0.8 * ratio * link}, "a fifth of it deep", born);
-        if (ratio > 1.0) continue;
-        bear(method, kind, ratio * link, {first_column, 0.0}, "on a point", inside);
-        bear(method, kind, ratio * link, {first_column + 0.5 * link, 0.0}, "on an edge", inside);
-        bear(method, kind, ratio * link, {first_column + 0.3 * link, 0.4 * std::min(link, cord_of(kind).width)},
+      for (const double ratio : {1e2, 1e3}) {
+        bear(method, kind, ratio * link, {middle_column, top + ratio * link - 0.05}, "5 cm deep", around);
+      }
+      for (const double ratio : {1e-4, 1e-2, 1.0}) {
+        bear(method, kind, ratio * link, {middle_column, top + 0.8 * ratio * link}, "a fifth of it deep", born);
+        bear(method, kind, ratio * link, {middle_column, 0.0}, "on a point", inside);
+        bear(method, kind, ratio * link, {middle_column + 0.5 * link, 0.0}, "on an edge", inside);
+        bear(method, kind, ratio * link, {middle_column + 0.3 * link, 0.4 * std::min(link, cord_of(kind).width)},
              "in a cell", inside);
       }
     }
-    for (const Figures* figures : {&crushed, &born, &inside}) report(*figures);
+    for (const Figures* figures : {&crushed, &born, &inside, &around}) report(*figures);
   }
   return rows;
 }

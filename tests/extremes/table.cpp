@@ -25,6 +25,9 @@ const std::vector<Group>& groups() {
       {"starts", "from where no motion leads", run_starts},
       {"drives", "anchors, lengths and gravity that change as nothing does", run_drives},
       {"crush", "circles that nothing stops, or that are born where the cord is", run_crush},
+      {"degenerate", "points without a distance, lengths that are refused", run_degenerate},
+      {"places", "the same motion elsewhere", run_places},
+      {"soak", "a lively scene that goes on and on", run_soak},
   };
   return all;
 }
