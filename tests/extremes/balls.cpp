@@ -25,11 +25,10 @@ void Balls::step(Subject& cord, double dt, Vec2 gravity) {
     body.impulse = {};
     body.angular_impulse = 0.0;
     body.met = false;
-    if (body.inverse_mass > 0.0) body.acceleration = gravity;
   }
   cord.step(dt, gravity, {bodies_, circles_});
   for (RigidBody& body : bodies_) {
-    body.velocity += dt * body.acceleration + body.inverse_mass * body.impulse;
+    body.velocity += body.inverse_mass * body.impulse;
     body.angular_velocity += body.inverse_inertia * body.angular_impulse;
     body.position += body.met ? body.moved : dt * body.velocity;
   }
@@ -39,22 +38,6 @@ bool Balls::is_finite() const {
   return std::all_of(bodies_.begin(), bodies_.end(), [](const RigidBody& body) {
     return ribbon::is_finite(body.position) && ribbon::is_finite(body.velocity);
   });
-}
-
-double Balls::kinetic() const {
-  double sum = 0.0;
-  for (const RigidBody& body : bodies_) {
-    if (body.inverse_mass > 0.0) sum += 0.5 * dot(body.velocity, body.velocity) / body.inverse_mass;
-  }
-  return sum;
-}
-
-double Balls::potential(Vec2 gravity) const {
-  double sum = 0.0;
-  for (const RigidBody& body : bodies_) {
-    if (body.inverse_mass > 0.0) sum -= dot(gravity, body.position) / body.inverse_mass;
-  }
-  return sum;
 }
 
 }  // namespace extremes

@@ -6,7 +6,8 @@
 
 namespace extremes {
 
-/// Circles that a cord of any method meets, moved as their owner would.
+/// Circles that a cord of any method meets, moved as their owner would. Gravity is none of theirs: so they move the same
+/// whoever moves them.
 class Balls {
  public:
   /// kg, 0 of one that goes its way at its velocity. Its index.
@@ -16,8 +17,6 @@ class Balls {
   /// One tick of the cord and the balls.
   void step(Subject& cord, double dt, ribbon::Vec2 gravity);
   bool is_finite() const;
-  double kinetic() const;                        ///< J, of those that are pushed, without their turning
-  double potential(ribbon::Vec2 gravity) const;  ///< J, of the same
 
  private:
   std::vector<ribbon::RigidBody> bodies_;

@@ -32,7 +32,7 @@ const char* name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Let go from the horizontal with its weight on its end; a ball lies under it.
+/// Let go from the horizontal with its weight on its end; a ball that nothing pulls is in its way.
 std::vector<Vec2> motion(Method method, Kind kind, const Place& place, bool with_ball, Counts& counts) {
   ribbon::CordDef def;
   def.points = 21;
