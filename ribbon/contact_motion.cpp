@@ -88,8 +88,8 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
                      [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0) == 1.0; });
 }
 
-/// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with n
-/// the normal now, |o − p| ≥ n·(o − p), which is linear in time and p, so that the greater of the speeds at which the
+/// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with
+/// n the normal now, |o − p| ≥ n·(o − p), which is linear in time and p, so that the greater of the speeds at which the
 /// ends come along n bounds it for all the way. Who parts is free, however deep he is.
 double Contacts::free_share(const Corner& pair, double share_of_reach, double most) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };

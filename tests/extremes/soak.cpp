@@ -18,7 +18,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 gravity{0.0, -9.81};
 
-
 #if defined(__SSE2__)
 constexpr unsigned met_subnormal = 0x12;  // as an operand, as a result
 void forget_subnormals() { __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() & ~met_subnormal); }

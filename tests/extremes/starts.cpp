@@ -112,8 +112,7 @@ std::vector<Row> run_starts(const Scope& scope) {
         if (method == Method::thesis && kind <= Kind::bending_rope) continue;  // are the strip
         for (unsigned seed = 0; seed < seeds; ++seed) run(method, kind, start, seed, figures);
       }
-      rows.insert(rows.end(),
-                  {figures.gain.row(), figures.speed.row(), figures.strain.row(), figures.inverted.row()});
+      rows.insert(rows.end(), {figures.gain.row(), figures.speed.row(), figures.strain.row(), figures.inverted.row()});
       scope.progress(++done / static_cast<double>(std::size(all_methods) * std::size(all_starts)));
     }
   }

@@ -165,8 +165,8 @@ double Subject::energy(Vec2 gravity) const {
     sum += 0.5 * thesis_->def().spring_stiffness * stretch * stretch;
   }
   for (const Load& load : loads_) {
-    sum += (0.5 * dot(load.body.velocity, load.body.velocity) - dot(gravity, load.body.position)) /
-           load.body.inverse_mass;
+    sum +=
+        (0.5 * dot(load.body.velocity, load.body.velocity) - dot(gravity, load.body.position)) / load.body.inverse_mass;
   }
   return sum;
 }

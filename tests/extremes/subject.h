@@ -50,14 +50,14 @@ class Subject {
   int index(int i, int j) const { return i * rows_ + j; }
   std::span<const ribbon::Vec2> positions() const;
   std::span<const ribbon::Vec2> velocities() const;
-  double mass(int point) const;  ///< kg, without a thesis's load
-  double total_mass() const;     ///< kg, with the load
+  double mass(int point) const;               ///< kg, without a thesis's load
+  double total_mass() const;                  ///< kg, with the load
   double energy(ribbon::Vec2 gravity) const;  ///< J
   bool is_finite() const;
-  double fastest() const;          ///< m/s
-  double length() const;           ///< m, from the middle of the first column to that of the last, straight
-  double worst_strain() const;     ///< how far a link, or a side or diagonal of a cell, is off its rest length, relative
-  int inverted() const;            ///< corners of cells, or triangles, that are turned inside out
+  double fastest() const;       ///< m/s
+  double length() const;        ///< m, from the middle of the first column to that of the last, straight
+  double worst_strain() const;  ///< how far a link, or a side or diagonal of a cell, is off its rest length, relative
+  int inverted() const;         ///< corners of cells, or triangles, that are turned inside out
   const Counts& counts() const { return counts_; }
   /// Of the direct solver only.
   ribbon::Cord& direct() { return *direct_; }

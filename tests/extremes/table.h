@@ -11,13 +11,13 @@ namespace extremes {
 
 /// A line of the table: the worst of a figure over some cases, and what the steps counted in all of them.
 struct Row {
-  std::string what;     ///< was done
-  std::string figure;   ///< is bounded, and its unit
+  std::string what;    ///< was done
+  std::string figure;  ///< is bounded, and its unit
   Method method = Method::balanced;
-  int cases = 0;        ///< that the figure was looked at
+  int cases = 0;  ///< that the figure was looked at
   double worst = 0.0;
-  std::string setting;  ///< of the worst case
-  double bar = 0.0;     ///< the figure may not be above
+  std::string setting;      ///< of the worst case
+  double bar = 0.0;         ///< the figure may not be above
   int unconverged_bar = 0;  ///< substeps that may stay unconverged
   Counts counts;
 
