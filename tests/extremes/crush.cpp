@@ -132,6 +132,7 @@ std::vector<Row> run_crush(const Scope& scope) {
     Figures born = figures_of("circle born on its surface", method);
     Figures inside = figures_of("circle born inside", method);
     Figures around = figures_of("cord born in a large circle", method);
+    around.speed.let_fail();
     for (const Kind kind : all_kinds) {
       if (method == Method::thesis && kind < Kind::strip) continue;
       for (const double radius : {0.02, 0.1, 0.5}) squeeze(method, kind, radius, crushed);

@@ -190,7 +190,7 @@ double Subject::length() const {
   return ribbon::length((1.0 / rows_) * sum);
 }
 
-double Subject::worst_strain() const {
+double Subject::worst_strain(bool may_be_slack) const {
   if (thesis_) return test_support::worst_stretch(*thesis_);
   double worst = 0.0;
   for (int i = 0; i < columns_; ++i) {
@@ -198,7 +198,8 @@ double Subject::worst_strain() const {
       for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
         if (i + di >= columns_ || j + dj >= rows_) continue;
         const Vec2 side = positions()[slot(index(i + di, j + dj))] - positions()[slot(index(i, j))];
-        worst = std::max(worst, std::abs(ribbon::length(side) / ribbon::length({di * cell_.x, dj * cell_.y}) - 1.0));
+        const double strain = ribbon::length(side) / ribbon::length({di * cell_.x, dj * cell_.y}) - 1.0;
+        worst = std::max(worst, may_be_slack ? strain : std::abs(strain));
       }
     }
   }

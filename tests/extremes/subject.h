@@ -54,10 +54,12 @@ class Subject {
   double total_mass() const;                  ///< kg, with the load
   double energy(ribbon::Vec2 gravity) const;  ///< J
   bool is_finite() const;
-  double fastest() const;       ///< m/s
-  double length() const;        ///< m, from the middle of the first column to that of the last, straight
-  double worst_strain() const;  ///< how far a link, or a side or diagonal of a cell, is off its rest length, relative
-  int inverted() const;         ///< corners of cells, or triangles, that are turned inside out
+  double fastest() const;  ///< m/s
+  double length() const;   ///< m, from the middle of the first column to that of the last, straight
+  /// How far a link, or a side or diagonal of a cell, is off its rest length, relative; if it `may_be_slack`, longer
+  /// only.
+  double worst_strain(bool may_be_slack = false) const;
+  int inverted() const;  ///< corners of cells, or triangles, that are turned inside out
   const Counts& counts() const { return counts_; }
   /// Of the direct solver only.
   ribbon::Cord& direct() { return *direct_; }

@@ -38,7 +38,10 @@ void print_rows(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::printf("%-34s %-8.*s %6d  %-26s %10.3g %8.2g  %-4s ", row.what.c_str(),
                 static_cast<int>(name(row.method).size()), name(row.method).data(), row.cases, row.figure.c_str(),
-                row.worst, row.bar, row.passed() ? "ok" : "FAIL");
+                row.worst, row.bar,
+                row.passed() ? "ok"
+                : row.held() ? "FAIL"
+                             : "lost");
     const ribbon::CordReport& direct = row.counts.direct;
     const ribbon::StepReport& thesis = row.counts.thesis;
     if (row.method == Method::thesis) {
