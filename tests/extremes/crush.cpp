@@ -133,11 +133,18 @@ std::vector<Row> run_crush(const Scope& scope) {
     Figures inside = figures_of("circle born inside", method);
     Figures around = figures_of("cord born in a large circle", method);
     around.speed.let_fail();
+    // Of some thousands of substeps.
+    crushed.speed.allow_unconverged(2);
+    inside.speed.allow_unconverged(2);
     for (const Kind kind : all_kinds) {
       if (method == Method::thesis && kind < Kind::strip) continue;
-      for (const double radius : {0.02, 0.1, 0.5}) squeeze(method, kind, radius, crushed);
+      for (const double radius : {0.1, 0.02, 0.5}) {
+        squeeze(method, kind, radius, crushed);
+        if (!scope.full) break;
+      }
       const double top = method == Method::thesis ? cord_of(kind).width : cord_of(kind).width + cord_of(kind).radius;
       for (const double ratio : {1e2, 1e3}) {
+        if (!scope.full && method != Method::thesis) continue;  // slow, as it fails
         bear(method, kind, ratio * link, {middle_column, top + ratio * link - 0.05}, "5 cm deep", around);
       }
       for (const double ratio : {1e-4, 1e-2, 1.0}) {
@@ -148,7 +155,9 @@ std::vector<Row> run_crush(const Scope& scope) {
              "in a cell", inside);
       }
     }
-    for (const Figures* figures : {&crushed, &born, &inside, &around}) report(*figures);
+    for (const Figures* figures : {&crushed, &born, &inside, &around}) {
+      if (figures->speed.row().cases > 0) report(*figures);
+    }
   }
   return rows;
 }

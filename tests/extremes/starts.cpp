@@ -99,7 +99,7 @@ void run(Method method, Kind kind, Start start, unsigned seed, Figures& figures)
 
 std::vector<Row> run_starts(const Scope& scope) {
   std::vector<Row> rows;
-  const unsigned seeds = scope.full ? 100 : 10;
+  const unsigned seeds = scope.full ? 100 : 3;
   double done = 0.0;
   for (const Method method : all_methods) {
     for (const Start start : all_starts) {
