@@ -132,8 +132,8 @@ std::vector<Row> run_crush(const Scope& scope) {
     Figures born = figures_of("circle born on its surface", method);
     Figures inside = figures_of("circle born inside", method);
     Figures around = figures_of("cord born in a large circle", method);
-    around.speed.let_fail();
-    // Of some thousands of substeps.
+    for (Worst* figure : {&around.speed, &around.strain, &around.inverted}) figure->let_fail();
+    // Of some thousands of substeps, where a ball that comes out by and by gains more than the little that there is.
     crushed.speed.allow_unconverged(2);
     inside.speed.allow_unconverged(5);
     for (const Kind kind : all_kinds) {

@@ -163,6 +163,7 @@ std::vector<Case> cases(bool full, Method method) {
 
 std::vector<Row> run_sweep(const Scope& scope) {
   std::vector<Row> rows;
+  double methods_done = 0.0;
   for (const Method method : all_methods) {
     const std::vector<Case> all = cases(scope.full, method);
     Worst gain("let go from the horizontal", "energy gained / MgL", method, 1e-6);
@@ -174,8 +175,9 @@ std::vector<Row> run_sweep(const Scope& scope) {
         swing(method, c, scope.full ? 60 : 20, gain);
       }
       hang(method, c, off);
-      scope.progress(++done / static_cast<double>(all.size()));
+      scope.progress((methods_done + ++done / static_cast<double>(all.size())) / all_methods.size());
     }
+    ++methods_done;
     rows.insert(rows.end(), {gain.row(), off.row()});
   }
   return rows;

@@ -1,5 +1,6 @@
 #include "tests/extremes/table.h"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -14,7 +15,7 @@ Worst::Worst(std::string what, std::string figure, Method method, double bar) {
 
 void Worst::take(double value, std::string_view setting) {
   ++row_.cases;
-  if (row_.cases > 1 && (value <= row_.worst || row_.worst != row_.worst)) return;
+  if (row_.cases > 1 && (value <= row_.worst || std::isnan(row_.worst))) return;
   row_.worst = value;
   row_.setting = setting;
 }
