@@ -32,10 +32,22 @@ void Chain::add_damping(const Motion& at, double sign, std::span<double> tension
   }
 }
 
+void Chain::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  if (damping_ == 0.0) return;
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = x[e] - x[e + 1];
+    const double size = length(ab);
+    if (size == 0.0 || (tension_only_ && tensions[e] == 0.0)) continue;
+    tensions[e] +=
+        damping_ * turning_rate(stage, stage.start(e) - stage.start(e + 1), (1.0 / size) * ab) / compliance(e);
+  }
+}
+
 MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
   const MixedBar undamped{size - rest_[link], compliance(link)};
   if (damping_ == 0.0) return undamped;
-  const double rate = dot(d, stage.velocity_at(link, x[link]) - stage.velocity_at(link + 1, x[link + 1]));
+  const double rate = dot(d, stage.velocity_at(link, x[link]) - stage.velocity_at(link + 1, x[link + 1])) -
+                      turning_rate(stage, stage.start(link) - stage.start(link + 1), d);
   return damped(undamped.elongation, rate, undamped.compliance, damping_, stage.q);
 }
 

@@ -17,6 +17,7 @@ class Chain final : public Elasticity {
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
+  void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
   std::size_t dual_count() const override { return rest_.size(); }

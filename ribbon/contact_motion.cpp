@@ -88,7 +88,9 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
                      [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0) == 1.0; });
 }
 
-/// No point of the segment comes nearer to the disc than at the greater of the speeds of its ends.
+/// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with
+/// n the normal now, |o − p| ≥ n·(o − p), which is linear in time and p, so that the greater of the speeds at which the
+/// ends come along n bounds it for all the way. Who parts is free, however deep he is.
 double Contacts::free_share(const Corner& pair, double share_of_reach, double most) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
@@ -98,18 +100,19 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
   if (speed == 0.0) return most;
   const double near = share_of_reach * pair.reach + most * speed;
   if (!may_be_within(near, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return most;
-  const auto distance = [&](double share) {
+  const auto gap = [&](double share) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
-    return gap_between(there(pair.disc), there(pair.a), there(pair.b)).distance;
+    return gap_between(there(pair.disc), there(pair.a), there(pair.b));
   };
-  double now = distance(0.0);
-  const double nearest = std::min(share_of_reach * pair.reach, approach_share * now);
+  Gap now = gap(0.0);
+  const double nearest = std::min(share_of_reach * pair.reach, approach_share * now.distance);
   double share = 0.0;
   for (int k = 0; k < most_advances; ++k) {
-    if (now - nearest <= arrived_share * pair.reach && k > 0) break;
-    share += (now - nearest) / speed;
-    if (share >= most) return most;
-    now = distance(share);
+    if (now.distance - nearest <= arrived_share * pair.reach && k > 0) break;
+    const double approach = -std::min(dot(now.normal, past_a), dot(now.normal, past_b));
+    if (!(now.distance - nearest < approach * (most - share))) return most;
+    share += (now.distance - nearest) / approach;
+    now = gap(share);
   }
   return share;
 }

@@ -31,6 +31,10 @@ class Elasticity {
   /// Adds `sign` times what damping is of the tensions, β·ċ/α, at these velocities.
   virtual void add_damping(const Motion& at, double sign, std::span<double> tensions) const = 0;
 
+  /// Adds what damping is at the velocities that implicit Euler ends with, beyond what it was in the solve, see
+  /// `turning_rate`: so that tensions and velocities belong together after any stage.
+  virtual void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const = 0;
+
   /// One step of mixed Newton from positions x and the tensions of the iteration before, O(points): `direction` is by
   /// how much the points move, `next` are the tensions after a full step. False if the system was singular.
   virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,

@@ -126,6 +126,7 @@ class Island {
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
   bool gained_energy(const Energy& before, double tolerated);
   void calm(const Energy& before);
+  void add_damping(double sign);
   void unwind();
   void account(const Energy& before);
   double energy_scale(const Energy& energy) const;
@@ -238,6 +239,7 @@ class Island {
   bool has_pattern_ = false;
   bool meets_ = false;         // there is something to touch
   double stage_weight_ = 0.0;  // s, with which the stage's forces act
+  bool euler_ = false;         // the stage is one of implicit Euler
   bool slips_ = false;         // a grip has begun to in the last linear solve
 
   // Of the solve by blocks.

@@ -102,14 +102,18 @@ void Island::rebound(const Energy& before, double dt) {
   has_pattern_ = false;
   if (!solved) return;
   guess_ = velocities_;
+  add_damping(-1.0);
   for (double share = 1.0; share > 0.1; share *= 0.8) {
     for (std::size_t p = 0; p < velocities_.size(); ++p) {
       if (constrained_[p] == 0) velocities_[p] = guess_[p] + (share / dt) * direction_[p];
     }
     restart_ = true;
+    add_damping(1.0);
     if (!gained_energy(before, tolerated_rebound)) return;
+    add_damping(-1.0);
   }
   velocities_ = guess_;
+  add_damping(1.0);
 }
 
 /// As far along the direction as nobody is in the way, together with what of the led way is left.

@@ -41,10 +41,16 @@ bool Island::solve_stage(double time, double q, std::span<const Vec2> from, Cord
     climb(member);
   }
   Stage stage{q, predicted_, velocity_, inertia_, force_, constrained_, carried_};
+  stage.euler = euler_;
   const bool converged = contacts_.empty() ? free_steps(stage, report) : touching_steps(stage, time, from, report);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     accelerations_[p] = inverse_q2 * (positions_[p] - predicted_[p]);
     velocities_[p] = velocity_[p] + q * accelerations_[p];
+  }
+  for (const Member& member : members_) {
+    if (!euler_) break;
+    member.cord->elasticity_->add_turning(stage_of(stage, member), part(positions_, member.first, member.count),
+                                          part(tensions_, member.first_tension, member.tensions));
   }
   return converged;
 }

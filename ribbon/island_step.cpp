@@ -202,8 +202,19 @@ void Island::calm(const Energy& before) {
   const double excess = energy_after_.total() - before.total();
   const double kinetic = energy_after_.kinetic;
   const double share = kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0.0;
+  add_damping(-1.0);
   for (std::size_t p = 0; p < velocities_.size(); ++p) {
     if (constrained_[p] == 0) velocities_[p] = share * velocities_[p];
+  }
+  add_damping(1.0);
+}
+
+/// Takes what damping is of the tensions off, or puts it back: who changes velocities leaves the elastic part as it is.
+void Island::add_damping(double sign) {
+  for (const Member& member : members_) {
+    if (member.cord->def_.damping == 0.0) continue;
+    const Motion at{part(positions_, member.first, member.count), part(velocities_, member.first, member.count)};
+    member.cord->elasticity_->add_damping(at, sign, part(tensions_, member.first_tension, member.tensions));
   }
 }
 
@@ -316,7 +327,10 @@ bool Island::implicit_euler(double start, double dt, CordReport& report) {
     positions_[p] = predicted_[p];
   }
   stage_weight_ = dt;
-  return solve_stage(start + dt, dt, x0_, report);
+  euler_ = true;
+  const bool converged = solve_stage(start + dt, dt, x0_, report);
+  euler_ = false;
+  return converged;
 }
 
 /// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps are

@@ -77,6 +77,14 @@ void Lattice::add_damping(const Motion& at, double sign, std::span<double> tensi
   }
 }
 
+void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->add_turning(stage, x, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
   if (damping_ == 0.0) return {stage, x, x, 1.0};
   for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);

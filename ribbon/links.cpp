@@ -43,11 +43,26 @@ void Links::add_damping(const Motion& at, double sign, std::span<double> tension
   }
 }
 
+void Links::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  if (inverse_stiffness_ == 0.0 || damping_ == 0.0) return;
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const auto a = static_cast<std::size_t>(links_[e].a);
+    const auto b = static_cast<std::size_t>(links_[e].b);
+    const Vec2 ab = x[b] - x[a];
+    const double size = length(ab);
+    if (size == 0.0 || (tension_only_ && tensions[e] == 0.0)) continue;
+    tensions[e] +=
+        damping_ * turning_rate(stage, stage.start(b) - stage.start(a), (1.0 / size) * ab) / compliance(links_[e]);
+  }
+}
+
 MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
   const auto a = static_cast<std::size_t>(link.a);
   const auto b = static_cast<std::size_t>(link.b);
   if (inverse_stiffness_ == 0.0) return {dot(d, shape.x[b] - shape.x[a]) - link.rest, 0.0};
-  return {(dot(d, shape.damped[b] - shape.damped[a]) - link.rest) / shape.stiffening,
+  const double turning =
+      damping_ > 0.0 ? damping_ * turning_rate(shape.stage, shape.stage.start(b) - shape.stage.start(a), d) : 0.0;
+  return {(dot(d, shape.damped[b] - shape.damped[a]) - turning - link.rest) / shape.stiffening,
           compliance(link) / shape.stiffening};
 }
 

@@ -17,6 +17,7 @@ class Links final : public Term {
   std::size_t tension_count() const override { return links_.size(); }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
+  void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,

@@ -39,6 +39,19 @@ void Spine::add_damping(const Motion& at, double sign, std::span<double> tension
   for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] += sign * damping_ * rate(at, e) / compliance(e);
 }
 
+void Spine::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_.size(); ++e) {
+    const Vec2 ab = link(x, e);
+    tensions[e] += turning(stage, e, (1.0 / std::max(length(ab), 1e-300)) * ab) / compliance(e);
+  }
+}
+
+/// m, β times the turning rate.
+double Spine::turning(const Stage& stage, std::size_t e, Vec2 d) const {
+  if (damping_ == 0.0 || !stage.euler) return 0.0;
+  return damping_ * turning_rate(stage, link(stage.predicted, e) - stage.q * link(stage.velocity, e), d);
+}
+
 Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
   return 0.5 * (x[column * rows_ + low_] + x[column * rows_ + high_]);
 }
@@ -49,7 +62,7 @@ void Spine::load(const NewtonSystem& system, std::span<const double> tensions) {
     const double size = std::max(length(ab), 1e-300);
     const Vec2 d = (1.0 / size) * ab;
     const double stiffness = 1.0 / compliance(e);
-    const double pull = stiffness * (dot(d, link(system.damped, e)) - rest_[e]);
+    const double pull = stiffness * (dot(d, link(system.damped, e)) - turning(system.stage, e, d) - rest_[e]);
     const Block block = directed(d, system.stiffening * stiffness,
                                  std::max(0.0, tensions[e]) / std::max(size, shortest_share * rest_[e]));
     const std::array<std::size_t, 4> points{e * rows_ + low_, e * rows_ + high_, (e + 1) * rows_ + low_,
@@ -70,7 +83,7 @@ void Spine::update(const NewtonSystem& system, std::span<const double> /*tension
   for (std::size_t e = 0; e < rest_.size(); ++e) {
     const Vec2 ab = link(system.x, e);
     const Vec2 d = (1.0 / std::max(length(ab), 1e-300)) * ab;
-    const double elongation = dot(d, link(system.damped, e)) - rest_[e];
+    const double elongation = dot(d, link(system.damped, e)) - turning(system.stage, e, d) - rest_[e];
     next[e] = (elongation + system.stiffening * dot(d, link(direction, e))) / compliance(e);
   }
 }
@@ -80,7 +93,8 @@ double Spine::potential(const Shape& shape, std::span<const double> most) const 
   for (std::size_t e = 0; e < rest_.size(); ++e) {
     const Vec2 ab = link(shape.x, e);
     const double size = length(ab);
-    const double along = size > 0.0 ? dot(ab, link(shape.damped, e)) / size : 0.0;
+    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{};
+    const double along = dot(d, link(shape.damped, e)) - turning(shape.stage, e, d);
     sum += exact_penalty({(along - rest_[e]) / shape.stiffening, compliance(e) / shape.stiffening}, most[e]);
   }
   return sum;

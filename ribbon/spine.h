@@ -18,6 +18,7 @@ class Spine final : public Term {
   std::size_t tension_count() const override { return rest_.size(); }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
+  void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
@@ -26,6 +27,7 @@ class Spine final : public Term {
   double energy(const Motion& at, std::span<const double> tensions) const override;
 
  private:
+  double turning(const Stage& stage, std::size_t e, Vec2 d) const;
   double rate(const Motion& at, std::size_t e) const;
   Vec2 middle(std::span<const Vec2> x, std::size_t column) const;
   Vec2 link(std::span<const Vec2> x, std::size_t column) const { return middle(x, column + 1) - middle(x, column); }

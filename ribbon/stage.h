@@ -52,10 +52,21 @@ struct Stage {
   std::span<const CarriedLoad> carried = {};  ///< by point, ascending
   /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar of a chain is given.
   double least_geometric = 0.0;
+  bool euler = false;  ///< implicit Euler: v = (x − x₀)/q with x₀ = x̃ − q·ṽ
 
   Vec2 residual(std::size_t p, Vec2 x) const { return force[p] - inertia[p] * (x - predicted[p]); }
   /// v at x.
   Vec2 velocity_at(std::size_t p, Vec2 x) const { return velocity[p] + (1.0 / q) * (x - predicted[p]); }
+  /// x₀ of implicit Euler.
+  Vec2 start(std::size_t p) const { return predicted[p] - q * velocity[p]; }
 };
+
+/// m/s, by which implicit Euler has a bar lengthen faster than it does. Its velocities are along the chords of the
+/// ways: d·v of a bar that turns by φ and keeps its length L is (1 − cos φ)·L/q. Damping would hold that back and
+/// shorten the bar in every step, so it acts on (|D| − |E|)/q = d·v − (|E| − d·E)/q instead, from E at the start to D =
+/// |D|·d: the gradient of a potential, which takes energy however far the bar turns.
+inline double turning_rate(const Stage& stage, Vec2 start, Vec2 d) {
+  return stage.euler ? (length(start) - dot(d, start)) / stage.q : 0.0;
+}
 
 }  // namespace ribbon

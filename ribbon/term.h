@@ -58,6 +58,7 @@ class Term {
   /// See Elasticity.
   virtual void find_tensions(std::span<const Vec2> /*x*/, std::span<double> /*tensions*/) const {}
   virtual void add_damping(const Motion& /*at*/, double /*sign*/, std::span<double> /*tensions*/) const {}
+  virtual void add_turning(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<double> /*tensions*/) const {}
   /// The rest lengths of the links along the cord, m.
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;
   /// Adds the part of the Hessian that does not depend on where the points are.

@@ -224,5 +224,25 @@ TEST(CordContactLimits, ACapstansStepsConverge) {
   }
 }
 
+/// Deeper is nobody: but who parts goes free.
+TEST(CordContactLimits, ABallBornWithItsCentreOnACordComesOut) {
+  for (const double along : {0.5, 0.525, 0.51}) {
+    for (const double radius : {5e-6, 5e-4, 0.05}) {
+      CordDef def;
+      def.points = 21;
+      def.length = 1.0;
+      def.mass_per_length = 0.5;
+      def.stretch_stiffness = 1e4;
+      ContactWorld world(def);
+      world.gravity = {};
+      const int ball = world.add_ball({along, 0.0}, radius, 0.5, 0.3);
+      for (int k = 0; k < 120; ++k) world.step();
+      EXPECT_EQ(world.total.unconverged, 0) << along << ", " << radius;
+      EXPECT_LT(world.depth(), 0.01 * (radius + def.radius)) << along << ", " << radius;
+      EXPECT_LT(length(world.body(ball).velocity), 1.0) << along << ", " << radius;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ribbon

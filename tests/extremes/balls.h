@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/extremes/subject.h"
+
+namespace extremes {
+
+/// Circles that a cord of any method meets, moved as their owner would. Gravity is none of theirs: so they move the
+/// same whoever moves them.
+class Balls {
+ public:
+  /// kg, 0 of one that goes its way at its velocity. Its index.
+  int add(ribbon::Vec2 position, double radius, double mass, double friction = 0.3);
+  ribbon::RigidBody& at(int index) { return bodies_[static_cast<std::size_t>(index)]; }
+
+  /// One tick of the cord and the balls.
+  void step(Subject& cord, double dt, ribbon::Vec2 gravity);
+  bool is_finite() const;
+
+ private:
+  std::vector<ribbon::RigidBody> bodies_;
+  std::vector<ribbon::RigidCircle> circles_;
+};
+
+}  // namespace extremes

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "tests/extremes/table.h"
+
+// Anchors, rest lengths and gravity that change as nothing in a level does.
+
+namespace extremes {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double dt = 1.0 / 60.0;
+constexpr double cord_length = 5.0;
+constexpr Vec2 earth{0.0, -9.81};
+constexpr double guarded_gain = 1e-3;  // of M·g·L, that the solver's energy guard may let through; see ribbon's README
+
+enum class Kind : unsigned char { rope, elastic, pulling, bending, ribbon };
+constexpr Kind all_kinds[] = {Kind::rope, Kind::elastic, Kind::pulling, Kind::bending, Kind::ribbon};
+
+std::string name(Kind kind) {
+  constexpr const char* names[] = {"rope", "elastic rope", "rope that cannot push", "bending rope", "ribbon"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// Hangs straight down from its first column; 1 kg with ten times its weight on it.
+ribbon::CordDef cord_of(Kind kind) {
+  ribbon::CordDef def;
+  def.points = 26;
+  def.rows = kind == Kind::ribbon ? 3 : 1;
+  def.length = cord_length;
+  def.mass_per_length = 1.0 / cord_length;
+  def.tension_only = kind == Kind::pulling;
+  if (kind == Kind::elastic || kind == Kind::pulling) def.stretch_stiffness = 1e5;
+  if (kind == Kind::bending) def.bending_stiffness = 0.1;
+  if (kind == Kind::ribbon) {
+    def.width = 0.4;
+    ribbon::solid(1e7, 0.0, 0.05, def.width).apply_to(def);
+    def.area_stiffness = 1.0;
+  }
+  for (int i = 0; i < def.points; ++i) {
+    for (int j = 0; j < def.rows; ++j) def.positions.push_back({0.2 * j, -0.2 * i});
+  }
+  for (int j = 0; j < def.rows; ++j) def.pins.push_back(j);
+  return def;
+}
+
+/// What is done to a cord: told before each tick, it drives the cord and says what gravity is; false at its end.
+struct Event {
+  std::string what;
+  std::function<bool(Subject&, int tick, Vec2& gravity)> drive;
+};
+
+void move_anchor(Subject& cord, Vec2 by) {
+  for (int j = 0; j < cord.rows(); ++j) cord.operate(j, cord.positions()[static_cast<std::size_t>(j)] + by);
+}
+
+Event yank() {
+  return {"anchor yanked at 100 m/s", [](Subject& cord, int tick, Vec2&) {
+            constexpr Vec2 ways[] = {{1.0, 0.0}, {-0.6, 0.8}, {0.0, -1.0}, {-0.8, 0.6}};
+            move_anchor(cord, (100.0 * dt) * ways[tick / 10 % 4]);
+            return tick < 39;
+          }};
+}
+
+Event teleport() {
+  return {"anchor put a kilometre away", [](Subject& cord, int, Vec2&) {
+            move_anchor(cord, {800.0, 600.0});
+            return false;
+          }};
+}
+
+Event gravity_of(const std::string& what, Vec2 gravity) {
+  return {what, [gravity](Subject&, int tick, Vec2& now) {
+            now = gravity;
+            return tick < 60;
+          }};
+}
+
+Event reel() {
+  return {"reeled to 1 % and back", [](Subject& cord, int tick, Vec2&) {
+            if (tick == 0) cord.direct().reel(0, cord.columns() - 1, 0.01 * cord_length, 10.0);
+            if (tick == 60) cord.direct().reel(0, cord.columns() - 1, cord_length, 10.0);
+            return tick < 120;
+          }};
+}
+
+/// The event, then two seconds in which nothing drives it, under gravity as it was, and two more in which its motion is
+/// taken away.
+void run(Method method, Kind kind, const Event& event, Worst& gain, Worst& strain) {
+  Subject cord(method, cord_of(kind), dt);
+  cord.attach_load(10.0);
+  const double scale = 11.0 * 9.81 * cord_length;
+  bool finite = true;
+  Vec2 gravity = earth;
+  const auto step = [&] {
+    cord.step(dt, gravity);
+    finite = finite && cord.is_finite();
+  };
+  for (int tick = 0; event.drive(cord, tick, gravity) && finite; ++tick) step();
+  step();
+  gravity = earth;
+  const double start = cord.energy(gravity);
+  double most = 0.0;
+  for (int k = 0; k < 120 && finite; ++k) {
+    step();
+    most = std::max(most, (cord.energy(gravity) - start) / std::max(scale, std::abs(start)));
+  }
+  gain.take(finite ? most : infinity, name(kind));
+  gain.add(cord.counts());
+  for (int k = 0; k < 240 && finite; ++k) {
+    for (int p = 0; p < cord.columns() * cord.rows(); ++p) {
+      cord.set_velocity(p, 0.9 * cord.velocities()[static_cast<std::size_t>(p)]);
+    }
+    step();
+  }
+  strain.take(finite ? cord.worst_strain(kind == Kind::pulling) : infinity, name(kind));
+}
+
+}  // namespace
+
+std::vector<Row> run_drives(const Scope& scope) {
+  const std::vector<Event> events = {yank(),
+                                     teleport(),
+                                     reel(),
+                                     gravity_of("gravity times 100", 100.0 * earth),
+                                     gravity_of("gravity turned over", -1.0 * earth),
+                                     gravity_of("gravity set to 0", {})};
+  std::vector<Row> rows;
+  double done = 0.0;
+  for (const Method method : all_methods) {
+    for (const Event& event : events) {
+      if (method == Method::thesis && event.what.starts_with("reel")) continue;  // it has no reel
+      Worst gain(event.what, "energy gained after / MgL", method, guarded_gain);
+      Worst strain(event.what, "strain in the end", method, method == Method::thesis ? 0.1 : 0.01);
+      // Stopped from 60 km/s within a tick.
+      if (event.what.starts_with("anchor put")) gain.allow_unconverged(2);
+      for (const Kind kind : all_kinds) {
+        if (method == Method::thesis && kind != Kind::rope && kind != Kind::ribbon) continue;
+        run(method, kind, event, gain, strain);
+      }
+      rows.insert(rows.end(), {gain.row(), strain.row()});
+      scope.progress(++done / (4.0 * static_cast<double>(events.size())));
+    }
+  }
+  return rows;
+}
+
+}  // namespace extremes

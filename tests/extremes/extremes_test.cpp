@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/extremes/table.h"
+
+// A part of each grid; `extremes --full` runs all of it.
+
+namespace extremes {
+namespace {
+
+class Extremes : public testing::TestWithParam<Group> {};
+
+/// Of the thesis's, which may stretch, gain and lose shape, only that its figures are looked at, and it stays finite:
+/// it has no infinite figure.
+TEST_P(Extremes, EveryRowIsWithinItsBar) {
+  for (const Row& row : GetParam().run({})) {
+    const std::string what = std::string(name(row.method)) + ", " + row.what + ", at " + row.setting;
+    EXPECT_GT(row.cases, 0) << what;
+    EXPECT_LT(row.worst, 1e300) << what << ": " << row.figure;
+    if (!row.held()) continue;
+    EXPECT_LE(row.worst, row.bar) << what << ": " << row.figure;
+    EXPECT_LE(row.counts.direct.unconverged, row.unconverged_bar) << what;
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<Group>& group) { return std::string(group.param.name); }
+INSTANTIATE_TEST_SUITE_P(All, Extremes, testing::ValuesIn(groups()), name_of);
+
+}  // namespace
+}  // namespace extremes

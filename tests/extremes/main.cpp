@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tests/extremes/table.h"
+#include "tests/study/progress_bar.h"
+
+/// 0 if every row that has to hold does, 1 if one does not, 2 for a bad argument.
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Where numerical stability is lost: every stepper at its limits, and the worst of each figure. `ok` is within "
+      "its "
+      "bar; `FAIL` is not and has to be; `lost` is not, and known: of the thesis's method, or as ribbon's README "
+      "says."};
+  bool full = false;
+  std::string only;
+  std::vector<std::string> names;
+  for (const extremes::Group& group : extremes::groups()) names.emplace_back(group.name);
+  app.add_flag("--full", full, "All of each grid and a million ticks, not a part of it: hours");
+  app.add_option("--only", only, "One group")->check(CLI::IsMember(names));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  bool good = true;
+  for (const extremes::Group& group : extremes::groups()) {
+    if (!only.empty() && only != group.name) continue;
+    const std::string name(group.name);
+    extremes::Scope scope;
+    scope.full = full;
+    if (full) scope.progress = [&name](double share) { study::show_progress(name.c_str(), share); };
+    const std::vector<extremes::Row> rows = group.run(scope);
+    std::printf("%s: %s\n\n", name.c_str(), std::string(group.description).c_str());
+    extremes::print_rows(rows);
+    std::printf("\n");
+    std::fflush(stdout);
+    good = good &&
+           std::all_of(rows.begin(), rows.end(), [](const extremes::Row& row) { return row.passed() || !row.held(); });
+  }
+  return good ? 0 : 1;
+}

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "tests/extremes/dice.h"
+#include "tests/extremes/table.h"
+
+// Starts that no motion leads to. Nothing drives the cord and nothing pulls: all that it has is what it is stretched.
+
+namespace extremes {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double dt = 1.0 / 60.0;
+constexpr int ticks = 360;
+
+enum class Start : unsigned char { random, point, collinear, reversed, reflected };
+constexpr Start all_starts[] = {Start::random, Start::point, Start::collinear, Start::reversed, Start::reflected};
+
+std::string_view name(Start start) {
+  constexpr std::string_view names[] = {"random", "collapsed to a point", "collinear", "reversed", "reflected"};
+  return names[static_cast<std::size_t>(start)];
+}
+
+enum class Kind : unsigned char { rope, bending_rope, strip, ribbon };
+constexpr Kind all_kinds[] = {Kind::rope, Kind::bending_rope, Kind::strip, Kind::ribbon};
+
+std::string_view name(Kind kind) {
+  constexpr std::string_view names[] = {"rope", "bending rope", "ribbon of 2 rows", "ribbon of 3 rows"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// Where a point of the cord at rest starts.
+Vec2 started(Start start, Vec2 rest, double length, Dice& dice) {
+  const Vec2 off{1e-3 * dice(), 1e-3 * dice()};
+  switch (start) {
+    case Start::random: return {dice() * length, dice() * length};
+    case Start::point: return off;
+    case Start::collinear: return {rest.x + off.x, 0.0};
+    case Start::reversed: return Vec2{length - rest.x, rest.y} + off;
+    case Start::reflected: return Vec2{rest.x, -rest.y} + off;
+  }
+  return {};
+}
+
+ribbon::CordDef cord_of(Kind kind, Start start, unsigned seed) {
+  ribbon::CordDef def;
+  def.points = 13;
+  def.rows = kind == Kind::ribbon ? 3 : kind == Kind::strip ? 2 : 1;
+  def.length = 0.6;
+  def.width = 0.05 * (def.rows - 1);
+  def.mass_per_length = 0.5;
+  def.damping = 0.05;
+  def.drag = 1.0;
+  def.stretch_stiffness = 1e3;
+  if (kind == Kind::bending_rope) def.bending_stiffness = 0.05;
+  if (def.rows > 1) {
+    ribbon::solid(2e5, 0.0, 0.1, def.width).apply_to(def);
+    def.area_stiffness = 1.0;
+  }
+  Dice dice(seed);
+  const ribbon::Cord rest(def);
+  for (const Vec2 p : rest.positions()) def.positions.push_back(started(start, p, def.length, dice));
+  return def;
+}
+
+/// What is bounded, over all kinds of a start.
+struct Figures {
+  Worst gain, speed, strain, inverted;
+};
+
+void run(Method method, Kind kind, Start start, unsigned seed, Figures& figures) {
+  Subject cord(method, cord_of(kind, start, seed), dt);
+  const std::string setting = std::string(name(kind)) + ", seed " + std::to_string(seed);
+  const double energy = cord.energy({});
+  double gain = 0.0;
+  double speed = 0.0;
+  for (int k = 0; k < ticks && gain < infinity; ++k) {
+    cord.step(dt, {});
+    if (!cord.is_finite()) gain = infinity;
+    gain = std::max(gain, cord.energy({}) / energy - 1.0);
+    for (int p = 0; p < cord.columns() * cord.rows(); ++p) {
+      const Vec2 v = cord.velocities()[static_cast<std::size_t>(p)];
+      speed = std::max(speed, std::sqrt(0.5 * cord.mass(p) * dot(v, v) / energy));
+    }
+  }
+  figures.gain.take(gain, setting);
+  figures.gain.add(cord.counts());
+  figures.speed.take(speed, setting);
+  figures.strain.take(cord.worst_strain(), setting);
+  figures.inverted.take(cord.inverted(), setting);
+}
+
+}  // namespace
+
+std::vector<Row> run_starts(const Scope& scope) {
+  std::vector<Row> rows;
+  const unsigned seeds = scope.full ? 100 : 3;
+  double done = 0.0;
+  for (const Method method : all_methods) {
+    for (const Start start : all_starts) {
+      const std::string what(name(start));
+      Figures figures{{what, "energy gained / start's", method, 1e-6},
+                      {what, "speed / what it allows", method, 1.0 + 1e-6},
+                      {what, "strain in the end", method, 1e-3},
+                      {what, "corners inside out", method, 0.0}};
+      for (const Kind kind : all_kinds) {
+        if (method == Method::thesis && kind <= Kind::bending_rope) continue;  // are the strip
+        for (unsigned seed = 0; seed < seeds; ++seed) run(method, kind, start, seed, figures);
+      }
+      rows.insert(rows.end(), {figures.gain.row(), figures.speed.row(), figures.strain.row(), figures.inverted.row()});
+      scope.progress(++done / static_cast<double>(std::size(all_methods) * std::size(all_starts)));
+    }
+  }
+  return rows;
+}
+
+}  // namespace extremes
