@@ -114,7 +114,10 @@ Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& sc
 std::vector<Row> run_soak(const Scope& scope) {
   std::vector<Row> rows;
   for (const Method method : all_methods) {
-    const int ticks = scope.full ? 1'000'000 : method <= Method::balanced ? 10'000 : 1'500;
+    const int ticks = scope.full                   ? 1'000'000
+                      : method <= Method::balanced ? 10'000
+                      : method == Method::accurate ? 5'000
+                                                   : 1'500;
     const std::string what = std::to_string(ticks) + " ticks";
     Worst energy(what, "energy, last tenth / first", method, 2.0);
     Worst allocations(what, "allocations in 2nd half", method, most_allocations);
