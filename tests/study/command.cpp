@@ -54,8 +54,9 @@ std::string seconds_of(const Reference& reference, std::size_t ticks) {
 
 std::string windows_of(const Study& study) {
   const auto per_cent = [](double share) { return fixed(100.0 * share, 0) + " %"; };
-  return "Windows: quarters of a second, " + std::to_string(Windows::most) +
-         " at most, all along the run, each begun from where the level's own cords are then; cords are compared in " +
+  return "Windows: " + std::to_string(study.windows) +
+         " quarters of a second, all along the run, each begun from where the level's own cords are then; cords are "
+         "compared in " +
          per_cent(study.compared_cords) + " of their ticks, players in " + per_cent(study.compared_players) +
          ", in which converged runs are a tenth of a millimetre apart at most (RMS " +
          significant(study.agreement.greatest(), 2) +

@@ -18,6 +18,8 @@ constexpr double disturbance = 1e-10;  // m
 constexpr double grown = 1e-2;         // m, to which it may grow
 constexpr double agreed = 1e-4;        // m, to which converged runs of different substeps do, while they are compared
 constexpr double finer_mesh = 4.0;
+constexpr std::size_t many_windows = 20;
+constexpr std::size_t few_windows = 8;
 
 /// Work done and to be done, in substeps of so many points.
 class Progress {
@@ -98,8 +100,10 @@ class LevelStudy {
     progress_.add(work_of(finest));
     const game::Level as_it_is = file_->level();
     const Windows windows(as_it_is, inputs_, accuracy_of(reference({}, false, options_->quick)),
-                          accuracy_of(reference({}, true, options_->quick)));
+                          accuracy_of(reference({}, true, options_->quick)),
+                          options_->quick ? few_windows : many_windows);
     progress_.add(work_of_windows());
+    study.windows = windows.count();
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();

@@ -45,6 +45,7 @@ struct Study {
   std::string replay;
   std::size_t ticks = 0;
   std::vector<Reference> references;
+  std::size_t windows = 0;
   WindowErrors agreement;         ///< of the references of windows
   double compared_cords = 0.0;    ///< of all windows' ticks, in which these are compared,
   double compared_players = 0.0;  ///< and these

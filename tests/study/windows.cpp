@@ -9,10 +9,10 @@ namespace {
 constexpr double agreed = 1e-4;  // m
 
 /// Evenly along a run, each window whole if the run is as long as one.
-std::vector<std::size_t> begins_of(std::size_t ticks) {
+std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
   if (ticks <= Windows::ticks) return {0};
   const std::size_t room = ticks - Windows::ticks;
-  const std::size_t count = std::min(Windows::most, 1 + room / Windows::ticks);
+  const std::size_t count = std::min(most, 1 + room / Windows::ticks);
   std::vector<std::size_t> begins;
   for (std::size_t k = 0; k < count; ++k) begins.push_back(count == 1 ? 0 : k * room / (count - 1));
   return begins;
@@ -50,10 +50,10 @@ std::size_t players_together(const Trace& a, const Trace& b, double most) {
 }
 
 Windows::Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
-                 const ribbon::Accuracy& finer)
+                 const ribbon::Accuracy& finer, std::size_t most)
     : level_(&level), inputs_(inputs) {
   std::vector<Trace> others;
-  for (const std::size_t begin : begins_of(inputs.size())) {
+  for (const std::size_t begin : begins_of(inputs.size(), most)) {
     Window& window = windows_.emplace_back(Window{begin, run_from(level, inputs, begin, ticks, finer)});
     const Trace& other = others.emplace_back(run_from(level, inputs, begin, ticks, fine));
     window.cords = cords_together(other, window.reference, agreed);

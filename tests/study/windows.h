@@ -24,11 +24,11 @@ struct WindowErrors {
 class Windows {
  public:
   static constexpr std::size_t ticks = 15;  ///< of a window
-  static constexpr std::size_t most = 20;   ///< windows of a run, evenly along it
 
-  /// Runs the references: `fine` and `finer` are accuracies of converged motions. Keeps references to level and inputs.
+  /// Runs the references of `most` windows, evenly along a run, or as many as there is room for: `fine` and `finer` are
+  /// accuracies of converged motions. Keeps references to level and inputs.
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
-          const ribbon::Accuracy& finer);
+          const ribbon::Accuracy& finer, std::size_t most);
 
   /// Of cords solved so, against the finer reference, in all ticks that are compared.
   WindowErrors errors(const ribbon::Accuracy& accuracy) const;
@@ -38,6 +38,7 @@ class Windows {
   /// of a millimetre apart at most, RMS.
   double compared_cords() const { return share(&Window::cords); }
   double compared_players() const { return share(&Window::player); }
+  std::size_t count() const { return windows_.size(); }
 
  private:
   struct Window {

@@ -57,7 +57,8 @@ TEST(Windows, ARunFromATickIsTheLevelsUntilThen) {
 TEST(Windows, ErrorsFallWithTheSubsteps) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);
-  const Windows windows(level, inputs, {Integrator::tr_bdf2, 16, 8, 1e-7}, {Integrator::tr_bdf2, 32, 8, 1e-7});
+  const Windows windows(level, inputs, {Integrator::tr_bdf2, 16, 8, 1e-7}, {Integrator::tr_bdf2, 32, 8, 1e-7}, 20);
+  EXPECT_EQ(windows.count(), 2U);  // of 15 ticks in 40
   EXPECT_EQ(windows.compared_cords(), 1.0);
   EXPECT_EQ(windows.compared_players(), 1.0);
   const double one = windows.errors({Integrator::tr_bdf2, 1, 8, 1e-5}).position_m;
