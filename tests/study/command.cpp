@@ -134,9 +134,9 @@ Report report_of(const Study& study, const LevelFile& file) {
   report.points = study.points();
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
   report.columns = {
-      "position_m", "position_share", "player_m",           "stretch",          "tension", "penetration",
-      "energy",     "momentum",       "windows_position_m", "windows_player_m", "mesh_m",  "newton_a_tick",
-      "fallbacks",  "halvings",       "unconverged_ticks"};
+      "position_m",      "position_share", "player_m",           "stretch",          "tension", "penetration",
+      "energy",          "momentum",       "windows_position_m", "windows_player_m", "mesh_m",  "newton_a_tick",
+      "contacts_a_tick", "fallbacks",      "halvings",           "unconverged_ticks"};
   report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
     const bool direct = m.dials.solver == "direct";
@@ -146,6 +146,7 @@ Report report_of(const Study& study, const LevelFile& file) {
          cell(m.error.momentum), cell(m.windows.position_m), cell(m.windows.player_m),
          significant(m.mesh.greatest_length(), 3),
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
+         direct ? fixed(1.0 * m.contacts / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
     for (const double later : m.later.values) report.cells.back().push_back(cell(later));

@@ -69,8 +69,8 @@ class Reader {
 /// All that a trace has, by name: what is new in it does not compile until it is kept too.
 template <typename T, typename Visit>
 void visit_all(T& trace, Visit& visit) {
-  auto& [lengths, places, player, stretch, figures, declared, passages, mass, gravity, work, unconverged_ticks,
-         failure] = trace;
+  auto& [lengths, places, player, stretch, figures, declared, passages, mass, gravity, work, contacts,
+         unconverged_ticks, failure] = trace;
   visit(lengths);
   visit(places);
   visit(player);
@@ -81,6 +81,7 @@ void visit_all(T& trace, Visit& visit) {
   visit(mass);
   visit(gravity);
   visit(work);
+  visit(contacts);
   visit(unconverged_ticks);
   visit(failure);
 }

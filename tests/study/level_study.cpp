@@ -190,6 +190,7 @@ class LevelStudy {
       measured.windows_known_to_m = 10.0 * windows.agreement().greatest();
     }
     measured.work = trace.work;
+    measured.contacts = trace.contacts;
     measured.unconverged_ticks = trace.unconverged_ticks;
     measured.failure = failure_of(trace, own.trace, own.about.ticks);
     return measured;

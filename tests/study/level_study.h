@@ -23,6 +23,7 @@ struct Measured {
   WindowErrors windows;     ///< of time and solver, in windows of the level as it is; of its own cords only
   double windows_known_to_m = 0.0;
   ribbon::CordReport work;
+  int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;
   double cost_us = 0.0;

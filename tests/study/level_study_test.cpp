@@ -196,6 +196,7 @@ void expect_the_same(const Measured& a, const Measured& b) {
   EXPECT_EQ(a.known_to_m, b.known_to_m);
   EXPECT_EQ(a.work.iterations, b.work.iterations);
   EXPECT_EQ(a.unconverged_ticks, b.unconverged_ticks);
+  EXPECT_EQ(a.contacts, b.contacts);
   EXPECT_EQ(a.failure, b.failure);
 }
 
@@ -247,6 +248,7 @@ TEST_F(LevelStudy, ASettingIsKeptWithAllItsNumbers) {
   measured.later.values = {21.0, 22.0, lacking, 24.0, 25.0, 26.0};
   measured.known_to_m = 0.1;
   measured.unconverged_ticks = 31;
+  measured.contacts = 77;
   measured.failure = "31 ticks not converged";
   Results(home + "/kept", 1, replay_path, false).add(measured);
   const Results again(home + "/kept", 1, replay_path, false);

@@ -43,6 +43,7 @@ Json json_of(const Measured& m) {
           {"later", m.later.values},
           {"windows", {m.windows.position_m, m.windows.player_m, m.windows_known_to_m}},
           {"known_to", m.known_to_m},
+          {"contacts", m.contacts},
           {"iterations", m.work.iterations},
           {"stages", m.work.stages},
           {"fallbacks", m.work.fallbacks},
@@ -61,6 +62,7 @@ Measured measured_of(const Json& j) {
   m.windows = {number_of(j.at("windows").at(0)), number_of(j.at("windows").at(1))};
   m.windows_known_to_m = j.at("windows").at(2);
   m.known_to_m = j.at("known_to");
+  m.contacts = j.at("contacts");
   m.work.iterations = j.at("iterations");
   m.work.stages = j.at("stages");
   m.work.fallbacks = j.at("fallbacks");

@@ -103,6 +103,7 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
     figures.stretch += stretch / coupling.size();
     if (coupling.solver(c) != engine::Solver::direct) continue;
     trace.work += coupling.direct_report(c);
+    trace.contacts += static_cast<int>(coupling.direct_cord(c).touches().size());
     unconverged = unconverged || coupling.direct_report(c).unconverged > 0;
   }
   trace.unconverged_ticks += unconverged ? 1 : 0;

@@ -30,6 +30,7 @@ struct Trace {
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², its size
   ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver
+  int contacts = 0;                               ///< of all its cords, after each tick, summed up
   int unconverged_ticks = 0;                      ///< in which a cord of it was left unconverged
   std::string failure;                            ///< what became of it, if it ended before its time
 };
