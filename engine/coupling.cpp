@@ -23,11 +23,23 @@ constexpr std::size_t usual_grips = 8;
 constexpr double direct_reach = 4.0;  // times the way that a cord goes in a tick
 constexpr double snap = 2.0;          // times the speed that all of the elastic energy gives all of a cord
 
+bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for what is none
+
 /// Whether its numbers are such that a cord can meet it.
 bool is_sound(const b2Body& body) {
-  const auto small = [](float number) { return std::abs(number) <= 1e9F; };  // false for what is none
-  return small(body.GetPosition().x) && small(body.GetPosition().y) && small(body.GetAngle()) &&
-         small(body.GetLinearVelocity().x) && small(body.GetLinearVelocity().y) && small(body.GetAngularVelocity());
+  return is_small(body.GetPosition().x) && is_small(body.GetPosition().y) && is_small(body.GetAngle()) &&
+         is_small(body.GetLinearVelocity().x) && is_small(body.GetLinearVelocity().y) && is_small(body.GetAngularVelocity()) &&
+         is_small(body.GetWorldCenter().x) && is_small(body.GetWorldCenter().y) && is_small(body.GetGravityScale());
+}
+
+bool is_sound(const b2Fixture& fixture) {
+  for (int child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+    const b2AABB& box = fixture.GetAABB(child);
+    for (const float x : {box.lowerBound.x, box.lowerBound.y, box.upperBound.x, box.upperBound.y}) {
+      if (!is_small(x)) return false;
+    }
+  }
+  return true;
 }
 
 bool has_mass(const b2Body& body) { return body.GetMass() > 0.0F; }
@@ -145,6 +157,7 @@ CordIndex Coupling::add(CoupledCord coupled) {
 
 void Coupling::gather(b2World& world, double dt) {
   if (world.IsLocked()) throw ribbon::DefinitionError("world is locked; accepted is one that is not inside its Step");
+  ribbon::check_step(dt, to_double(world.GetGravity()));
   gravity_ = to_double(world.GetGravity());
   dt_ = dt;
   gathered_.clear();
@@ -188,7 +201,7 @@ void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
   }
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-    if (!fixture->IsSensor()) gather_fixture(body, *fixture, gravity, dt);
+    if (!fixture->IsSensor() && is_sound(*fixture)) gather_fixture(body, *fixture, gravity, dt);
   }
   gather_grips(body, gravity);
   if (LedBody* found = led(body); found != nullptr && (gathered_.empty() || gathered_.back().body != &body))

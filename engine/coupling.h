@@ -119,7 +119,7 @@ class Coupling {
   std::span<const ribbon::Vec2> positions(CordIndex index) const;  ///< m, by point
   ribbon::PointKind kind(CordIndex index, int point) const;
   /// Drags a point to `target` [m] in the next tick: call it again to drag on. Throws ribbon::DefinitionError for an
-  /// unknown point or a coordinate beyond ±1e9, and so does release.
+  /// unknown cord or point or a coordinate beyond ±1e9, and so does release.
   void operate(CordIndex index, int point, ribbon::Vec2 target);
   /// Lets a dragged or constrained point go with the velocity it has.
   void release(CordIndex index, int point);
@@ -142,7 +142,8 @@ class Coupling {
 
   /// Reads the world as it is before a tick of dt seconds: for each cord the fixtures of enabled bodies that it may
   /// reach in that time, several a body, static, kinematic and dynamic. Sensors are ignored, and so are dynamic bodies
-  /// without mass.
+  /// without mass and what is nowhere, or beyond ±1e9 m or m/s. Throws ribbon::DefinitionError, and changes nothing, for
+  /// a world that is locked, a dt [s] below 1e-9 or above 1, and a gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
   void step();
@@ -151,8 +152,8 @@ class Coupling {
 
   /// Makes `body` hold a point of a cord at `local_hand`, in the body's own frame. One grip a body: a second call moves
   /// the hand evenly over the next tick, so start from where the point is and bring it nearer by and by. (A point that
-  /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError for a cord or point that
-  /// does not exist.
+  /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError, and changes nothing, for
+  /// a cord or point that does not exist and for a hand beyond ±1e9.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
   /// Lets go of everything, with the velocities that both have; false if the body held nothing.
   bool release(b2Body& body);

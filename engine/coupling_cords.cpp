@@ -37,10 +37,12 @@ ribbon::PointKind Coupling::kind(CordIndex index, int point) const {
 }
 
 void Coupling::operate(CordIndex index, int point, ribbon::Vec2 target) {
+  check_cord(index);
   std::visit([=](auto& cord) { cord.operate(point, target); }, cords_[at(index)].cord);
 }
 
 void Coupling::release(CordIndex index, int point) {
+  check_cord(index);
   std::visit([=](auto& cord) { cord.release(point); }, cords_[at(index)].cord);
 }
 

@@ -33,6 +33,7 @@ void Coupling::check_arc(CordIndex cord, double arc) const {
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
   check_cord(cord);
   std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
+  ribbon::check_coordinates("local_hand", to_double(local_hand));
   if (Holder* held = holder(body)) {
     if (held->cord != cord || held->point != point) held->local_hand = local_hand;
     held->cord = cord;

@@ -12,6 +12,9 @@ using ribbon::Vec2;
 
 constexpr std::uint64_t most_features = 1U << 20U;  // of a fixture; a chain's vertices are fewer
 
+/// 0 … most; 0 for what is no number. Box2D takes anything.
+double within(float value, double most) { return value > 0.0F ? std::min(static_cast<double>(value), most) : 0.0; }
+
 /// The corners and edges of one fixture.
 class Outline {
  public:
@@ -20,8 +23,8 @@ class Outline {
     const b2Body& owner = *fixture.GetBody();
     transform_ = owner.GetTransform();
     center_ = to_double(owner.GetWorldCenter());
-    friction_ = static_cast<double>(fixture.GetFriction());
-    restitution_ = std::clamp(static_cast<double>(fixture.GetRestitution()), 0.0, 1.0);
+    friction_ = within(fixture.GetFriction(), 10.0);
+    restitution_ = within(fixture.GetRestitution(), 1.0);
   }
 
   void add_corner(b2Vec2 local, float radius, std::uint64_t feature, std::vector<ribbon::RigidCircle>& circles) const {

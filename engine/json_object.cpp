@@ -33,17 +33,17 @@ JsonObject::JsonObject(const json& value, std::string where) : value_(&value), w
   if (!value.is_object()) fail("found is " + json_in_words(value) + ", accepted is an object");
 }
 
-double JsonObject::number(const char* key, NumberRange accepted) const {
+double JsonObject::number(std::string_view key, NumberRange accepted) const {
   const json& value = require(key, range_in_words(accepted));
   if (!value.is_number() || !accepted.contains(value.get<double>())) refuse(key, range_in_words(accepted));
   return value.get<double>();
 }
 
-double JsonObject::number_or(const char* key, double fallback, NumberRange accepted) const {
+double JsonObject::number_or(std::string_view key, double fallback, NumberRange accepted) const {
   return has(key) ? number(key, accepted) : fallback;
 }
 
-std::int64_t JsonObject::integer(const char* key, IntegerRange accepted) const {
+std::int64_t JsonObject::integer(std::string_view key, IntegerRange accepted) const {
   const json& value = require(key, range_in_words(accepted));
   const bool fits = value.is_number_unsigned()
                         ? value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()}
@@ -52,39 +52,39 @@ std::int64_t JsonObject::integer(const char* key, IntegerRange accepted) const {
   return value.get<std::int64_t>();
 }
 
-bool JsonObject::boolean_or(const char* key, bool fallback) const {
+bool JsonObject::boolean_or(std::string_view key, bool fallback) const {
   if (!has(key)) return fallback;
   if (!value_->at(key).is_boolean()) refuse(key, "true or false");
   return value_->at(key).get<bool>();
 }
 
-std::string JsonObject::text(const char* key) const {
+std::string JsonObject::text(std::string_view key) const {
   const json& value = require(key, "a text");
   if (!value.is_string()) refuse(key, "a text");
   return value.get<std::string>();
 }
 
-std::string JsonObject::text_or(const char* key, std::string_view fallback) const {
+std::string JsonObject::text_or(std::string_view key, std::string_view fallback) const {
   return has(key) ? text(key) : std::string(fallback);
 }
 
-const json& JsonObject::array(const char* key) const {
+const json& JsonObject::array(std::string_view key) const {
   const json& value = require(key, "an array");
   if (!value.is_array()) refuse(key, "an array");
   return value;
 }
 
-JsonObject JsonObject::object(const char* key) const {
+JsonObject JsonObject::object(std::string_view key) const {
   const json& value = require(key, "an object");
   if (!value.is_object()) refuse(key, "an object");
-  return {value, where_ + ": " + key};
+  return {value, where_ + ": " + std::string(key)};
 }
 
-void JsonObject::refuse(const char* key, const std::string& accepted) const {
+void JsonObject::refuse(std::string_view key, const std::string& accepted) const {
   fail(in_quotes(key) + " is " + json_in_words(value_->at(key)) + ", accepted is " + accepted);
 }
 
-const json& JsonObject::require(const char* key, const std::string& accepted) const {
+const json& JsonObject::require(std::string_view key, const std::string& accepted) const {
   const auto found = value_->find(key);
   if (found == value_->end()) fail(in_quotes(key) + " is missing, accepted is " + accepted);
   return *found;

@@ -36,22 +36,22 @@ class JsonObject {
   void rename(std::string where) { where_ = std::move(where); }
   const nlohmann::json& value() const { return *value_; }
 
-  bool has(const char* key) const { return value_->contains(key); }
-  double number(const char* key, NumberRange accepted = {}) const;
-  double number_or(const char* key, double fallback, NumberRange accepted = {}) const;
-  std::int64_t integer(const char* key, IntegerRange accepted = {}) const;
-  bool boolean_or(const char* key, bool fallback) const;
-  std::string text(const char* key) const;
-  std::string text_or(const char* key, std::string_view fallback) const;
-  const nlohmann::json& array(const char* key) const;
-  JsonObject object(const char* key) const;
+  bool has(std::string_view key) const { return value_->contains(key); }
+  double number(std::string_view key, NumberRange accepted = {}) const;
+  double number_or(std::string_view key, double fallback, NumberRange accepted = {}) const;
+  std::int64_t integer(std::string_view key, IntegerRange accepted = {}) const;
+  bool boolean_or(std::string_view key, bool fallback) const;
+  std::string text(std::string_view key) const;
+  std::string text_or(std::string_view key, std::string_view fallback) const;
+  const nlohmann::json& array(std::string_view key) const;
+  JsonObject object(std::string_view key) const;
 
   [[noreturn]] void fail(const std::string& sentence) const { throw JsonError(where_ + ": " + sentence); }
   /// Says that the field is what it is, and what is accepted.
-  [[noreturn]] void refuse(const char* key, const std::string& accepted) const;
+  [[noreturn]] void refuse(std::string_view key, const std::string& accepted) const;
 
  private:
-  const nlohmann::json& require(const char* key, const std::string& accepted) const;
+  const nlohmann::json& require(std::string_view key, const std::string& accepted) const;
 
   const nlohmann::json* value_;
   std::string where_;

@@ -41,7 +41,7 @@ std::map<std::string, Setting> parse_settings(const JsonObject& object) {
     } else if (value.is_string()) {
       settings.emplace(key, value.get<std::string>());
     } else {
-      object.refuse(key.c_str(), "a number or a text");
+      object.refuse(key, "a number or a text");
     }
   }
   return settings;

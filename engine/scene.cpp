@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 
 #include "engine/convert.h"
@@ -14,6 +15,7 @@ namespace {
 using ribbon::Vec2;
 
 constexpr std::size_t most_objects = 2000;   // far more than a level needs, few enough to run whatever they are
+constexpr std::int64_t most_points = 100'000;  // of all cords together: a few hundred megabytes at the most
 constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
 
 b2Vec2 gravity_of(const TiledMap& map) {
@@ -29,14 +31,16 @@ b2BodyType body_type(const MapObject& object) {
 }
 
 /// True if every corner lies to the same side of every edge (which a star's do not), none is too near the next, and
-/// they span an area.
+/// they span an area: one that Box2D, in single precision, does not take for none.
 bool is_convex(const std::vector<Vec2>& points) {
   double side = 0.0;
   double twice_area = 0.0;
+  double longest = 0.0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec2 a = points[k];
     const Vec2 b = points[(k + 1) % points.size()];
     if (length(b - a) < 2.0 * static_cast<double>(b2_linearSlop)) return false;
+    longest = std::max(longest, length(b - a));
     twice_area += cross(a - points[0], b - points[0]);
     for (const Vec2 c : points) {
       const double turn = cross(b - a, c - a);
@@ -44,7 +48,7 @@ bool is_convex(const std::vector<Vec2>& points) {
       if (turn != 0.0) side = turn;
     }
   }
-  return std::abs(twice_area) > 1e-3;  // m²
+  return std::abs(twice_area) > std::max(1e-3, 1e-5 * longest * longest);  // m²
 }
 
 /// A convex polygon of at most b2_maxPolygonVertices corners, about `origin`; false if it is none.
@@ -54,6 +58,17 @@ bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 or
   for (const Vec2 point : points) corners.push_back(to_float(point - origin));
   shape.Set(corners.data(), static_cast<int32>(corners.size()));
   return true;
+}
+
+/// Before any of them is laid out: few objects can ask for all the memory there is.
+void check_points(const TiledMap& map) {
+  std::int64_t points = 0;
+  for (const MapObject& object : map.objects) {
+    if (object.kind == "cord") points += points_of(object);
+    if (points <= most_points) continue;
+    throw object.error("the cords up to this one have " + std::to_string(points) +
+                       " points, columns times rows; accepted are at most " + std::to_string(most_points));
+  }
 }
 
 void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
@@ -134,6 +149,7 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
     throw MapError(map.file + ": the map has " + std::to_string(map.objects.size()) +
                    " objects; accepted are at most " + std::to_string(most_objects));
   }
+  check_points(map);
   for (const MapObject& object : map.objects) {
     if (object.kind == "ground") {
       build_ground(object);

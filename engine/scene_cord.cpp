@@ -60,6 +60,10 @@ double path_length(const MapObject& object) {
 }
 
 int columns_of(const Properties& p) { return static_cast<int>(p.integer("columns", {2, 5000})); }
+int rows_of(const Properties& p, Solver solver) {
+  return solver == Solver::direct ? static_cast<int>(p.integer_or("rows", 1, {1, 16}))
+                                  : static_cast<int>(p.integer_or("rows", 2, {2, 16}));
+}
 double mass_of(const Properties& p) { return p.number("mass", {1e-6, 1e6}); }
 double drag_of(const Properties& p) { return p.number_or("drag", 0.0, {0.0, 1e3}); }
 int substeps_of(const Properties& p, int otherwise) {
@@ -81,7 +85,7 @@ ribbon::ThesisDef thesis_def(const MapObject& object) {
   check_properties(object, Solver::thesis, thesis_properties, direct_properties);
   ribbon::ThesisDef def;
   def.w = columns_of(p);
-  def.h = static_cast<int>(p.integer_or("rows", 2, {2, 16}));
+  def.h = rows_of(p, Solver::thesis);
   def.spacing = path_length(object) / (def.w - 1);
   def.point_mass = mass_of(p) / (def.w * def.h);
   def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
@@ -176,7 +180,7 @@ ribbon::CordDef direct_def(const MapObject& object) {
   check_properties(object, Solver::direct, direct_properties, thesis_properties);
   ribbon::CordDef def;
   def.points = columns_of(p);
-  def.rows = static_cast<int>(p.integer_or("rows", 1, {1, 16}));
+  def.rows = rows_of(p, Solver::direct);
   const std::vector<Vec2> middle = lay_in_equal_links(object.points, path_length(object), def.points);
   def.length = 0.0;
   for (std::size_t i = 1; i < middle.size(); ++i) def.length += length(middle[i] - middle[i - 1]);
@@ -203,6 +207,11 @@ ribbon::CordDef direct_def(const MapObject& object) {
 }
 
 }  // namespace
+
+std::int64_t points_of(const MapObject& object) {
+  const Properties& p = object.properties;
+  return std::int64_t{columns_of(p)} * rows_of(p, solver_of(object));
+}
 
 CordDefinition read_cord(const MapObject& object) {
   if (object.shape != MapShape::polyline) {

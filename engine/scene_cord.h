@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <variant>
 
 #include "engine/tiled_map.h"
@@ -11,6 +12,9 @@ namespace engine {
 
 /// By the solver that moves it.
 using CordDefinition = std::variant<ribbon::ThesisDef, ribbon::CordDef>;
+
+/// How many points a cord has, as its object says. Throws MapError where read_cord does for these numbers.
+std::int64_t points_of(const MapObject& object);
 
 /// What a cord is made of, as its object says (engine/scene.h has the properties). Throws MapError for a shape,
 /// property or value that it cannot have; which values go together is left to the definition's own check.

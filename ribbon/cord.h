@@ -35,8 +35,8 @@ struct CordReport {
 };
 
 /// A cord that keeps its length, however heavy what hangs on it: all its points are solved at once and exactly, in
-/// O(points). A rope is one row of points; a ribbon has more, which shear and squash. A step allocates nothing and
-/// throws nothing.
+/// O(points). A rope is one row of points; a ribbon has more, which shear and squash. A step allocates nothing, and
+/// throws DefinitionError, before anything has moved, for a number that is out of its range.
 class Cord {
  public:
   /// At rest. Throws DefinitionError where check(def) does.
@@ -96,7 +96,7 @@ class Cord {
   /// proportions. What a winch of that speed does to the load, it does; nothing jumps.
   void reel(int first, int last, double length, double speed);
 
-  /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of which
+  /// Advances by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of which
   /// no two have the same body) move with it: each is given the impulses that take it to its velocity at the end of the
   /// step, and is told how far it `moved` and `turned`, and so are bodies whose circles and segments touch it.
   CordReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});

@@ -7,6 +7,9 @@ namespace ribbon {
 
 void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
                         std::span<CordReport> reports) {
+  check_step(dt, gravity);
+  check_bodies(bodies);
+  for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size());
   reaches_.clear();
   links_.clear();
   first_links_.clear();

@@ -11,8 +11,9 @@ namespace ribbon {
 /// once; the others are solved one by one. It keeps memory only.
 class DirectSolver {
  public:
-  /// Advances all cords by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first
-  /// cords; all meet the same `bodies`. reports[k] is what happened in the island of cords[k].
+  /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first
+  /// cords; all meet the same `bodies`. reports[k] is what happened in the island of cords[k]. Throws DefinitionError,
+  /// and moves none, where check_step, check_bodies or check_met do.
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 

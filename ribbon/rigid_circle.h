@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -66,5 +67,14 @@ struct Surroundings {
   std::span<const Grip> grips = {};
   std::span<const RigidSegment> segments = {};  ///< met by the direct solver only
 };
+
+/// Throw DefinitionError unless all numbers of the bodies of a step, and of what else a cord of so many points meets in
+/// it, are in their ranges: lengths and velocities within ±1e10, accelerations within ±1e20, and every body and point
+/// that something refers to there.
+void check_bodies(std::span<const RigidBody> bodies);
+void check_met(const Surroundings& met, std::size_t bodies, int points);
+
+/// Throws DefinitionError unless a step can be taken: 1e-9 ≤ dt ≤ 1 [s], gravity [m/s²] within ±1e9.
+void check_step(double dt, Vec2 gravity);
 
 }  // namespace ribbon

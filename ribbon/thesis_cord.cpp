@@ -119,6 +119,7 @@ void ThesisCord::restore(const State& state) {
   for (const auto* values : {&state.positions, &state.velocities, &state.targets}) {
     for (const Vec2 value : *values) check_coordinates("state", value);
   }
+  for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   positions_ = state.positions;
   velocities_ = state.velocities;
   targets_ = state.targets;

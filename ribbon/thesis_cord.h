@@ -62,8 +62,9 @@ class ThesisCord {
   /// Throws DefinitionError unless the cord has a point of that index.
   void check_point(int point) const;
 
-  /// Advances by dt seconds, 0 < dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings as they are at the start,
-  /// with the impulses their bodies have been given so far, and adds the cord's own impulses to them.
+  /// Advances by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings as they are at the start,
+  /// with the impulses their bodies have been given so far, and adds the cord's own impulses to them. Throws
+  /// DefinitionError, before anything has moved, for a number that is out of its range.
   StepReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// What a replay or a saved game has to keep; the rest follows from the definition.
@@ -76,7 +77,7 @@ class ThesisCord {
   };
   State save() const { return {positions_, velocities_, targets_, kinds_}; }
   /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size, or has a
-  /// coordinate beyond ±1e9.
+  /// coordinate beyond ±1e9 or a kind of point that is none.
   void restore(const State& state);
 
  private:

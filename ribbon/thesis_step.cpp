@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 
 #include "ribbon/bar.h"
 #include "ribbon/contact.h"
@@ -20,7 +19,9 @@ constexpr double drag_speeds_to_follow = 2.0;   // a free point may outrun the f
 /// Goto 2017, Fig. 3.6, with N substeps of dt/N: inertia belongs into every one of them, or time runs N-fold and the
 /// cord freezes as N grows.
 StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
-  assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
+  check_step(dt, gravity);
+  check_bodies(surroundings.bodies);
+  check_met(surroundings, surroundings.bodies.size(), mesh_->size());
   begin_step(surroundings);
   const double substep_dt = dt / def_.substeps;
   driven_speed_ = 0.0;

@@ -333,6 +333,8 @@ TEST(Replay, HeaderFaultsNameTheField) {
            "\"settings\" is an array, accepted is an object"},
       Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{"x":true},"tick_rate":50})",
            "settings: \"x\" is true, accepted is a number or a text"},
+      Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{"x\u0000y":true},"tick_rate":50})",
+           "settings: \"x\\x00y\" is true, accepted is a number or a text"},
       Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{},"tick_rate":50,"z":1})", "\"z\" is unknown"},
   };
   for (const Case& wrong : cases) {

@@ -216,6 +216,10 @@ TEST(Scene, RefusesWhatItCannotBuild) {
       object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":-40},{"x":23,"y":32},{"x":-38,"y":-12},)"
                        R"({"x":38,"y":-12},{"x":-23,"y":32}])"),
       "convex");
+  // An area, but none that single precision can tell from a line that is not along an axis.
+  expect_refused(object("ground", R"("rotation":30,"width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":9000000,"y":0},)"
+                                  R"({"x":4500000,"y":0.1}])"),
+                 "sliver");
   expect_refused(object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":40,"y":0},{"x":10,"y":10},)"
                                   R"({"x":0,"y":40}])"),
                  "convex");
@@ -356,6 +360,22 @@ TEST(Scene, RefusesUnknownPropertiesOfTheMapAndTooManyObjects) {
   TiledMap crowded = map_with(object("player", box));
   crowded.objects.resize(2001, crowded.objects[0]);
   EXPECT_THROW(Scene(crowded, {"player"}), MapError);
+}
+
+/// Each of them is accepted; all together would take what memory there is, and a file of a few hundred bytes asks for it.
+TEST(Scene, RefusesMorePointsThanItCanHold) {
+  const std::string thick = object("cord", line, text("solver", "direct") + "," + whole("columns", "5000") + "," +
+                                                     number("mass", "1") + "," + whole("rows", "16") + "," +
+                                                     number("stretch_stiffness", "1000"));
+  TiledMap map = map_with(thick);
+  map.objects.resize(2, map.objects[0]);
+  try {
+    const Scene scene(map);
+    ADD_FAILURE() << "160,000 points were accepted";
+  } catch (const MapError& error) {
+    EXPECT_NE(std::string(error.what()).find("have 160000 points"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("at most 100000"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Scene, AnyShapeOfAKnownOtherKindIsLeftToTheCaller) {

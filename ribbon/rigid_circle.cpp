@@ -1,0 +1,102 @@
+#include "ribbon/rigid_circle.h"
+
+#include <cmath>
+#include <string>
+
+#include "ribbon/definition.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double anything = std::numeric_limits<double>::max();
+constexpr double far = 1e10;         // m, m/s, rad/s
+constexpr double fastest_change = 1e20;  // m/s²
+
+/// An entry of a list, whose name is put together only where there is something to say about it.
+class Entry {
+ public:
+  Entry(const char* list, std::size_t index) : list_(list), index_(index) {}
+
+  void check(const char* field, double value, double low, double high) const {
+    if (!(value >= low && value <= high)) check_range(name(field).c_str(), value, low, high);
+  }
+  void check(const char* field, Vec2 value, double most = far) const {
+    check(field, value.x, -most, most);
+    check(field, value.y, -most, most);
+  }
+  void check_index(const char* field, int value, std::size_t count) const {
+    if (value >= 0 && static_cast<std::size_t>(value) < count) return;
+    throw DefinitionError(name(field) + " is " + std::to_string(value) + "; accepted is an index below " +
+                          std::to_string(count));
+  }
+
+ private:
+  std::string name(const char* field) const {
+    return std::string(list_) + "[" + std::to_string(index_) + "]." + field;
+  }
+
+  const char* list_;
+  std::size_t index_;
+};
+
+void check_body(const Entry& entry, const RigidBody& body) {
+  entry.check("position", body.position);
+  entry.check("velocity", body.velocity);
+  entry.check("angular_velocity", body.angular_velocity, -far, far);
+  entry.check("inverse_mass", body.inverse_mass, 0.0, anything);
+  entry.check("inverse_inertia", body.inverse_inertia, 0.0, anything);
+  entry.check("acceleration", body.acceleration, fastest_change);
+}
+
+void check_surface(const Entry& entry, double friction, double restitution) {
+  entry.check("friction", friction, 0.0, 10.0);
+  entry.check("restitution", restitution, 0.0, 1.0);
+}
+
+void check_grip(const Entry& entry, const Grip& grip) {
+  entry.check("offset", grip.offset);
+  entry.check("travel", grip.travel);
+  entry.check("along", grip.along, 0.0, 1.0);
+  entry.check("climb", grip.climb, -far, far);
+  entry.check("strength", grip.strength, 0.0, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+void check_bodies(std::span<const RigidBody> bodies) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) check_body({"bodies", k}, bodies[k]);
+}
+
+void check_met(const Surroundings& surroundings, std::size_t bodies, int points) {
+  for (std::size_t k = 0; k < surroundings.circles.size(); ++k) {
+    const RigidCircle& circle = surroundings.circles[k];
+    const Entry entry("circles", k);
+    entry.check_index("body", circle.body, bodies);
+    entry.check("offset", circle.offset);
+    entry.check("radius", circle.radius, 0.0, far);
+    check_surface(entry, circle.friction, circle.restitution);
+  }
+  for (std::size_t k = 0; k < surroundings.segments.size(); ++k) {
+    const RigidSegment& segment = surroundings.segments[k];
+    const Entry entry("segments", k);
+    entry.check_index("body", segment.body, bodies);
+    entry.check("a", segment.a);
+    entry.check("b", segment.b);
+    entry.check("radius", segment.radius, 0.0, far);
+    check_surface(entry, segment.friction, segment.restitution);
+  }
+  for (std::size_t k = 0; k < surroundings.grips.size(); ++k) {
+    const Grip& grip = surroundings.grips[k];
+    const Entry entry("grips", k);
+    entry.check_index("body", grip.body, bodies);
+    entry.check_index("point", grip.point, static_cast<std::size_t>(points));
+    check_grip(entry, grip);
+  }
+}
+
+void check_step(double dt, Vec2 gravity) {
+  check_range("dt", dt, 1e-9, 1.0);
+  check_coordinates("gravity", gravity);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "ribbon/vec2.h"
+
+namespace fuzz {
+
+/// Ends the process with what was not so: a finding, as a crash is.
+inline void demand(bool is_so, std::string_view what, std::string_view detail = {}) {
+  if (is_so) return;
+  std::fprintf(stderr, "not so: %.*s%s%.*s\n", static_cast<int>(what.size()), what.data(), detail.empty() ? "" : ": ",
+               static_cast<int>(detail.size()), detail.data());
+  std::abort();
+}
+
+/// Of an error's sentence: begins with where it is, and can be shown, for every byte below a blank is written as \xNN.
+inline void demand_sentence(std::string_view sentence, std::string_view begins_with) {
+  demand(sentence.starts_with(begins_with), "the sentence names its file", sentence);
+  demand(sentence.size() > begins_with.size() + 10 && sentence.size() < 4096, "the sentence can be read", sentence);
+  for (const char c : sentence) demand(static_cast<unsigned char>(c) >= 0x20, "the sentence can be shown", sentence);
+}
+
+}  // namespace fuzz
