@@ -299,8 +299,8 @@ void Coupling::estimate_errors(bool wanted) {
 
 void Coupling::apply() {
   for (std::size_t b = 0; b < gathered_.size(); ++b) {
+    if (gathered_[b].body == nullptr || rigid_[b].inverse_mass == 0.0) continue;
     b2Body& body = *gathered_[b].body;
-    if (rigid_[b].inverse_mass == 0.0) continue;
     if (rigid_[b].met || holder(body) != nullptr) {
       lead(body, rigid_[b]);
     } else {
@@ -313,6 +313,9 @@ void Coupling::apply() {
 
 void Coupling::destroy(b2World& world, b2Body& body) {
   forget(body);
+  for (GatheredBody& gathered : gathered_) {
+    if (gathered.body == &body) gathered.body = nullptr;
+  }
   world.DestroyBody(&body);
 }
 

@@ -199,7 +199,8 @@ void Coupling::follow_grips() {
     for (std::size_t k = 0; k < grips.size(); ++k) {
       b2Body* body = gathered_[at(grips[k].body)].body;
       index = k > 0 && grips[k - 1].body == grips[k].body ? index + 1 : 0;
-      while (holders_[index].body != body || holders_[index].cord != c) ++index;
+      while (index < holders_.size() && (holders_[index].body != body || holders_[index].cord != c)) ++index;
+      if (index == holders_.size()) continue;  // let go of since the tick was gathered for
       Holder& held = holders_[index];
       held.pull = {};
       double slid = 0.0;

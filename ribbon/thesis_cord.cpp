@@ -103,6 +103,7 @@ void ThesisCord::set_velocity(int point, Vec2 velocity) {
 
 void ThesisCord::add_momentum(Vec2 momentum) {
   const auto free_points = std::count(kinds_.begin(), kinds_.end(), PointKind::free);
+  check_coordinates("momentum", momentum);
   if (free_points == 0) return;
   const Vec2 gain = (1.0 / (def_.point_mass * static_cast<double>(free_points))) * momentum;
   for (std::size_t p = 0; p < velocities_.size(); ++p) {

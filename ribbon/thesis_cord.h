@@ -56,7 +56,7 @@ class ThesisCord {
   /// Sets a point's velocity, m/s, each component up to ±1e9.
   void set_velocity(int point, Vec2 velocity);
 
-  /// Adds momentum [kg·m/s], spread evenly over the free points; nothing if there is none.
+  /// Adds momentum [kg·m/s, each component up to ±1e9], spread evenly over the free points; nothing if there is none.
   void add_momentum(Vec2 momentum);
 
   /// Throws DefinitionError unless the cord has a point of that index.

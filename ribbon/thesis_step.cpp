@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "ribbon/bar.h"
 #include "ribbon/contact.h"
@@ -232,13 +233,14 @@ void ThesisCord::collide_with_circles(double dt, const Surroundings& surrounding
 }
 
 /// No point moves further in a substep than a spacing, or than twice the fastest driven point: without a limit,
-/// self-contact under a yank feeds on itself.
+/// self-contact under a yank feeds on itself. What numbers cannot say has not moved at all.
 void ThesisCord::limit_motion(double dt) {
   const double limit = std::max(def_.spacing, drag_speeds_to_follow * driven_speed_ * dt);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     const Vec2 motion = positions_[p] - before_[p];
     if (inverse_mass_[p] == 0.0 || dot(motion, motion) <= limit * limit) continue;
-    positions_[p] = before_[p] + (limit / length(motion)) * motion;
+    const double way = length(motion);
+    positions_[p] = std::isfinite(way) ? before_[p] + (limit / way) * motion : before_[p];
     ++report_.motion_limited;
   }
 }

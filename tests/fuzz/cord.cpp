@@ -1,0 +1,170 @@
+// ribbon::Cord, its calls in any order with any numbers: each is done, or refused with nothing changed; and after every
+// step the cord is finite, has not gained energy by itself, and is the same that a restored copy of it becomes.
+
+#include "ribbon/cord.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/demand.h"
+#include "tests/fuzz/refusals.h"
+#include "tests/fuzz/some_cord.h"
+#include "tests/fuzz/some_surroundings.h"
+
+namespace {
+
+using fuzz::Bytes;
+using fuzz::accepts;
+using fuzz::demand;
+using ribbon::Cord;
+using ribbon::Vec2;
+
+constexpr int most_calls = 10;
+
+Cord built(Bytes& bytes) {
+  try {
+    return Cord(fuzz::some_cord(bytes));
+  } catch (const ribbon::DefinitionError&) {
+    ribbon::CordDef def;
+    def.points = 6;
+    def.pins = {0};
+    return Cord(def);
+  }
+}
+
+/// That no number tells: of being stretched though it cannot be, or of lying in itself.
+bool begins_with_energy(const ribbon::CordDef& def) {
+  return !def.positions.empty() && (std::isinf(def.stretch_stiffness) || def.self_contact);
+}
+
+class Fuzzed {
+ public:
+  explicit Fuzzed(Bytes& bytes)
+      : bytes_(bytes), cord_(built(bytes)), saved_(cord_.save()), driven_(begins_with_energy(cord_.def())) {}
+
+  void call();
+
+ private:
+  void step(const ribbon::Surroundings& met);
+  void restore();
+  void spoil(Cord::State& state);
+  int point() { return bytes_.whole(0, cord_.size() - 1); }
+  void demand_no_gain(double before, double after, const Cord::Energy& then) const;
+
+  Bytes& bytes_;
+  Cord cord_;
+  Cord::State saved_;
+  bool driven_;  // since it was made
+};
+
+void Fuzzed::call() {
+  const int p = point();
+  switch (bytes_.below(14)) {
+    case 0: accepts(cord_, [&] { cord_.attach_mass(p, bytes_.number(1e-3, 1e3)); }); break;
+    case 1: accepts(cord_, [&] { cord_.set_load(p, bytes_.vector(-100.0, 100.0)); }); break;
+    case 2: driven_ |= accepts(cord_, [&] { cord_.constrain(p, bytes_.vector(-1.0, 1.0)); }); break;
+    case 3: driven_ |= accepts(cord_, [&] { cord_.operate(p, bytes_.vector(-1.0, 1.0)); }); break;
+    case 4: accepts(cord_, [&] { cord_.release(p); }); break;
+    case 5: accepts(cord_, [&] { cord_.set_velocity(p, bytes_.vector(-10.0, 10.0)); }); break;
+    case 6: accepts(cord_, [&] { cord_.set_accuracy(fuzz::some_accuracy(bytes_)); }); break;
+    case 7: {
+      const int last = bytes_.whole(1, cord_.def().points - 1);
+      driven_ |= accepts(cord_, [&] { cord_.reel(p, last, bytes_.number(1e-3, 1e3), bytes_.number(0.1, 10.0)); });
+      break;
+    }
+    case 8: saved_ = cord_.save(); break;
+    case 9: restore(); break;
+    case 10: {
+      fuzz::SomeSurroundings met(bytes_, cord_.size());
+      driven_ = true;
+      step(met.view());
+      for (const ribbon::RigidBody& body : met.bodies) demand(is_finite(body.impulse), "bodies get finite impulses");
+      break;
+    }
+    default: step({}); break;
+  }
+}
+
+void Fuzzed::step(const ribbon::Surroundings& met) {
+  const double dt = bytes_.number(1e-4, 0.1);
+  const Vec2 gravity = bytes_.yes() ? Vec2{0.0, -9.81} : bytes_.vector(-100.0, 100.0);
+  std::optional<Cord> copy;
+  if (met.bodies.empty() && bytes_.below(4) == 0) {
+    copy.emplace(cord_.def());
+    copy->restore(cord_.save());
+  }
+  const Cord::Energy before = cord_.energy(gravity);
+  ribbon::CordReport report;
+  if (!accepts(cord_, [&] { report = cord_.step(dt, gravity, met); })) return;
+  fuzz::demand_finite(cord_);
+  demand(report.stages > 0 && report.iterations >= 0 && report.unconverged >= 0, "what was done is counted");
+  if (!met.bodies.empty()) return;
+  demand(!copy || (copy->step(dt, gravity) == report && copy->save() == cord_.save()),
+         "a restored cord goes on to the same bits");
+  const Cord::Energy after = cord_.energy(gravity);
+  if (!driven_ && report.unlocked == 0 && report.unconverged == 0) demand_no_gain(before.total(), after.total(), after);
+}
+
+/// By the guard a hundredth of what there is, and the rounding of what is far from the origin.
+void Fuzzed::demand_no_gain(double before, double after, const Cord::Energy& then) const {
+  double mass = 0.0;
+  for (int p = 0; p < cord_.size(); ++p) mass += cord_.mass(p);
+  const double scale = mass * 100.0 * cord_.def().length + then.kinetic + then.elastic;
+  const double rounding = 1e-9 * (std::abs(before) + std::abs(then.potential));
+  demand(after - before <= 0.05 * scale + rounding, "energy does not come from nowhere",
+         std::to_string(before) + " J, then " + std::to_string(after) + " J");
+}
+
+void Fuzzed::restore() {
+  Cord::State state = saved_;
+  if (bytes_.yes()) spoil(state);
+  if (accepts(cord_, [&] { cord_.restore(state); })) {
+    demand(cord_.save() == state, "what was restored is what was saved");
+    driven_ = true;
+  }
+}
+
+void Fuzzed::spoil(Cord::State& state) {
+  const auto k = static_cast<std::size_t>(bytes_.below(cord_.size()));
+  switch (bytes_.below(12)) {
+    case 0: state.positions[k] = bytes_.vector(-1.0, 1.0); break;
+    case 1: state.velocities[k] = bytes_.vector(-1.0, 1.0); break;
+    case 2: state.accelerations[k] = bytes_.vector(-1.0, 1.0); break;
+    case 3: state.targets[k] = bytes_.vector(-1.0, 1.0); break;
+    case 4: state.masses[k] = bytes_.number(1e-3, 1.0); break;
+    case 5: state.tensions.front() = bytes_.number(-1.0, 1.0); break;
+    case 6: state.rest.front() = bytes_.number(0.1, 1.0); break;
+    case 7: state.ledger = bytes_.number(-1.0, 1.0); break;
+    case 8: state.positions.pop_back(); break;
+    case 9: state.kinds[k] = static_cast<ribbon::PointKind>(bytes_.byte()); break;
+    case 10: {
+      Cord::Holder holder;
+      holder.point = bytes_.whole(0, cord_.size() - 1);
+      holder.acceleration = bytes_.vector(-1.0, 1.0);
+      state.holders.push_back(holder);
+      break;
+    }
+    default: {
+      ribbon::Touch touch;
+      touch.other = bytes_.byte();
+      touch.feature = bytes_.whole(0, 2 * cord_.size());
+      touch.force = bytes_.number(0.0, 1.0);
+      touch.normal = bytes_.vector(-1.0, 1.0);
+      state.touches.push_back(touch);
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  Fuzzed cord(bytes);
+  for (int k = 0; k < most_calls && !bytes.empty(); ++k) cord.call();
+  return 0;
+}

@@ -1,0 +1,224 @@
+// engine::Coupling, its calls in any order with any numbers, on cords of both solvers among bodies that come and go:
+// each is done, or refused with nothing changed; and cords and bodies stay finite.
+
+#include "engine/coupling.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/demand.h"
+#include "tests/fuzz/some_body.h"
+#include "tests/fuzz/some_cord.h"
+
+namespace {
+
+using engine::Coupling;
+using fuzz::Bytes;
+using fuzz::demand;
+using ribbon::Vec2;
+
+constexpr int most_calls = 16;
+constexpr std::size_t most_bodies = 6;
+
+/// Everything that a refused call could have changed.
+struct Seen {
+  std::vector<std::variant<ribbon::ThesisCord::State, ribbon::Cord::State>> cords;
+  std::vector<int> holds;    // cord and point by body
+  std::vector<double> arcs;  // by grip
+  bool operator==(const Seen&) const = default;
+};
+
+class Fuzzed {
+ public:
+  explicit Fuzzed(Bytes& bytes) : bytes_(bytes) {
+    for (int k = 1 + bytes_.below(2); k > 0; --k) add_cord();
+    for (int k = 1 + bytes_.below(3); k > 0; --k) bodies_.push_back(&fuzz::add_some_body(world_, bytes_));
+  }
+
+  void call();
+
+ private:
+  void add_cord();
+  void tick();
+  void grip_something();
+  void change_bodies();
+  void ask();
+  void drive_a_cord();
+  Seen see() const;
+  template <typename Do>
+  bool accepts(Do&& what);
+
+  int cord() { return bytes_.whole(0, coupling_.size() - 1); }
+  int point() { return bytes_.whole(0, 15); }
+  engine::GripId grip() { return bytes_.whole(0, 8); }
+  b2Body* body() { return bodies_.empty() ? nullptr : bodies_[bytes_.byte() % bodies_.size()]; }
+
+  Bytes& bytes_;
+  b2World world_{{0.0F, -9.81F}};
+  Coupling coupling_;
+  std::vector<b2Body*> bodies_;
+  bool gathered_ = false;
+};
+
+void Fuzzed::add_cord() {
+  const bool direct = bytes_.below(4) != 0;
+  try {
+    if (direct) {
+      coupling_.add(ribbon::Cord(fuzz::some_cord(bytes_)));
+    } else {
+      coupling_.add(ribbon::ThesisCord(fuzz::some_thesis_cord(bytes_)));
+    }
+  } catch (const ribbon::DefinitionError&) {
+    ribbon::CordDef def;
+    def.points = 5;
+    def.length = 2.0;
+    def.pins = {0};
+    coupling_.add(ribbon::Cord(def));
+  }
+}
+
+Seen Fuzzed::see() const {
+  Seen seen;
+  for (int c = 0; c < coupling_.size(); ++c) {
+    if (coupling_.solver(c) == engine::Solver::direct) {
+      seen.cords.emplace_back(coupling_.direct_cord(c).save());
+    } else {
+      seen.cords.emplace_back(coupling_.cord(c).save());
+    }
+  }
+  for (const b2Body* body : bodies_) {
+    const auto held = coupling_.held_by(*body);
+    seen.holds.push_back(held ? 1000 * held->cord + held->point : -1);
+  }
+  for (engine::GripId grip = 0; grip < 9; ++grip) {
+    const auto state = coupling_.state(grip);
+    seen.arcs.push_back(state ? state->arc : -1.0);
+  }
+  return seen;
+}
+
+template <typename Do>
+bool Fuzzed::accepts(Do&& what) {
+  const Seen before = see();
+  try {
+    what();
+    return true;
+  } catch (const ribbon::DefinitionError& error) {
+    demand(std::string_view(error.what()).find("accepted") != std::string_view::npos, "it is said what is accepted",
+           error.what());
+    demand(see() == before, "a refusal changes nothing", error.what());
+    return false;
+  }
+}
+
+void Fuzzed::call() {
+  switch (bytes_.below(12)) {
+    case 0:
+    case 1: grip_something(); break;
+    case 2: drive_a_cord(); break;
+    case 3: change_bodies(); break;
+    case 4: ask(); break;
+    case 5: gathered_ = accepts([&] { coupling_.gather(world_, bytes_.number(1e-3, 0.1)); }); break;
+    default: tick();
+  }
+}
+
+void Fuzzed::tick() {
+  const double dt = bytes_.number(1e-3, 0.1);
+  if (!gathered_ && !accepts([&] { coupling_.gather(world_, dt); })) return;
+  if (bytes_.below(8) == 0) grip_something();
+  coupling_.step();
+  if (bytes_.below(8) == 0) grip_something();
+  coupling_.apply();
+  gathered_ = false;
+  world_.Step(1.0F / 60.0F, 8, 3);
+  for (int c = 0; c < coupling_.size(); ++c) {
+    for (const Vec2 x : coupling_.positions(c)) demand(is_finite(x), "the cord is somewhere");
+  }
+  for (const b2Body* body : bodies_) {
+    demand(body->GetPosition().IsValid() && body->GetLinearVelocity().IsValid(), "the body is somewhere");
+  }
+}
+
+void Fuzzed::grip_something() {
+  b2Body* const holder = body();
+  if (holder == nullptr) return;
+  switch (bytes_.below(6)) {
+    case 0: {
+      const b2Vec2 hand = fuzz::some_hand(bytes_);
+      accepts([&] { coupling_.hold(cord(), point(), *holder, hand); });
+      break;
+    }
+    case 1: coupling_.release(*holder); break;
+    case 2: accepts([&] { coupling_.climb(grip(), bytes_.number(0.0, 2.0), bytes_.number(0.1, 10.0)); }); break;
+    case 3: coupling_.let_go(grip()); break;
+    default: {
+      engine::GripDef def;
+      def.cord = cord();
+      def.arc = bytes_.number(0.0, 2.0);
+      def.row = bytes_.whole(0, 2);
+      def.local_hand = fuzz::some_hand(bytes_);
+      if (bytes_.yes()) def.strength = bytes_.number(0.1, 1e4);
+      def.lets_go = bytes_.yes();
+      accepts([&] { coupling_.grip(*holder, def); });
+    }
+  }
+}
+
+void Fuzzed::drive_a_cord() {
+  const int c = bytes_.below(coupling_.size());
+  const int p = point();
+  switch (bytes_.below(6)) {
+    case 0: accepts([&] { coupling_.operate(cord(), p, bytes_.vector(-2.0, 2.0)); }); break;
+    case 1: accepts([&] { coupling_.release(cord(), p); }); break;
+    default: {
+      if (coupling_.solver(c) != engine::Solver::direct) return;
+      ribbon::Cord& direct = coupling_.direct_cord(c);
+      if (bytes_.yes()) {
+        accepts([&] { direct.reel(bytes_.whole(0, 3), bytes_.whole(1, 4), bytes_.number(0.01, 10.0), 1.0); });
+      } else {
+        accepts([&] { direct.attach_mass(p, bytes_.number(1e-3, 1e3)); });
+      }
+    }
+  }
+}
+
+void Fuzzed::change_bodies() {
+  if (bytes_.yes() && bodies_.size() < most_bodies) {
+    bodies_.push_back(&fuzz::add_some_body(world_, bytes_));
+    return;
+  }
+  if (bodies_.empty()) return;
+  const std::size_t k = bytes_.byte() % bodies_.size();
+  if (bytes_.yes()) {
+    fuzz::disturb(*bodies_[k], bytes_);
+    return;
+  }
+  coupling_.destroy(world_, *bodies_[k]);
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+void Fuzzed::ask() {
+  const auto nearest = coupling_.nearest_point(bytes_.vector(-2.0, 2.0), bytes_.number(0.0, 2.0));
+  demand(!nearest || (nearest->cord < coupling_.size() && nearest->distance >= 0.0), "what is near is a cord's");
+  if (bytes_.yes()) coupling_.estimate_errors(bytes_.yes());
+  for (const engine::TouchEvent& touch : coupling_.touch_events()) {
+    demand(is_finite(touch.point) && is_finite(touch.normal), "a touch is somewhere");
+  }
+  for (const b2Body* body : bodies_) demand(is_finite(coupling_.velocity(*body)), "a body goes somewhere");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  Fuzzed coupling(bytes);
+  for (int k = 0; k < most_calls && !bytes.empty(); ++k) coupling.call();
+  return 0;
+}

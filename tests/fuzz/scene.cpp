@@ -1,0 +1,184 @@
+// A level that is played: what a map can say of bodies and cords is built or refused, and what is built runs under any
+// input, and stays finite.
+
+#include <box2d/box2d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "game/simulation.h"
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/demand.h"
+
+namespace {
+
+using engine::MapObject;
+using engine::MapShape;
+using fuzz::Bytes;
+using fuzz::demand;
+using ribbon::Vec2;
+
+constexpr int most_ticks = 8;
+constexpr double furthest = 1e10;  // m, that a map can say
+
+/// What a file can say is finite.
+double some_number(Bytes& bytes, double low, double high) {
+  const double value = bytes.number(low, high);
+  return std::isfinite(value) ? value : 0.0;
+}
+
+double some_length(Bytes& bytes, double low, double high) {
+  return std::min(std::max(std::abs(some_number(bytes, low, high)), 1e-7), furthest);
+}
+
+Vec2 some_place(Bytes& bytes) {
+  const double x = std::clamp(some_number(bytes, -3.0, 3.0), -furthest, furthest);
+  return {x, std::clamp(some_number(bytes, -3.0, 3.0), -furthest, furthest)};
+}
+
+class MapMaker {
+ public:
+  explicit MapMaker(Bytes& bytes) : bytes_(bytes) { map_.file = "fuzz.tmj"; }
+
+  engine::TiledMap make() {
+    map_.properties = engine::Properties("fuzz.tmj: map");
+    if (bytes_.yes()) map_.properties.insert("gravity_y", some_number(bytes_, -20.0, 20.0));
+    add("player", MapShape::point).position = some_place(bytes_);
+    MapObject& goal = add("goal", MapShape::rectangle);
+    goal.position = some_place(bytes_);
+    goal.size = {1.0, 1.0};
+    for (int k = 1 + bytes_.below(5); k > 0; --k) add_something();
+    return std::move(map_);
+  }
+
+ private:
+  MapObject& add(const char* kind, MapShape shape) {
+    MapObject& object = map_.objects.emplace_back();
+    object.id = static_cast<int>(map_.objects.size());
+    object.kind = kind;
+    object.shape = shape;
+    object.properties = engine::Properties("fuzz.tmj: object " + std::to_string(object.id));
+    return object;
+  }
+
+  void add_something() {
+    switch (bytes_.below(5)) {
+      case 0: add_ground(); break;
+      case 1: add_circle(); break;
+      default: add_cord(); break;
+    }
+  }
+
+  void add_ground();
+  void add_circle();
+  void add_cord();
+  void may_have(MapObject& object, const char* property, double low, double high) {
+    if (bytes_.below(3) == 0) object.properties.insert(property, some_number(bytes_, low, high));
+  }
+  void may_be(MapObject& object, const char* property) {
+    if (bytes_.below(3) == 0) object.properties.insert(property, true);
+  }
+  void may_count(MapObject& object, const char* property, int low, int high) {
+    if (bytes_.below(3) == 0) object.properties.insert(property, std::int64_t{bytes_.whole(low, high)});
+  }
+
+  Bytes& bytes_;
+  engine::TiledMap map_;
+};
+
+void MapMaker::add_ground() {
+  MapObject& ground = add("ground", bytes_.yes() ? MapShape::rectangle : MapShape::polygon);
+  ground.position = some_place(bytes_);
+  ground.rotation = bytes_.below(7) - 3.0;
+  ground.size = {some_length(bytes_, 0.1, 5.0), some_length(bytes_, 0.1, 5.0)};
+  if (ground.shape == MapShape::polygon) {
+    for (int k = 3 + bytes_.below(6); k > 0; --k) ground.points.push_back(ground.position + some_place(bytes_));
+  }
+  may_have(ground, "friction", 0.0, 10.0);
+}
+
+void MapMaker::add_circle() {
+  MapObject& circle = add("circle", MapShape::ellipse);
+  circle.position = some_place(bytes_);
+  const double size = some_length(bytes_, 0.1, 1.0);
+  circle.size = {size, size};
+  constexpr std::array types = {"static", "kinematic", "dynamic"};
+  circle.properties.insert("body", std::string(types[bytes_.byte() % types.size()]));
+  may_have(circle, "density", 1e-6, 1e6);
+  may_have(circle, "friction", 0.0, 10.0);
+  may_have(circle, "restitution", 0.0, 1.0);
+  may_have(circle, "angular_damping", 0.0, 100.0);
+  may_have(circle, "velocity_x", -1000.0, 1000.0);
+  may_have(circle, "velocity_y", -10.0, 10.0);
+  may_have(circle, "spin", -1000.0, 1000.0);
+}
+
+void MapMaker::add_cord() {
+  MapObject& cord = add("cord", MapShape::polyline);
+  for (int k = 2 + bytes_.below(3); k > 0; --k) cord.points.push_back(some_place(bytes_));
+  cord.properties.insert("columns", std::int64_t{bytes_.whole(2, 8)});
+  cord.properties.insert("mass", some_number(bytes_, 1e-3, 1e3));
+  may_count(cord, "substeps", 1, 3);
+  may_be(cord, "pin_first");
+  may_be(cord, "pin_last");
+  may_have(cord, "drag", 0.0, 10.0);
+  if (bytes_.below(4) == 0) {
+    cord.properties.insert("solver", std::string("thesis"));
+    cord.properties.insert("spring_stiffness", some_number(bytes_, 1.0, 1e12));
+    may_count(cord, "rows", 2, 3);
+    may_have(cord, "bar_damping", 0.0, 1e3);
+    may_have(cord, "area_stiffness", 0.0, 1.0);
+    may_be(cord, "self_collision");
+    return;
+  }
+  const bool ribbon = bytes_.below(3) == 0;
+  if (ribbon) {
+    cord.properties.insert("rows", std::int64_t{bytes_.whole(2, 3)});
+    may_have(cord, "width", 0.01, 1.0);
+    may_have(cord, "area_stiffness", 0.0, 10.0);
+    may_have(cord, "poisson_ratio", -0.9, 0.9);
+  }
+  if (ribbon || bytes_.yes()) cord.properties.insert("stretch_stiffness", some_number(bytes_, 1.0, 1e12));
+  may_have(cord, "bending_stiffness", 1e-6, 1e2);
+  may_have(cord, "damping", 0.0, 1.0);
+  may_have(cord, "radius", 0.0, 0.2);
+  may_have(cord, "friction", 0.0, 10.0);
+  may_have(cord, "restitution", 0.0, 1.0);
+  may_have(cord, "tolerance", 1e-12, 1.0);
+  may_count(cord, "max_iterations", 1, 12);
+  may_be(cord, "tension_only");
+  may_be(cord, "self_contact");
+  may_be(cord, "cord_contact");
+}
+
+void play(const game::Level& level, Bytes& bytes) {
+  game::Simulation simulation(level);
+  for (int tick = 0; tick < most_ticks; ++tick) {
+    engine::TickInput input;
+    input.buttons = bytes.byte();
+    engine::set_pointer(input, bytes.vector(-3.0, 3.0));
+    simulation.tick(input);
+    for (const auto& cord : simulation.current().cords) {
+      for (const Vec2 x : cord) demand(is_finite(x), "the cord is somewhere");
+    }
+    for (const auto& body : simulation.current().bodies) demand(is_finite(body.position), "the body is somewhere");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  try {
+    play(game::level_of(MapMaker(bytes).make()), bytes);
+  } catch (const engine::MapError& error) {
+    fuzz::demand_sentence(error.what(), "fuzz.tmj");
+  }
+  return 0;
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include "tests/fuzz/bytes.h"
+
+namespace fuzz {
+
+/// A body of any type and shape. Box2D ends the process for numbers that are none: what it asserts is kept, and all
+/// that it lets through is tried.
+b2Body& add_some_body(b2World& world, Bytes& bytes);
+/// Puts it elsewhere, or pushes it, switches it off or on, changes its type or its mass.
+void disturb(b2Body& body, Bytes& bytes);
+/// Anything: this is for our own doors.
+b2Vec2 some_hand(Bytes& bytes);
+
+}  // namespace fuzz

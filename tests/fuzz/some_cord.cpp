@@ -1,0 +1,95 @@
+#include "tests/fuzz/some_cord.h"
+
+namespace fuzz {
+namespace {
+
+/// Declares a number three times out of four.
+void may_be(Bytes& bytes, double& field, double low, double high) {
+  if (bytes.below(4) != 0) field = bytes.number(low, high);
+}
+
+/// 0 for a cord that cannot be.
+int count(int points, int rows) { return points > 0 && points < 100 && rows > 0 && rows < 100 ? points * rows : 0; }
+
+/// From end to end, or anywhere.
+std::vector<ribbon::Vec2> some_positions(Bytes& bytes, int points) {
+  std::vector<ribbon::Vec2> positions;
+  const int choice = bytes.below(8);
+  if (choice < 4) return positions;
+  for (int k = 0; k < points; ++k) {
+    positions.push_back(choice < 7 ? bytes.vector(-1.0, 1.0) : bytes.vector(-1e9, 1e9));
+  }
+  return positions;
+}
+
+std::vector<int> some_pins(Bytes& bytes, int points) {
+  std::vector<int> pins;
+  if (points == 0) return pins;
+  for (int k = bytes.below(4); k > 0; --k) pins.push_back(bytes.whole(0, points - 1));
+  return pins;
+}
+
+}  // namespace
+
+ribbon::Accuracy some_accuracy(Bytes& bytes) {
+  ribbon::Accuracy accuracy;
+  if (bytes.yes()) accuracy.integrator = ribbon::Integrator::implicit_euler;
+  accuracy.substeps = bytes.whole(1, 3);
+  accuracy.max_iterations = bytes.whole(1, 12);
+  accuracy.tolerance = bytes.number(1e-12, 1.0);
+  return accuracy;
+}
+
+ribbon::CordDef some_cord(Bytes& bytes) {
+  ribbon::CordDef def;
+  def.points = bytes.whole(2, 8);
+  def.rows = bytes.yes() ? 1 : bytes.whole(1, 3);
+  def.length = bytes.number(1e-3, 1e3);
+  if (def.rows > 1) def.width = bytes.number(1e-3, 10.0);
+  may_be(bytes, def.radius, 0.0, 0.1);
+  def.mass_per_length = bytes.number(1e-3, 1e3);
+  if (def.rows > 1 || bytes.yes()) def.stretch_stiffness = bytes.number(1e-3, 1e12);
+  if (bytes.yes()) {
+    def.bending_stiffness = bytes.number(1e-6, 1e3);
+    // What more than two rows take.
+    if (bytes.yes()) def.bending_stiffness = 1e-4 * def.stretch_stiffness * def.width * def.width;
+  }
+  if (bytes.yes()) {
+    may_be(bytes, def.poisson_ratio, -0.9, 0.9);
+    may_be(bytes, def.area_stiffness, 0.0, 10.0);
+  }
+  may_be(bytes, def.damping, 0.0, 1.0);
+  may_be(bytes, def.drag, 0.0, 10.0);
+  may_be(bytes, def.friction, 0.0, 10.0);
+  may_be(bytes, def.restitution, 0.0, 1.0);
+  const int flags = bytes.byte();
+  def.tension_only = (flags & 1) != 0;
+  def.self_contact = (flags & 2) != 0;
+  def.cord_contact = (flags & 4) != 0;
+  if ((flags & 24) == 24) def.elements = ribbon::Elements::bars;
+  if ((flags & 32) != 0) def.accuracy = some_accuracy(bytes);
+  def.positions = some_positions(bytes, count(def.points, def.rows));
+  def.pins = some_pins(bytes, count(def.points, def.rows));
+  return def;
+}
+
+ribbon::ThesisDef some_thesis_cord(Bytes& bytes) {
+  ribbon::ThesisDef def;
+  def.w = bytes.whole(2, 6);
+  def.h = bytes.whole(2, 3);
+  def.spacing = bytes.number(1e-3, 1.0);
+  may_be(bytes, def.point_mass, 1e-6, 1e3);
+  may_be(bytes, def.spring_stiffness, 0.0, 1e6);
+  may_be(bytes, def.bar_damping, 0.0, 1e4);
+  may_be(bytes, def.drag, 0.0, 10.0);
+  may_be(bytes, def.area_stiffness, 0.0, 1.0);
+  may_be(bytes, def.area_floor, 0.0, 0.9);
+  def.self_collision = bytes.yes();
+  if (bytes.yes()) def.radius = bytes.number(0.0, 0.5 * def.spacing);
+  def.substeps = bytes.whole(1, 3);
+  def.positions = some_positions(bytes, count(def.w, def.h));
+  def.pins = some_pins(bytes, count(def.w, def.h));
+  return def;
+}
+
+}  // namespace fuzz

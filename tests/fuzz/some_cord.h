@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ribbon/cord_def.h"
+#include "ribbon/thesis_def.h"
+#include "tests/fuzz/bytes.h"
+
+namespace fuzz {
+
+/// Small cords of all kinds, made of a fuzzer's bytes; about half of them cannot be built.
+ribbon::CordDef some_cord(Bytes& bytes);
+ribbon::ThesisDef some_thesis_cord(Bytes& bytes);
+ribbon::Accuracy some_accuracy(Bytes& bytes);
+
+}  // namespace fuzz

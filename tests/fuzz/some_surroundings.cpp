@@ -1,0 +1,45 @@
+#include "tests/fuzz/some_surroundings.h"
+
+#include <cstdint>
+
+namespace fuzz {
+namespace {
+
+ribbon::RigidBody some_body(Bytes& bytes) {
+  ribbon::RigidBody body;
+  body.position = bytes.vector(-2.0, 2.0);
+  body.velocity = bytes.vector(-10.0, 10.0);
+  if (bytes.yes()) return body;  // nothing pushes it
+  body.angular_velocity = bytes.number(-10.0, 10.0);
+  body.inverse_mass = bytes.number(1e-4, 1e4);
+  if (bytes.yes()) body.inverse_inertia = bytes.number(1e-4, 1e4);
+  body.acceleration = bytes.vector(-10.0, 10.0);
+  return body;
+}
+
+}  // namespace
+
+SomeSurroundings::SomeSurroundings(Bytes& bytes, int points) {
+  for (int k = bytes.below(4); k > 0; --k) bodies.push_back(some_body(bytes));
+  const int last = static_cast<int>(bodies.size()) - 1;
+  if (last < 0) return;
+  std::uint64_t id = 1;
+  for (int k = bytes.below(4); k > 0; --k) {
+    circles.push_back({bytes.whole(0, last), bytes.vector(-1.0, 1.0), bytes.number(0.01, 1.0), bytes.number(0.0, 10.0),
+                       bytes.number(0.0, 1.0), ++id});
+  }
+  for (int k = bytes.below(4); k > 0; --k) {
+    segments.push_back({bytes.whole(0, last), bytes.vector(-1.0, 1.0), bytes.vector(-1.0, 1.0), bytes.number(0.0, 0.1),
+                        bytes.number(0.0, 10.0), bytes.number(0.0, 1.0), ++id});
+  }
+  for (int k = bytes.below(4); k > 0; --k) {
+    ribbon::Grip grip{bytes.whole(0, points - 1), bytes.whole(0, last), bytes.vector(-1.0, 1.0)};
+    if (bytes.yes()) grip.travel = bytes.vector(-0.1, 0.1);
+    if (bytes.yes()) grip.along = bytes.number(0.0, 1.0);
+    if (bytes.yes()) grip.climb = bytes.number(-0.1, 0.1);
+    if (bytes.yes()) grip.strength = bytes.number(1e-3, 1e6);
+    grips.push_back(grip);
+  }
+}
+
+}  // namespace fuzz

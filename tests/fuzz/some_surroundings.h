@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "ribbon/rigid_circle.h"
+#include "tests/fuzz/bytes.h"
+
+namespace fuzz {
+
+/// What a cord meets, made of a fuzzer's bytes: up to three bodies, and up to three of everything that belongs to them.
+struct SomeSurroundings {
+  /// Of a cord of so many points.
+  SomeSurroundings(Bytes& bytes, int points);
+
+  ribbon::Surroundings view() { return {bodies, circles, grips, segments}; }
+
+  std::vector<ribbon::RigidBody> bodies;
+  std::vector<ribbon::RigidCircle> circles;
+  std::vector<ribbon::RigidSegment> segments;
+  std::vector<ribbon::Grip> grips;
+};
+
+}  // namespace fuzz
