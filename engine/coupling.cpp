@@ -28,8 +28,9 @@ bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for w
 /// Whether its numbers are such that a cord can meet it.
 bool is_sound(const b2Body& body) {
   return is_small(body.GetPosition().x) && is_small(body.GetPosition().y) && is_small(body.GetAngle()) &&
-         is_small(body.GetLinearVelocity().x) && is_small(body.GetLinearVelocity().y) && is_small(body.GetAngularVelocity()) &&
-         is_small(body.GetWorldCenter().x) && is_small(body.GetWorldCenter().y) && is_small(body.GetGravityScale());
+         is_small(body.GetLinearVelocity().x) && is_small(body.GetLinearVelocity().y) &&
+         is_small(body.GetAngularVelocity()) && is_small(body.GetWorldCenter().x) &&
+         is_small(body.GetWorldCenter().y) && is_small(body.GetGravityScale());
 }
 
 bool is_sound(const b2Fixture& fixture) {
@@ -325,7 +326,7 @@ std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) co
     const auto positions = this->positions(c);
     for (std::size_t p = 0; p < positions.size(); ++p) {
       const double distance = length(positions[p] - position);
-      if (distance > reach || (nearest && distance >= nearest->distance)) continue;
+      if (!(distance <= reach) || (nearest && distance >= nearest->distance)) continue;
       nearest = CordPoint{c, static_cast<int>(p), distance};
     }
   }

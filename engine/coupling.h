@@ -142,8 +142,8 @@ class Coupling {
 
   /// Reads the world as it is before a tick of dt seconds: for each cord the fixtures of enabled bodies that it may
   /// reach in that time, several a body, static, kinematic and dynamic. Sensors are ignored, and so are dynamic bodies
-  /// without mass and what is nowhere, or beyond ±1e9 m or m/s. Throws ribbon::DefinitionError, and changes nothing, for
-  /// a world that is locked, a dt [s] below 1e-9 or above 1, and a gravity beyond ±1e9 m/s².
+  /// without mass and what is nowhere, or beyond ±1e9 m or m/s. Throws ribbon::DefinitionError, and changes nothing,
+  /// for a world that is locked, a dt [s] below 1e-9 or above 1, and a gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
   void step();

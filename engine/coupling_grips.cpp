@@ -78,8 +78,9 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
 
 void Coupling::climb(GripId grip, double arc, double speed) {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
-  if (held == holders_.end()) {
-    throw ribbon::DefinitionError("grip is " + std::to_string(grip) + "; accepted is one that has not been let go");
+  if (held == holders_.end() || solver(held->cord) != Solver::direct) {
+    throw ribbon::DefinitionError("grip is " + std::to_string(grip) +
+                                  "; accepted is one of a cord of the direct solver that has not been let go");
   }
   const ribbon::Cord& cord = direct_cord(held->cord);
   check_arc(held->cord, arc);

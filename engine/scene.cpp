@@ -14,9 +14,9 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr std::size_t most_objects = 2000;   // far more than a level needs, few enough to run whatever they are
+constexpr std::size_t most_objects = 2000;     // far more than a level needs, few enough to run whatever they are
 constexpr std::int64_t most_points = 100'000;  // of all cords together: a few hundred megabytes at the most
-constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
+constexpr double largest_velocity = 1000.0;    // m/s, of a body as a map may declare it
 
 b2Vec2 gravity_of(const TiledMap& map) {
   return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};

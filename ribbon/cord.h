@@ -96,9 +96,9 @@ class Cord {
   /// proportions. What a winch of that speed does to the load, it does; nothing jumps.
   void reel(int first, int last, double length, double speed);
 
-  /// Advances by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of which
-  /// no two have the same body) move with it: each is given the impulses that take it to its velocity at the end of the
-  /// step, and is told how far it `moved` and `turned`, and so are bodies whose circles and segments touch it.
+  /// Advances by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord (`grips`, of
+  /// which no two have the same body) move with it: each is given the impulses that take it to its velocity at the end
+  /// of the step, and is told how far it `moved` and `turned`, and so are bodies whose circles and segments touch it.
   CordReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Takes the memory for steps with up to this many grips, so that none takes any later; 4 from the start.

@@ -9,7 +9,7 @@ namespace ribbon {
 namespace {
 
 constexpr double anything = std::numeric_limits<double>::max();
-constexpr double far = 1e10;         // m, m/s, rad/s
+constexpr double far = 1e10;             // m, m/s, rad/s
 constexpr double fastest_change = 1e20;  // m/s²
 
 /// An entry of a list, whose name is put together only where there is something to say about it.
@@ -31,9 +31,7 @@ class Entry {
   }
 
  private:
-  std::string name(const char* field) const {
-    return std::string(list_) + "[" + std::to_string(index_) + "]." + field;
-  }
+  std::string name(const char* field) const { return std::string(list_) + "[" + std::to_string(index_) + "]." + field; }
 
   const char* list_;
   std::size_t index_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/convert.h"
@@ -550,7 +551,62 @@ TEST(CouplingHold, RefusesWhatDoesNotExist) {
   EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, {}), ribbon::DefinitionError);
   EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, {}), ribbon::DefinitionError);
   EXPECT_THROW(hanging.coupling.hold(0, 42, *hanging.body, {}), ribbon::DefinitionError);
+  const b2Vec2 nowhere(std::numeric_limits<float>::quiet_NaN(), 0.0F);
+  EXPECT_THROW(hanging.coupling.hold(0, 40, *hanging.body, nowhere), ribbon::DefinitionError);
   EXPECT_EQ(hanging.coupling.held_by(*hanging.body)->point, 40);  // as before
+}
+
+/// A fixture may have any friction, and an extent that no coordinate of a cord reaches.
+TEST(Coupling, AFixtureOfAnyNumbersIsMetOrLeftOut) {
+  b2World world(b2Vec2(0.0F, -9.81F));
+  Coupling coupling;
+  ribbon::CordDef def;
+  def.points = 11;
+  def.length = 2.0;
+  def.friction = 0.5;
+  def.pins = {0, 10};
+  coupling.add(ribbon::Cord(def));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float number : {nan, -1.0F, 1e30F, std::numeric_limits<float>::infinity()}) {
+    b2Body* ball = add_circle(world, {1.0, 0.15}, 0.1);
+    ball->GetFixtureList()->SetFriction(number);
+    ball->GetFixtureList()->SetRestitution(number);
+  }
+  add_circle(world, {0.0, -3e9}, 2e9, b2_staticBody);
+  for (int k = 0; k < 5; ++k) tick(coupling, world);
+  for (const Vec2 x : coupling.positions(0)) EXPECT_TRUE(is_finite(x));
+}
+
+/// So that a tick that cannot be is not half begun.
+TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
+  b2World world(b2Vec2(0.0F, -9.81F));
+  Coupling coupling;
+  coupling.add(ribbon::Cord(ribbon::CordDef{}));
+  EXPECT_THROW(coupling.step(), ribbon::DefinitionError);  // none was gathered for
+  const ribbon::Cord::State before = coupling.direct_cord(0).save();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {nan, 0.0, -dt, 1e-10, 1.1}) {
+    EXPECT_THROW(coupling.gather(world, bad), ribbon::DefinitionError) << bad;
+  }
+  world.SetGravity({0.0F, -std::numeric_limits<float>::infinity()});
+  EXPECT_THROW(coupling.gather(world, dt), ribbon::DefinitionError);
+  EXPECT_EQ(coupling.direct_cord(0).save(), before);
+}
+
+TEST(Coupling, RefusesToDriveACordThatIsNone) {
+  Coupling coupling;
+  EXPECT_THROW(coupling.operate(0, 0, {}), ribbon::DefinitionError);
+  coupling.add(ThesisCord(cord_def()));
+  EXPECT_THROW(coupling.operate(1, 0, {}), ribbon::DefinitionError);
+  EXPECT_THROW(coupling.release(-1, 0), ribbon::DefinitionError);
+}
+
+TEST(Coupling, NothingIsNearToNowhere) {
+  Coupling coupling;
+  coupling.add(ThesisCord(cord_def()));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(coupling.nearest_point({nan, 0.0}, 10.0));
+  EXPECT_FALSE(coupling.nearest_point({0.0, 0.0}, nan));
 }
 
 TEST(Coupling, FindsTheNearestPointWithinReach) {

@@ -232,6 +232,10 @@ TEST(Grip, RefusesWhatCannotBe) {
   EXPECT_THROW(scene.coupling.climb(grip + 1, 3.0, 1.0), DefinitionError);
   EXPECT_THROW(scene.coupling.climb(grip, 11.0, 1.0), DefinitionError);
   EXPECT_THROW(scene.coupling.climb(grip, 3.0, 0.0), DefinitionError);
+  scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
+  scene.coupling.hold(1, 0, *scene.add_body({}, 1.0), {});
+  EXPECT_THROW(scene.coupling.climb(grip + 1, 0.1, 1.0), DefinitionError);  // the hold's number, of another solver
+  scene.coupling.release(*scene.world.GetBodyList());
   EXPECT_FALSE(scene.coupling.let_go(grip + 1));
   EXPECT_FALSE(scene.coupling.state(grip + 1));
   scene.tick(10);
@@ -255,6 +259,25 @@ TEST(Grip, EndsWithItsBody) {
   scene.coupling.step();
   scene.coupling.apply();
   for (const Vec2 x : scene.coupling.positions(0)) EXPECT_TRUE(is_finite(x));
+}
+
+/// The grips of a tick were found by its gather: one that is gone by then pulls on nothing.
+TEST(Grip, EndsInTheMiddleOfATick) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
+  b2Body* other = scene.add_body({0.0, -7.0}, 70.0);
+  scene.coupling.grip(*body, {.cord = 0, .arc = 5.0});
+  const GripId grip = scene.coupling.grip(*other, {.cord = 0, .arc = 7.0});
+  scene.tick(5);
+  scene.coupling.gather(scene.world, dt);
+  EXPECT_TRUE(scene.coupling.let_go(grip));
+  scene.coupling.step();
+  scene.coupling.destroy(scene.world, *body);
+  scene.coupling.apply();
+  scene.tick(5);
+  for (const Vec2 x : scene.coupling.positions(0)) EXPECT_TRUE(is_finite(x));
+  EXPECT_LT(other->GetLinearVelocity().y, 0.0F);
 }
 
 struct GathersInside : b2ContactListener {

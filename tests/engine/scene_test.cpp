@@ -362,11 +362,13 @@ TEST(Scene, RefusesUnknownPropertiesOfTheMapAndTooManyObjects) {
   EXPECT_THROW(Scene(crowded, {"player"}), MapError);
 }
 
-/// Each of them is accepted; all together would take what memory there is, and a file of a few hundred bytes asks for it.
+/// Each of them is accepted; all together would take what memory there is, and a file of a few hundred bytes asks for
+/// it.
 TEST(Scene, RefusesMorePointsThanItCanHold) {
-  const std::string thick = object("cord", line, text("solver", "direct") + "," + whole("columns", "5000") + "," +
-                                                     number("mass", "1") + "," + whole("rows", "16") + "," +
-                                                     number("stretch_stiffness", "1000"));
+  const std::string thick =
+      object("cord", line,
+             text("solver", "direct") + "," + whole("columns", "5000") + "," + number("mass", "1") + "," +
+                 whole("rows", "16") + "," + number("stretch_stiffness", "1000"));
   TiledMap map = map_with(thick);
   map.objects.resize(2, map.objects[0]);
   try {

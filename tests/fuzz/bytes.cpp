@@ -10,13 +10,27 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-constexpr std::array hostile_numbers = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
-                                        Limits::max(),       Limits::lowest(),   Limits::denorm_min(),
-                                        Limits::min(),       -Limits::min(),     1e308,
-                                        -1e308,              1e-300,             1e155,
-                                        1e39,                -1e39,              1e18,
-                                        1e9,                 -1e9,               1.000001e9,
-                                        1e6,                 -1.0,               -0.0,
+constexpr std::array hostile_numbers = {Limits::quiet_NaN(),
+                                        Limits::infinity(),
+                                        -Limits::infinity(),
+                                        Limits::max(),
+                                        Limits::lowest(),
+                                        Limits::denorm_min(),
+                                        Limits::min(),
+                                        -Limits::min(),
+                                        1e308,
+                                        -1e308,
+                                        1e-300,
+                                        1e155,
+                                        1e39,
+                                        -1e39,
+                                        1e18,
+                                        1e9,
+                                        -1e9,
+                                        1.000001e9,
+                                        1e6,
+                                        -1.0,
+                                        -0.0,
                                         0.0};
 
 }  // namespace
@@ -31,7 +45,8 @@ std::uint8_t Bytes::byte() {
 int Bytes::whole(int low, int high) {
   const std::uint8_t choice = byte();
   if (choice < 240) return low + choice % (high - low + 1);
-  const std::array edges = {low - 1, high, low, -1, 0, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
+  const std::array edges = {
+      low - 1, high, low, -1, 0, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
   return edges[choice % edges.size()];
 }
 

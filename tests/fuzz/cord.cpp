@@ -18,13 +18,13 @@
 
 namespace {
 
-using fuzz::Bytes;
 using fuzz::accepts;
+using fuzz::Bytes;
 using fuzz::demand;
 using ribbon::Cord;
 using ribbon::Vec2;
 
-constexpr int most_calls = 10;
+constexpr int most_calls = 8;
 
 Cord built(Bytes& bytes) {
   try {

@@ -3,7 +3,7 @@
 
 #include "engine/coupling.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -23,7 +23,7 @@ using fuzz::Bytes;
 using fuzz::demand;
 using ribbon::Vec2;
 
-constexpr int most_calls = 16;
+constexpr int most_calls = 10;
 constexpr std::size_t most_bodies = 6;
 
 /// Everything that a refused call could have changed.
@@ -70,7 +70,10 @@ void Fuzzed::add_cord() {
   const bool direct = bytes_.below(4) != 0;
   try {
     if (direct) {
-      coupling_.add(ribbon::Cord(fuzz::some_cord(bytes_)));
+      ribbon::CordDef def = fuzz::some_cord(bytes_);
+      def.points = std::min(def.points, 5);
+      def.accuracy = bytes_.yes() ? ribbon::Accuracy::fast() : ribbon::Accuracy::balanced();
+      coupling_.add(ribbon::Cord(def));
     } else {
       coupling_.add(ribbon::ThesisCord(fuzz::some_thesis_cord(bytes_)));
     }

@@ -37,7 +37,7 @@ void add_fixture(b2Body& body, Bytes& bytes) {
     case 0:
     case 1:
       circle.m_radius = size;
-      circle.m_p = tame_vector(bytes, -0.5, 0.5);
+      circle.m_p = {0.004F * static_cast<float>(bytes.below(250)) - 0.5F, 0.0F};
       def.shape = &circle;
       break;
     case 2:
@@ -48,9 +48,7 @@ void add_fixture(b2Body& body, Bytes& bytes) {
       edge.SetTwoSided({-size, 0.0F}, {size, 0.1F});
       def.shape = &edge;
       break;
-    default:
-      chain.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
-      def.shape = &chain;
+    default: chain.CreateLoop(corners.data(), static_cast<int32>(corners.size())); def.shape = &chain;
   }
   body.CreateFixture(&def);
 }

@@ -36,7 +36,8 @@ void step(ThesisCord& cord, Bytes& bytes, const ribbon::Surroundings& met) {
   const double dt = bytes.number(1e-4, 0.1);
   const Vec2 gravity = bytes.yes() ? Vec2{0.0, -9.81} : bytes.vector(-100.0, 100.0);
   ThesisCord copy(cord.def());
-  const bool copied = met.bodies.empty() && bytes.below(4) == 0 && fuzz::accepts(copy, [&] { copy.restore(cord.save()); });
+  const bool copied =
+      met.bodies.empty() && bytes.below(4) == 0 && fuzz::accepts(copy, [&] { copy.restore(cord.save()); });
   ribbon::StepReport report;
   if (!fuzz::accepts(cord, [&] { report = cord.step(dt, gravity, met); })) return;
   fuzz::demand_finite(cord);

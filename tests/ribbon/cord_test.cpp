@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "tests/support/allocations.h"
 #include "tests/support/heavy_swing.h"
@@ -362,6 +363,36 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
       EXPECT_EQ(std::string(error.what()).rfind(bad.field, 0), 0U) << error.what();
     }
   }
+}
+
+TEST(Cord, RefusesStepsThatCannotBeAndChangesNothing) {
+  Cord cord{CordDef{}};
+  const Cord::State before = cord.save();
+  const auto refuses = [&](double dt, Vec2 gravity, const Surroundings& met, const std::string& field) {
+    try {
+      cord.step(dt, gravity, met);
+      ADD_FAILURE() << field << " was accepted";
+    } catch (const DefinitionError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(field + " is ", 0), 0U) << error.what();
+    }
+  };
+  refuses(nan, {}, {}, "dt");
+  refuses(0.0, {}, {}, "dt");
+  refuses(1e-10, {}, {}, "dt");
+  refuses(2.0, {}, {}, "dt");
+  refuses(0.01, {0.0, nan}, {}, "gravity");
+  std::array bodies{RigidBody{}, RigidBody{}};
+  const std::array circles{RigidCircle{1, {}, 0.1}, RigidCircle{2, {}, 0.1}};
+  refuses(0.01, {}, {bodies, circles, {}, {}}, "circles[1].body");
+  const std::array thin{RigidCircle{0, {}, -0.1}};
+  refuses(0.01, {}, {bodies, thin, {}, {}}, "circles[0].radius");
+  const std::array segments{RigidSegment{0, {}, {nan, 0.0}}};
+  refuses(0.01, {}, {bodies, {}, {}, segments}, "segments[0].b");
+  const std::array grips{Grip{51, 0, {}}};
+  refuses(0.01, {}, {bodies, {}, grips, {}}, "grips[0].point");
+  bodies[1].inverse_mass = -1.0;
+  refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].inverse_mass");
+  EXPECT_EQ(cord.save(), before);
 }
 
 TEST(Cord, RefusesUnknownPointsAndBadNumbersAndChangesNothing) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "tests/support/allocations.h"
@@ -173,6 +174,22 @@ TEST(ThesisCord, ATermThatIsOffIsNotRun) {
   for (int frame = 0; frame < 60; ++frame) cord.step(frame_dt, {});
   EXPECT_NEAR(cord.positions()[7].x - start.x, 1.0, 1e-12);  // dust: nothing ties it to its neighbours
   EXPECT_EQ(cord.positions()[9], neighbour);
+}
+
+TEST(ThesisCord, RefusesBadNumbersAndChangesNothing) {
+  ThesisCord cord(free_def());
+  const ThesisCord::State before = cord.save();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(cord.step(nan, {}), DefinitionError);
+  EXPECT_THROW(cord.step(0.0, {}), DefinitionError);
+  EXPECT_THROW(cord.step(frame_dt, {nan, 0.0}), DefinitionError);
+  EXPECT_THROW(cord.add_momentum({0.0, nan}), DefinitionError);
+  const std::array circles{RigidCircle{0, {}, 0.1}};
+  EXPECT_THROW(cord.step(frame_dt, {}, {{}, circles, {}, {}}), DefinitionError);  // of a body that is not there
+  ThesisCord::State state = before;
+  state.kinds[0] = static_cast<PointKind>(3);
+  EXPECT_THROW(cord.restore(state), DefinitionError);
+  EXPECT_EQ(cord.save(), before);
 }
 
 TEST(ThesisCordSameBits, SavedAndRestoredItRunsTheSame) {
