@@ -3,7 +3,6 @@
 
 #include "engine/coupling.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -70,10 +69,7 @@ void Fuzzed::add_cord() {
   const bool direct = bytes_.below(4) != 0;
   try {
     if (direct) {
-      ribbon::CordDef def = fuzz::some_cord(bytes_);
-      def.points = std::min(def.points, 5);
-      def.accuracy = bytes_.yes() ? ribbon::Accuracy::fast() : ribbon::Accuracy::balanced();
-      coupling_.add(ribbon::Cord(def));
+      coupling_.add(ribbon::Cord(bytes_.below(4) == 0 ? fuzz::some_cord(bytes_) : fuzz::some_mild_cord(bytes_)));
     } else {
       coupling_.add(ribbon::ThesisCord(fuzz::some_thesis_cord(bytes_)));
     }

@@ -73,6 +73,22 @@ ribbon::CordDef some_cord(Bytes& bytes) {
   return def;
 }
 
+ribbon::CordDef some_mild_cord(Bytes& bytes) {
+  const auto share = [&bytes] { return bytes.byte() / 255.0; };
+  ribbon::CordDef def;
+  def.points = 2 + bytes.below(4);
+  def.length = 1.0 + share();
+  def.radius = 0.05 * share();
+  def.mass_per_length = 0.1 + share();
+  def.friction = share();
+  def.cord_contact = bytes.yes();
+  def.tension_only = bytes.yes();
+  if (bytes.yes()) def.stretch_stiffness = 1e3;
+  def.accuracy = ribbon::Accuracy::fast();
+  if (bytes.yes()) def.pins = {0};
+  return def;
+}
+
 ribbon::ThesisDef some_thesis_cord(Bytes& bytes) {
   ribbon::ThesisDef def;
   def.w = bytes.whole(2, 6);

@@ -368,9 +368,9 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
 TEST(Cord, RefusesStepsThatCannotBeAndChangesNothing) {
   Cord cord{CordDef{}};
   const Cord::State before = cord.save();
-  const auto refuses = [&](double dt, Vec2 gravity, const Surroundings& met, const std::string& field) {
+  const auto refuses = [&](double dt, Vec2 pull, const Surroundings& met, const std::string& field) {
     try {
-      cord.step(dt, gravity, met);
+      cord.step(dt, pull, met);
       ADD_FAILURE() << field << " was accepted";
     } catch (const DefinitionError& error) {
       EXPECT_EQ(std::string(error.what()).rfind(field + " is ", 0), 0U) << error.what();
