@@ -135,7 +135,7 @@ void Island::take_over(const Member& member) {
   std::copy(cord.velocities_.begin(), cord.velocities_.end(), velocities_.begin() + to);
   std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
   std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
-  if (std::isfinite(cord.ledger_)) ledger_ += cord.ledger_;
+  ledger_ += cord.ledger_;
   restart_ = restart_ || cord.restart_;
 }
 
@@ -266,7 +266,8 @@ void Island::finish_member(const Member& member) {
   for (std::size_t p = 0; p < member.count; ++p) {
     if (cord.kinds_[p] != PointKind::free) cord.positions_[p] = cord.targets_[p];  // to the last bit
   }
-  cord.ledger_ = ledger_ / static_cast<double>(members_.size());
+  // Energies beyond all numbers leave none that a state could have.
+  cord.ledger_ = std::isfinite(ledger_) ? ledger_ / static_cast<double>(members_.size()) : 0.0;
   cord.restart_ = restart_;
   for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
     cord.restart_ =

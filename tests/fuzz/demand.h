@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "ribbon/vec2.h"
@@ -11,8 +12,9 @@ namespace fuzz {
 /// Ends the process with what was not so: a finding, as a crash is.
 inline void demand(bool is_so, std::string_view what, std::string_view detail = {}) {
   if (is_so) return;
-  std::fprintf(stderr, "not so: %.*s%s%.*s\n", static_cast<int>(what.size()), what.data(), detail.empty() ? "" : ": ",
-               static_cast<int>(detail.size()), detail.data());
+  std::string sentence = "not so: " + std::string(what);
+  if (!detail.empty()) sentence += ": " + std::string(detail);
+  std::fputs((sentence + "\n").c_str(), stderr);
   std::abort();
 }
 
