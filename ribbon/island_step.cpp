@@ -14,7 +14,8 @@ constexpr int most_halves = 10;   // times a substep of implicit Euler is halved
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
 constexpr double tolerated_gain = 5e-4;
-constexpr double kept_gain = 5e-7;   // more than it ever had, that is left to it
+constexpr double kept_gain = 5e-7;   // more than it ever had, that is left to it,
+constexpr double slow_gain = 1e-8;   // and may still grow by in a substep, as its order lets a smooth motion do
 constexpr double gross_gain = 1e-2;  // what a substep of implicit Euler may: there is nothing more damped to turn to
 constexpr double returnable_share = 2e-3;
 constexpr double ledger_decay = 0.9;
@@ -252,7 +253,7 @@ void Island::account(const Energy& before) {
   if (contacts_.were_hit() && unexplained < 0.0) return;  // what comes out of something deep may gain
   balance_ += unexplained;
   const double excess = -balance_ - kept_gain * scale;
-  if (excess <= 0.0) return;
+  if (excess <= 0.0 || unexplained > -slow_gain * scale) return;
   slow_down(excess);
   balance_ += excess;
 }
