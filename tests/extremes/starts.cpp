@@ -4,8 +4,8 @@
 #include <numeric>
 #include <string>
 
-#include "tests/extremes/dice.h"
 #include "tests/extremes/table.h"
+#include "tests/support/dice.h"
 
 // Starts that no motion leads to. Nothing drives the cord and nothing pulls: all that it has is what it is stretched.
 
@@ -13,6 +13,7 @@ namespace extremes {
 namespace {
 
 using ribbon::Vec2;
+using test_support::Dice;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double dt = 1.0 / 60.0;

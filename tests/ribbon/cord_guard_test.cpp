@@ -4,27 +4,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include "ribbon/cell.h"
 #include "ribbon/cord.h"
+#include "tests/support/dice.h"
 
 namespace ribbon {
 namespace {
 
+using test_support::Dice;
+
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// 0 … 1, the same numbers on every machine.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double operator()() { return static_cast<double>(random_()) / 4294967296.0; }
-
- private:
-  std::mt19937 random_;
-};
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
