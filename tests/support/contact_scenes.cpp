@@ -1,7 +1,8 @@
 #include "tests/support/contact_scenes.h"
-#include "tests/support/dice.h"
 
 #include <cmath>
+
+#include "tests/support/dice.h"
 
 namespace test_support {
 namespace {
