@@ -45,6 +45,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
 void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   driven_ = winding_ = unlocking_ = restart_ = false;
   ledger_ = 0.0;
+  balance_ = 0.0;
   members_.clear();
   bodies_.clear();
   held_.clear();
@@ -136,6 +137,7 @@ void Island::take_over(const Member& member) {
   std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
   std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
   ledger_ += cord.ledger_;
+  balance_ += cord.balance_;
   restart_ = restart_ || cord.restart_;
 }
 
@@ -267,7 +269,11 @@ void Island::finish_member(const Member& member) {
     if (cord.kinds_[p] != PointKind::free) cord.positions_[p] = cord.targets_[p];  // to the last bit
   }
   // Energies beyond all numbers leave none that a state could have.
-  cord.ledger_ = std::isfinite(ledger_) ? ledger_ / static_cast<double>(members_.size()) : 0.0;
+  const auto share = [this](double all) {
+    return std::isfinite(all) ? all / static_cast<double>(members_.size()) : 0.0;
+  };
+  cord.ledger_ = share(ledger_);
+  cord.balance_ = share(balance_);
   cord.restart_ = restart_;
   for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
     cord.restart_ =

@@ -24,6 +24,7 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
   check_bodies(surroundings.bodies);
   check_met(surroundings, surroundings.bodies.size(), mesh_->size());
   begin_step(surroundings);
+  const Energy before = energy(gravity, surroundings);
   const double substep_dt = dt / def_.substeps;
   driven_speed_ = 0.0;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -33,6 +34,8 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
     substep(iteration, substep_dt, gravity, surroundings);
   }
   report_motions(surroundings);
+  report_gain(before, gravity, surroundings);
+  report_shape();
   return report_;
 }
 
