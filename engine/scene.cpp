@@ -13,8 +13,9 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr std::size_t most_objects = 2000;   // far more than a level needs, few enough to run whatever they are
-constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
+constexpr std::size_t most_objects = 2000;    // far more than a level needs, few enough to run whatever they are
+constexpr std::size_t most_points = 100'000;  // of all cords: half a gigabyte where they have many rows
+constexpr double largest_velocity = 1000.0;   // m/s, of a body as a map may declare it
 
 b2Vec2 gravity_of(const TiledMap& map) {
   return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};
@@ -198,6 +199,11 @@ void Scene::build_circle(const MapObject& object) {
 
 void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   const CordDefinition definition = read_cord(object);
+  cord_points_ += std::visit([](const auto& def) { return def.positions.size(); }, definition);
+  if (cord_points_ > most_points) {
+    throw object.error("brings the points of all cords to " + std::to_string(cord_points_) + "; accepted are at most " +
+                       std::to_string(most_points));
+  }
   try {
     if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
       coupling_.add(ribbon::Cord(*direct), filter);
