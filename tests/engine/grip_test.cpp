@@ -153,7 +153,7 @@ TEST(Grip, SlipsTheSameByTheLineSearch) {
     b2Body* body = scene.add_body({0.0, -3.0}, 70.0);
     scene.coupling.grip(*body, {.cord = 0, .arc = 3.0, .local_hand = {-0.5F, 0.0F}, .strength = 200.0});
     const GripId other =
-        scene.coupling.grip(*body, {.cord = 1, .arc = 3.0, .local_hand = {0.5F, 0.0F}, .strength = 250.0});
+        scene.coupling.grip(*body, {.cord = 1, .arc = 3.0, .local_hand = {0.5F, 0.0F}, .strength = 200.0});
     scene.tick(30);
     searches = scene.coupling.direct_total(0).searches;
     EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
@@ -163,7 +163,7 @@ TEST(Grip, SlipsTheSameByTheLineSearch) {
   int by_newton = 0;
   int by_search = 0;
   const double full = slid(8, by_newton);
-  EXPECT_GT(full, 3.2);
+  EXPECT_NEAR(full, 3.0 + 0.5 * (g - 400.0 / 70.0) * 0.5 * 0.5, 0.02);
   EXPECT_NEAR(slid(1, by_search), full, 1e-2);
   EXPECT_GT(by_search, by_newton + 20);
 }
@@ -183,7 +183,8 @@ TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
   scene.tick(10);
   bar->SetLinearVelocity({0.0F, 3.0F});
   scene.tick(18);
-  EXPECT_NEAR(bar->GetLinearVelocity().y, 3.0 - g * 0.3, 0.05);
+  const double half_a_tick = 0.5 * g * dt;  // in the tick of the throw the cords begin taut and end slack
+  EXPECT_NEAR(bar->GetLinearVelocity().y, 3.0 - g * 0.3, 1.1 * half_a_tick);
   EXPECT_NEAR(bar->GetPosition().y, -10.0 + 3.0 * 0.3 - 0.5 * g * 0.3 * 0.3, 0.05);
   EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
 }
