@@ -113,33 +113,40 @@ TEST(HostileLevel, EveryPropertyIsTakenOrRefusedByItsName) {
   }
 }
 
+std::string ground_with(const std::string& name, const std::string& value) {
+  return R"("class":"ground",")" + std::string(name == "width" ? "height" : "width") + R"(":10,")" + name +
+         "\":" + value;
+}
+
+std::string cord_to(const std::string& x) {
+  return R"("class":"cord","polyline":[{"x":0,"y":0},{"x":)" + x + R"(,"y":40}])";
+}
+
 /// The object's own fields: numbers only, for the others are no such field.
 TEST(HostileLevel, EveryPlaceAndSizeIsTakenOrRefusedByItsName) {
   for (const std::string& value : hostile) {
     if (value.find_first_of("t\"") != std::string::npos) continue;
     for (const std::string name : {"width", "height"}) {
-      const std::string other = name == "width" ? R"("height":10)" : R"("width":10)";
-      const std::string fields = R"("class":"ground",)" + other + ",\"" + name + "\":" + value;
-      expect_runs_or_is_refused(level(fields, {}), name);
+      expect_runs_or_is_refused(level(ground_with(name, value), {}), name);
     }
     expect_runs_or_is_refused(level(circle + R"(,"rotation":)" + value, {}), "rotation");
-    const std::string far = R"("class":"cord","polyline":[{"x":0,"y":0},{"x":)" + value + R"(,"y":40}])";
-    expect_runs_or_is_refused(level(far, {{"columns", "9"}, {"mass", "1.8"}}), "");
+    expect_runs_or_is_refused(level(cord_to(value), {{"columns", "9"}, {"mass", "1.8"}}), "");
   }
 }
 
-TEST(HostileLevel, WhatWouldNotFitIntoMemoryIsRefused) {
-  std::string cords;
-  for (const std::string id : {"1", "2", "3"}) {
-    if (!cords.empty()) cords += ',';
-    cords += R"({"id":)" + id + R"(,"x":0,"y":0,)" + polyline + R"(,"properties":[)" + property({"columns", "5000"});
-    for (const Property& p :
-         {Property{"mass", "1.0"}, {"rows", "10"}, {"stretch_stiffness", "1e6"}, {"bending_stiffness", "1e-3"}}) {
-      cords += ',';
-      cords += property(p);
-    }
-    cords += "]}";
+/// An object that is a ribbon of 50,000 points.
+std::string wide_ribbon(const std::string& id) {
+  std::string ribbon = R"({"id":)" + id + R"(,"x":0,"y":0,)" + polyline + R"(,"properties":[)";
+  for (const Property& p :
+       {Property{"mass", "1.0"}, {"rows", "10"}, {"stretch_stiffness", "1e6"}, {"bending_stiffness", "1e-3"}}) {
+    ribbon += property(p);
+    ribbon += ',';
   }
+  return ribbon + property({"columns", "5000"}) + "]}";
+}
+
+TEST(HostileLevel, WhatWouldNotFitIntoMemoryIsRefused) {
+  const std::string cords = wide_ribbon("1") + "," + wide_ribbon("2") + "," + wide_ribbon("3");
   const std::string text =
       R"({"type":"map","orientation":"orthogonal","width":10,"height":10,"tilewidth":10,"tileheight":10,)"
       R"("layers":[{"type":"objectgroup","objects":[)" +
@@ -153,13 +160,16 @@ TEST(HostileLevel, WhatWouldNotFitIntoMemoryIsRefused) {
   }
 }
 
+std::string reference_to_99(const std::string& name) {
+  return R"({"name":")" + name + R"(","type":"object","value":99},)";
+}
+
 /// No property of a level refers to another object: one that does is unknown, and the sentence says which there are.
 TEST(HostileLevel, AReferenceToAnObjectIsRefusedByItsName) {
   for (const std::string reference : {"anchor", "load", "target"}) {
     std::string referring = level(polyline, {{"columns", "9"}, {"mass", "1.8"}});
     const std::string list = R"("properties":[)";
-    referring.insert(referring.find(list) + list.size(),
-                     R"({"name":")" + reference + R"(","type":"object","value":99},)");
+    referring.insert(referring.find(list) + list.size(), reference_to_99(reference));
     try {
       const Scene scene(parse_tiled_map(referring, "hostile.tmj"));
       ADD_FAILURE() << reference << " was taken";

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "engine/replay.h"
@@ -160,8 +161,10 @@ TEST(ReplayFaults, WhenTheDisplayIsLostTheGameEndsWithItsRecordingComplete) {
     while (bytes_of(number).find('\n') == std::string::npos) ASSERT_TRUE(server.runs());
     const std::string display = bytes_of(number).substr(0, bytes_of(number).find('\n'));
     // The libraries of a display are not ours to hold to account for what they leave behind.
-    Process game("ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" + std::string(renderer) +
-                 " DISPLAY=:" + display + " exec " TEST_ROPESWING " --record " + path + " >" + said + " 2>&1");
+    std::ostringstream command;
+    command << "ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
+            << " DISPLAY=:" << display << " exec " TEST_ROPESWING " --record " << path << " >" << said << " 2>&1";
+    Process game(command.str());
     ASSERT_TRUE(is_recording(game, path)) << bytes_of(said);
     server.send(SIGKILL);
     EXPECT_EQ(game.wait(), 2);
