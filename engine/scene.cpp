@@ -85,7 +85,7 @@ void add_state(Hasher& hasher, const ribbon::Cord& cord) {
   // By name, one and all: what is new in the state does not compile until it is added here.
   const ribbon::Cord::State state = cord.save();
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, ledger, damping_apart, restart] = state;
+               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -112,6 +112,7 @@ void add_state(Hasher& hasher, const ribbon::Cord& cord) {
   }
   hasher.add(static_cast<int>(touch_changed));
   hasher.add(ledger);
+  hasher.add(balance);
   hasher.add(static_cast<int>(damping_apart));
   hasher.add(static_cast<int>(restart));
 }

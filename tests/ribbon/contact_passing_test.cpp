@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "ribbon/cord.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/dice.h"
 
 // Nothing goes through a cord, however fast.
 
@@ -15,22 +15,10 @@ namespace {
 
 using std::numbers::pi;
 using test_support::ContactWorld;
+using test_support::Dice;
 
 constexpr double tick = 1.0 / 60.0;
 constexpr double half_a_thickness = 0.02;  // m, of all cords here
-
-/// The same numbers on every machine.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double operator()(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
-  }
-  bool coin() { return (random_() & 0x80000000U) != 0; }
-
- private:
-  std::mt19937 random_;
-};
 
 /// Whether the segments from a to b and from c to d cross.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

@@ -1,7 +1,8 @@
 #include "tests/support/contact_scenes.h"
 
 #include <cmath>
-#include <random>
+
+#include "tests/support/dice.h"
 
 namespace test_support {
 namespace {
@@ -10,16 +11,6 @@ using ribbon::CordDef;
 using ribbon::Vec2;
 
 constexpr double pi = std::numbers::pi;
-
-/// 0 … 1, the same numbers on every machine.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double operator()() { return static_cast<double>(random_()) / 4294967296.0; }
-
- private:
-  std::mt19937 random_;
-};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
