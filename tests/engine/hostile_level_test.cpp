@@ -122,6 +122,8 @@ std::string cord_to(const std::string& x) {
   return R"("class":"cord","polyline":[{"x":0,"y":0},{"x":)" + x + R"(,"y":40}])";
 }
 
+std::string turned_circle(const std::string& degrees) { return circle + R"(,"rotation":)" + degrees; }
+
 /// The object's own fields: numbers only, for the others are no such field.
 TEST(HostileLevel, EveryPlaceAndSizeIsTakenOrRefusedByItsName) {
   for (const std::string& value : hostile) {
@@ -129,7 +131,7 @@ TEST(HostileLevel, EveryPlaceAndSizeIsTakenOrRefusedByItsName) {
     for (const std::string name : {"width", "height"}) {
       expect_runs_or_is_refused(level(ground_with(name, value), {}), name);
     }
-    expect_runs_or_is_refused(level(circle + R"(,"rotation":)" + value, {}), "rotation");
+    expect_runs_or_is_refused(level(turned_circle(value), {}), "rotation");
     expect_runs_or_is_refused(level(cord_to(value), {{"columns", "9"}, {"mass", "1.8"}}), "");
   }
 }
