@@ -1,18 +1,39 @@
 #include "engine/json_object.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace engine {
 
 using nlohmann::json;
 
+namespace {
+
+/// How deep the brackets of a text nest; of one that is no JSON, whatever.
+int depth_of(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '"') quoted = !quoted;
+    if (quoted && c == '\\') ++k;  // whatever it escapes ends no text
+    if (quoted) continue;
+    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    if (c == ']' || c == '}') --depth;
+  }
+  return deepest;
+}
+
+}  // namespace
+
 json parse_json(std::string_view text, const std::string& where, int max_depth) {
-  const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
-    if (depth <= max_depth) return true;
+  // Not by the parser's callback: with one it looks at all values so far at the end of each object or array.
+  if (depth_of(text) > max_depth) {
     throw JsonError(where + ": nested more than the " + std::to_string(max_depth) + " levels deep accepted");
-  };
+  }
   try {
-    return json::parse(text, limit_depth);
+    return json::parse(text);
   } catch (const json::exception& error) {
     // The library's own prefix, [json.exception.…], says nothing to a reader; the rest may quote the whole file.
     const std::string what = error.what();

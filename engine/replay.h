@@ -37,7 +37,8 @@
 /// Cut short or damaged: the writer only ever appends, so whatever kills it leaves a beginning of a good file. Exactly
 /// that is accepted as cut short: the header is whole, every whole record is right, and the file ends at a record's end
 /// or within one (whose bytes are dropped). Anything else, such as a wrong checksum even in the very last record, a
-/// part count that disagrees with its complement, or bytes after the end marker, is damage and refused.
+/// part count that disagrees with its complement, or bytes after the end marker, is damage and refused: with the byte
+/// at which the first bad record begins. Cut there (`head -c BYTE`), the file is a replay of the ticks before.
 namespace engine {
 
 /// A replay that cannot be written, read or used here. The sentence names the file, and the byte or tick in it where
@@ -92,7 +93,7 @@ class ReplayWriter {
   ReplayWriter(const std::string& path, const ReplayHeader& header);
 
   /// Appends one tick; at most 4096 parts. The first write that fails throws a ReplayError, and the recording is over:
-  /// later calls do nothing, so that a game may tell its player once and play on.
+  /// later calls do nothing, so that a game may tell its player once and play on. What was written before stays.
   void write(const TickInput& input, const StateHash& state);
 
   /// Marks the recording complete and closes the file; throws like write(). Without it the file reads as cut short.

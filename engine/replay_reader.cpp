@@ -62,10 +62,11 @@ class Reader {
   [[noreturn]] void fail(std::uint64_t offset, const std::string& sentence) const {
     throw ReplayError(name_ + ": byte " + std::to_string(offset) + ": " + sentence);
   }
+  /// What is before the record has been held against its checksums: a replay cut short there.
   [[noreturn]] void fail_record(const std::string& sentence) const {
-    const std::string after =
-        record_start_ == 0 ? "in the header" : "after tick " + std::to_string(replay_.ticks.size());
-    fail(record_start_, "damaged " + after + ": " + sentence);
+    if (record_start_ == 0) fail(0, "damaged in the header: " + sentence);
+    fail(record_start_, "damaged after tick " + std::to_string(replay_.ticks.size()) + ": " + sentence +
+                            "; the bytes before are a good replay, cut short");
   }
 
   bool append(std::size_t count);
@@ -91,7 +92,7 @@ bool Reader::append(std::size_t count) {
   const std::size_t had = record_.size();
   record_.resize(had + count);
   in_.read(reinterpret_cast<char*>(record_.data() + had), static_cast<std::streamsize>(count));
-  if (in_.bad()) fail(offset_, "reading failed");
+  if (in_.bad()) fail(offset_, "reading failed after tick " + std::to_string(replay_.ticks.size()));
   const auto got = static_cast<std::size_t>(in_.gcount());
   record_.resize(had + got);
   offset_ += got;

@@ -26,7 +26,8 @@ namespace engine {
 ///     cords that declare it), accuracy ("fast", "balanced" unless given, "accurate"), and what is to be otherwise in
 ///     it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_iterations (of Newton's a
 ///     solve). Its links are all straight and equal, so that it is a little shorter than a polyline with corners.
-/// The cords have at most 100,000 points together. The map's own property gravity_y [m/s²] is −9.81 unless given.
+/// At most 2000 objects, and 100,000 points of all cords together. The map's own property gravity_y [m/s²] is −9.81
+/// unless given.
 class Scene {
  public:
   /// `other_kinds` are the classes that the caller takes care of; `cord_filter` says which fixtures the cords meet.

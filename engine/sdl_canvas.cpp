@@ -69,12 +69,13 @@ Letters read_alpha(SDL_Surface& surface) {
 /// Sets text, and remembers what it set: most of what a game writes is the same in the next frame.
 class HeadlessCanvas::Typesetter {
  public:
-  Typesetter() {
+  explicit Typesetter(const std::string& font_file) : font_file_(font_file) {
     if (TTF_Init() != 0) throw std::runtime_error(std::string("cannot start SDL_ttf: ") + TTF_GetError());
     if (font(16) != nullptr) return;
     const std::string reason = TTF_GetError();
     TTF_Quit();
-    throw std::runtime_error("cannot open the font " WINDOW_FONT ": " + reason);
+    throw std::runtime_error("cannot open the font " + font_file_ + ": " + reason +
+                             "; accepted is a TrueType file (the default is of Debian's package fonts-dejavu-core)");
   }
   Typesetter(const Typesetter&) = delete;
   Typesetter& operator=(const Typesetter&) = delete;
@@ -105,19 +106,22 @@ class HeadlessCanvas::Typesetter {
 
   TTF_Font* font(int size) {
     if (const auto found = fonts_.find(size); found != fonts_.end()) return found->second.get();
-    Font opened(TTF_OpenFont(WINDOW_FONT, size), TTF_CloseFont);
+    Font opened(TTF_OpenFont(font_file_.c_str(), size), TTF_CloseFont);
     if (!opened) return nullptr;
     TTF_SetFontHinting(opened.get(), TTF_HINTING_LIGHT);
     if (fonts_.size() >= most_open_fonts) fonts_.clear();
     return fonts_.emplace(size, std::move(opened)).first->second.get();
   }
 
+  std::string font_file_;
   std::map<int, Font> fonts_;
   std::map<std::pair<int, std::string>, Letters> texts_;
 };
 
-HeadlessCanvas::HeadlessCanvas(int width, int height)
-    : raster_(make_raster(width, height)), typesetter_(std::make_unique<Typesetter>()) {}
+HeadlessCanvas::HeadlessCanvas(int width, int height, const std::string& font)
+    : raster_(make_raster(width, height)), typesetter_(std::make_unique<Typesetter>(font)) {}
+
+std::string HeadlessCanvas::default_font() { return WINDOW_FONT; }
 
 HeadlessCanvas::~HeadlessCanvas() = default;
 

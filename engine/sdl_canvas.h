@@ -13,8 +13,8 @@ namespace engine {
 class HeadlessCanvas : public Canvas {
  public:
   /// Black, width × height pixels, 1 … 16384 each; throws std::invalid_argument otherwise, and std::runtime_error if
-  /// the font cannot be opened.
-  HeadlessCanvas(int width, int height);
+  /// the font, a TrueType file, cannot be opened.
+  HeadlessCanvas(int width, int height, const std::string& font = default_font());
   ~HeadlessCanvas() override;
 
   int width() const override { return raster_.width(); }
@@ -28,6 +28,9 @@ class HeadlessCanvas : public Canvas {
   void save_png(const std::string& path) const;
 
   const Raster& raster() const { return raster_; }
+
+  /// The font that was there when this was built: DejaVu Sans.
+  static std::string default_font();
 
  protected:
   void paint_background(Color top, Color bottom) override;

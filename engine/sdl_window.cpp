@@ -10,6 +10,9 @@
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <vector>
+
+#include "engine/sdl_display.h"
 
 namespace engine {
 namespace {
@@ -121,10 +124,13 @@ Clock::duration frame_time(SDL_Window* window) {
 struct Window::Impl {
   Impl(const std::string& title, int width, int height);
 
+  void check_display() const;
+
   void handle(const SDL_Event& event);
   void mouse_at(int x, int y) { input.mouse_at({x * scale_x, y * scale_y}); }
   void follow_size();
 
+  bool lost = false;  // the display
   HeadlessCanvas canvas;
   Video video;
   std::unique_ptr<SDL_Window, decltype(&SDL_DestroyWindow)> window;
@@ -147,7 +153,12 @@ Window::Impl::Impl(const std::string& title, int width, int height)
       renderer(make_renderer(window.get()), SDL_DestroyRenderer),
       vsync(waits_for_display(renderer.get())),
       period(frame_time(window.get())) {
+  note_loss_of_display(window.get(), lost);
   follow_size();
+}
+
+void Window::Impl::check_display() const {
+  if (lost) throw std::runtime_error("the display was lost: the X server that showed the window has gone");
 }
 
 void Window::Impl::follow_size() {
@@ -191,7 +202,11 @@ void Window::Impl::handle(const SDL_Event& event) {
 
 Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
 
-Window::~Window() = default;
+Window::~Window() {
+  // Whatever closes a window asks its display, and may wait for the answer: with that gone, it is left as it is.
+  static std::vector<Impl*> left;
+  if (impl_->lost) left.push_back(impl_.release());
+}
 
 Canvas& Window::canvas() { return impl_->canvas; }
 
@@ -200,11 +215,13 @@ double Window::pixel_scale() const { return std::max(impl_->scale_y, 1.0); }
 WindowInput Window::poll() {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) impl_->handle(event);
+  impl_->check_display();
   impl_->follow_size();
   return impl_->input.take();
 }
 
 void Window::present() {
+  impl_->check_display();
   const Raster& raster = impl_->canvas.raster();
   SDL_Renderer* const renderer = impl_->renderer.get();
   SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());

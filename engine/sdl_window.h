@@ -24,7 +24,7 @@ class Window {
   double pixel_scale() const;
 
   /// Everything that happened since the last poll. If the window was resized, the canvas now has the new size and is
-  /// black: draw again before present.
+  /// black: draw again before present. Throws std::runtime_error if the display has gone, as present does.
   WindowInput poll();
   /// Shows the canvas, and waits so that a loop of frames runs at the display's rate, or at 60 a second if it is
   /// unknown.

@@ -53,6 +53,16 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
   canvas.text(middle + Vec2{0.0, 14.0 * scale + canvas.line_height(large)}, below, small, white, Align::center);
 }
 
+/// At the bottom right.
+void draw_notice(Canvas& canvas, const std::string& notice, double scale) {
+  const double margin = 14.0 * scale;
+  const double size = 18.0 * scale;
+  const Vec2 box{canvas.text_width(notice, size) + 2.0 * margin, canvas.line_height(size) + margin};
+  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - margin - box.y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{margin, 0.5 * margin}, notice, size, gold);
+}
+
 std::vector<std::string> keys_in_words() {
   return {"Swing from cord to cord to the flag!",
           "Arrows or A D: run, pump",
@@ -79,14 +89,14 @@ int points_of(const engine::Coupling& coupling, engine::CordIndex cord) {
 }
 
 Table thesis_counts(const engine::Coupling& coupling) {
-  Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
+  Table table = {
+      {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::thesis) continue;
     const ribbon::StepReport& report = coupling.report(c);
     const ribbon::StepReport& total = coupling.total(c);
     table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
-                              report.tangled_columns, total.fem_skipped, total.motion_limited,
-                              report.strained_bars}));
+                              report.tangled_columns, total.fem_skipped, total.motion_limited, report.strained_bars}));
   }
   return table;
 }
@@ -194,6 +204,7 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
   if (options.help && !options.watching) draw_box(canvas, {margin, margin}, {keys_in_words(), 15.0 * scale, faint});
+  if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
   if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
   if (options.paused) {
     draw_banner(canvas, "Paused", "P to go on, N for one tick", scale);

@@ -31,6 +31,15 @@ const MapObject& only_object(const engine::TiledMap& map, const std::string& kin
   return *found;
 }
 
+/// The names that are accepted, or why there are none.
+std::string known_levels() {
+  std::string names;
+  for (const std::string& known : level_names()) names += (names.empty() ? "" : ", ") + known;
+  if (!names.empty()) return names;
+  return "a name, but there are no levels in " + engine::in_quotes(assets_folder() + "/levels") +
+         ": ROPESWING_ASSETS is to name the folder that holds them";
+}
+
 std::string path_of(const std::string& name) {
   if (name.ends_with(".tmj")) return name;
   return assets_folder() + "/levels/" + name + ".tmj";
@@ -53,10 +62,8 @@ Level load_level(const std::string& name) {
   const std::string path = path_of(name);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    std::string accepted;
-    for (const std::string& known : level_names()) accepted += (accepted.empty() ? "" : ", ") + known;
     throw engine::MapError("no level " + engine::in_quotes(name) + " at " + engine::in_quotes(path) +
-                           "; accepted is a .tmj file" + (accepted.empty() ? "" : ", or " + accepted));
+                           "; accepted is a .tmj file, or " + known_levels());
   }
   return level_of(engine::load_tiled_map(path));
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -28,7 +29,9 @@ void check_paths(const game::RunOptions& options) {
     if (fs::is_fifo(path, ignored) || fs::is_socket(path, ignored)) {
       throw std::runtime_error(std::string(option) + " " + path + " is a pipe; accepted is a file");
     }
-    const auto [other, is_new] = seen.emplace(fs::weakly_canonical(path, ignored), option);
+    fs::path canonical = fs::weakly_canonical(path, ignored);
+    if (canonical.empty()) canonical = path;  // nowhere that can be looked at: whoever opens it says why
+    const auto [other, is_new] = seen.emplace(canonical, option);
     if (!is_new) {
       throw std::runtime_error(std::string(other->second) + " and " + option + " are both " + path +
                                "; accepted are different files");
@@ -46,6 +49,7 @@ int run(const game::RunOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a recording that gets too long is an error to tell, not the end of the game
   CLI::App app{"Swing from cord to cord to the flag."};
   game::RunOptions options;
   const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");

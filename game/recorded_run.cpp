@@ -25,9 +25,15 @@ Level level_for(const RunOptions& options, const std::optional<engine::Replay>& 
 }  // namespace
 
 RecordedRun::RecordedRun(const RunOptions& options)
-    : replay_(replay_for(options)), level_(level_for(options, replay_)), simulation_(level_) {
+    : record_path_(options.record),
+      replay_(replay_for(options)),
+      level_(level_for(options, replay_)),
+      simulation_(level_) {
   if (replay_ && options.verify) verifier_.emplace(*replay_);
-  if (!options.record.empty()) writer_.emplace(options.record, Simulation::replay_header(level_));
+}
+
+void RecordedRun::start_recording() {
+  if (!record_path_.empty()) writer_.emplace(record_path_, Simulation::replay_header(level_));
 }
 
 bool RecordedRun::is_over() const {

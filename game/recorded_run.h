@@ -28,6 +28,10 @@ class RecordedRun {
   /// True when the replay has ended, or has differed while being verified. Never without a replay.
   bool is_over() const;
 
+  /// Opens the recording, if there is to be one. It empties what the file held before, so it comes last, when nothing
+  /// else can keep the run from starting; before the first tick. Throws engine::ReplayError if it cannot be written.
+  void start_recording();
+
   /// One tick, with the replay's input if there is one and with `input` otherwise. Only while the run is not over.
   /// Throws engine::ReplayError once if the recording cannot be written; the run goes on without it.
   void tick(const engine::TickInput& input);
@@ -40,6 +44,7 @@ class RecordedRun {
   int exit_status() const;
 
  private:
+  std::string record_path_;  // empty: no recording
   std::optional<engine::Replay> replay_;
   Level level_;
   Simulation simulation_;

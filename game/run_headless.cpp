@@ -40,6 +40,7 @@ int run_headless(const RunOptions& options) {
   if (!run.has_replay() && !options.ticks) {
     throw std::runtime_error("--headless needs to know how far to run; accepted is --replay FILE or --ticks N");
   }
+  run.start_recording();
   const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
   while (!run.is_over() && run.simulation().ticks() < most) run.tick({});
   run.finish();

@@ -49,6 +49,7 @@ class WindowGame {
       : options_(options), run_(options), view_(run_.simulation()), window_("Rope swing", window_width, window_height) {
     view_options_.watching = run_.has_replay();
     view_options_.meter = &meter_;
+    run_.start_recording();
     last_frame_ns_ = engine::now_ns();
   }
 
@@ -64,6 +65,15 @@ class WindowGame {
     window_.present();
     view_options_.over = is_over();
     return !(is_over() && (options_.ticks || options_.verify));
+  }
+
+  /// Completes the recording of a run that cannot go on.
+  void save_recording() {
+    try {
+      run_.finish();
+    } catch (const engine::ReplayError& error) {
+      tell(error);
+    }
   }
 
   int finish() {
@@ -113,8 +123,9 @@ class WindowGame {
     try {
       run_.tick(next_);
     } catch (const engine::ReplayError& error) {  // of the recording, once: play on without it
-      std::fprintf(stderr, "ropeswing: %s\n", error.what());
+      tell(error);
       recording_failed_ = true;
+      view_options_.notice = "The recording has ended: the file cannot be written";
     }
     meter_.add(run_.simulation(), engine::now_ns() - begun);
   }
@@ -125,15 +136,20 @@ class WindowGame {
     const double size = std::min(canvas.width() / (1.0 * window_width), canvas.height() / (1.0 * window_height));
     view_options_.text_scale = window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
     view_.draw(window_.canvas(), still ? 1.0 : clock_.alpha(), view_options_);
-    if (!input.pressed(Key::f12)) return;
-    const std::string name = screenshot_name();
+    if (input.pressed(Key::f12)) take_picture();
+  }
+
+  void take_picture() {
     try {
+      const std::string name = screenshot_name();
       window_.save_png(name);
       std::printf("picture: %s\n", name.c_str());
     } catch (const std::runtime_error& error) {  // no reason to stop playing
-      std::fprintf(stderr, "ropeswing: %s\n", error.what());
+      tell(error);
     }
   }
+
+  static void tell(const std::exception& error) { std::fprintf(stderr, "ropeswing: %s\n", error.what()); }
 
   RunOptions options_;
   RecordedRun run_;
@@ -153,7 +169,12 @@ class WindowGame {
 
 int run_in_window(const RunOptions& options) {
   WindowGame game(options);
-  while (game.frame()) {
+  try {
+    while (game.frame()) {
+    }
+  } catch (...) {
+    game.save_recording();
+    throw;
   }
   return game.finish();
 }

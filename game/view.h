@@ -13,6 +13,7 @@ struct ViewOptions {
   bool watching = false;  ///< a replay, so the keys do not steer
   bool over = false;      ///< the replay has ended, or the ticks asked for have run
   bool help = true;
+  const char* notice = nullptr;  ///< what has gone wrong, until the end
   double text_scale = 1.0;       ///< pixels a desktop unit
   const Meter* meter = nullptr;  ///< of what the debug view tells of cost and stretch, if it is to
 };

@@ -57,10 +57,7 @@ class Elasticity {
   /// m, how far points moved in the step that led here because bars that cannot push were taken for slack or taut and
   /// are not. Newton's method on what bends converges fast, so that a short step is near the solution; one that took a
   /// bar for slack is as far from it as the step is long.
-  virtual double misjudged_way(const Stage& /*stage*/, std::span<const Vec2> /*x*/,
-                               std::span<const double> /*tensions*/) {
-    return 0.0;
-  }
+  virtual double misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) = 0;
 
   /// What a stage minimises besides inertia and constant forces, J: the elastic energy and what damping takes, but of
   /// elements with a tension the exact penalty that grows no steeper than `most`, one a tension. See `exact_penalty`.

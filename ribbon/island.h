@@ -65,7 +65,6 @@ class Island {
   using Energy = Cord::Energy;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  std::size_t count() const { return count_; }
   std::size_t center(std::size_t body) const { return count_ + 2 * body; }
   std::size_t angle(std::size_t body) const { return count_ + 2 * body + 1; }
   template <typename T>

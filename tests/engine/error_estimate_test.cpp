@@ -6,6 +6,7 @@
 
 #include "engine/coupling.h"
 #include "ribbon/cord.h"
+#include "tests/support/allocations.h"
 
 namespace engine {
 namespace {
@@ -96,6 +97,26 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
   EXPECT_TRUE(watched.coupling.direct_cord(0).save() == alone.coupling.direct_cord(0).save());
   EXPECT_EQ(watched.load->GetPosition().x, alone.load->GetPosition().x);
   EXPECT_TRUE(watched.coupling.direct_report(0) == alone.coupling.direct_report(0));
+}
+
+/// It copies each cord's state anew in every tick, and keeps no more of them for that.
+TEST(ErrorEstimate, HoldsNoMoreMemoryHoweverLongItGoesOn) {
+  World world(Accuracy::balanced());
+  world.coupling.estimate_errors(true);
+  const auto taken_in_a_tick = [&] {
+    const test_support::AllocationCount count;
+    world.coupling.gather(world.box2d, dt);
+    world.coupling.step();
+    world.coupling.apply();
+    const long taken = count.so_far();
+    world.box2d.Step(static_cast<float>(dt), 8, 3);
+    return taken;
+  };
+  for (int k = 0; k < 10; ++k) taken_in_a_tick();
+  const test_support::AllocationCount count;
+  const long first = taken_in_a_tick();
+  for (int k = 0; k < 3000; ++k) ASSERT_EQ(taken_in_a_tick(), first);
+  EXPECT_EQ(count.held(), 0);
 }
 
 /// Cords that are added while errors are estimated, and those of the thesis's solver beside them.

@@ -139,6 +139,56 @@ TEST(Grip, SlipsAgainstItsStrength) {
   EXPECT_NEAR(scene.coupling.state(grip)->arc, 3.0 + fall, 1e-3);
 }
 
+/// A solve that is sent through the line search from its first step on finds the same: held and slipping, one body by
+/// two cords.
+TEST(Grip, SlipsTheSameByTheLineSearch) {
+  const auto slid = [](int max_iterations, int& searches) {
+    World scene;
+    for (const double x : {-0.5, 0.5}) {
+      CordDef def = hanging(x);
+      def.accuracy.max_iterations = max_iterations;
+      scene.coupling.add(Cord(def));
+      scene.coupling.direct_cord(scene.coupling.size() - 1).attach_mass(50, 20.0);
+    }
+    b2Body* body = scene.add_body({0.0, -3.0}, 70.0);
+    scene.coupling.grip(*body, {.cord = 0, .arc = 3.0, .local_hand = {-0.5F, 0.0F}, .strength = 200.0});
+    const GripId other =
+        scene.coupling.grip(*body, {.cord = 1, .arc = 3.0, .local_hand = {0.5F, 0.0F}, .strength = 200.0});
+    scene.tick(30);
+    searches = scene.coupling.direct_total(0).searches;
+    EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
+    EXPECT_TRUE(scene.coupling.state(other)->slips);
+    return scene.coupling.state(other)->arc;
+  };
+  int by_newton = 0;
+  int by_search = 0;
+  const double full = slid(8, by_newton);
+  EXPECT_NEAR(full, 3.0 + 0.5 * (g - 400.0 / 70.0) * 0.5 * 0.5, 0.02);
+  EXPECT_NEAR(slid(1, by_search), full, 1e-2);
+  EXPECT_GT(by_search, by_newton + 20);
+}
+
+/// Hung from two ropes that cannot push, a bar that is thrown up rises as if there were none.
+TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
+  World scene;
+  for (const double x : {-0.5, 0.5}) {
+    CordDef def = hanging(x);
+    def.mass_per_length = 0.01;
+    def.tension_only = true;
+    scene.coupling.add(Cord(def));
+  }
+  b2Body* bar = scene.add_body({0.0, -10.0}, 40.0);
+  scene.coupling.grip(*bar, {.cord = 0, .arc = 10.0, .local_hand = {-0.5F, 0.0F}});
+  scene.coupling.grip(*bar, {.cord = 1, .arc = 10.0, .local_hand = {0.5F, 0.0F}});
+  scene.tick(10);
+  bar->SetLinearVelocity({0.0F, 3.0F});
+  scene.tick(18);
+  const double half_a_tick = 0.5 * g * dt;  // in the tick of the throw the cords begin taut and end slack
+  EXPECT_NEAR(bar->GetLinearVelocity().y, 3.0 - g * 0.3, 1.1 * half_a_tick);
+  EXPECT_NEAR(bar->GetPosition().y, -10.0 + 3.0 * 0.3 - 0.5 * g * 0.3 * 0.3, 0.05);
+  EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
+}
+
 TEST(Grip, LetsGoAboveItsStrength) {
   World scene;
   scene.coupling.add(Cord(hanging()));
@@ -229,6 +279,8 @@ TEST(Grip, RefusesWhatCannotBe) {
   refuses({.cord = 0, .arc = 1.0, .strength = -1.0});
   refuses({.cord = 0, .arc = 1.0, .strength = nan});
   refuses({.cord = 0, .arc = 1.0, .local_hand = {static_cast<float>(nan), 0.0F}});
+  const CordIndex thesis = scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
+  refuses({.cord = thesis, .arc = 1.0});
   EXPECT_THROW(scene.coupling.climb(grip + 1, 3.0, 1.0), DefinitionError);
   EXPECT_THROW(scene.coupling.climb(grip, 11.0, 1.0), DefinitionError);
   EXPECT_THROW(scene.coupling.climb(grip, 3.0, 0.0), DefinitionError);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -274,6 +275,55 @@ TEST(Replay, DamageInTheMiddleNamesByteAndTick) {
                    "swing.replay: byte " + std::to_string(third) + ": damaged after tick 2: the checksum is "));
 }
 
+/// The number after `word` in a message.
+std::size_t number_after(const std::string& message, const std::string& word) {
+  return std::stoul(message.substr(message.find(word) + word.size()));
+}
+
+TEST(Replay, WhatIsBeforeTheByteNamedAsDamagedIsAGoodReplay) {
+  const std::string whole = recorded(4, true, "salvaged");
+  for (std::size_t at = recorded(0, false, "salvaged_header").size(); at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x04);
+    const std::string error = error_of(damaged);
+    SCOPED_TRACE(error);
+    const Replay kept = parse(damaged.substr(0, number_after(error, "byte ")));
+    EXPECT_FALSE(kept.complete);
+    expect_first_ticks(kept, number_after(error, "after tick "));
+  }
+}
+
+/// A file on a disk that fails after so many bytes.
+class FailingDisk : public std::stringbuf {
+ public:
+  FailingDisk(const std::string& bytes, std::streamsize good) : std::stringbuf(bytes), left_(good) {}
+
+ protected:
+  std::streamsize xsgetn(char* to, std::streamsize count) override {
+    if (count > left_) throw std::runtime_error("Input/output error");
+    left_ -= count;
+    return std::stringbuf::xsgetn(to, count);
+  }
+
+ private:
+  std::streamsize left_;
+};
+
+TEST(Replay, AReadingErrorIsNotTakenForTheEnd) {
+  const std::string whole = recorded(4, true, "failing_disk");
+  const std::size_t two = recorded(2, false, "failing_after").size();
+  FailingDisk disk(whole, static_cast<std::streamsize>(two + 20));
+  std::istream in(&disk);
+  std::string error;
+  try {
+    read_replay(in, "swing.replay");
+  } catch (const ReplayError& refused) {
+    error = refused.what();
+  }
+  EXPECT_TRUE(says(error, "swing.replay: byte "));
+  EXPECT_TRUE(says(error, "reading failed after tick 2"));
+}
+
 TEST(Replay, OtherVersionsAndOtherFilesAreRefused) {
   std::string other = recorded(1, true, "version");
   other.replace(17, 1, "2");
@@ -395,6 +445,51 @@ TEST(ReplayWriter, SaysWhyItCannotOpen) {
   EXPECT_EQ(error("/dev/full", some_header()), "/dev/full: cannot write the replay: No space left on device");
 }
 
+/// What the work ends in for somebody who is not root, and so has no right that a file does not give him.
+std::string error_without_rights(const std::function<void()>& work) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return "no pipe";
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    std::string error = "none";
+    if (geteuid() == 0 && setuid(nobody) != 0) error = "still root";
+    try {
+      work();
+    } catch (const std::exception& refused) {
+      error = refused.what();
+    }
+    _exit(write(ends[1], error.data(), error.size()) < 0 ? 1 : 0);
+  }
+  close(ends[1]);
+  std::array<char, 4096> buffer{};
+  const ssize_t got = read(ends[0], buffer.data(), buffer.size());
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return {buffer.data(), got < 0 ? 0 : static_cast<std::size_t>(got)};
+}
+
+TEST(ReplayFile, WithoutTheRightToItIsNamedWithTheReason) {
+  namespace fs = std::filesystem;
+  const std::string folder = temp_path("locked");
+  fs::create_directories(folder);
+  const std::string path = folder + "/swing.replay";
+  ReplayWriter(path, some_header()).finish();
+  const std::string before = bytes_of(path);
+  fs::permissions(path, fs::perms::none);
+  constexpr fs::perms everybody_reads{0555};
+  fs::permissions(folder, everybody_reads);
+
+  EXPECT_EQ(error_without_rights([&] { load_replay(path); }), path + ": cannot be opened: Permission denied");
+  const std::string refused = ": cannot write the replay: Permission denied";
+  EXPECT_EQ(error_without_rights([&] { ReplayWriter(path, some_header()); }), path + refused);
+  EXPECT_EQ(error_without_rights([&] { ReplayWriter(folder + "/b", some_header()); }), folder + "/b" + refused);
+
+  fs::permissions(folder, fs::perms::owner_all);
+  fs::permissions(path, fs::perms::owner_all);
+  EXPECT_EQ(bytes_of(path), before);
+}
+
 TEST(ReplayWriter, RefusesAHeaderItCouldNotReadBackAndLeavesTheFileAlone) {
   const std::string path = temp_path("bad_header");
   std::ofstream(path) << "precious";
@@ -431,7 +526,8 @@ TEST(ReplayWriter, AFullDiskIsToldOnceAndWhatWasWrittenStays) {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
 
-  EXPECT_EQ(error, path + ": cannot write the replay: File too large");
+  EXPECT_EQ(error, path + ": cannot write the replay: File too large; the file keeps the " + std::to_string(written) +
+                       " ticks before");
   EXPECT_TRUE(writer.failed());
   EXPECT_NO_THROW(writer.write(some_input(written), some_state(written)));
   EXPECT_NO_THROW(writer.finish());

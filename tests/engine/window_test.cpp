@@ -188,6 +188,19 @@ TEST(HeadlessCanvas, AFileThatCannotBeWrittenIsNamed) {
   }
 }
 
+TEST(HeadlessCanvas, AFontThatIsNoneIsNamed) {
+  for (const char* const font : {"/nonexistent/letters.ttf", "/dev/null", "/"}) {
+    try {
+      const HeadlessCanvas canvas(10, 10, font);
+      ADD_FAILURE() << font << " was taken";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(std::string("cannot open the font ") + font + ": ", 0), 0U)
+          << error.what();
+      EXPECT_NE(std::string(error.what()).find("fonts-dejavu-core"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(InputState, KeyIsHeldBetweenPressAndRelease) {
   InputState state;
   state.key_down(Key::a);

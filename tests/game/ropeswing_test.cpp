@@ -4,57 +4,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/replay.h"
+#include "tests/game/program.h"
 #include "tests/support/mixed_level.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Ended {
-  int status;
-  std::string output;  // both streams
-};
-
-Ended ropeswing(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " " TEST_ROPESWING " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Ended ended{-1, ""};
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ended.output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-  return ended;
-}
-
-std::string golden() { return TEST_ASSETS "/replays/first_swing.replay"; }
-
-std::string scratch(const std::string& name) { return testing::TempDir() + "ropeswing_" + name; }
-
-std::string bytes_of(const std::string& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
-
-void write_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
-
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n');
-  if (end == std::string::npos) return "";
-  const std::size_t start = text.rfind('\n', end);
-  return text.substr(start == std::string::npos ? 0 : start + 1,
-                     end - (start == std::string::npos ? 0 : start + 1) + 1);
-}
+using namespace test_support;
 
 TEST(ReplayProgram, TheGoldenRunVerifiesAndReachesTheGoal) {
   const Ended ended = ropeswing("--headless --verify --replay " + golden());

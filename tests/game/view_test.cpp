@@ -58,6 +58,16 @@ TEST(View, ShowsTheCountsOfEachSolverThatIsThere) {
   EXPECT_FALSE(playing.shows("iterations"));
 }
 
+TEST(View, ShowsANotice) {
+  const Level level = load_level("first_swing");
+  const Simulation simulation(level);
+  RecordingCanvas canvas;
+  ViewOptions options;
+  options.notice = "The recording has ended";
+  View(simulation).draw(canvas, 1.0, options);
+  EXPECT_TRUE(canvas.shows("The recording has ended"));
+}
+
 /// Each point, and each bar between two of them.
 TEST(View, TheDebugViewDrawsThePointsAndBarsOfEitherSolver) {
   const auto more_in_debug = [](const Level& level) {

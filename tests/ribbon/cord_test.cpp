@@ -225,6 +225,29 @@ TEST(Cord, TakesNoHeapMemoryInAStep) {
   EXPECT_GT(report.searches + report.energy_gains, 0) << "the guard takes none either";
 }
 
+TEST(CordSameBits, MovedOntoAnotherItRunsTheSame) {
+  CordDef def;
+  def.points = 21;
+  def.pins = {0};
+  def.bending_stiffness = 0.5;
+  Cord stays(def);
+  Cord leaves(def);
+  CordDef other;
+  other.points = 5;
+  Cord arrives(other);
+  for (int k = 0; k < 10; ++k) {
+    stays.step(1.0 / 60.0, gravity);
+    leaves.step(1.0 / 60.0, gravity);
+  }
+  arrives = std::move(leaves);
+  for (int k = 0; k < 10; ++k) {
+    stays.step(1.0 / 60.0, gravity);
+    arrives.step(1.0 / 60.0, gravity);
+  }
+  EXPECT_TRUE(arrives.def() == stays.def());
+  EXPECT_TRUE(arrives.save() == stays.save());
+}
+
 TEST(CordSameBits, SavedAndRestoredItRunsTheSame) {
   CordDef def;
   def.pins = {0};

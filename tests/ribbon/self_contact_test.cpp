@@ -75,6 +75,29 @@ TEST(CordSelfContact, UndeclaredItIsNone) {
   EXPECT_GT(most, 0);
 }
 
+/// Edges that are nearer each other at rest than a ribbon is thick do not push it apart: it moves as one that may pass
+/// through itself, all around its outline.
+TEST(CordSelfContact, NarrowerThanItIsThickARibbonSwingsAsWithoutIt) {
+  const auto swing = [](bool self_contact) {
+    CordDef def;
+    def.points = 11;
+    def.rows = 3;
+    def.length = 1.0;
+    def.width = 0.04;
+    def.radius = 0.03;
+    def.stretch_stiffness = 1e5;
+    def.bending_stiffness = 1.0;
+    def.self_contact = self_contact;
+    def.pins = {0, 1, 2};
+    Cord cord(def);
+    for (int k = 0; k < 30; ++k) EXPECT_EQ(cord.step(dt, gravity).unconverged, 0);
+    return cord.save().positions;
+  };
+  const std::vector<Vec2> with = swing(true);
+  const std::vector<Vec2> without = swing(false);
+  for (std::size_t p = 0; p < with.size(); ++p) EXPECT_LT(length(with[p] - without[p]), 1e-9) << p;
+}
+
 TEST(CordSelfContact, DroppedIntoAPileItDoesNotCrossItself) {
   CordDef def;
   def.points = 41;

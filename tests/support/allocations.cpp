@@ -7,6 +7,12 @@
 namespace {
 
 std::atomic<long> allocations{0};
+std::atomic<long> releases{0};
+
+void release(void* memory) {
+  if (memory != nullptr) ++releases;
+  std::free(memory);
+}
 
 }  // namespace
 
@@ -18,13 +24,15 @@ void* operator new(std::size_t size) {
   return memory;
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 
 namespace test_support {
 
-AllocationCount::AllocationCount() : start_(allocations) {}
+AllocationCount::AllocationCount() : start_(allocations), held_at_start_(allocations - releases) {}
 
 long AllocationCount::so_far() const { return allocations - start_; }
+
+long AllocationCount::held() const { return allocations - releases - held_at_start_; }
 
 }  // namespace test_support

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include <gtest/gtest.h>
+
+/// The program run by a test, and the files that the two hand each other.
+namespace test_support {
+
+namespace fs = std::filesystem;
+
+/// What a program printed and ended with; the status is −1 if a signal ended it.
+struct Ended {
+  int status;
+  std::string output;  // both streams
+};
+
+/// Runs the game by a shell; what stands before its name, such as variables and limits, is `environment`.
+inline Ended ropeswing(const std::string& arguments, const std::string& environment = "") {
+  const std::string command = environment + " " TEST_ROPESWING " " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Ended ended{-1, ""};
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ended.output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+  return ended;
+}
+
+inline std::string golden() { return TEST_ASSETS "/replays/first_swing.replay"; }
+
+/// A file of this process's own, so that test runs side by side do not meet; gone when it ends.
+inline std::string scratch(const std::string& name) {
+  struct Folder {
+    std::string path = testing::TempDir() + "ropeswing_" + std::to_string(getpid()) + "/";
+    Folder() { fs::create_directories(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  };
+  static const Folder folder;
+  return folder.path + name;
+}
+
+inline std::string bytes_of(const std::string& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+inline void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return "";
+  const std::size_t start = text.rfind('\n', end);
+  return text.substr(start == std::string::npos ? 0 : start + 1,
+                     end - (start == std::string::npos ? 0 : start + 1) + 1);
+}
+
+}  // namespace test_support
