@@ -17,7 +17,7 @@
 namespace bits {
 namespace {
 
-constexpr int together = 6;  // ticks that are held against each other after a restore
+constexpr int together = 4;  // ticks that are held against each other after a restore
 
 struct Velocity {
   b2Vec2 linear;
