@@ -36,9 +36,9 @@ struct Scene {
     ribbon::ThesisDef thesis;
     thesis.pins = {0, 1};
     coupling.add(ribbon::ThesisCord(thesis));
-    holder = &add_circle({1.0F, -0.5F}, 0.1F);
+    holder = &add_circle({1.0F, -0.2F}, 0.1F);
     ball = &add_circle({0.8F, 0.12F}, 0.1F);
-    grip = coupling.grip(*holder, {.cord = 0, .arc = 1.23, .local_hand = {0.2F, 0.5F}});
+    grip = coupling.grip(*holder, {.cord = 0, .arc = 1.23, .local_hand = {0.2F, 0.2F}});
   }
   b2Body& add_circle(b2Vec2 position, float radius) {
     b2BodyDef definition;
