@@ -31,8 +31,10 @@ void add(Hasher& hasher, const ribbon::CordReport& report) {
 }
 
 void add(Hasher& hasher, const ribbon::StepReport& report) {
-  const auto& [fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns] = report;
-  for (const int count : {fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns}) {
+  const auto& [fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns, strained_bars, turned_over,
+               energy_gains] = report;
+  for (const int count : {fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns, strained_bars,
+                          turned_over, energy_gains}) {
     hasher.add(count);
   }
 }
@@ -123,7 +125,7 @@ void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {
 
 void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, ledger, damping_apart, restart] = state;
+               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -150,6 +152,7 @@ void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   }
   hasher.add(static_cast<int>(touch_changed));
   hasher.add(ledger);
+  hasher.add(balance);
   hasher.add(static_cast<int>(damping_apart));
   hasher.add(static_cast<int>(restart));
 }

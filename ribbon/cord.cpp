@@ -229,6 +229,7 @@ Cord::State Cord::save() const {
   state.touches = touches_;
   state.touch_changed = touch_changed_;
   state.ledger = ledger_;
+  state.balance = balance_;
   state.damping_apart = damping_apart_;
   state.restart = restart_;
   return state;
@@ -268,6 +269,7 @@ void Cord::check_state(const State& state) const {
   check_all("state.rest_targets", state.rest_targets, something, anything);
   check_all("state.rest_speeds", state.rest_speeds, 0.0, anything);
   check_range("state.ledger", state.ledger, -anything, anything);
+  check_range("state.balance", state.balance, -anything, anything);
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   for (const Holder& holder : state.holders) {
     check_range("state.holders.point", holder.point, 0, size() - 1);
@@ -301,6 +303,7 @@ void Cord::restore(const State& state) {
   touches_ = state.touches;
   touch_changed_ = state.touch_changed;
   ledger_ = state.ledger;
+  balance_ = state.balance;
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;
   elasticity_->set_rest_lengths(rest_);

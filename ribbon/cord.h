@@ -140,6 +140,7 @@ class Cord {
     std::vector<Touch> touches;
     bool touch_changed = false;  ///< in the last step
     double ledger = 0.0;         ///< J, see CordReport::energy_gains
+    double balance = 0.0;        ///< J, lost since it was made, or gained if negative
     bool damping_apart = false;  ///< the tensions are without damping
     bool restart = true;         ///< the accelerations are not those of this state
     bool operator==(const State&) const = default;
@@ -177,6 +178,7 @@ class Cord {
   std::vector<double> rest_targets_;  // m, where a reel is taking it
   std::vector<double> rest_speeds_;   // m/s, how fast
   double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
+  double balance_ = 0.0;              // J, the same since it was made
   std::vector<Holder> holders_;
   std::vector<Touch> touches_;
   bool touch_changed_ = false;  // in the last step

@@ -28,7 +28,8 @@ inline bool may_be_within(double distance, Vec2 o, Vec2 a, Vec2 b) {
            (oa.y > distance && ob.y > distance) || (oa.y < -distance && ob.y < -distance));
 }
 
-/// A point that lies on the segment is taken to be left of it, one on a segment without length above it.
+/// A point that lies on the segment is taken to be left of it, one on a segment without length above it; along that is
+/// at right angles to the normal.
 inline Gap gap_between(Vec2 o, Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const double size2 = dot(ab, ab);
@@ -42,6 +43,7 @@ inline Gap gap_between(Vec2 o, Vec2 a, Vec2 b) {
   const Vec2 away = o - a - gap.along * ab;
   gap.distance = ribbon::length(away);
   if (gap.distance > 0.0) gap.normal = (1.0 / gap.distance) * away;
+  if (gap.length == 0.0) gap.tangent = -1.0 * perp(gap.normal);
   return gap;
 }
 

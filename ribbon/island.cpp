@@ -45,6 +45,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
 void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   driven_ = winding_ = unlocking_ = restart_ = false;
   ledger_ = 0.0;
+  balance_ = 0.0;
   members_.clear();
   bodies_.clear();
   held_.clear();
@@ -136,6 +137,7 @@ void Island::take_over(const Member& member) {
   std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
   std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
   if (std::isfinite(cord.ledger_)) ledger_ += cord.ledger_;
+  if (std::isfinite(cord.balance_)) balance_ += cord.balance_;
   restart_ = restart_ || cord.restart_;
 }
 
@@ -267,6 +269,7 @@ void Island::finish_member(const Member& member) {
     if (cord.kinds_[p] != PointKind::free) cord.positions_[p] = cord.targets_[p];  // to the last bit
   }
   cord.ledger_ = ledger_ / static_cast<double>(members_.size());
+  cord.balance_ = balance_ / static_cast<double>(members_.size());
   cord.restart_ = restart_;
   for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
     cord.restart_ =

@@ -107,6 +107,8 @@ class Island {
   double pressing_mass(const Member& member) const;
   static int links(const Cord& cord);
   ContactPair pair_with_link(const Member& member, int k) const;
+  static ContactPair pair_with_point(const Member& member, int k);
+  bool is_large(const Member& member, const Box& near, double reach) const;
   void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
   Vec2 place_of(int anchor) const;
   void meet_circle(const Member& member, const RigidCircle& circle);
@@ -125,7 +127,9 @@ class Island {
   void return_to_start();
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
   bool gained_energy(const Energy& before, double tolerated);
+  bool is_free() const;
   void calm(const Energy& before);
+  void slow_down(double excess);
   void add_damping(double sign);
   void unwind();
   void account(const Energy& before);
@@ -196,6 +200,7 @@ class Island {
   std::vector<double> tensions_;
   std::vector<char> constrained_;
   double ledger_ = 0.0;         // J, of the energy guard: lost lately, or gained if negative
+  double balance_ = 0.0;        // J, the same since its cords were made
   bool restart_ = false;        // accelerations_ are not those of this state
   bool touch_changed_ = false;  // in the last substep
 

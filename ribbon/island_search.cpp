@@ -14,7 +14,9 @@ constexpr double own_neighbourhood = 3.0;
 
 constexpr double widening = 8.0;  // of the room of what left it
 constexpr double most_widening = 500.0;
-constexpr double deep_share = 0.01;     // of the reach, deeper than which a contact is not by pressing,
+constexpr double large_circle = 10.0;  // links, that the reach of a circle is which is met by points
+constexpr double deep_share =
+    0.01;  // of the reach, but of no more than ten links, deeper than which a contact is not by pressing,
 constexpr double emerging_share = 0.1;  // and how much of that depth it comes out of in a step
 
 Box box_around(Vec2 a, Vec2 b, double margin) {
@@ -168,6 +170,14 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
   return pair;
 }
 
+/// The point k of the outline, as a segment without length.
+ContactPair Island::pair_with_point(const Member& member, int k) {
+  ContactPair pair;
+  pair.a = static_cast<int>(member.first) + member.cord->outline_[at(k)];
+  pair.b = pair.a;
+  return pair;
+}
+
 /// Adds a pair that the member remembers, of masses that press and surfaces as they are. Who is pressed in already, by
 /// what knows nothing of cords, comes out by and by, and not by the energy that so deep a contact would have: in a step
 /// if he is in a little, in several if he is in deep.
@@ -183,7 +193,8 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
   pair.touch.impulse = 0.0;
   const double distance = gap_between(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
   const double depth = pair.reach - distance;
-  if (depth > deep_share * pair.reach) pair.reach = distance + emerging_share * depth;
+  const double size = std::min(pair.reach, large_circle * member.cord->rest_length(0));
+  if (depth > deep_share * size) pair.reach = distance + emerging_share * depth;
   pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
   contacts_.add(pair);
 }
@@ -201,18 +212,33 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   if (!overlap(box, reach_)) return;
   const Box near = widened(box, member.room);
   const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
+  const bool by_points = is_large(member, near, reach);
+  const int count = by_points ? static_cast<int>(member.cord->outline_.size()) : links(*member.cord);
   int disc = -1;
-  for (int k = 0; k < links(*member.cord); ++k) {
-    ContactPair pair = pair_with_link(member, k);
+  for (int k = 0; k < count; ++k) {
+    ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
     if (!overlap(link_box(pair), near)) continue;
     if (disc < 0) disc = add_spot(circle.body, circle.offset);
     pair.disc = disc;
     pair.reach = reach;
     pair.disc_radius = circle.radius;
     pair.touch.other = circle.id;
-    pair.touch.feature = 2 * k;
+    pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
     add_pair(member, pair, mass, circle.friction, circle.restitution);
   }
+}
+
+/// Whether a circle is so large beside the links that may touch it, that between their ends they are nowhere nearer to
+/// it by more than an eightieth of their length, L²/8R. On it a cord that is straight by that little has one minimum of
+/// the distance, and a little bent one a link: as one becomes the other, the energy of what presses would jump.
+bool Island::is_large(const Member& member, const Box& near, double reach) const {
+  for (int k = 0; k < links(*member.cord); ++k) {
+    const ContactPair link = pair_with_link(member, k);
+    const Vec2 along = positions_[at(link.b)] - positions_[at(link.a)];
+    if (dot(along, along) > reach * reach / (large_circle * large_circle) && overlap(link_box(link), near))
+      return false;
+  }
+  return true;
 }
 
 /// The cord's points against the inside of an edge; its ends are circles.

@@ -8,12 +8,14 @@ namespace ribbon {
 namespace {
 
 constexpr int sharper_tries = 3;  // of a substep of implicit Euler that gained energy
-constexpr int most_work = 2000;   // Newton steps in the halves of a substep
-constexpr int most_halves = 6;    // times a substep of implicit Euler is halved
+constexpr int most_work = 4000;   // Newton steps in the halves of a substep
+constexpr int most_halves = 10;   // times a substep of implicit Euler is halved
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
 constexpr double tolerated_gain = 5e-4;
+constexpr double kept_gain = 5e-7;   // more than it ever had, that is left to it,
+constexpr double slow_gain = 1e-8;   // and may still grow by in a substep, as its order lets a smooth motion do
 constexpr double gross_gain = 1e-2;  // what a substep of implicit Euler may: there is nothing more damped to turn to
 constexpr double returnable_share = 2e-3;
 constexpr double ledger_decay = 0.9;
@@ -143,15 +145,7 @@ bool Island::gained_energy(const Energy& before, double tolerated) {
 /// linear one: both are given back, to everything as one.
 void Island::keep_momentum(double dt) {
   if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
-  for (std::size_t p = 0; p < count_; ++p) {
-    if (constrained_[p] != 0) return;
-  }
-  for (const Member& member : members_) {
-    if (!member.cord->loads_.empty() || member.cord->def_.drag > 0.0) return;
-  }
-  for (const Body& body : bodies_) {
-    if (!(body.acceleration == gravity_)) return;
-  }
+  if (!is_free()) return;
   double inertia = 0.0;
   const double turning = (spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia)) / inertia;
   const Vec2 middle = mean(positions_);
@@ -163,6 +157,18 @@ void Island::keep_momentum(double dt) {
       velocities_[p] += way + turning * perp(positions_[p] - middle);
     }
   }
+}
+
+/// Whether nothing but gravity acts on any of it from outside.
+bool Island::is_free() const {
+  const auto is_zero = [](char constrained) { return constrained == 0; };
+  const auto falls = [this](const Body& body) { return body.acceleration == gravity_; };
+  const auto is_left_alone = [](const Member& member) {
+    return member.cord->loads_.empty() && member.cord->def_.drag == 0.0;
+  };
+  return std::all_of(constrained_.begin(), constrained_.begin() + static_cast<std::ptrdiff_t>(count_), is_zero) &&
+         std::all_of(members_.begin(), members_.end(), is_left_alone) &&
+         std::all_of(bodies_.begin(), bodies_.end(), falls);
 }
 
 /// kg·m²/s, about the common centre of mass; sets the moment of inertia, kg·m².
@@ -198,13 +204,33 @@ Vec2 Island::mean(std::span<const Vec2> x) const {
 
 /// The last resort where nothing was solved: what energy has come from nowhere is taken out of the velocities.
 void Island::calm(const Energy& before) {
-  if (!gained_energy(before, tolerated_gain)) return;
-  const double excess = energy_after_.total() - before.total();
-  const double kinetic = energy_after_.kinetic;
+  if (gained_energy(before, tolerated_gain)) slow_down(energy_after_.total() - before.total());
+}
+
+/// Takes so much energy [J] out of the velocities, or as much as there is: of what is free not out of its motion as
+/// one.
+void Island::slow_down(double excess) {
+  double turning = 0.0;
+  Vec2 way;
+  const Vec2 middle = mean(positions_);
+  if (is_free()) {
+    double inertia = 0.0;
+    turning = spin(positions_, velocities_, inertia);
+    turning = inertia > 0.0 ? turning / inertia : 0.0;
+    way = mean(velocities_);
+  }
+  const auto as_one = [&](std::size_t p) {
+    return is_angle(p) ? Vec2{turning, 0.0} : way + turning * perp(positions_[p] - middle);
+  };
+  double kinetic = 0.0;
+  for (std::size_t p = 0; p < velocities_.size(); ++p) {
+    const Vec2 own = velocities_[p] - as_one(p);
+    if (constrained_[p] == 0) kinetic += 0.5 * masses_[p] * dot(own, own);
+  }
   const double share = kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0.0;
   add_damping(-1.0);
   for (std::size_t p = 0; p < velocities_.size(); ++p) {
-    if (constrained_[p] == 0) velocities_[p] = share * velocities_[p];
+    if (constrained_[p] == 0) velocities_[p] = as_one(p) + share * (velocities_[p] - as_one(p));
   }
   add_damping(1.0);
 }
@@ -224,6 +250,12 @@ void Island::account(const Energy& before) {
   const double lost = before.total() - energy_after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + work_of_hands(guarded_dt_)) : lost;
   ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable_share * scale);
+  if (contacts_.were_hit() && unexplained < 0.0) return;  // what comes out of something deep may gain
+  balance_ += unexplained;
+  const double excess = -balance_ - kept_gain * scale;
+  if (excess <= 0.0 || unexplained > -slow_gain * scale) return;
+  slow_down(excess);
+  balance_ += excess;
 }
 
 Cord::Energy Island::total_energy() {

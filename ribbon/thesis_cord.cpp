@@ -28,6 +28,9 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   self_contacts += other.self_contacts;
   circle_contacts += other.circle_contacts;
   tangled_columns += other.tangled_columns;
+  strained_bars += other.strained_bars;
+  turned_over += other.turned_over;
+  energy_gains += other.energy_gains;
   return *this;
 }
 

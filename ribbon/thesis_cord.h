@@ -13,13 +13,17 @@
 
 namespace ribbon {
 
-/// What happened in one step, summed over its substeps.
+/// What happened in one step, summed over its substeps; the last three, at its end.
 struct StepReport {
   int fem_skipped = 0;      ///< substeps whose matrix was not positive definite: springs alone carried on
   int motion_limited = 0;   ///< points held back to the most a point may move in a substep
   int self_contacts = 0;    ///< overlaps of the cord with itself that were resolved
   int circle_contacts = 0;  ///< overlaps with rigid circles that were resolved
   int tangled_columns = 0;  ///< columns whose self-contact rested because the cord crossed itself there
+  int strained_bars = 0;    ///< bars more than a tenth off their rest length, of a stiff cord a sign that it is not solved
+  int turned_over = 0;      ///< triangles that are inside out
+  int energy_gains = 0;     ///< 1 if energy has come from nowhere, above a thousandth of what there is and of M·g·L; not
+                            ///< looked for while a point, a hand or a body that nothing pushes is moving
 
   bool operator==(const StepReport&) const = default;
   StepReport& operator+=(const StepReport& other);
@@ -98,6 +102,16 @@ class ThesisCord {
   void limit_motion(double dt);
   void finish_substep(double dt, const Surroundings& surroundings);
   void report_motions(const Surroundings& surroundings) const;
+  // thesis_report.cpp:
+  struct Energy {
+    double moving = 0.0;     // J, kinetic and elastic
+    double potential = 0.0;  // J
+    double total() const { return moving + potential; }
+  };
+  Energy energy(Vec2 gravity, const Surroundings& surroundings) const;
+  bool is_driven(const Surroundings& surroundings) const;
+  void report_gain(const Energy& before, Vec2 gravity, const Surroundings& surroundings);
+  void report_shape();
 
   /// A body's motion within the step; its owner's copy stays as it was but for the impulse.
   struct BodyMotion {

@@ -22,6 +22,7 @@ constexpr double drag_speeds_to_follow = 2.0;   // a free point may outrun the f
 StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
   begin_step(surroundings);
+  const Energy before = energy(gravity, surroundings);
   const double substep_dt = dt / def_.substeps;
   driven_speed_ = 0.0;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -31,6 +32,8 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
     substep(iteration, substep_dt, gravity, surroundings);
   }
   report_motions(surroundings);
+  report_gain(before, gravity, surroundings);
+  report_shape();
   return report_;
 }
 

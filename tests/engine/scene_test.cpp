@@ -321,6 +321,7 @@ TEST(SceneHash, SeesEachPartOfADirectCordsState) {
       {"touches", [](State& s) { s.touches.clear(); }},
       {"touch_changed", [](State& s) { s.touch_changed = !s.touch_changed; }},
       {"ledger", [](State& s) { s.ledger += 1e-9; }},
+      {"balance", [](State& s) { s.balance += 1e-9; }},
       {"damping_apart", [](State& s) { s.damping_apart = !s.damping_apart; }},
       {"restart", [](State& s) { s.restart = !s.restart; }},
   };

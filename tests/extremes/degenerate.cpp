@@ -34,7 +34,7 @@ ribbon::CordDef cord_of(int rows) {
 }
 
 /// Two neighbours, along or across, at the very same place.
-double strain_after_coincidence(Method method, int rows, bool across, Counts& counts) {
+void coincide(Method method, int rows, bool across, const std::string& setting, Worst& strain) {
   ribbon::CordDef def = cord_of(rows);
   const std::size_t a = 5 * static_cast<std::size_t>(rows);
   def.positions[a + static_cast<std::size_t>(across ? 1 : rows)] = def.positions[a];
@@ -45,8 +45,8 @@ double strain_after_coincidence(Method method, int rows, bool across, Counts& co
     }
     cord.step(dt, {});
   }
-  counts += cord.counts();
-  return cord.is_finite() ? cord.worst_strain() : infinity;
+  strain.take(cord.is_finite() ? cord.worst_strain() : infinity, setting, cord.shape());
+  strain.add(cord.counts());
 }
 
 /// 0 if it is refused by name, with the value and what is accepted.
@@ -70,14 +70,14 @@ std::vector<Row> run_degenerate(const Scope& scope) {
       if (method == Method::thesis && across == 1) continue;
       for (const bool is_across : {false, true}) {
         if (is_across && across == 1) continue;
-        Counts counts;
-        const double value = strain_after_coincidence(method, across, is_across, counts);
-        strain.take(value, std::to_string(across) + " rows, neighbours " + (is_across ? "across" : "along"));
-        strain.add(counts);
+        const std::string setting = std::to_string(across) + " rows, neighbours " + (is_across ? "across" : "along");
+        if (scope.wants(setting)) coincide(method, across, is_across, setting, strain);
       }
     }
     Worst refused("a link without length", "cases not refused by name", method, 0.0);
-    const auto take = [&](const auto& make, const std::string& field) { refused.take(refusal(make, field), field); };
+    const auto take = [&](const auto& make, const std::string& field) {
+      if (scope.wants(field)) refused.take(refusal(make, field), field, "accepted");
+    };
     if (method == Method::thesis) {
       take(
           [] {

@@ -12,14 +12,15 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Where numerical stability is lost: every stepper at its limits, and the worst of each figure. `ok` is within "
       "its "
-      "bar; `FAIL` is not and has to be; `lost` is not, and known: of the thesis's method, or as ribbon's README "
-      "says."};
+      "bar; `FAIL` is not and has to be; `lost` is not, and known: of the thesis's method."};
   bool full = false;
   std::string only;
+  std::string part;
   std::vector<std::string> names;
   for (const extremes::Group& group : extremes::groups()) names.emplace_back(group.name);
   app.add_flag("--full", full, "All of each grid and a million ticks, not a part of it: hours");
   app.add_option("--only", only, "One group")->check(CLI::IsMember(names));
+  app.add_option("--case", part, "Only cases that have this in what stands under `worst at`");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
     const std::string name(group.name);
     extremes::Scope scope;
     scope.full = full;
+    scope.part = part;
     if (full) scope.progress = [&name](double share) { study::show_progress(name.c_str(), share); };
     const std::vector<extremes::Row> rows = group.run(scope);
     std::printf("%s: %s\n\n", name.c_str(), std::string(group.description).c_str());

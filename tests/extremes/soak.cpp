@@ -126,15 +126,16 @@ std::vector<Row> run_soak(const Scope& scope) {
     Worst subnormals(what, "ticks with subnormals", method, 0.0);
     for (const int across : {1, 3}) {
       if (method == Method::thesis && across == 1) continue;
+      const std::string setting = across == 1 ? "rope" : "ribbon of 3 rows";
+      if (!scope.wants(setting)) continue;
       Counts counts;
       const Figures figures = soak(method, across, ticks, counts, scope);
-      const std::string setting = across == 1 ? "rope" : "ribbon of 3 rows";
-      energy.take(figures.energy, setting);
-      energy.add(counts);
-      allocations.take(figures.allocations, setting);
-      cost.take(figures.cost, setting);
-      peak.take(figures.peak, setting);
-      subnormals.take(figures.subnormals, setting);
+      energy.take(figures.energy, setting, "gains energy");
+      allocations.take(figures.allocations, setting, "takes memory");
+      cost.take(figures.cost, setting, "slows down");
+      peak.take(figures.peak, setting, "slow");
+      subnormals.take(figures.subnormals, setting, "slow");
+      for (Worst* figure : {&energy, &allocations, &cost, &peak, &subnormals}) figure->add(counts);
     }
     rows.insert(rows.end(), {energy.row(), allocations.row(), cost.row(), peak.row(), subnormals.row()});
   }

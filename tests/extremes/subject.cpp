@@ -190,20 +190,39 @@ double Subject::length() const {
   return ribbon::length((1.0 / rows_) * sum);
 }
 
-double Subject::worst_strain(bool may_be_slack) const {
-  if (thesis_) return test_support::worst_stretch(*thesis_);
-  double worst = 0.0;
+/// Of links, or sides and diagonals of cells, over their lengths at rest.
+Subject::Lengths Subject::lengths() const {
+  Lengths lengths;
+  const auto x = positions();
+  const auto take = [&](int a, int b, double rest) {
+    const double ratio = ribbon::length(x[slot(b)] - x[slot(a)]) / rest;
+    if (!(ratio >= lengths.shortest)) lengths.shortest = ratio;
+    if (!(ratio <= lengths.longest)) lengths.longest = ratio;
+  };
+  if (thesis_) {
+    for (const auto& bar : thesis_->mesh().connections) take(bar.a, bar.b, bar.rest_length);
+    return lengths;
+  }
   for (int i = 0; i < columns_; ++i) {
     for (int j = 0; j < rows_; ++j) {
       for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
         if (i + di >= columns_ || j + dj >= rows_) continue;
-        const Vec2 side = positions()[slot(index(i + di, j + dj))] - positions()[slot(index(i, j))];
-        const double strain = ribbon::length(side) / ribbon::length({di * cell_.x, dj * cell_.y}) - 1.0;
-        worst = std::max(worst, may_be_slack ? strain : std::abs(strain));
+        take(index(i, j), index(i + di, j + dj), ribbon::length({di * cell_.x, dj * cell_.y}));
       }
     }
   }
-  return worst;
+  return lengths;
+}
+
+double Subject::worst_strain(bool may_be_slack) const {
+  const Lengths ratio = lengths();
+  return may_be_slack ? ratio.longest - 1.0 : std::max(ratio.longest - 1.0, 1.0 - ratio.shortest);
+}
+
+std::string_view Subject::shape() const {
+  if (inverted() > 0) return "inside out";
+  const Lengths ratio = lengths();
+  return 1.0 - ratio.shortest > ratio.longest - 1.0 ? "collapsed" : "stretched";
 }
 
 int Subject::inverted() const {

@@ -59,6 +59,9 @@ class Subject {
   /// How far a link, or a side or diagonal of a cell, is off its rest length, relative; if it `may_be_slack`, longer
   /// only.
   double worst_strain(bool may_be_slack = false) const;
+  /// What its shape has become, if it is not as it was made: "inside out", "collapsed" or "stretched", whichever is
+  /// worst.
+  std::string_view shape() const;
   int inverted() const;  ///< corners of cells, or triangles, that are turned inside out
   const Counts& counts() const { return counts_; }
   /// Of the direct solver only.
@@ -69,6 +72,11 @@ class Subject {
     ribbon::RigidBody body;
     int point;
   };
+  struct Lengths {
+    double shortest = 1.0;
+    double longest = 1.0;
+  };
+  Lengths lengths() const;
   void step_thesis(double dt, ribbon::Vec2 gravity, const ribbon::Surroundings& surroundings);
 
   Method method_;

@@ -68,7 +68,7 @@ void swing(Method method, const Case& c, int ticks, Worst& gain) {
     cord.step(c.dt, gravity);
     most = cord.is_finite() ? std::max(most, (cord.energy(gravity) - start) / scale) : infinity;
   }
-  gain.take(most, text(c));
+  gain.take(most, text(c), "gains energy");
   gain.add(cord.counts());
 }
 
@@ -81,11 +81,10 @@ double stretch_error(const Subject& cord, const Case& c) {
 }
 
 /// Brings it to rest: it is stopped whenever it becomes slower (kinetic relaxation). The direct solver's takes steps of
-/// a second by implicit Euler for it.
+/// a second for it.
 void come_to_rest(Subject& cord, const Case& c) {
   const bool is_thesis = cord.method() == Method::thesis;
   const double dt = is_thesis ? c.dt : 1.0;
-  if (!is_thesis) cord.direct().set_accuracy(ribbon::Accuracy::fast());
   const double calm = 1e-5 * cord_length * std::max(exact_stretch(c), 1e-6);  // m/s
   double before = 0.0;
   for (int k = 0, calm_steps = 0; k < (is_thesis ? 300 : 1000) && calm_steps < 3; ++k) {
@@ -96,62 +95,72 @@ void come_to_rest(Subject& cord, const Case& c) {
     before = speed < before ? 0.0 : speed;
   }
   cord.stop();
-  if (!is_thesis) cord.direct().set_accuracy(accuracy_of(cord.method()));
 }
 
 constexpr std::array<double, 4> steps = {1e-5, 1e-3, 1.0 / 60.0, 1.0};  // s
 
-/// It hangs still in steps of any length.
-void hang(Method method, Case c, Worst& off) {
-  const auto still = [&](Subject& cord) {
-    double error = 0.0;
-    for (int k = 0; k < 5; ++k) {
-      cord.step(c.dt, gravity);
-      error = std::max(error, stretch_error(cord, c));
-    }
-    off.take(error, text(c));
-  };
-  if (method == Method::thesis) {  // shorter steps would need hours
-    for (const double dt : {steps[2], steps[3]}) {
-      c.dt = dt;
-      Subject cord(method, cord_of(method, c, {0.0, -1.0}), dt);
-      cord.attach_load(c.load);
-      come_to_rest(cord, c);
-      still(cord);
-      off.add(cord.counts());
-    }
-    return;
+/// It hangs still in steps of this length.
+void hang(Subject& cord, const Case& c, Worst& off) {
+  double error = 0.0;
+  for (int k = 0; k < 5; ++k) {
+    cord.step(c.dt, gravity);
+    error = std::max(error, stretch_error(cord, c));
   }
-  Subject cord(method, cord_of(method, c, {0.0, -1.0}), c.dt);
-  cord.attach_load(c.load);
-  come_to_rest(cord, c);
-  const ribbon::Cord::State rest = cord.direct().save();
-  for (const double dt : steps) {
-    c.dt = dt;
-    cord.direct().restore(rest);
-    still(cord);
-  }
+  off.take(error, text(c), cord.length() > cord_length * (1.0 + exact_stretch(c)) ? "stretched" : "collapsed");
   off.add(cord.counts());
 }
 
-/// All but the step. The thesis's cords have two rows at least, and as long ones take it hours.
-std::vector<Case> cases(bool full, Method method) {
-  const bool thesis = method == Method::thesis;
-  const std::vector<int> lengths = full && !thesis ? std::vector{2, 50, 1000, 5000} : std::vector{2, 50};
-  const std::vector<double> loads = full     ? std::vector{0.0, 1.0, 1e3, 1e6}
-                                    : thesis ? std::vector{0.0, 1e3}
-                                             : std::vector{0.0, 1e3, 1e6};
-  const std::vector<double> stiffnesses = full     ? std::vector{1e-3, 1.0, 1e3, 1e6, 1e9, 1e12, infinity}
-                                          : thesis ? std::vector{1e-3, 1e3}
-                                                   : std::vector{1e-3, 1e3, 1e6, 1e12, infinity};
+/// The presets rest alike: by the same steps of a second.
+void hang_direct(Case c, const Scope& scope, std::array<Worst, 4>& off) {
+  Subject resting(Method::fast, cord_of(Method::fast, c, {0.0, -1.0}), 1.0);
+  resting.attach_load(c.load);
+  come_to_rest(resting, c);
+  const ribbon::Cord::State rest = resting.direct().save();
+  for (const Method method : {Method::fast, Method::balanced, Method::accurate}) {
+    for (const double dt : steps) {
+      c.dt = dt;
+      if (!scope.wants(text(c))) continue;
+      Subject cord(method, cord_of(method, c, {0.0, -1.0}), dt);
+      cord.direct().restore(rest);
+      hang(cord, c, off[static_cast<std::size_t>(method)]);
+    }
+  }
+}
+
+/// Shorter steps would need hours.
+void hang_thesis(Case c, const Scope& scope, Worst& off) {
+  for (const double dt : {steps[2], steps[3]}) {
+    c.dt = dt;
+    if (!scope.wants(text(c))) continue;
+    Subject cord(Method::thesis, cord_of(Method::thesis, c, {0.0, -1.0}), dt);
+    cord.attach_load(c.load);
+    come_to_rest(cord, c);
+    hang(cord, c, off);
+  }
+}
+
+/// Whether the thesis's method has such a case: two rows at least, and not so many points, which take it hours.
+bool has_thesis(const Case& c, bool full) {
+  return c.rows > 1 && c.points <= 50 && (full || (c.load != 1e6 && (c.stiffness == 1e-3 || c.stiffness == 1e3)));
+}
+
+/// Whether it is one of the part that takes seconds.
+bool is_short(const Case& c) {
+  if (c.load == 1.0 || c.stiffness == 1.0 || c.stiffness == 1e9) return false;
+  if (c.points <= 50) return true;
+  return c.rows == 1 && c.load != 1e3 && (c.stiffness == 1e3 || c.stiffness == infinity);
+}
+
+/// All but the step.
+std::vector<Case> cases(bool full) {
   std::vector<Case> all;
-  for (const int points : lengths) {
+  for (const int points : {2, 50, 1000, 5000}) {
     for (const int rows : {1, 2, 5}) {
-      if (rows < 2 && thesis) continue;
-      for (const double load : loads) {
-        for (const double stiffness : stiffnesses) {
+      for (const double load : {0.0, 1.0, 1e3, 1e6}) {
+        for (const double stiffness : {1e-3, 1.0, 1e3, 1e6, 1e9, 1e12, infinity}) {
           const bool accepted = stiffness == infinity ? rows == 1 : stiffness * (1.0 + load) * g <= 1e18;
-          if (accepted) all.push_back({points, rows, load, stiffness, 0.0});
+          const Case c{points, rows, load, stiffness, 0.0};
+          if (accepted && (full || is_short(c))) all.push_back(c);
         }
       }
     }
@@ -162,23 +171,33 @@ std::vector<Case> cases(bool full, Method method) {
 }  // namespace
 
 std::vector<Row> run_sweep(const Scope& scope) {
-  std::vector<Row> rows;
-  double methods_done = 0.0;
-  for (const Method method : all_methods) {
-    const std::vector<Case> all = cases(scope.full, method);
-    Worst gain("let go from the horizontal", "energy gained / MgL", method, 1e-6);
-    Worst off("hanging at rest", "error of the stretch", method, 0.01);
-    double done = 0.0;
-    for (Case c : all) {
-      for (const double dt : steps) {
-        c.dt = dt;
-        swing(method, c, scope.full ? 60 : 20, gain);
+  const auto of_all_methods = [](const char* what, const char* figure, double bar) {
+    return std::array{Worst(what, figure, Method::fast, bar), Worst(what, figure, Method::balanced, bar),
+                      Worst(what, figure, Method::accurate, bar), Worst(what, figure, Method::thesis, bar)};
+  };
+  std::array<Worst, 4> gain = of_all_methods("let go from the horizontal", "energy gained / MgL", 1e-6);
+  std::array<Worst, 4> off = of_all_methods("hanging at rest", "error of the stretch", 0.01);
+  const std::vector<Case> all = cases(scope.full);
+  double done = 0.0;
+  for (Case c : all) {
+    bool wanted = false;
+    for (const double dt : steps) {
+      c.dt = dt;
+      if (!scope.wants(text(c))) continue;
+      wanted = true;
+      for (const Method method : all_methods) {
+        if (method == Method::thesis && !has_thesis(c, scope.full)) continue;
+        swing(method, c, scope.full ? 60 : 20, gain[static_cast<std::size_t>(method)]);
       }
-      hang(method, c, off);
-      scope.progress((methods_done + ++done / static_cast<double>(all.size())) / all_methods.size());
     }
-    ++methods_done;
-    rows.insert(rows.end(), {gain.row(), off.row()});
+    if (wanted) hang_direct(c, scope, off);
+    if (wanted && has_thesis(c, scope.full)) hang_thesis(c, scope, off[static_cast<std::size_t>(Method::thesis)]);
+    scope.progress(++done / static_cast<double>(all.size()));
+  }
+  std::vector<Row> rows;
+  for (const Method method : all_methods) {
+    const auto k = static_cast<std::size_t>(method);
+    rows.insert(rows.end(), {gain[k].row(), off[k].row()});
   }
   return rows;
 }

@@ -13,11 +13,19 @@ Worst::Worst(std::string what, std::string figure, Method method, double bar) {
   row_.bar = bar;
 }
 
-void Worst::take(double value, std::string_view setting) {
+void Worst::take(double value, std::string_view setting, std::string_view how) {
   ++row_.cases;
   if (row_.cases > 1 && (value <= row_.worst || std::isnan(row_.worst))) return;
   row_.worst = value;
   row_.setting = setting;
+  row_.how = std::isfinite(value) ? how : "diverged";
+}
+
+bool Row::is_reported() const {
+  const ribbon::CordReport& direct = counts.direct;
+  const ribbon::StepReport& thesis = counts.thesis;
+  return direct.unconverged > 0 || thesis.fem_skipped > 0 || thesis.motion_limited > 0 || thesis.tangled_columns > 0 ||
+         thesis.strained_bars > 0 || thesis.turned_over > 0 || thesis.energy_gains > 0;
 }
 
 const std::vector<Group>& groups() {
@@ -33,21 +41,25 @@ const std::vector<Group>& groups() {
   return all;
 }
 
+std::string verdict(const Row& row) {
+  if (row.passed()) return "ok";
+  return (row.held() ? "FAIL: " : "lost: ") + (row.how.empty() ? "not converged" : row.how);
+}
+
 void print_rows(const std::vector<Row>& rows) {
-  std::printf("%-34s %-8s %6s  %-26s %10s %8s  %-4s %8s %5s %5s %5s %5s %6s  %s\n", "what", "method", "cases", "figure",
-              "worst", "bar", "", "newton", "srch", "fall", "gain", "halv", "unconv", "worst at");
+  std::printf("%-34s %-8s %6s  %-26s %10s %8s  %-18s %8s %5s %5s %5s %5s %6s  %s\n", "what", "method", "cases",
+              "figure", "worst", "bar", "", "newton", "srch", "fall", "gain", "halv", "unconv", "worst at");
   for (const Row& row : rows) {
-    std::printf("%-34s %-8.*s %6d  %-26s %10.3g %8.2g  %-4s ", row.what.c_str(),
+    if (row.cases == 0) continue;
+    std::printf("%-34s %-8.*s %6d  %-26s %10.3g %8.2g  %-18s ", row.what.c_str(),
                 static_cast<int>(name(row.method).size()), name(row.method).data(), row.cases, row.figure.c_str(),
-                row.worst, row.bar,
-                row.passed() ? "ok"
-                : row.held() ? "FAIL"
-                             : "lost");
+                row.worst, row.bar, verdict(row).c_str());
     const ribbon::CordReport& direct = row.counts.direct;
     const ribbon::StepReport& thesis = row.counts.thesis;
     if (row.method == Method::thesis) {
-      std::printf("fem skipped %d, held back %d, tangled %d", thesis.fem_skipped, thesis.motion_limited,
-                  thesis.tangled_columns);
+      std::printf("held back %d, strained %d, turned over %d, tangled %d, gains %d, FEM skipped %d",
+                  thesis.motion_limited, thesis.strained_bars, thesis.turned_over, thesis.tangled_columns,
+                  thesis.energy_gains, thesis.fem_skipped);
     } else {
       std::printf("%8d %5d %5d %5d %5d %6d", direct.iterations, direct.searches, direct.fallbacks, direct.energy_gains,
                   direct.halvings, direct.unconverged);

@@ -16,26 +16,26 @@ struct Row {
   Method method = Method::balanced;
   int cases = 0;  ///< that the figure was looked at
   double worst = 0.0;
-  std::string setting;         ///< of the worst case
-  double bar = 0.0;            ///< the figure may not be above
-  int unconverged_bar = 0;     ///< substeps that may stay unconverged
-  bool known_to_fail = false;  ///< and not held: of the thesis's, and what README says that the direct solver cannot do
+  std::string setting;  ///< of the worst case
+  std::string how;      ///< it is lost there, if it is
+  double bar = 0.0;     ///< the figure may not be above
   Counts counts;
 
-  /// Not if the figure is no number.
-  bool passed() const { return worst <= bar && counts.direct.unconverged <= unconverged_bar; }
+  /// Not if the figure is no number, or a substep stayed unconverged.
+  bool passed() const { return worst <= bar && counts.direct.unconverged == 0; }
   /// Whether it may not fail.
-  bool held() const { return !known_to_fail && method != Method::thesis; }
+  bool held() const { return method != Method::thesis; }
+  /// Whether a step has reported that it is not to be trusted.
+  bool is_reported() const;
 };
 
 /// Finds the worst of a figure.
 class Worst {
  public:
   Worst(std::string what, std::string figure, Method method, double bar);
-  void take(double value, std::string_view setting);
+  /// `how` says what has happened if the value is above the bar; of an infinite one it is taken to be "diverged".
+  void take(double value, std::string_view setting, std::string_view how = {});
   void add(const Counts& counts) { row_.counts += counts; }
-  void allow_unconverged(int substeps) { row_.unconverged_bar = substeps; }
-  void let_fail() { row_.known_to_fail = true; }
   const Row& row() const { return row_; }
 
  private:
@@ -45,7 +45,10 @@ class Worst {
 /// How much is run: a part of each grid in a few seconds, or all of it; `progress` is told the share that is done.
 struct Scope {
   bool full = false;
+  std::string part;  ///< only cases whose setting has this in it
   std::function<void(double)> progress = [](double) {};
+
+  bool wants(std::string_view setting) const { return setting.find(part) != std::string_view::npos; }
 };
 
 struct Group {
@@ -63,7 +66,10 @@ std::vector<Row> run_degenerate(const Scope& scope);
 std::vector<Row> run_places(const Scope& scope);
 std::vector<Row> run_soak(const Scope& scope);
 
-/// In columns of equal width.
+/// "ok", or what is lost: "FAIL: …" if it has to hold, "lost: …" of the thesis's method.
+std::string verdict(const Row& row);
+
+/// In columns of equal width; no row without a case.
 void print_rows(const std::vector<Row>& rows);
 
 }  // namespace extremes

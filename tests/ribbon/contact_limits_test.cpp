@@ -244,5 +244,61 @@ TEST(CordContactLimits, ABallBornWithItsCentreOnACordComesOut) {
   }
 }
 
+/// A straight cord in a circle beside which its links are short is in it at all points; with one contact a minimum of
+/// the distance it was held in the middle, then in two places, then in more, and thrown.
+TEST(CordContactLimits, ACordBornDeepInALargeCircleComesOutWhole) {
+  for (const double radius : {0.5, 5.0, 50.0}) {  // 10 links and more
+    for (const double depth : {1e-3, 0.05}) {
+      CordDef def;
+      def.points = 21;
+      def.length = 1.0;
+      def.mass_per_length = 0.5;
+      def.stretch_stiffness = 1e4;
+      ContactWorld world(def);
+      world.gravity = {};
+      world.add_peg({0.5, radius + def.radius - depth}, radius, 0.0);
+      double fastest = 0.0;
+      for (int k = 0; k < 120; ++k) {
+        world.step();
+        fastest = std::max(fastest, world.fastest());
+      }
+      EXPECT_EQ(world.total.unconverged, 0) << radius << ", " << depth;
+      EXPECT_LT(world.depth(), 1e-3) << radius << ", " << depth;
+      EXPECT_LT(fastest, 0.2 + 60.0 * 0.25 * depth) << radius << ", " << depth;  // a quarter of the depth a step
+    }
+  }
+}
+
+/// Hung over half of a drum of forty links' radius, it holds what is e^(μπ) times as heavy as the other end.
+TEST(CordContactLimits, ALargeDrumHoldsByFrictionAsASmallOne) {
+  const auto slid = [](double ratio) {
+    CordDef def;
+    def.points = 201;
+    def.length = 10.0;
+    def.mass_per_length = 0.01;
+    def.radius = 0.01;
+    def.friction = 0.3;
+    constexpr double reach = 2.0;
+    for (int i = 0; i < 201; ++i) {
+      const double s = 0.05 * (i - 100);
+      const double turned = std::clamp(s / reach, -0.5 * pi, 0.5 * pi);
+      const double hanging = std::abs(s) - 0.5 * pi * reach;
+      const double side = turned < 0.0 ? -reach : reach;
+      def.positions.push_back(hanging > 0.0 ? Vec2{side, -hanging}
+                                            : Vec2{reach * std::sin(turned), reach * std::cos(turned)});
+    }
+    ContactWorld world(def);
+    world.add_peg({}, reach - def.radius, 0.3);
+    world.cord.attach_mass(0, 1.0);
+    world.cord.attach_mass(200, ratio);
+    const double before = world.cord.positions()[200].y;
+    for (int k = 0; k < 60; ++k) world.step();
+    return before - world.cord.positions()[200].y;
+  };
+  const double holds = std::exp(0.3 * pi);  // Euler–Eytelwein
+  EXPECT_LT(slid(0.95 * holds), 0.01);
+  EXPECT_GT(slid(1.1 * holds), 0.05);
+}
+
 }  // namespace
 }  // namespace ribbon

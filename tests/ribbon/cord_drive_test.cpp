@@ -497,6 +497,7 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
   refused([](Cord::State& s) { s.kinds[1] = static_cast<PointKind>(77); });
   refused([](Cord::State& s) { s.tensions[0] = nan; });
   refused([](Cord::State& s) { s.ledger = nan; });
+  refused([](Cord::State& s) { s.balance = nan; });
   refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0, 0, {}, 0.0}); });
   refused([](Cord::State& s) { s.holders.push_back({0, {}, nan, {}, 0.0, 0, {}, 0.0}); });
   refused([](Cord::State& s) { s.holders.push_back({0, {}, 0.0, {}, 0.0, 0, {nan, 0.0}, 0.0}); });
@@ -557,7 +558,7 @@ TEST(CordSameBits, OnEveryCompiler) {
     CordDef def;
     std::uint64_t bits;
   };
-  for (const auto& [def, bits] : {Golden{rope, 11759835462446360271U}, Golden{bending, 3579113854357751420U},
+  for (const auto& [def, bits] : {Golden{rope, 1797113379212260073U}, Golden{bending, 3579113854357751420U},
                                   Golden{ribbon, 12193571052792361413U}}) {
     Cord cord(def);
     cord.attach_mass(cord.size() - 1, 5.0);

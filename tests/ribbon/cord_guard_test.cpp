@@ -298,6 +298,28 @@ TEST(CordGuard, WatchesRopesThatHandsMove) {
   }
 }
 
+/// A cord of many short links gains a little of M·g·L where its first ones fall through a whole turn in a step: that is
+/// taken out again, and not more.
+TEST(CordGuard, KeepsNoEnergyThatItNeverHad) {
+  for (const int points : {1001, 5001}) {
+    CordDef def;
+    def.points = points;
+    def.length = 10.0;
+    def.mass_per_length = 0.1;
+    def.pins = {0};
+    Cord cord(def);
+    const double scale = 9.81 * def.length;
+    const double start = cord.energy(gravity).total();
+    double gain = -infinity;
+    for (int k = 0; k < 20; ++k) {
+      EXPECT_EQ(cord.step(1.0 / 60.0, gravity).unconverged, 0);
+      gain = std::max(gain, cord.energy(gravity).total() - start);
+    }
+    EXPECT_LT(gain, 1e-6 * scale) << points;
+    EXPECT_GT(gain, 1e-7 * scale) << points;
+  }
+}
+
 TEST(CordGuard, CountsWhatItMends) {
   CordReport report;
   for (unsigned seed = 0; seed < 5; ++seed) {
@@ -339,15 +361,15 @@ TEST(CordGuard, ImplicitEulerGainsNoEnergyEither) {
 TEST(CordGuard, TriesNoLongerThanItsBudget) {
   Cord cord = slack({51, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   for (int k = 0; k < 20; ++k) {
-    EXPECT_LT(cord.step(0.5, gravity).iterations, 4 * 2100);
+    EXPECT_LT(cord.step(0.5, gravity).iterations, 4 * 4100);
   }
 }
 
 /// What cannot be solved stays finite and is said: one Newton step a stage, and a tolerance that nothing meets.
 TEST(CordGuard, ReportsWhatStaysUnconvergedAndStaysFinite) {
-  Cord cord = slack({51, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
+  Cord cord = slack({501, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   CordReport report;
-  for (int k = 0; k < 120; ++k) report += cord.step(0.5, gravity);
+  for (int k = 0; k < 20; ++k) report += cord.step(1.0, gravity);
   EXPECT_GT(report.unconverged, 0);
   EXPECT_GT(report.halvings, 0);
   EXPECT_GT(report.fallbacks, 0);

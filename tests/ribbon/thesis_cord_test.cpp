@@ -71,6 +71,43 @@ TEST(ThesisCord, KeepsLinearMomentumWhateverItDoes) {
   EXPECT_NEAR(length(test_support::centre_of_mass(cord) - centre - (5.0 / mass) * before), 0.0, 1e-9);
 }
 
+/// What is not solved is told: bars off their length, triangles inside out, energy from nowhere. At rest nothing is.
+TEST(ThesisCord, ReportsWhetherItsStepMayBeTrusted) {
+  ThesisDef def = free_def();
+  const ThesisCord rest(def);
+  ThesisCord still(def);
+  for (int frame = 0; frame < 60; ++frame) EXPECT_EQ(still.step(frame_dt, {}), StepReport{}) << frame;
+
+  def.positions.assign(rest.positions().begin(), rest.positions().end());
+  for (Vec2& p : def.positions) p.x *= 1.2;
+  ThesisCord longer(def);
+  EXPECT_GT(longer.step(frame_dt, {}).strained_bars, 0);
+
+  def.positions.assign(rest.positions().begin(), rest.positions().end());
+  for (Vec2& p : def.positions) p.y = -p.y;
+  def.area_stiffness = 0.0;
+  ThesisCord reflected(def);
+  EXPECT_EQ(reflected.step(frame_dt, {}).turned_over, static_cast<int>(rest.mesh().triangles.size()));
+}
+
+/// What a circle that is there at once throws out; while a point is dragged about nobody can tell.
+TEST(ThesisCord, ReportsEnergyFromNowhere) {
+  const auto gains = [](bool dragged) {
+    ThesisCord cord(free_def());
+    std::vector<RigidBody> bodies(1);
+    bodies[0].position = cord.positions()[20] + Vec2{0.0, -0.01};
+    const std::vector<RigidCircle> circles = {{0, {}, 0.05}};
+    int total = 0;
+    for (int frame = 0; frame < 10; ++frame) {
+      if (dragged) cord.operate(0, cord.positions()[0] + Vec2{1e-9, 0.0});
+      total += cord.step(frame_dt, {}, {bodies, circles, {}}).energy_gains;
+    }
+    return total;
+  };
+  EXPECT_GT(gains(false), 0);
+  EXPECT_EQ(gains(true), 0);
+}
+
 TEST(ThesisCord, IsTheSameTurnedAndFarAway) {
   // The same swing, turned by the angle of (0.6, 0.8) and 10 km off.
   const auto swing = [](Vec2 x_axis, Vec2 origin) {
