@@ -288,14 +288,14 @@ void drive_rough(BitWorld& scene, int tick) {
 }
 
 constexpr std::array<BitScene, 8> scenes = {{
-    {"ropes", build_ropes, drive_ropes, 180, 0xb2a8eac7ac61fd8c},
-    {"terms", build_terms, nullptr, 180, 0xdeeb04166f84010c},
-    {"ribbons", build_ribbons, nullptr, 180, 0x20bbaa9ca8b17d15},
-    {"contacts", build_contacts, nullptr, 150, 0xa1b10825a684faed},
-    {"grips", build_grips, drive_grips, 180, 0xabd149b505a5ec58},
-    {"self_contact", build_self_contact, nullptr, 80, 0x369c6dfee1755065},
-    {"thesis", build_thesis, drive_thesis, 180, 0xeb1a35c0021ec522},
-    {"rough", build_rough, drive_rough, 120, 0x960cd3fcedf07970},
+    {"ropes", build_ropes, drive_ropes, 180, 0x786bbfb2f881ae08},
+    {"terms", build_terms, nullptr, 180, 0x0f8bc405ab3ac81f},
+    {"ribbons", build_ribbons, nullptr, 180, 0xf19189874d954cb2},
+    {"contacts", build_contacts, nullptr, 150, 0x648631d79b8b3eee},
+    {"grips", build_grips, drive_grips, 180, 0x503e520ab811e947},
+    {"self_contact", build_self_contact, nullptr, 80, 0xede8128080363756},
+    {"thesis", build_thesis, drive_thesis, 180, 0x42c584dd49555107},
+    {"rough", build_rough, drive_rough, 120, 0x65e8738012db8cf5},
 }};
 
 }  // namespace
