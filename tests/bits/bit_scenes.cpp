@@ -291,11 +291,11 @@ constexpr std::array<BitScene, 8> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x786bbfb2f881ae08},
     {"terms", build_terms, nullptr, 180, 0x0f8bc405ab3ac81f},
     {"ribbons", build_ribbons, nullptr, 180, 0xf19189874d954cb2},
-    {"contacts", build_contacts, nullptr, 150, 0x648631d79b8b3eee},
-    {"grips", build_grips, drive_grips, 180, 0x503e520ab811e947},
+    {"contacts", build_contacts, nullptr, 150, 0x034b82f643a7e9de},
+    {"grips", build_grips, drive_grips, 180, 0x24f74d57d456697b},
     {"self_contact", build_self_contact, nullptr, 80, 0xede8128080363756},
     {"thesis", build_thesis, drive_thesis, 180, 0x42c584dd49555107},
-    {"rough", build_rough, drive_rough, 120, 0x65e8738012db8cf5},
+    {"rough", build_rough, drive_rough, 120, 0x7ad59cf800b37dc7},
 }};
 
 }  // namespace
