@@ -79,14 +79,14 @@ int points_of(const engine::Coupling& coupling, engine::CordIndex cord) {
 }
 
 Table thesis_counts(const engine::Coupling& coupling) {
-  Table table = {{"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
+  Table table = {
+      {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::thesis) continue;
     const ribbon::StepReport& report = coupling.report(c);
     const ribbon::StepReport& total = coupling.total(c);
     table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
-                              report.tangled_columns, total.fem_skipped, total.motion_limited,
-                              report.strained_bars}));
+                              report.tangled_columns, total.fem_skipped, total.motion_limited, report.strained_bars}));
   }
   return table;
 }

@@ -20,10 +20,11 @@ struct StepReport {
   int self_contacts = 0;    ///< overlaps of the cord with itself that were resolved
   int circle_contacts = 0;  ///< overlaps with rigid circles that were resolved
   int tangled_columns = 0;  ///< columns whose self-contact rested because the cord crossed itself there
-  int strained_bars = 0;    ///< bars more than a tenth off their rest length, of a stiff cord a sign that it is not solved
-  int turned_over = 0;      ///< triangles that are inside out
-  int energy_gains = 0;     ///< 1 if energy has come from nowhere, above a thousandth of what there is and of M·g·L; not
-                            ///< looked for while a point, a hand or a body that nothing pushes is moving
+  int strained_bars =
+      0;                 ///< bars more than a tenth off their rest length, of a stiff cord a sign that it is not solved
+  int turned_over = 0;   ///< triangles that are inside out
+  int energy_gains = 0;  ///< 1 if energy has come from nowhere, above a thousandth of what there is and of M·g·L; not
+                         ///< looked for while a point, a hand or a body that nothing pushes is moving
 
   bool operator==(const StepReport&) const = default;
   StepReport& operator+=(const StepReport& other);
