@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/coupling_state.h"
 #include "engine/fixture_ids.h"
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
@@ -182,17 +183,22 @@ class Coupling {
   /// same address, which would inherit the grip. Bodies that only touch a cord need nothing.)
   void destroy(b2World& world, b2Body& body);
 
+  using State = CouplingState;
+  /// What to go on from later, between an apply and the next gather of a world in which `world` is that of the
+  /// coupling; grips of bodies that are not in it any more are left out, as the next gather would. Box2D's world has no
+  /// such state: who goes back puts its bodies back himself, and what Box2D remembers of its own contacts is not his to
+  /// set.
+  State save(const b2World& world) const;
+  /// Goes on from a saved state among the bodies of `world`, to the same bits if the world does: in the same one, or in
+  /// one that was built alike, with as many bodies and fixtures in the order of making. A tick that was gathered for is
+  /// forgotten. Throws ribbon::DefinitionError, and changes nothing, for a state of other cords or of another world,
+  /// one with a number that no coupling can have, and a world that is locked.
+  void restore(const State& state, b2World& world);
+
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
 
  private:
-  struct Touching {
-    std::uint64_t fixture;
-    double impulse;
-    double most;  // N·s, of one contact
-    ribbon::Vec2 point;
-    ribbon::Vec2 normal;
-  };
   struct CoupledCord {
     std::variant<ribbon::ThesisCord, ribbon::Cord> cord;
     b2Filter filter;
@@ -205,43 +211,22 @@ class Coupling {
     std::vector<ribbon::RigidCircle> circles{};
     std::vector<ribbon::RigidSegment> segments{};
     std::vector<ribbon::Grip> grips{};
-    std::vector<Touching> touching{};  // by fixture, in the last tick
-    std::vector<Touching> touched{};   // and in the one before
+    std::vector<FixtureTouch> touching{};  // by fixture, in the last tick
+    std::vector<FixtureTouch> touched{};   // and in the one before
   };
-  struct Holder {
-    GripId id;
+  struct Holder : GripMemory {
     b2Body* body;
-    CordIndex cord;
-    int point;
-    b2Vec2 local_hand;   // at the start of the tick
-    b2Vec2 next_hand;    // and at its end
-    double along = 0.0;  // share of the way to the next column's point
-    double strength = std::numeric_limits<double>::infinity();
-    bool lets_go = false;
-    double most_pull = std::numeric_limits<double>::infinity();  // N, above which it does
-    double climb_to = -1.0;                                      // columns, where it is climbing, or nowhere
-    double climb_speed = 0.0;                                    // columns a second
-    ribbon::Vec2 pull{};
-    bool slips = false;
   };
-  /// A body that cords move on a curve.
-  struct LedBody {
+  struct LedBody : LedMemory {
     const b2Body* body;
-    ribbon::Vec2 ahead;          // m/s, the momentary velocity less Box2D's
-    double ahead_turning = 0.0;  // rad/s, the same of the rotation
-    ribbon::Vec2 position;       // m, of the centre of mass, where it was led to
-    ribbon::Vec2 velocity;       // m/s, which Box2D leaves it with if it meets nothing
-    ribbon::Vec2 start;          // m, of the centre of mass, from where,
-    double dt;                   // s, and in what time
-    ribbon::Vec2 pushed;         // m/s, by which it was more, in the tick before this one
-    ribbon::Vec2 expected_push;  // m/s, by which it was taken to be more, in the last
-    bool led;                    // in this tick
+    bool led;  // in this tick
   };
   struct GatheredBody {
     b2Body* body;
     CordIndex met;  // the last cord of the thesis's that it came near or holds
   };
 
+  void check_state(const State& state, const std::vector<b2Body*>& bodies) const;
   void forget(const b2Body& body);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -261,7 +246,7 @@ class Coupling {
   void follow_grips();
   void let_go_who_must();
   void find_touch_events();
-  static void add_touches(const ribbon::Cord& cord, std::vector<Touching>& touching);
+  static void add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching);
   Holder* holder(const b2Body& body);
   const Holder* holder(const b2Body& body) const;
   std::vector<LedBody>::iterator led_place(const b2Body& body);

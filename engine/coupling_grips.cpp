@@ -42,7 +42,7 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
     held->climb_to = -1.0;
     held->next_hand = local_hand;
   } else {
-    holders_.push_back({next_grip_++, &body, cord, point, local_hand, local_hand});
+    holders_.push_back({{next_grip_++, cord, point, local_hand, local_hand}, &body});
   }
 }
 
@@ -61,7 +61,7 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   check_arc(def.cord, def.arc);
   ribbon::check_coordinates("local_hand", to_double(def.local_hand));
   if (!(def.strength >= 0.0)) ribbon::refuse("strength", def.strength, "0 or more");
-  Holder held{next_grip_, &body, def.cord, def.row, def.local_hand, def.local_hand};
+  Holder held{{next_grip_, def.cord, def.row, def.local_hand, def.local_hand}, &body};
   held.strength = def.lets_go ? std::numeric_limits<double>::infinity() : def.strength;
   held.lets_go = def.lets_go;
   held.most_pull = def.strength;

@@ -152,7 +152,7 @@ Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
 
 Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
   if (LedBody* before = led(body)) return *before;
-  return *led_.insert(led_place(body), {&body, {}, 0.0, {}, {}, {}, 0.0, {}, {}, true});
+  return *led_.insert(led_place(body), {{}, &body, true});
 }
 
 Vec2 Coupling::velocity(const b2Body& body) const {

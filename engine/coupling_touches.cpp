@@ -8,13 +8,13 @@
 namespace engine {
 
 /// One entry a fixture, by its number.
-void Coupling::add_touches(const ribbon::Cord& cord, std::vector<Touching>& touching) {
+void Coupling::add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching) {
   touching.clear();
   for (const ribbon::Touch& touch : cord.touches()) {
     const std::uint64_t fixture = fixture_of(touch.other);
     if (fixture == 0) continue;
     const auto place = std::lower_bound(touching.begin(), touching.end(), fixture,
-                                        [](const Touching& a, std::uint64_t b) { return a.fixture < b; });
+                                        [](const FixtureTouch& a, std::uint64_t b) { return a.fixture < b; });
     if (place == touching.end() || place->fixture != fixture) {
       touching.insert(place, {fixture, touch.impulse, touch.impulse, touch.point, touch.normal});
       continue;
@@ -34,10 +34,11 @@ void Coupling::find_touch_events() {
     CoupledCord& coupled = cords_[at(c)];
     coupled.touched.swap(coupled.touching);
     add_touches(direct_cord(c), coupled.touching);
-    const auto tell_missing = [&](const std::vector<Touching>& all, const std::vector<Touching>& in, bool begins) {
-      for (const Touching& touch : all) {
-        const bool is_there =
-            std::any_of(in.begin(), in.end(), [&](const Touching& other) { return other.fixture == touch.fixture; });
+    const auto tell_missing = [&](const std::vector<FixtureTouch>& all, const std::vector<FixtureTouch>& in,
+                                  bool begins) {
+      for (const FixtureTouch& touch : all) {
+        const bool is_there = std::any_of(in.begin(), in.end(),
+                                          [&](const FixtureTouch& other) { return other.fixture == touch.fixture; });
         if (is_there) continue;
         touch_events_.push_back(
             {c, begins, fixture_ids_.fixture(touch.fixture), begins ? touch.impulse : 0.0, touch.point, touch.normal});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace engine {
 
@@ -11,16 +12,32 @@ void FixtureIds::begin_tick() {
   for (Known& known : known_) known.seen = false;
 }
 
+std::vector<FixtureIds::Known>::const_iterator FixtureIds::place(const b2Fixture& fixture) const {
+  return std::lower_bound(known_.begin(), known_.end(), &fixture, [](const Known& known, const b2Fixture* wanted) {
+    return std::less<>()(known.fixture, wanted);
+  });
+}
+
+const FixtureIds::Known* FixtureIds::find(const b2Fixture& fixture) const {
+  const auto found = place(fixture);
+  return found != known_.end() && found->fixture == &fixture ? &*found : nullptr;
+}
+
 std::uint64_t FixtureIds::of(const b2Fixture& fixture) {
-  const auto place = std::lower_bound(
-      known_.begin(), known_.end(), &fixture,
-      [](const Known& known, const b2Fixture* wanted) { return std::less<>()(known.fixture, wanted); });
-  if (place != known_.end() && place->fixture == &fixture) {
-    place->seen = true;
-    return place->id;
+  const auto found = known_.begin() + (place(fixture) - known_.cbegin());
+  if (found != known_.end() && found->fixture == &fixture) {
+    found->seen = true;
+    return found->id;
   }
-  known_.insert(place, {&fixture, next_, true});
+  known_.insert(found, {&fixture, next_, true});
   return next_++;
+}
+
+void FixtureIds::restore(std::vector<Known> known, std::uint64_t next) {
+  std::sort(known.begin(), known.end(),
+            [](const Known& a, const Known& b) { return std::less<>()(a.fixture, b.fixture); });
+  known_ = std::move(known);
+  next_ = next;
 }
 
 const b2Fixture* FixtureIds::fixture(std::uint64_t id) const {

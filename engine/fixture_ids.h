@@ -17,12 +17,21 @@ class FixtureIds {
   /// The fixture of that number, null if nobody has asked for it since the tick before the last.
   const b2Fixture* fixture(std::uint64_t id) const;
 
- private:
   struct Known {
     const b2Fixture* fixture;
     std::uint64_t id;
-    bool seen;
+    bool seen;  ///< since begin_tick
   };
+  /// Null for one that nobody has asked for lately. Looks at the address alone.
+  const Known* find(const b2Fixture& fixture) const;
+  /// The number that the next new one gets.
+  std::uint64_t next() const { return next_; }
+  /// Knows these and no others. Their fixtures and ids are all different, and the ids below `next`.
+  void restore(std::vector<Known> known, std::uint64_t next);
+
+ private:
+  std::vector<Known>::const_iterator place(const b2Fixture& fixture) const;
+
   std::vector<Known> known_;  // by address
   std::uint64_t next_ = 1;
 };

@@ -82,61 +82,12 @@ void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
   hash.add(Subsystem::body, index, hasher);
 }
 
-void add_state(Hasher& hasher, const ribbon::ThesisCord& cord) {
-  for (const Vec2 x : cord.positions()) hasher.add(x);
-  for (const Vec2 v : cord.velocities()) hasher.add(v);
-  for (int p = 0; p < cord.mesh().size(); ++p) hasher.add(static_cast<int>(cord.kind(p)));
-}
-
-/// How many there are, and all of them: one empty list more must not look like another one's end.
-template <typename T>
-void add_all(Hasher& hasher, const std::vector<T>& values) {
-  hasher.add(values.size());
-  for (const T& value : values) hasher.add(value);
-}
-
-void add_state(Hasher& hasher, const ribbon::Cord& cord) {
-  // By name, one and all: what is new in the state does not compile until it is added here.
-  const ribbon::Cord::State state = cord.save();
-  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart] = state;
-  for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
-  for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
-  add_all(hasher, unlocked);
-  for (const ribbon::PointKind kind : kinds) hasher.add(static_cast<int>(kind));
-  hasher.add(holders.size());
-  for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {
-    hasher.add(point);
-    hasher.add(velocity);
-    hasher.add(turning);
-    hasher.add(acceleration);
-    hasher.add(angular_acceleration);
-    hasher.add(grip);
-    hasher.add(pull);
-    hasher.add(slid);
-  }
-  hasher.add(touches.size());
-  for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal] : touches) {
-    hasher.add(static_cast<std::size_t>(other));
-    hasher.add(feature);
-    hasher.add(other_feature);
-    for (const double number : {force, stuck, impulse}) hasher.add(number);
-    hasher.add(point);
-    hasher.add(normal);
-  }
-  hasher.add(static_cast<int>(touch_changed));
-  hasher.add(ledger);
-  hasher.add(balance);
-  hasher.add(static_cast<int>(damping_apart));
-  hasher.add(static_cast<int>(restart));
-}
-
 void hash_cord(StateHash& hash, std::uint16_t index, const Coupling& coupling) {
   Hasher hasher;
   if (coupling.solver(index) == Solver::direct) {
-    add_state(hasher, coupling.direct_cord(index));
+    add_to(hasher, coupling.direct_cord(index).save());
   } else {
-    add_state(hasher, coupling.cord(index));
+    add_to(hasher, coupling.cord(index).save());
   }
   hash.add(Subsystem::cord, index, hasher);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/ranges.h"
+#include "ribbon/complex.h"
 
 namespace engine {
 namespace {
@@ -37,7 +38,9 @@ Turn turn_of(double clockwise_degrees) {
   if (degrees == 0.0) return {angle, 1.0, 0.0};
   if (std::abs(degrees) == 90.0) return {angle, 0.0, std::copysign(1.0, degrees)};
   if (std::abs(degrees) == 180.0) return {angle, -1.0, 0.0};
-  return {angle, std::cos(angle), std::sin(angle)};
+  // Not by the C library, whose last bit differs between machines, and replays with it.
+  const ribbon::Vec2 turned = ribbon::rotation(angle);
+  return {angle, turned.x, turned.y};
 }
 
 Properties::Value property_value(const JsonObject& property) {

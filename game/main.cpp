@@ -57,7 +57,12 @@ int main(int argc, char** argv) {
   app.add_flag("--headless", options.headless, "Run without a window, as fast as it goes");
   auto* replay = app.add_option("--replay", options.replay, "Play the inputs of this recording")->check(named);
   auto* verify = app.add_flag("--verify", options.verify, "Compare every tick with the recording's")->needs(replay);
-  app.add_option("--record", options.record, "Record the run to this file as it happens")->check(named);
+  auto* record = app.add_option("--record", options.record, "Record the run to this file as it happens")->check(named);
+  app.add_option("--seek", options.seek, "Begin after so many ticks of the recording")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->needs(replay)
+      ->excludes(verify)
+      ->excludes(record);
   app.add_option("--ticks", options.ticks, "Stop after so many ticks of 1/60 s")
       ->check(CLI::Range(0, 1'000'000'000))
       ->excludes(verify);

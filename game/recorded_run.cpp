@@ -43,9 +43,29 @@ bool RecordedRun::is_over() const {
 
 void RecordedRun::tick(const engine::TickInput& input) {
   const engine::TickInput used = replay_ ? replay_->ticks[next_++].input : input;
-  simulation_.tick(used);
-  if (verifier_) verifier_->check(simulation_.hash());
-  if (writer_) writer_->write(used, simulation_.hash());
+  simulation_->tick(used);
+  if (verifier_) verifier_->check(simulation_->hash());
+  if (writer_) writer_->write(used, simulation_->hash());
+}
+
+void RecordedRun::seek(int tick) {
+  if (!replay_) throw engine::ReplayError("there is no replay to seek in; accepted is a run with one");
+  if (verifier_ || !record_path_.empty()) {
+    throw engine::ReplayError(
+        "a run that is verified or recorded goes tick by tick; accepted is one that is only played");
+  }
+  const auto last = static_cast<int>(replay_->ticks.size());
+  if (tick < 0 || tick > last) {
+    throw engine::ReplayError("tick " + std::to_string(tick) + " is not in the replay; accepted is 0 to " +
+                              std::to_string(last));
+  }
+  const auto wanted = static_cast<std::size_t>(tick);
+  if (wanted < next_) {
+    simulation_.emplace(level_);
+    next_ = 0;
+  }
+  while (next_ + 2 < wanted) simulation_->skip(replay_->ticks[next_++].input);
+  while (next_ < wanted) simulation_->tick(replay_->ticks[next_++].input);
 }
 
 void RecordedRun::finish() {
@@ -57,7 +77,7 @@ std::string RecordedRun::closing_line() const {
   if (replay_ && !replay_->complete && is_over()) {
     return "the recording was cut short after " + std::to_string(next_) + " ticks";
   }
-  return "hash " + engine::to_hex(simulation_.hash().combined());
+  return "hash " + engine::to_hex(simulation_->hash().combined());
 }
 
 int RecordedRun::exit_status() const { return verifier_ ? engine::exit_status(verifier_->result().outcome) : 0; }

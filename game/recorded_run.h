@@ -21,9 +21,9 @@ class RecordedRun {
   RecordedRun(const RecordedRun&) = delete;
   RecordedRun& operator=(const RecordedRun&) = delete;
 
-  const Simulation& simulation() const { return simulation_; }
+  const Simulation& simulation() const { return *simulation_; }
   /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
-  void estimate_errors(bool wanted) { simulation_.scene().coupling().estimate_errors(wanted); }
+  void estimate_errors(bool wanted) { simulation_->scene().coupling().estimate_errors(wanted); }
   bool has_replay() const { return replay_.has_value(); }
   /// True when the replay has ended, or has differed while being verified. Never without a replay.
   bool is_over() const;
@@ -36,6 +36,11 @@ class RecordedRun {
   /// Throws engine::ReplayError once if the recording cannot be written; the run goes on without it.
   void tick(const engine::TickInput& input);
 
+  /// Goes to the state after `tick` ticks of the replay, forwards by running them without looking at them, backwards by
+  /// running them from the start; a simulation() taken before stays the one of the run. Throws engine::ReplayError, and
+  /// changes nothing, without a replay, for a tick that is not in it, and for a run that is verified or recorded.
+  void seek(int tick);
+
   /// Completes the recording. Throws engine::ReplayError if that cannot be written.
   void finish();
 
@@ -47,7 +52,7 @@ class RecordedRun {
   std::string record_path_;  // empty: no recording
   std::optional<engine::Replay> replay_;
   Level level_;
-  Simulation simulation_;
+  std::optional<Simulation> simulation_;
   std::size_t next_ = 0;  // tick of the replay
   std::optional<engine::ReplayVerifier> verifier_;
   std::optional<engine::ReplayWriter> writer_;

@@ -15,6 +15,7 @@ struct RunOptions {
   bool verify = false;       ///< hold the run against the replay's hashes; needs `replay`
   std::string record;        ///< path; empty: no recording
   std::optional<int> ticks;  ///< stop after this many
+  int seek = 0;              ///< tick of the replay to begin after
   std::string screenshot;    ///< path of a PNG of the last moment; empty: none
 };
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <limits>
 #include <stdexcept>
 
@@ -23,6 +25,16 @@ void save_picture(const Simulation& simulation, const RunOptions& options) {
   std::printf("picture of the last moment: %s\n", options.screenshot.c_str());
 }
 
+/// Goes there and says how fast, by the processor's time: what else runs on the machine does not count.
+void seek(RecordedRun& run, int tick) {
+  const std::clock_t begun = std::clock();
+  run.seek(tick);
+  const double seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  const double played = static_cast<double>(tick) / ticks_per_second;
+  std::printf("tick %d reached in %.1f ms, %.0f times real time\n", tick, 1e3 * seconds,
+              played / std::max(seconds, 1e-6));
+}
+
 void print_result(const Simulation& simulation) {
   const auto goal = simulation.goal_ticks();
   if (goal) {
@@ -40,6 +52,7 @@ int run_headless(const RunOptions& options) {
   if (!run.has_replay() && !options.ticks) {
     throw std::runtime_error("--headless needs to know how far to run; accepted is --replay FILE or --ticks N");
   }
+  if (options.seek > 0) seek(run, options.seek);
   run.start_recording();
   const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
   while (!run.is_over() && run.simulation().ticks() < most) run.tick({});

@@ -47,6 +47,7 @@ class WindowGame {
  public:
   explicit WindowGame(const RunOptions& options)
       : options_(options), run_(options), view_(run_.simulation()), window_("Rope swing", window_width, window_height) {
+    if (options.seek > 0) run_.seek(options.seek);
     view_options_.watching = run_.has_replay();
     view_options_.meter = &meter_;
     run_.start_recording();

@@ -73,10 +73,18 @@ Simulation::Simulation(const Level& level, MakeMover make_mover) : level_(&level
 }
 
 void Simulation::tick(const engine::TickInput& input) {
+  std::swap(previous_, current_);
+  skip(input);
+  if (make_mover_) return;
+
+  take_snapshot(current_);
+  compute_hash();
+}
+
+void Simulation::skip(const engine::TickInput& input) {
   const bool restart_down = (input.buttons & button_restart) != 0;
   if (restart_down && !restart_was_down_) restart();
   restart_was_down_ = restart_down;
-  std::swap(previous_, current_);
 
   player_->apply(input.buttons, scene_->coupling(), tick_dt);
   drag(input);
@@ -84,10 +92,6 @@ void Simulation::tick(const engine::TickInput& input) {
   ++ticks_;
   ++run_ticks_;
   watch_the_player();
-  if (make_mover_) return;
-
-  take_snapshot(current_);
-  compute_hash();
 }
 
 void Simulation::restart() {

@@ -43,6 +43,9 @@ class Simulation {
 
   /// One tick of 1/60 s.
   void tick(const engine::TickInput& input);
+  /// The same without what is to be seen of it: hash(), previous() and current() stay those of before. For who goes on
+  /// to a later tick, and takes that one and the one before it by tick().
+  void skip(const engine::TickInput& input);
 
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }

@@ -45,6 +45,7 @@ void Contacts::clear(std::size_t points) {
   corners_.clear();
   active_.clear();
   touching_.clear();
+  hit_.clear();  // no substep begins without pairs: who asks what was hit must not hear of another island's
 }
 
 int Contacts::add(const Spot& spot) {

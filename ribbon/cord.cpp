@@ -238,8 +238,6 @@ Cord::State Cord::save() const {
   return state;
 }
 
-/// Throws DefinitionError unless the state is one of a cord of this size and these terms, with numbers that a cord can
-/// have.
 void Cord::check_state(const State& state) const {
   const std::size_t n = count();
   const auto is_optional = [](std::size_t size, std::size_t wanted) { return size == wanted || size == 0; };

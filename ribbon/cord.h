@@ -146,14 +146,16 @@ class Cord {
     bool operator==(const State&) const = default;
   };
   State save() const;
-  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size, or has a number
-  /// that no cord can have.
+  /// Continues from a saved state, to the same bits. Throws DefinitionError where check_state does, and then changes
+  /// nothing.
   void restore(const State& state);
+  /// Throws DefinitionError unless the state is one of a cord of this size and these terms, with numbers that a cord
+  /// can have.
+  void check_state(const State& state) const;
 
  private:
   friend class Island;
 
-  void check_state(const State& state) const;
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
   void set_damping_apart();

@@ -9,9 +9,6 @@
 
 namespace ribbon {
 
-/// A rotation by `angle` [rad] as a complex number, by + − × alone: the same bits everywhere.
-Vec2 rotation(double angle);
-
 /// A body that holds a point of a cord, solved with it. Where its centre of mass is, X = x − s, follows from the point
 /// x and the arm s, from the centre of mass to the hand, that has turned by φ; so the body brings the cord one more
 /// unknown, φ, and that is eliminated on the spot. With M = m/q² and J = I/q² its inertia, R and P the residuals of X

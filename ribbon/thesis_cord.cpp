@@ -114,7 +114,7 @@ void ThesisCord::add_momentum(Vec2 momentum) {
   }
 }
 
-void ThesisCord::restore(const State& state) {
+void ThesisCord::check_state(const State& state) const {
   const std::size_t n = positions_.size();
   if (state.positions.size() != n || state.velocities.size() != n || state.targets.size() != n ||
       state.kinds.size() != n) {
@@ -124,6 +124,10 @@ void ThesisCord::restore(const State& state) {
     for (const Vec2 value : *values) check_coordinates("state", value);
   }
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
+}
+
+void ThesisCord::restore(const State& state) {
+  check_state(state);
   positions_ = state.positions;
   velocities_ = state.velocities;
   targets_ = state.targets;

@@ -81,9 +81,12 @@ class ThesisCord {
     bool operator==(const State&) const = default;
   };
   State save() const { return {positions_, velocities_, targets_, kinds_}; }
-  /// Continues from a saved state, to the same bits. Throws DefinitionError if it is of another size, or has a
-  /// coordinate beyond ±1e9 or a kind of point that is none.
+  /// Continues from a saved state, to the same bits. Throws DefinitionError where check_state does, and then changes
+  /// nothing.
   void restore(const State& state);
+  /// Throws DefinitionError unless the state is one of a cord of this size, with coordinates within ±1e9 and kinds of
+  /// points that there are.
+  void check_state(const State& state) const;
 
  private:
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }

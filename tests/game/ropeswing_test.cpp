@@ -53,6 +53,19 @@ TEST(ReplayProgram, WhatItRecordsOfALevelWithCordsOfBothSolversItVerifies) {
   EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
 }
 
+TEST(ReplayProgram, SeeksATickAndSaysHowFast) {
+  const Ended ended = ropeswing("--headless --seek 300 --ticks 300 --replay " + golden());
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.output.rfind("tick 300 reached in ", 0), 0U) << ended.output;
+  EXPECT_NE(ended.output.find(" times real time\n"), std::string::npos) << ended.output;
+  const engine::StateHash recorded = engine::load_replay(golden()).ticks[299].state;
+  EXPECT_EQ(last_line(ended.output), "hash " + engine::to_hex(recorded.combined()));
+  const Ended beyond = ropeswing("--headless --seek 100000 --replay " + golden());
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_NE(beyond.output.find("tick 100000 is not in the replay; accepted is 0 to "), std::string::npos);
+  EXPECT_EQ(ropeswing("--headless --seek 3 --ticks 5").status, 2) << "of what?";
+}
+
 TEST(ReplayProgram, RecordingAReplayAnewGivesTheSameFile) {
   const std::string path = scratch("again.replay");
   ASSERT_EQ(ropeswing("--headless --replay " + golden() + " --record " + path).status, 0);

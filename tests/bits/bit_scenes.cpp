@@ -1,0 +1,347 @@
+#include "tests/bits/bit_scenes.h"
+
+#include <array>
+#include <vector>
+
+#include "engine/convert.h"
+#include "engine/state_hash.h"
+#include "ribbon/complex.h"
+
+namespace bits {
+namespace {
+
+using engine::Coupling;
+using engine::to_float;
+using ribbon::Accuracy;
+using ribbon::Cord;
+using ribbon::CordDef;
+using ribbon::Vec2;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// --- bodies ----------------------------------------------------------------------------------------------------------
+
+b2Body& add_body(BitWorld& scene, const b2Shape& shape, Vec2 position, b2BodyType type, float restitution = 0.1F) {
+  b2BodyDef definition;
+  definition.type = type;
+  definition.position = to_float(position);
+  definition.angularDamping = 0.1F;
+  b2Body* body = scene.world.CreateBody(&definition);
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = 20.0F;
+  fixture.friction = 0.4F;
+  fixture.restitution = restitution;
+  body->CreateFixture(&fixture);
+  return *body;
+}
+
+b2Body& add_circle(BitWorld& scene, Vec2 position, double radius, b2BodyType type = b2_dynamicBody) {
+  b2CircleShape circle;
+  circle.m_radius = static_cast<float>(radius);
+  return add_body(scene, circle, position, type);
+}
+
+b2Body& add_box(BitWorld& scene, Vec2 position, float half_width, float half_height, b2BodyType type = b2_dynamicBody) {
+  b2PolygonShape box;
+  box.SetAsBox(half_width, half_height);
+  return add_body(scene, box, position, type);
+}
+
+/// Who only holds cords.
+b2Body& add_holder(BitWorld& scene, Vec2 position, double radius) {
+  b2Body& body = add_circle(scene, position, radius);
+  b2Filter none;
+  none.maskBits = 0;
+  body.GetFixtureList()->SetFilterData(none);
+  return body;
+}
+
+// --- cords -----------------------------------------------------------------------------------------------------------
+
+/// `points` on a straight line from `from` on, `step` apart, `rows` of them across.
+CordDef line(Vec2 from, Vec2 step, int points, int rows = 1, double width = 0.0) {
+  CordDef def;
+  def.points = points;
+  def.rows = rows;
+  def.length = length(step) * (points - 1);
+  def.width = width;
+  const Vec2 across = rows > 1 ? (width / ((rows - 1) * length(step))) * perp(step) : Vec2{};
+  for (int i = 0; i < points; ++i) {
+    for (int j = 0; j < rows; ++j) def.positions.push_back(from + static_cast<double>(i) * step + j * across);
+  }
+  return def;
+}
+
+/// E = 0.2 MPa, ν = 0.2, 5 cm thick.
+CordDef strip(Vec2 from, Vec2 step, int points, int rows, double width) {
+  CordDef def = line(from, step, points, rows, width);
+  ribbon::solid(2e5, 0.2, 0.05, width).apply_to(def);
+  return def;
+}
+
+// --- scenes ----------------------------------------------------------------------------------------------------------
+
+/// Bars alone, eliminated point by point: inextensible, elastic and damped, light and heavy loads, a reel, a hand.
+void build_ropes(BitWorld& scene) {
+  CordDef stiff = line({0.0, 0.0}, {0.2, 0.0}, 31);
+  stiff.pins = {0};
+  CordDef elastic = line({0.0, 5.0}, {0.16, 0.12}, 31);
+  elastic.pins = {0};
+  elastic.stretch_stiffness = 1e5;
+  elastic.damping = 0.002;
+  elastic.drag = 0.1;
+  for (const CordDef& def : {stiff, elastic}) {
+    Cord cord(def);
+    cord.attach_mass(30, 70.0);
+    scene.coupling.add(std::move(cord));
+  }
+}
+
+void drive_ropes(BitWorld& scene, int tick) {
+  if (tick == 20) scene.coupling.direct_cord(0).reel(5, 25, 2.0, 1.5);
+  if (tick == 60) scene.coupling.direct_cord(1).set_load(15, {30.0, 10.0});
+  if (tick >= 80 && tick < 100) scene.coupling.operate(1, 10, {1.0 + 0.01 * tick, 4.0});
+  if (tick == 100) scene.coupling.release(1, 10);
+  if (tick == 110) scene.coupling.release(0, 0);
+}
+
+/// Bending and links that only pull, as a band; the presets beside each other.
+void build_terms(BitWorld& scene) {
+  CordDef bending = line({0.0, 0.0}, {0.1, 0.0}, 31);
+  bending.bending_stiffness = 0.5;
+  bending.pins = {0, 1};
+  bending.accuracy = Accuracy::accurate();
+  CordDef slack = line({0.0, 2.0}, {0.1, 0.0}, 21);
+  slack.tension_only = true;
+  slack.stretch_stiffness = 1e6;
+  slack.pins = {0, 20};
+  for (std::size_t p = 1; p < 20; ++p) slack.positions[p] = {0.08 * static_cast<double>(p), 2.0};
+  slack.positions[20] = {1.6, 2.0};
+  CordDef plain = line({0.0, 4.0}, {0.1, 0.0}, 21);
+  plain.accuracy = Accuracy::fast();
+  plain.pins = {10};
+  for (const CordDef& def : {bending, slack, plain}) scene.coupling.add(Cord(def));
+}
+
+/// Ribbons of cells, with a spine and without, crushed at the start so that cells turn back; and one of bars.
+void build_ribbons(BitWorld& scene) {
+  CordDef crushed = strip({0.0, 0.0}, {0.1, 0.0}, 12, 3, 0.2);
+  crushed.area_stiffness = 1.0;
+  crushed.bending_stiffness *= 0.5;
+  crushed.pins = {0};
+  for (int p = 0; p < 36; ++p) crushed.positions[at(p)] = {0.05 * ((7 * p) % 11), 0.05 * ((5 * p) % 13)};
+  CordDef narrow = strip({0.0, 4.0}, {0.1, 0.0}, 21, 2, 0.1);
+  narrow.pins = {0, 1};
+  narrow.damping = 0.01;
+  CordDef bars = line({4.0, 4.0}, {0.1, 0.0}, 15, 3, 0.2);
+  bars.elements = ribbon::Elements::bars;
+  bars.stretch_stiffness = 1e4;
+  bars.pins = {0, 1, 2};
+  for (const CordDef& def : {crushed, narrow, bars}) scene.coupling.add(Cord(def));
+  scene.coupling.direct_cord(1).attach_mass(41, 2.0);
+}
+
+/// Balls, a box and a cord's own end on a bridge, posts and ground below it, friction and restitution.
+void build_contacts(BitWorld& scene) {
+  CordDef bridge = line({0.0, 0.0}, {0.1, 0.0}, 41);
+  bridge.radius = 0.02;
+  bridge.friction = 0.5;
+  bridge.restitution = 0.2;
+  bridge.pins = {0, 40};
+  for (std::size_t p = 0; p <= 40; ++p) {
+    const double x = 0.1 * static_cast<double>(p) - 2.0;
+    bridge.positions[p] = {x, 0.05 * x * x};  // its links do not fit, and are drawn together in the first tick
+  }
+  scene.coupling.add(Cord(bridge));
+  CordDef falling = line({-1.5, 1.5}, {0.1, 0.02}, 31);
+  falling.friction = 0.3;
+  falling.bending_stiffness = 0.02;
+  scene.coupling.add(Cord(falling));
+  for (int k = 0; k < 4; ++k) add_circle(scene, {-1.2 + 0.7 * k, 0.8 + 0.3 * k}, 0.12 + 0.03 * k);
+  add_box(scene, {0.4, 2.4}, 0.15F, 0.1F).SetAngularVelocity(1.0F);
+  add_circle(scene, {-0.5, -0.9}, 0.2, b2_staticBody);
+  add_box(scene, {0.0, -2.0}, 4.0F, 0.2F, b2_staticBody);
+  b2EdgeShape edge;
+  edge.SetTwoSided({-3.0F, -1.8F}, {-1.5F, -1.2F});
+  add_body(scene, edge, {}, b2_staticBody);
+  add_circle(scene, {0.9, -1.2}, 0.15, b2_kinematicBody).SetLinearVelocity({-0.3F, 0.1F});
+}
+
+/// Bodies that hold: one by one, between two points, several grips of one, two cords on one, climbing, slipping, torn
+/// off and let go; on ropes and a ribbon, one of them over a post.
+void build_grips(BitWorld& scene) {
+  CordDef rope = line({0.0, 0.0}, {0.0, -0.2}, 26);
+  rope.pins = {0};
+  CordDef other = line({2.0, 0.0}, {0.0, -0.2}, 26);
+  other.pins = {0};
+  other.bending_stiffness = 0.1;
+  CordDef sail = strip({5.0, 0.0}, {0.1, 0.0}, 15, 2, 0.1);
+  for (const CordDef& def : {rope, other, sail}) scene.coupling.add(Cord(def));
+  Coupling& coupling = scene.coupling;
+  coupling.hold(0, 25, add_holder(scene, {0.0, -5.1}, 0.3), {0.0F, 0.1F});
+  b2Body& between = add_holder(scene, {1.0, -3.0}, 0.2);
+  coupling.grip(between, {.cord = 0, .arc = 3.03, .local_hand = {-0.9F, 0.0F}});
+  coupling.grip(between, {.cord = 1, .arc = 2.51, .local_hand = {0.9F, 0.0F}});
+  b2Body& climber = add_holder(scene, {2.0, -4.4}, 0.25);
+  coupling.climb(coupling.grip(climber, {.cord = 1, .arc = 4.33}), 3.4, 0.8);
+  coupling.grip(add_holder(scene, {2.1, -1.0}, 0.1), {.cord = 1, .arc = 1.0, .strength = 3.0});
+  b2Body& left = add_holder(scene, {5.0, 0.0}, 0.1);
+  b2Body& right = add_holder(scene, {6.4, 0.1}, 0.1);
+  coupling.grip(left, {.cord = 2, .arc = 0.0});
+  coupling.grip(left, {.cord = 2, .arc = 0.1, .row = 1, .local_hand = {0.1F, 0.1F}});
+  coupling.grip(right, {.cord = 2, .arc = 1.35, .row = 1});
+  coupling.grip(add_holder(scene, {5.7, 0.3}, 0.2), {.cord = 2, .arc = 0.7, .strength = 60.0, .lets_go = true});
+  add_circle(scene, {5.6, -1.0}, 0.3, b2_staticBody);
+}
+
+void drive_grips(BitWorld& scene, int tick) {
+  b2Body& swinger = body(scene.world, 0);
+  if (tick < 60) swinger.ApplyLinearImpulseToCenter({0.5F, 0.0F}, true);
+  if (tick == 70) scene.coupling.hold(0, 25, swinger, {0.05F, 0.2F});
+  if (tick == 100) scene.coupling.release(swinger);
+  if (tick == 120) scene.coupling.hold(1, 25, body(scene.world, 1), {0.0F, 0.0F});
+}
+
+/// A rope that falls into a pile on itself, ribbons on one another and a ball that joins them.
+void build_self_contact(BitWorld& scene) {
+  CordDef pile = line({0.0, 0.1}, {0.01, 0.06}, 21);
+  pile.self_contact = true;
+  pile.cord_contact = true;
+  pile.radius = 0.02;
+  pile.friction = 0.3;
+  scene.coupling.add(Cord(pile));
+  for (int k = 0; k < 2; ++k) {
+    CordDef ribbon = strip({-0.4, 1.6 + 0.2 * k}, {0.06, 0.012 * (2 * k - 1)}, 13, 2, 0.03);
+    ribbon.area_stiffness = 1.0;
+    ribbon.self_contact = k == 0;
+    ribbon.cord_contact = true;
+    ribbon.radius = 0.01;
+    ribbon.friction = 0.2;
+    ribbon.accuracy = k == 1 ? Accuracy::fast() : Accuracy::balanced();
+    scene.coupling.add(Cord(ribbon));
+  }
+  add_circle(scene, {0.0, 2.2}, 0.15);
+  add_box(scene, {0.0, -0.2}, 2.0F, 0.2F, b2_staticBody);
+  add_box(scene, {-0.7, 0.5}, 0.1F, 0.8F, b2_staticBody);
+  add_box(scene, {0.9, 0.5}, 0.1F, 0.8F, b2_staticBody);
+}
+
+/// The thesis's method with everything that it has, beside a cord of the direct solver: circles, a holder of each and
+/// one that a hand drags.
+void build_thesis(BitWorld& scene) {
+  for (int k = 0; k < 2; ++k) {
+    ribbon::ThesisDef def;
+    def.w = 14;
+    def.h = 2 + k;
+    def.self_collision = true;
+    def.area_stiffness = 0.2;
+    def.substeps = 8;
+    for (int i = 0; i < def.w; ++i) {
+      for (int j = 0; j < def.h; ++j) {
+        def.positions.push_back({1.5 * k + def.spacing * i, def.spacing * (j - (i % 3 == 0 ? 0.1 : 0.0))});
+      }
+    }
+    def.pins = {0, 1};
+    scene.coupling.add(ribbon::ThesisCord(def));
+  }
+  CordDef direct = line({0.0, -0.8}, {0.1, 0.0}, 21);
+  direct.pins = {0, 20};
+  scene.coupling.add(Cord(direct));
+  for (int k = 0; k < 5; ++k) add_circle(scene, {0.1 + 0.4 * k, 0.4 + 0.1 * k}, 0.06 + 0.01 * k);
+  add_circle(scene, {0.4, -0.4}, 0.1, b2_staticBody);
+  scene.coupling.hold(1, 39, add_holder(scene, {2.2, 0.0}, 0.1), {0.0F, 0.0F});
+  scene.coupling.hold(2, 10, add_holder(scene, {1.0, -0.9}, 0.1), {0.0F, 0.1F});
+}
+
+void drive_thesis(BitWorld& scene, int tick) {
+  if (tick >= 40 && tick < 80) scene.coupling.operate(0, 27, {0.7 - 0.005 * tick, -0.2});
+  if (tick == 80) scene.coupling.release(0, 27);
+  if (tick == 90) scene.coupling.release(1, 0);
+}
+
+/// What no step resolves: a hand that yanks, another that pulls further than the cord is long, a whip, a load that
+/// comes and goes, cords let fall on what is inside them. The guards, searches, fallbacks and halvings.
+void build_rough(BitWorld& scene) {
+  CordDef yanked = line({0.0, 0.0}, {0.1, 0.0}, 21);
+  CordDef elastic = line({0.0, 1.0}, {0.1, 0.0}, 21);
+  elastic.stretch_stiffness = 200.0;
+  elastic.bending_stiffness = 0.01;
+  CordDef ribbon = strip({0.0, 2.0}, {0.1, 0.0}, 12, 3, 0.2);
+  ribbon.area_stiffness = 1.0;
+  ribbon.pins = {0};
+  for (const CordDef& def : {yanked, elastic, ribbon}) scene.coupling.add(Cord(def));
+  add_circle(scene, {1.02, -0.1}, 0.12, b2_staticBody);
+  add_circle(scene, {0.5, 1.0}, 0.1);  // born on the cord
+}
+
+void drive_rough(BitWorld& scene, int tick) {
+  Coupling& coupling = scene.coupling;
+  const double back_and_forth = tick % 8 < 4 ? 1.0 : -1.0;
+  if (tick < 60) coupling.operate(0, 0, {1.2 * back_and_forth, 0.4 * (tick % 5)});
+  if (tick == 30) coupling.operate(0, 20, {9.0, 0.0});
+  if (tick == 40) coupling.release(0, 20);
+  if (tick == 60) coupling.release(0, 0);
+  if (tick % 20 == 5) coupling.direct_cord(1).attach_mass(20, tick % 40 == 5 ? 1e4 : 0.0);
+  if (tick < 40) coupling.operate(1, 0, {0.0, 1.0 + 0.5 * back_and_forth});
+  if (tick % 30 == 10) coupling.direct_cord(2).set_velocity(35, {60.0 * back_and_forth, 80.0});
+}
+
+constexpr std::array<BitScene, 8> scenes = {{
+    {"ropes", build_ropes, drive_ropes, 180, 0x786bbfb2f881ae08},
+    {"terms", build_terms, nullptr, 180, 0x0f8bc405ab3ac81f},
+    {"ribbons", build_ribbons, nullptr, 180, 0xf19189874d954cb2},
+    {"contacts", build_contacts, nullptr, 150, 0x034b82f643a7e9de},
+    {"grips", build_grips, drive_grips, 180, 0x24f74d57d456697b},
+    {"self_contact", build_self_contact, nullptr, 80, 0xede8128080363756},
+    {"thesis", build_thesis, drive_thesis, 180, 0x42c584dd49555107},
+    {"rough", build_rough, drive_rough, 120, 0x7ad59cf800b37dc7},
+}};
+
+}  // namespace
+
+void PrintTo(const BitScene& scene, std::ostream* out) { *out << scene.name; }
+
+std::span<const BitScene> bit_scenes() { return scenes; }
+
+b2Body& body(b2World& world, int n) {
+  b2Body* found = world.GetBodyList();  // the newest
+  for (int k = world.GetBodyCount() - 1; k > n; --k) found = found->GetNext();
+  return *found;
+}
+
+void tick(const BitScene& scene, BitWorld& world, int number) {
+  if (scene.drive != nullptr) scene.drive(world, number);
+  world.coupling.gather(world.world, dt);
+  world.coupling.step();
+  world.coupling.apply();
+  world.world.Step(static_cast<float>(dt), 8, 3);
+}
+
+std::uint64_t hash_of(const Coupling& coupling, const b2World& world) {
+  engine::Hasher hasher;
+  add_to(hasher, coupling.save(world));
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    const b2Transform& transform = body->GetTransform();
+    for (const float value : {transform.p.x, transform.p.y, transform.q.s, transform.q.c, body->GetAngle(),
+                              body->GetLinearVelocity().x, body->GetLinearVelocity().y, body->GetAngularVelocity()}) {
+      hasher.add(value);
+    }
+    hasher.add(body->IsAwake());
+    hasher.add(coupling.velocity(*body));
+  }
+  return hasher.value();
+}
+
+std::uint64_t hash_of_run(const BitScene& scene) {
+  BitWorld world;
+  scene.build(world);
+  engine::Hasher all;
+  for (int k = 0; k < scene.ticks; ++k) {
+    tick(scene, world, k);
+    all.add(hash_of(world.coupling, world.world));
+  }
+  return all.value();
+}
+
+}  // namespace bits

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/convert.h"
+#include "engine/replay.h"
+#include "game/level.h"
+#include "game/player.h"
+#include "game/simulation.h"
+
+namespace bits {
+
+/// The recorded runs in the assets folder, sorted by path.
+inline std::vector<std::string> golden_replays() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(game::assets_folder() + "/replays")) {
+    if (entry.path().extension() == ".replay") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// Of a test of each.
+inline std::string name_of_replay(const testing::TestParamInfo<std::string>& replay) {
+  return std::filesystem::path(replay.param).stem().string();
+}
+
+/// A recorded run and its level, which agree.
+struct GoldenRun {
+  explicit GoldenRun(const std::string& path)
+      : replay(engine::load_replay(path)), level(game::load_level(replay.header.level)) {
+    check_header(replay.header, game::Simulation::replay_header(level));
+  }
+  engine::Replay replay;
+  game::Level level;
+};
+
+}  // namespace bits

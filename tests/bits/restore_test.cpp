@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/state_hash.h"
+#include "tests/bits/bit_scenes.h"
+#include "tests/bits/golden_replays.h"
+
+// Save, step, restore, step again. Box2D's world has no state to take, so that there are two ways here: another world,
+// alike and at the same tick, whose coupling has been spoilt before; and the same world, whose bodies are put back to
+// where they were recorded to be.
+
+namespace bits {
+namespace {
+
+constexpr int together = 4;  // ticks that are held against each other after a restore
+
+struct Velocity {
+  b2Vec2 linear;
+  float angular;
+};
+
+std::vector<Velocity> velocities_of(b2World& world) {
+  std::vector<Velocity> velocities;
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    velocities.push_back({body->GetLinearVelocity(), body->GetAngularVelocity()});
+  }
+  return velocities;
+}
+
+/// Those that are other alone, for who is set a velocity is kept from falling asleep.
+void set_velocities(b2World& world, const std::vector<Velocity>& velocities) {
+  auto before = velocities.begin();
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++before) {
+    if (!(body->GetLinearVelocity() == before->linear)) body->SetLinearVelocity(before->linear);
+    if (body->GetAngularVelocity() != before->angular) body->SetAngularVelocity(before->angular);
+  }
+}
+
+/// Leaves nothing of a coupling as it was, but the world: it goes on from what it was long before, and then some ticks
+/// in which nothing else moves.
+void spoil(engine::Coupling& coupling, b2World& world, const engine::Coupling::State& long_before) {
+  const std::vector<Velocity> velocities = velocities_of(world);
+  coupling.restore(long_before, world);
+  for (int k = 0; k < 2; ++k) {
+    coupling.gather(world, dt);
+    coupling.step();
+  }
+  set_velocities(world, velocities);
+}
+
+class Restored : public testing::TestWithParam<BitScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, Restored, testing::ValuesIn(bit_scenes().begin(), bit_scenes().end()),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+TEST_P(Restored, SavedIsWhatComesBack) {
+  BitWorld world;
+  GetParam().build(world);
+  const engine::Coupling::State start = world.coupling.save(world.world);
+  for (int k = 0; k < GetParam().ticks / 2; ++k) tick(GetParam(), world, k);
+  const engine::Coupling::State state = world.coupling.save(world.world);
+  EXPECT_FALSE(start == state);
+  world.coupling.restore(start, world.world);
+  EXPECT_TRUE(world.coupling.save(world.world) == start);
+  world.coupling.restore(state, world.world);
+  EXPECT_TRUE(world.coupling.save(world.world) == state);
+}
+
+/// Twins of a world, each of which is spoilt and restored in its turn, so that every tick is one that is restored at.
+TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
+  const BitScene& scene = GetParam();
+  BitWorld world;
+  scene.build(world);
+  std::vector<std::unique_ptr<BitWorld>> twins;
+  for (int k = 0; k < together; ++k) {
+    twins.push_back(std::make_unique<BitWorld>());
+    scene.build(*twins.back());
+  }
+  const engine::Coupling::State start = world.coupling.save(world.world);
+  for (int k = 0; k < scene.ticks; ++k) {
+    BitWorld& twin = *twins[static_cast<std::size_t>(k % together)];
+    spoil(twin.coupling, twin.world, start);
+    twin.coupling.restore(world.coupling.save(world.world), twin.world);
+    tick(scene, world, k);
+    const std::uint64_t hash = hash_of(world.coupling, world.world);
+    for (const auto& each : twins) {
+      tick(scene, *each, k);
+      ASSERT_EQ(engine::to_hex(hash_of(each->coupling, each->world)), engine::to_hex(hash)) << "tick " << k;
+    }
+  }
+}
+
+class RestoredReplay : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Golden, RestoredReplay, testing::ValuesIn(golden_replays()), name_of_replay);
+
+TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
+  const GoldenRun run(GetParam());
+  game::Simulation simulation(run.level);
+  std::vector<std::unique_ptr<game::Simulation>> twins;
+  for (int k = 0; k < together; ++k) twins.push_back(std::make_unique<game::Simulation>(run.level));
+  const engine::Coupling::State start = simulation.scene().coupling().save(simulation.scene().world());
+  for (std::size_t k = 0; k < run.replay.ticks.size(); ++k) {
+    engine::Scene& twin = twins[k % together]->scene();
+    spoil(twin.coupling(), twin.world(), start);
+    twin.coupling().restore(simulation.scene().coupling().save(simulation.scene().world()), twin.world());
+    simulation.tick(run.replay.ticks[k].input);
+    const std::uint64_t hash = hash_of(simulation.scene().coupling(), simulation.scene().world());
+    ASSERT_EQ(simulation.hash(), run.replay.ticks[k].state) << "tick " << k;
+    for (const auto& each : twins) {
+      each->tick(run.replay.ticks[k].input);
+      ASSERT_EQ(engine::to_hex(hash_of(each->scene().coupling(), each->scene().world())), engine::to_hex(hash))
+          << "tick " << k;
+      ASSERT_EQ(each->hash(), simulation.hash()) << "tick " << k;
+    }
+  }
+}
+
+/// What a coupling meets in a tick, recorded: its world stands in for one that goes on.
+struct Frame {
+  struct Body {
+    b2Vec2 position;
+    float angle;
+    Velocity velocity;
+  };
+  std::vector<Body> bodies;
+  std::optional<engine::CordPoint> held;
+  b2Vec2 hand;
+};
+
+std::vector<Frame> record(const GoldenRun& run) {
+  game::Simulation simulation(run.level);
+  std::vector<Frame> frames;
+  for (const engine::RecordedTick& recorded : run.replay.ticks) {
+    Frame frame;
+    for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+      frame.bodies.push_back(
+          {body->GetPosition(), body->GetAngle(), {body->GetLinearVelocity(), body->GetAngularVelocity()}});
+    }
+    simulation.tick(recorded.input);
+    frame.held = simulation.scene().coupling().held_by(simulation.player().body());
+    frame.hand = engine::to_float(simulation.player().grip());
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+/// The level's cords in a world of which every tick is set, the player's hand with it.
+class Stand {
+ public:
+  explicit Stand(const game::Level& level) : scene_(level.make_scene()), player_(scene_->world(), level.player_start) {}
+
+  std::uint64_t tick(const Frame& frame) {
+    auto set = frame.bodies.begin();
+    for (b2Body* body = scene_->world().GetBodyList(); body != nullptr; body = body->GetNext(), ++set) {
+      body->SetTransform(set->position, set->angle);
+      body->SetLinearVelocity(set->velocity.linear);
+      body->SetAngularVelocity(set->velocity.angular);
+    }
+    if (frame.held) {
+      coupling().hold(frame.held->cord, frame.held->point, player_.body(), frame.hand);
+    } else {
+      coupling().release(player_.body());
+    }
+    coupling().gather(scene_->world(), dt);
+    coupling().step();
+    coupling().apply();
+    return hash_of(coupling(), scene_->world());
+  }
+  engine::Coupling& coupling() { return scene_->coupling(); }
+  b2World& world() { return scene_->world(); }
+
+ private:
+  std::unique_ptr<engine::Scene> scene_;
+  game::Player player_;
+};
+
+TEST_P(RestoredReplay, InItsOwnWorldAtEveryTickItStepsAgainToTheSameBits) {
+  const GoldenRun run(GetParam());
+  const std::vector<Frame> frames = record(run);
+  Stand stand(run.level);
+  std::size_t held = 0;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const engine::Coupling::State state = stand.coupling().save(stand.world());
+    const std::size_t end = std::min(frames.size(), k + together);
+    std::vector<std::uint64_t> first;
+    for (std::size_t t = k; t < end; ++t) first.push_back(stand.tick(frames[t]));
+    stand.coupling().restore(state, stand.world());
+    for (std::size_t t = k; t < end; ++t) ASSERT_EQ(stand.tick(frames[t]), first[t - k]) << "from " << k << " to " << t;
+    stand.coupling().restore(state, stand.world());
+    ASSERT_EQ(stand.tick(frames[k]), first[0]);
+    held += stand.coupling().held_by(*stand.world().GetBodyList()).has_value() ? 1U : 0U;
+  }
+  EXPECT_GT(held, 60U) << "of little worth where the player holds nothing";
+}
+
+}  // namespace
+}  // namespace bits

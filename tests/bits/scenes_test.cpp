@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/state_hash.h"
+#include "tests/bits/bit_scenes.h"
+
+// The same bits of every scene: of any compiler and machine, again and again, and in threads.
+
+namespace bits {
+namespace {
+
+class SameBits : public testing::TestWithParam<BitScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bit_scenes().begin(), bit_scenes().end()),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+/// A change of a method changes these: take over what the test prints, once the change is understood.
+TEST_P(SameBits, OnEveryCompilerAndMachine) {
+  EXPECT_EQ("0x" + engine::to_hex(hash_of_run(GetParam())), "0x" + engine::to_hex(GetParam().golden));
+}
+
+/// Again and again: all scenes in each of several threads, every thread beginning with another one, so that the same
+/// and different ones run at the same time.
+TEST(SameBitsThreads, OfAnyNumberOfThreads) {
+  const std::size_t count = bit_scenes().size();
+  for (const std::size_t threads : {2U, 3U}) {
+    std::vector<std::vector<std::uint64_t>> found(threads, std::vector<std::uint64_t>(count));
+    std::vector<std::thread> running;
+    for (std::size_t t = 0; t < threads; ++t) {
+      running.emplace_back([&found, t, count] {
+        for (std::size_t k = 0; k < count; ++k) found[t][(t + k) % count] = hash_of_run(bit_scenes()[(t + k) % count]);
+      });
+    }
+    for (std::thread& thread : running) thread.join();
+    for (std::size_t t = 0; t < threads; ++t) {
+      for (std::size_t k = 0; k < count; ++k) {
+        EXPECT_EQ(engine::to_hex(found[t][k]), engine::to_hex(bit_scenes()[k].golden))
+            << bit_scenes()[k].name << " in thread " << t << " of " << threads;
+      }
+    }
+  }
+}
+
+/// Golden hashes are worth what the scenes go through.
+TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
+  ribbon::CordReport direct;
+  ribbon::StepReport thesis;
+  std::size_t begun = 0;
+  std::size_t slipped = 0;
+  for (const BitScene& scene : bit_scenes()) {
+    BitWorld world;
+    scene.build(world);
+    for (int k = 0; k < scene.ticks; ++k) {
+      tick(scene, world, k);
+      begun += world.coupling.touch_events().size();
+      for (int grip = 1; grip < 20; ++grip) {
+        const auto state = world.coupling.state(grip);
+        slipped += state && state->slips ? 1U : 0U;
+      }
+    }
+    for (int c = 0; c < world.coupling.size(); ++c) {
+      direct += world.coupling.direct_total(c);
+      thesis += world.coupling.total(c);
+    }
+  }
+  EXPECT_GT(direct.searches, 0);
+  EXPECT_GT(direct.fallbacks, 0);
+  EXPECT_GT(direct.energy_gains, 0);
+  EXPECT_GT(direct.halvings, 0);
+  EXPECT_GT(direct.impacts, 0);
+  EXPECT_GT(direct.unlocked, 0);
+  EXPECT_GT(thesis.motion_limited, 0);
+  EXPECT_GT(thesis.self_contacts, 0);
+  EXPECT_GT(thesis.circle_contacts, 0);
+  EXPECT_GT(begun, 20U);
+  EXPECT_GT(slipped, 0U);
+}
+
+}  // namespace
+}  // namespace bits
