@@ -15,9 +15,10 @@ constexpr double own_neighbourhood = 3.0;
 constexpr double widening = 8.0;  // of the room of what left it
 constexpr double most_widening = 500.0;
 constexpr double large_circle = 10.0;  // links, that the reach of a circle is which is met by points
-constexpr double deep_share =
-    0.01;  // of the reach, but of no more than ten links, deeper than which a contact is not by pressing,
-constexpr double emerging_share = 0.1;  // and how much of that depth it comes out of in a step
+// Of the reach, or of ten links if that is less: deeper than this a contact is not by pressing,
+constexpr double deep_share = 0.01;
+constexpr double emerging_share = 0.1;     // and comes out of so much of its depth in a step,
+constexpr double fastest_emergence = 1.0;  // m/s, but no faster than this
 
 Box box_around(Vec2 a, Vec2 b, double margin) {
   return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
@@ -196,6 +197,11 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
   const double size = std::min(pair.reach, large_circle * member.cord->rest_length(0));
   if (depth > deep_share * size) pair.reach = distance + emerging_share * depth;
   pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
+  const double most_in = step_dt_ * fastest_emergence;
+  if (pair.in > most_in) {
+    pair.reach -= pair.in - most_in;
+    pair.in = most_in;
+  }
   contacts_.add(pair);
 }
 

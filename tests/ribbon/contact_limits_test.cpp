@@ -244,6 +244,27 @@ TEST(CordContactLimits, ABallBornWithItsCentreOnACordComesOut) {
   }
 }
 
+/// A tenth of the depth a step would throw it, were the steps as short as that.
+TEST(CordContactLimits, WhatIsDeepComesOutNoFasterInShortSteps) {
+  for (const double dt : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    CordDef def;
+    def.points = 21;
+    def.length = 1.0;
+    def.mass_per_length = 0.5;
+    ContactWorld world(def);
+    world.gravity = {};
+    world.dt = dt;
+    world.add_ball({0.5, 0.02}, 0.05, 0.5, 0.0);
+    double fastest = 0.0;
+    for (int k = 0; k < 50; ++k) {
+      world.step();
+      fastest = std::max(fastest, world.fastest());
+    }
+    EXPECT_EQ(world.total.unconverged, 0) << dt;
+    EXPECT_LT(fastest, 3.0) << dt;
+  }
+}
+
 /// A straight cord in a circle beside which its links are short is in it at all points; with one contact a minimum of
 /// the distance it was held in the middle, then in two places, then in more, and thrown.
 TEST(CordContactLimits, ACordBornDeepInALargeCircleComesOutWhole) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ribbon/complex.h"
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
 #include "tests/support/heavy_swing.h"
