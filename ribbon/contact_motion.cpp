@@ -28,10 +28,11 @@ void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
     slacks_.assign(from.size(), 0.0);
     left_.assign(from.size(), 1);
     watched_.resize(pairs_.size());
+    find_paired();
   } else if (!find_left(from, to)) {
     return;
   }
-  for (std::size_t i = 0; i < from.size(); ++i) {
+  for (const std::size_t i : paired_) {
     if (left_[i] == 0) continue;
     const double last = std::min(length(from[i] - watched_from_[i]), slacks_[i]);
     slacks_[i] = std::max(least_slack_, 2.0 * std::max(length(to[i] - from[i]), last));
@@ -45,10 +46,21 @@ void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
   }
 }
 
+/// The anchors that any pair has, in order.
+void Contacts::find_paired() {
+  std::vector<char>& is_paired = left_;
+  std::fill(is_paired.begin(), is_paired.end(), 0);
+  for (const Corner& pair : corners_) is_paired[at(pair.disc)] = is_paired[at(pair.a)] = is_paired[at(pair.b)] = 1;
+  paired_.clear();
+  for (std::size_t i = 0; i < is_paired.size(); ++i) {
+    if (is_paired[i] != 0) paired_.push_back(i);
+  }
+}
+
 /// Who leaves his slack.
 bool Contacts::find_left(std::span<const Vec2> from, std::span<const Vec2> to) {
   char any = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
+  for (const std::size_t i : paired_) {
     const Vec2 here = from[i] - watched_from_[i];
     const Vec2 there = to[i] - watched_from_[i];
     const double slack2 = slacks_[i] * slacks_[i];

@@ -177,6 +177,7 @@ class Contacts {
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
   void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
   void watch(std::span<const Vec2> from, std::span<const Vec2> to);
+  void find_paired();
   bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_near(const Corner& pair) const;
   double reach_now(const ContactPair& pair) const;
@@ -202,7 +203,8 @@ class Contacts {
   // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
   std::vector<char> watched_;  // by pair: it is one of these
-  std::vector<char> left_;     // by anchor: it was not where it was to be the last time
+  std::vector<std::size_t> paired_;
+  std::vector<char> left_;  // by anchor: it was not where it was to be the last time
   std::vector<Vec2> watched_from_;
   std::vector<double> slacks_;
   double least_slack_ = 0.0;              // m

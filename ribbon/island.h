@@ -50,8 +50,9 @@ class Island {
     std::size_t first_hold;     // of its grips among all, and the end of them
     std::size_t last_hold;
     std::uint64_t id;
-    double mass = 0.0;  // kg, of the cord and what hangs on it
-    double room = 0.0;  // m, how far from its straight way a point of it may go in a step
+    double mass = 0.0;          // kg, of the cord and what hangs on it
+    double room = 0.0;          // m, how far from its straight way a point of it may go in a step
+    double longest_link = 0.0;  // m, of its outline
   };
   struct OutlineLink {
     std::size_t member;
@@ -107,7 +108,7 @@ class Island {
   static int links(const Cord& cord);
   ContactPair pair_with_link(const Member& member, int k) const;
   static ContactPair pair_with_point(const Member& member, int k);
-  bool is_large(const Member& member, const Box& near, double reach) const;
+  double longest_link(const Member& member) const;
   void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
   Vec2 place_of(int anchor) const;
   void meet_circle(const Member& member, const RigidCircle& circle);

@@ -55,8 +55,9 @@ void Island::find_contacts(double dt) {
     member.room = widenings_[m] * room_of({member.cord, member.met, member.id}, rigid_, dt, gravity_);
     body_room_ = std::max(body_room_, member.room);
   }
-  for (const Member& member : members_) {
+  for (Member& member : members_) {
     find_reach(member);
+    if (!member.met.circles.empty()) member.longest_link = longest_link(member);
     for (const RigidCircle& circle : member.met.circles) {
       if (!holds(member, circle.body)) meet_circle(member, circle);
     }
@@ -218,7 +219,10 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   if (!overlap(box, reach_)) return;
   const Box near = widened(box, member.room);
   const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
-  const bool by_points = is_large(member, near, reach);
+  // Between the points of so large a circle a cord is nowhere deeper than an eightieth of a link, L²/8R. On it,
+  // straight by that little, it has one minimum of the distance, and bent by it one a link: as one became the other,
+  // the energy of what presses would jump.
+  const bool by_points = reach >= large_circle * member.longest_link;
   const int count = by_points ? static_cast<int>(member.cord->outline_.size()) : links(*member.cord);
   int disc = -1;
   for (int k = 0; k < count; ++k) {
@@ -234,17 +238,14 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   }
 }
 
-/// Whether a circle is so large beside the links that may touch it, that between their ends they are nowhere nearer to
-/// it by more than an eightieth of their length, L²/8R. On it a cord that is straight by that little has one minimum of
-/// the distance, and a little bent one a link: as one becomes the other, the energy of what presses would jump.
-bool Island::is_large(const Member& member, const Box& near, double reach) const {
+double Island::longest_link(const Member& member) const {
+  double longest2 = 0.0;
   for (int k = 0; k < links(*member.cord); ++k) {
     const ContactPair link = pair_with_link(member, k);
     const Vec2 along = positions_[at(link.b)] - positions_[at(link.a)];
-    if (dot(along, along) > reach * reach / (large_circle * large_circle) && overlap(link_box(link), near))
-      return false;
+    longest2 = std::max(longest2, dot(along, along));
   }
-  return true;
+  return std::sqrt(longest2);
 }
 
 /// The cord's points against the inside of an edge; its ends are circles.

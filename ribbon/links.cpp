@@ -85,9 +85,10 @@ Links::Linearised Links::linearise(const Shape& shape, const Link& link, double 
 }
 
 void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
+  linearised_.resize(links_.size());
   for (std::size_t e = 0; e < links_.size(); ++e) {
     const Link& link = links_[e];
-    const Linearised at = linearise(system, link, tensions[e]);
+    const Linearised at = linearised_[e] = linearise(system, link, tensions[e]);
     const Vec2 pull = at.force * at.d;
     system.force[static_cast<std::size_t>(link.a)] += pull;
     system.force[static_cast<std::size_t>(link.b)] -= pull;
@@ -98,11 +99,11 @@ void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
   }
 }
 
-void Links::update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
-                   std::span<double> next) const {
+void Links::update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
+                   std::span<const Vec2> direction, std::span<double> next) const {
   for (std::size_t e = 0; e < links_.size(); ++e) {
     const Link& link = links_[e];
-    const Linearised at = linearise(system, link, tensions[e]);
+    const Linearised& at = linearised_[e];
     const Vec2 apart = direction[static_cast<std::size_t>(link.b)] - direction[static_cast<std::size_t>(link.a)];
     next[e] = at.force + at.stiffness * dot(at.d, apart);
   }

@@ -52,6 +52,7 @@ class Links final : public Term {
   double damping_;            // s
   bool tension_only_;
   std::vector<Link> links_;
+  std::vector<Linearised> linearised_;  // as loaded last
 };
 
 }  // namespace ribbon

@@ -65,7 +65,7 @@ class Term {
   virtual void add_constant(BandedMatrix& /*matrix*/) const {}
   /// Adds the forces, and the rest of the Hessian.
   virtual void load(const NewtonSystem& system, std::span<const double> tensions) = 0;
-  /// The tensions after the step `direction`.
+  /// The tensions after the step `direction`, by the system that was loaded last.
   virtual void update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
                       std::span<const Vec2> /*direction*/, std::span<double> /*next*/) const {}
   virtual double misjudged_way(const Shape& /*shape*/, std::span<const double> /*tensions*/) const { return 0.0; }
