@@ -1,5 +1,6 @@
 #include "ribbon/banded_ldlt.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
@@ -54,7 +55,8 @@ void BandedMatrix::hold(int k) {
 
 void BandedMatrix::set_scaled(const BandedMatrix& a, double factor) {
   assert(a.entries_.size() == entries_.size());
-  for (std::size_t k = 0; k < entries_.size(); ++k) entries_[k] = factor * a.entries_[k];
+  std::transform(a.entries_.begin(), a.entries_.end(), entries_.begin(),
+                 [factor](double entry) { return factor * entry; });
 }
 
 bool BandedLdlt::solve(BandedMatrix& a, std::span<double> b) {

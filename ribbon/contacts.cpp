@@ -57,7 +57,7 @@ void Contacts::add(const ContactPair& pair) {
   const double slack = slack_share * pair.reach;
   if (pairs_.empty() || slack < least_slack_) least_slack_ = slack;
   pairs_.push_back(pair);
-  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach});
+  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach, pair.in});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -158,7 +158,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   touching_.assign(pairs_.size(), 0);
   for (const std::size_t k : near_) {
     const Corner& corner = corners_[k];
-    const double reach = reach_now(pairs_[k]) + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
+    const double reach = reach_now(corner.reach, corner.in) + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);
     const Vec2 disc = anchors_[at(corner.disc)];
     const Vec2 a = anchors_[at(corner.a)];
     const Vec2 b = anchors_[at(corner.b)];
@@ -170,10 +170,10 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   }
 }
 
-/// m, nearer than which a pair touches.
-double Contacts::reach_now(const ContactPair& pair) const { return pair.reach - (1.0 - emerged_) * pair.in; }
-
-double Contacts::depth(const Active& active) const { return reach_now(pairs_[active.pair]) - active.gap.distance; }
+double Contacts::depth(const Active& active) const {
+  const ContactPair& pair = pairs_[active.pair];
+  return reach_now(pair.reach, pair.in) - active.gap.distance;
+}
 
 /// Whether the distance is a local minimum along what the segment is part of, and this pair the one to say so: at a
 /// vertex the one of the segment before it.

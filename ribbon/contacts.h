@@ -165,7 +165,7 @@ class Contacts {
   /// What a pass over all pairs reads of one.
   struct Corner {
     int disc, a, b;
-    double reach;
+    double reach, in;
   };
   struct Active {
     std::size_t pair;
@@ -180,7 +180,8 @@ class Contacts {
   void find_paired();
   bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_near(const Corner& pair) const;
-  double reach_now(const ContactPair& pair) const;
+  /// m, nearer than which who was in so far touches.
+  double reach_now(double reach, double in) const { return reach - (1.0 - emerged_) * in; }
   double depth(const Active& active) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;

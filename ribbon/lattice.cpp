@@ -88,6 +88,11 @@ void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
   if (damping_ == 0.0) return {stage, x, x, 1.0};
   for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);
+  return last_shape(stage, x);
+}
+
+Shape Lattice::last_shape(const Stage& stage, std::span<const Vec2> x) const {
+  if (damping_ == 0.0) return {stage, x, x, 1.0};
   return {stage, x, damped_, 1.0 + damping_ / stage.q};
 }
 
@@ -152,7 +157,7 @@ void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const 
 
 void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                      std::span<const Vec2> direction, std::span<const Vec2> /*duals*/, std::span<double> next) {
-  const NewtonSystem system{shape(stage, x), matrix_, {}};
+  const NewtonSystem system{last_shape(stage, x), matrix_, {}};
   std::size_t first = 0;
   for (const auto& term : terms_) {
     const std::size_t count = term->tension_count();

@@ -38,6 +38,8 @@ class Lattice final : public Elasticity {
  private:
   void assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, std::span<Vec2> force);
   Shape shape(const Stage& stage, std::span<const Vec2> x);
+  /// The same where it was evaluated last.
+  Shape last_shape(const Stage& stage, std::span<const Vec2> x) const;
   void hold_constrained(const Stage& stage, std::span<Vec2> force);
   bool solve(std::span<Vec2> residual);
 
