@@ -19,7 +19,7 @@ constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 gravity{0.0, -9.81};
 
 /// Of vectors of who may touch, each as often as there are more of them than ever before: seldom and seldomer.
-constexpr double most_allocations = 8.0;
+constexpr double most_allocations = 4.0;
 
 #if defined(__SSE2__)
 constexpr unsigned met_subnormal = 0x12;  // as an operand, as a result
@@ -82,12 +82,13 @@ Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& sc
     for (int j = 0; j < rows; ++j) cord.operate(j, anchors[static_cast<std::size_t>(j)] + way);
     const int before = cord.counts().direct.iterations;
     forget_subnormals();
+    const long held = allocations.so_far();
     balls.step(cord, dt, gravity);
+    if (k >= ticks / 2) taken += allocations.so_far() - held;
     if (were_subnormals()) ++subnormal_ticks;
     const long cost = cord.counts().direct.iterations - before;
     const double energy = std::abs(cord.energy(gravity));
     finite = cord.is_finite() && std::isfinite(energy);
-    if (k == ticks / 2) taken = allocations.so_far();
     most_cost = std::max(most_cost, cost);
     if (k < tenth) {
       first_cost += cost;
@@ -102,7 +103,7 @@ Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& sc
   if (!finite) return {infinity, infinity, infinity, infinity, infinity};
   Figures figures;
   figures.energy = last_peak / first_peak;
-  figures.allocations = static_cast<double>(allocations.so_far() - taken);
+  figures.allocations = static_cast<double>(taken);
   figures.cost = first_cost > 0 ? static_cast<double>(last_cost) / static_cast<double>(first_cost) : 1.0;
   figures.peak = static_cast<double>(most_cost);
   figures.subnormals = static_cast<double>(subnormal_ticks);
