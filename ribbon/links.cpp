@@ -17,6 +17,7 @@ Links::Links(const CordDef& def)
       }
     }
   }
+  linearised_.resize(links_.size());
 }
 
 void Links::set_rest_lengths(std::span<const double> lengths) {
@@ -85,7 +86,6 @@ Links::Linearised Links::linearise(const Shape& shape, const Link& link, double 
 }
 
 void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
-  linearised_.resize(links_.size());
   for (std::size_t e = 0; e < links_.size(); ++e) {
     const Link& link = links_[e];
     const Linearised at = linearised_[e] = linearise(system, link, tensions[e]);

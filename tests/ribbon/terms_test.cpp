@@ -130,11 +130,14 @@ class Terms : public testing::TestWithParam<int> {
   std::vector<double> tensions(const std::vector<Vec2>& x) const {
     const Stage at = stage();
     const std::vector<Vec2> y = damped(x);
-    std::vector<Vec2> nothing(x.size());
-    BandedMatrix unused(2 * static_cast<int>(x.size()), 2 * tested.def.rows + 3);
+    const std::vector<Vec2> nothing(x.size());
+    std::vector<Vec2> force(x.size());
+    BandedMatrix matrix(2 * static_cast<int>(x.size()), 2 * tested.def.rows + 3);
     std::vector<double> found(term->tension_count());
     const std::vector<double> before(found.size(), 1.0);
-    term->update({shape(at, x, y), unused, nothing}, before, nothing, found);
+    const NewtonSystem system{shape(at, x, y), matrix, force};
+    term->load(system, before);
+    term->update(system, before, nothing, found);
     return found;
   }
   std::vector<Vec2> moved(double share) const {
