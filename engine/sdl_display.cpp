@@ -10,7 +10,11 @@ namespace engine {
 namespace {
 
 int keep_silent(Display*) { return 0; }
-void set_lost(Display*, void* lost) { *static_cast<bool*>(lost) = true; }
+void set_lost(Display*, void* noted) {
+  auto& loss = *static_cast<DisplayLoss*>(noted);
+  loss.lost = true;
+  if (loss.escape != nullptr) std::longjmp(*loss.escape, 1);
+}
 
 /// A function of the Xlib that SDL holds open; null if that is too old to have it.
 template <typename Function>
@@ -20,7 +24,7 @@ Function* function_of(void* xlib, const char* name) {
 
 }  // namespace
 
-void note_loss_of_display(SDL_Window* window, bool& lost) {
+void note_loss_of_display(SDL_Window* window, DisplayLoss& loss) {
   SDL_SysWMinfo info;
   SDL_VERSION(&info.version);
   if (SDL_GetWindowWMInfo(window, &info) == SDL_FALSE || info.subsystem != SDL_SYSWM_X11) return;
@@ -32,14 +36,14 @@ void note_loss_of_display(SDL_Window* window, bool& lost) {
   const auto on_exit = function_of<decltype(XSetIOErrorExitHandler)>(xlib, "XSetIOErrorExitHandler");
   if (on_error != nullptr && on_exit != nullptr) {
     on_error(keep_silent);
-    on_exit(info.info.x11.display, set_lost, &lost);
+    on_exit(info.info.x11.display, set_lost, &loss);
   }
   SDL_UnloadObject(xlib);
 }
 
 #else
 
-void note_loss_of_display(SDL_Window*, bool&) {}
+void note_loss_of_display(SDL_Window*, DisplayLoss&) {}
 
 #endif
 

@@ -125,12 +125,14 @@ struct Window::Impl {
   Impl(const std::string& title, int width, int height);
 
   void check_display() const;
+  template <typename Question>
+  int ask_display(const Question& question);
 
   void handle(const SDL_Event& event);
   void mouse_at(int x, int y) { input.mouse_at({x * scale_x, y * scale_y}); }
   void follow_size();
 
-  bool lost = false;  // the display
+  DisplayLoss loss;
   HeadlessCanvas canvas;
   Video video;
   std::unique_ptr<SDL_Window, decltype(&SDL_DestroyWindow)> window;
@@ -153,12 +155,27 @@ Window::Impl::Impl(const std::string& title, int width, int height)
       renderer(make_renderer(window.get()), SDL_DestroyRenderer),
       vsync(waits_for_display(renderer.get())),
       period(frame_time(window.get())) {
-  note_loss_of_display(window.get(), lost);
+  note_loss_of_display(window.get(), loss);
   follow_size();
 }
 
 void Window::Impl::check_display() const {
-  if (lost) throw std::runtime_error("the display was lost: the X server that showed the window has gone");
+  if (loss.lost) throw std::runtime_error("the display was lost: the X server that showed the window has gone");
+}
+
+/// Throws where the display is lost before or meanwhile. The question calls C alone: it may be left by a jump.
+template <typename Question>
+int Window::Impl::ask_display(const Question& question) {
+  check_display();
+  std::jmp_buf escape;
+  volatile int answer = 0;
+  if (setjmp(escape) == 0) {
+    loss.escape = &escape;
+    answer = question();
+  }
+  loss.escape = nullptr;
+  check_display();
+  return answer;
 }
 
 void Window::Impl::follow_size() {
@@ -205,7 +222,7 @@ Window::Window(const std::string& title, int width, int height) : impl_(std::mak
 Window::~Window() {
   // Whatever closes a window asks its display, and may wait for the answer: with that gone, it is left as it is.
   static std::vector<Impl*> left;
-  if (impl_->lost) left.push_back(impl_.release());
+  if (impl_->loss.lost) left.push_back(impl_.release());
 }
 
 Canvas& Window::canvas() { return impl_->canvas; }
@@ -214,19 +231,20 @@ double Window::pixel_scale() const { return std::max(impl_->scale_y, 1.0); }
 
 WindowInput Window::poll() {
   SDL_Event event;
-  while (SDL_PollEvent(&event) != 0) impl_->handle(event);
-  impl_->check_display();
+  while (impl_->ask_display([&event] { return SDL_PollEvent(&event); }) != 0) impl_->handle(event);
   impl_->follow_size();
   return impl_->input.take();
 }
 
 void Window::present() {
-  impl_->check_display();
-  const Raster& raster = impl_->canvas.raster();
-  SDL_Renderer* const renderer = impl_->renderer.get();
-  SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());
-  SDL_RenderCopy(renderer, impl_->texture.get(), nullptr, nullptr);
-  SDL_RenderPresent(renderer);
+  impl_->ask_display([this] {
+    const Raster& raster = impl_->canvas.raster();
+    SDL_Renderer* const renderer = impl_->renderer.get();
+    SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());
+    SDL_RenderCopy(renderer, impl_->texture.get(), nullptr, nullptr);
+    SDL_RenderPresent(renderer);
+    return 0;
+  });
   // A driver that promises to wait may not do so while the window is hidden: then the half period is the limit.
   const auto earliest = impl_->shown + (impl_->vsync ? impl_->period / 2 : impl_->period);
   const auto now = Clock::now();
