@@ -8,6 +8,7 @@
 #include "game/buttons.h"
 #include "game/recorded_run.h"
 #include "game/run.h"
+#include "game/sounds.h"
 #include "game/view.h"
 
 namespace game {
@@ -50,6 +51,8 @@ class WindowGame {
     if (options.seek > 0) run_.seek(options.seek);
     view_options_.watching = run_.has_replay();
     view_options_.meter = &meter_;
+    if (!sounds_.why_silent().empty()) std::fprintf(stderr, "ropeswing: %s\n", sounds_.why_silent().c_str());
+    if (!sounds_.trouble().empty()) view_options_.notice = sounds_.trouble().c_str();
     run_.start_recording();
     last_frame_ns_ = engine::now_ns();
   }
@@ -129,10 +132,13 @@ class WindowGame {
       view_options_.notice = "The recording has ended: the file cannot be written";
     }
     meter_.add(run_.simulation(), engine::now_ns() - begun);
+    sounds_.hear(run_.simulation());
   }
 
   void draw(const WindowInput& input) {
     const bool still = view_options_.paused || is_over();
+    if (still) sounds_.rest();
+    sounds_.keep_open(last_frame_ns_);
     const engine::Canvas& canvas = window_.canvas();
     const double size = std::min(canvas.width() / (1.0 * window_width), canvas.height() / (1.0 * window_height));
     view_options_.text_scale = window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
@@ -157,6 +163,7 @@ class WindowGame {
   View view_;
   engine::Window window_;
   Meter meter_;
+  Sounds sounds_;
   ViewOptions view_options_;
   engine::FixedTick clock_{ticks_per_second};
   std::int64_t last_frame_ns_ = 0;

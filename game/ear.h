@@ -1,0 +1,69 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/mixer.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// What a run can be heard doing, once each time it does.
+enum class Noise : unsigned char {
+  thud,     ///< a body against another or the ground, the player's landing among them
+  slap,     ///< a cord against something
+  creak,    ///< the held cord, as its tension rises and falls
+  catches,  ///< the player catches a cord
+  lets_go,
+  jump,
+  footstep,
+  fall,  ///< out of the level
+  goal,
+};
+inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::goal) + 1;
+
+struct Cue {
+  Noise noise;
+  engine::Playing how;
+};
+
+/// Listens to a run: from its state after each tick it tells what is to be heard. It changes nothing of the run, and
+/// the same run is heard the same each time.
+class Ear {
+ public:
+  /// After each tick. A run that has gone on, or back, without it is listened to anew.
+  void hear(const Simulation& simulation);
+
+  /// What began in that tick; volumes 0 … 1.
+  std::span<const Cue> cues() const { return cues_; }
+  /// The air around the player, from how fast he flies.
+  const engine::Playing& wind() const { return wind_; }
+
+ private:
+  void begin(const Simulation& simulation);
+  void hear_bodies(const Simulation& simulation);
+  void hear_cords(const Simulation& simulation);
+  void hear_held_cord(const Simulation& simulation);
+  void hear_player(const Simulation& simulation);
+  void hear_wind(const Simulation& simulation);
+  void add(Noise noise, double volume, double pitch = 1.0) { cues_.push_back({noise, {volume, 0.0, pitch}}); }
+  engine::Playing from(const Simulation& simulation, ribbon::Vec2 where, double volume, double pitch) const;
+
+  std::vector<Cue> cues_;
+  engine::Playing wind_{0.0, 0.0, 1.0};
+  std::vector<double> impulses_;  // N·s, of each body's contacts in the tick before
+  std::vector<double> impulses_now_;
+  int tick_ = -1;
+  int run_tick_ = -1;
+  int falls_ = 0;
+  bool reached_goal_ = false;
+  bool held_ = false;
+  bool on_ground_ = false;
+  double tension_ = 0.0;  // N
+  double unrest_ = 0.0;   // N, by which it has changed since the last creak
+  double walked_ = 0.0;   // m, since the last footstep
+  int since_creak_ = 0;   // ticks
+  int since_slap_ = 0;    // ticks
+};
+
+}  // namespace game

@@ -1,0 +1,63 @@
+#include "game/sounds.h"
+
+#include "game/level.h"
+
+namespace game {
+namespace {
+
+constexpr std::int64_t patience_ns = 3'000'000'000;  // from one try to open a lost device to the next
+constexpr engine::SoundId none = -1;
+
+}  // namespace
+
+Sounds::Sounds() : was_heard_(audio_.is_heard()) {
+  load(Noise::thud, {"thud"});
+  load(Noise::slap, {"slap"});
+  load(Noise::creak, {"creak_1", "creak_2", "creak_3"});
+  load(Noise::catches, {"catch"});
+  load(Noise::lets_go, {"let_go"});
+  load(Noise::jump, {"jump"});
+  load(Noise::footstep, {"footstep"});
+  load(Noise::fall, {"fall"});
+  load(Noise::goal, {"goal"});
+  const engine::SoundId air = load("whoosh");
+  wind_ = audio_.start_loop(air == none ? audio_.add({engine::Audio::rate, {0.0F, 0.0F}}) : air);
+}
+
+engine::SoundId Sounds::load(const std::string& name) {
+  try {
+    return audio_.add(engine::load_wav(assets_folder() + "/sounds/" + name + ".wav"));
+  } catch (const engine::SoundError& error) {
+    if (trouble_.empty()) trouble_ = error.what();
+    return none;
+  }
+}
+
+void Sounds::load(Noise noise, const std::vector<std::string>& names) {
+  Take& take = takes_[static_cast<std::size_t>(noise)];
+  for (const std::string& name : names) {
+    const engine::SoundId sound = load(name);
+    if (sound != none) take.sounds[take.count++] = sound;
+  }
+}
+
+void Sounds::play(const Cue& cue) {
+  Take& take = takes_[static_cast<std::size_t>(cue.noise)];
+  if (take.count > 0) audio_.play(take.sounds[take.next++ % take.count], cue.how);
+}
+
+void Sounds::hear(const Simulation& simulation) {
+  ear_.hear(simulation);
+  for (const Cue& cue : ear_.cues()) play(cue);
+  audio_.set_loop(wind_, ear_.wind());
+}
+
+void Sounds::rest() { audio_.set_loop(wind_, {0.0, 0.0, 1.0}); }
+
+void Sounds::keep_open(std::int64_t now_ns) {
+  if (!was_heard_ || audio_.is_heard() || now_ns - last_try_ns_ < patience_ns) return;
+  last_try_ns_ = now_ns;
+  audio_.reopen_if_lost();
+}
+
+}  // namespace game
