@@ -13,7 +13,6 @@ using ribbon::Vec2;
 
 constexpr double full_thud = 400.0;       // N·s: 60 kg that land at 6.7 m/s
 constexpr double least_thud_speed = 0.8;  // m/s, by which a blow changes a body's velocity
-constexpr double resting_share = 1.6;     // of the impulse before: what lies and rolls never pushes more
 constexpr double full_slap = 40.0;        // N·s
 constexpr double least_slap = 0.3;        // N·s
 constexpr int slap_ticks = 4;             // at least, from one to the next
@@ -24,17 +23,6 @@ constexpr double step_length = 1.05;      // m
 constexpr double calm = 3.5;              // m/s, up to which air is not heard
 constexpr double storm = 16.0;            // m/s
 constexpr double hearing = 9.0;           // m, at which a sound is half as loud, and all at one side
-
-/// N·s, what all its contacts pushed in the last step.
-double pushed(const b2Body& body) {
-  double sum = 0.0;
-  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
-    if (!edge->contact->IsTouching()) continue;
-    const b2Manifold* manifold = edge->contact->GetManifold();
-    for (int k = 0; k < manifold->pointCount; ++k) sum += static_cast<double>(manifold->points[k].normalImpulse);
-  }
-  return sum;
-}
 
 /// N, the greater of the links at the point; of a ribbon it is not known.
 double tension_at(const engine::Coupling& coupling, const engine::CordPoint& held) {
@@ -74,7 +62,7 @@ void Ear::begin(const Simulation& simulation) {
   reached_goal_ = simulation.goal_ticks().has_value();
   held_ = simulation.scene().coupling().held_by(simulation.player().body()).has_value();
   on_ground_ = simulation.player().is_on_ground();
-  impulses_.clear();
+  velocities_.clear();
   tension_ = unrest_ = walked_ = 0.0;
   since_creak_ = since_slap_ = 0;
 }
@@ -86,23 +74,45 @@ engine::Playing Ear::from(const Simulation& simulation, Vec2 where, double volum
   return {volume * nearness, std::clamp(way.x / hearing, -1.0, 1.0) * 0.8, pitch};
 }
 
-void Ear::hear_bodies(const Simulation& simulation) {
-  impulses_now_.clear();
-  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    impulses_now_.push_back(body->GetType() == b2_dynamicBody ? pushed(*body) : 0.0);
+/// N·s, the hardest that the body was hit in the tick, as far as velocities tell: Box2D keeps no impulses of what it
+/// stops on its way. Of two that hit each other the lighter was hit.
+double Ear::blow(const b2Body& body) const {
+  const auto before = [this](const b2Body& of) {
+    const auto known = velocities_.find(&of);
+    return known == velocities_.end() ? to_double(of.GetLinearVelocity()) : known->second;
+  };
+  double hardest = 0.0;
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    const b2Body& other = *edge->other;
+    const bool lighter = other.GetType() != b2_dynamicBody || body.GetMass() <= other.GetMass();
+    if (!edge->contact->IsTouching() || !lighter) continue;
+    b2WorldManifold manifold;
+    edge->contact->GetWorldManifold(&manifold);
+    const bool is_b = edge->contact->GetFixtureB()->GetBody() == &body;
+    const Vec2 away = (is_b ? 1.0 : -1.0) * to_double(manifold.normal);
+    const Vec2 came = before(body) - before(other);
+    const Vec2 goes = to_double(body.GetLinearVelocity()) - to_double(other.GetLinearVelocity());
+    const double stopped = std::min(-dot(came, away), dot(goes - came, away));
+    if (stopped < least_thud_speed) continue;
+    const double inverse_mass = 1.0 / static_cast<double>(body.GetMass()) +
+                                (other.GetType() == b2_dynamicBody ? 1.0 / static_cast<double>(other.GetMass()) : 0.0);
+    hardest = std::max(hardest, stopped / inverse_mass);
   }
-  const bool same_bodies = impulses_.size() == impulses_now_.size();
-  std::size_t k = 0;
-  for (const b2Body* body = simulation.scene().world().GetBodyList(); same_bodies && body != nullptr;
-       body = body->GetNext(), ++k) {
-    const double blow = impulses_now_[k] - resting_share * impulses_[k];
-    const auto mass = static_cast<double>(body->GetMass());
-    if (!(blow > least_thud_speed * mass) || mass == 0.0) continue;
-    const double pitch = 0.8 + 12.0 / (20.0 + mass);  // what is heavy sounds deep
-    const double volume = std::min(1.0, std::sqrt(blow / full_thud));
+  return hardest;
+}
+
+void Ear::hear_bodies(const Simulation& simulation) {
+  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (body->GetType() != b2_dynamicBody) continue;
+    const double hit = blow(*body);
+    if (hit == 0.0) continue;
+    const double pitch = 0.8 + 12.0 / (20.0 + static_cast<double>(body->GetMass()));  // what is heavy sounds deep
+    const double volume = std::min(1.0, std::sqrt(hit / full_thud));
     cues_.push_back({Noise::thud, from(simulation, to_double(body->GetPosition()), volume, pitch)});
   }
-  impulses_.swap(impulses_now_);
+  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    velocities_[body] = to_double(body->GetLinearVelocity());
+  }
 }
 
 void Ear::hear_cords(const Simulation& simulation) {

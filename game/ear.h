@@ -1,6 +1,9 @@
 #pragma once
 
+#include <box2d/box2d.h>
+
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/mixer.h"
@@ -41,6 +44,7 @@ class Ear {
 
  private:
   void begin(const Simulation& simulation);
+  double blow(const b2Body& body) const;
   void hear_bodies(const Simulation& simulation);
   void hear_cords(const Simulation& simulation);
   void hear_held_cord(const Simulation& simulation);
@@ -51,8 +55,7 @@ class Ear {
 
   std::vector<Cue> cues_;
   engine::Playing wind_{0.0, 0.0, 1.0};
-  std::vector<double> impulses_;  // N·s, of each body's contacts in the tick before
-  std::vector<double> impulses_now_;
+  std::unordered_map<const b2Body*, ribbon::Vec2> velocities_;  // m/s, after the tick before
   int tick_ = -1;
   int run_tick_ = -1;
   int falls_ = 0;
