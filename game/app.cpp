@@ -37,6 +37,7 @@ App::App(const RunOptions& options)
       first_run_(run_asked_for(session_, options)),
       direct_(first_run_.get()),
       window_("Rope swing", window_width, window_height) {
+  tell_of_sounds();
   if (direct_ != nullptr) {
     screens_.open(std::move(first_run_));
   } else {
@@ -60,6 +61,7 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   const MenuInput menu = menu_reader_.read(input, elapsed_ns);
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
   session_.notice.pass(elapsed_ns);
+  session_.sounds.pass(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
   if (is_fullscreen_ != session_.settings.fullscreen) {
     is_fullscreen_ = session_.settings.fullscreen;
     window_.set_fullscreen(is_fullscreen_);
@@ -91,6 +93,14 @@ void App::notice_pads(const engine::WindowInput& input) {
   if (input.keys_pressed.any() || input.buttons_pressed.any()) session_.uses_pad = false;
   if (input.pad_found) session_.notice.show("A gamepad is plugged in");
   if (input.pad_lost) session_.notice.show("The gamepad was unplugged");
+}
+
+void App::tell_of_sounds() {
+  const Sounds& sounds = session_.sounds;
+  for (const std::string& trouble : {sounds.why_silent(), sounds.trouble()}) {
+    if (!trouble.empty()) std::fprintf(stderr, "ropeswing: %s\n", trouble.c_str());
+  }
+  if (!sounds.trouble().empty()) session_.notice.show("A sound is missing: " + sounds.trouble());
 }
 
 void App::take_picture() {

@@ -40,6 +40,7 @@ class App {
   double text_scale() const;
   void obey_keys(const engine::WindowInput& input);
   void notice_pads(const engine::WindowInput& input);
+  void tell_of_sounds();
   void take_picture();
 
   RunOptions options_;

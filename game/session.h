@@ -4,6 +4,7 @@
 #include <string>
 
 #include "game/settings.h"
+#include "game/sounds.h"
 
 namespace game {
 
@@ -24,6 +25,7 @@ class Notice {
 struct Session {
   Settings settings;
   Notice notice;
+  Sounds sounds;
   bool uses_pad = false;  ///< the last thing that was pressed was on a gamepad: hints name its buttons
 };
 

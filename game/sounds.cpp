@@ -6,6 +6,7 @@ namespace game {
 namespace {
 
 constexpr std::int64_t patience_ns = 3'000'000'000;  // from one try to open a lost device to the next
+constexpr std::int64_t pause_ns = 200'000'000;       // without a tick: longer than slow motion leaves between two
 constexpr engine::SoundId none = -1;
 
 }  // namespace
@@ -47,16 +48,19 @@ void Sounds::play(const Cue& cue) {
 }
 
 void Sounds::hear(const Simulation& simulation) {
+  unheard_ns_ = 0;
   ear_.hear(simulation);
   for (const Cue& cue : ear_.cues()) play(cue);
   audio_.set_loop(wind_, ear_.wind());
 }
 
-void Sounds::rest() { audio_.set_loop(wind_, {0.0, 0.0, 1.0}); }
-
-void Sounds::keep_open(std::int64_t now_ns) {
-  if (!was_heard_ || audio_.is_heard() || now_ns - last_try_ns_ < patience_ns) return;
-  last_try_ns_ = now_ns;
+void Sounds::pass(std::int64_t elapsed_ns, double volume, bool muted) {
+  audio_.set_volume(muted ? 0.0 : volume);
+  unheard_ns_ += elapsed_ns;
+  if (unheard_ns_ > pause_ns) audio_.set_loop(wind_, {0.0, 0.0, 1.0});
+  lost_ns_ = audio_.is_heard() ? 0 : lost_ns_ + elapsed_ns;
+  if (!was_heard_ || lost_ns_ < patience_ns) return;
+  lost_ns_ = 0;
   audio_.reopen_if_lost();
 }
 

@@ -21,14 +21,11 @@ class Sounds {
   /// Why nothing is heard, as a sentence; empty if there is a device that plays.
   std::string why_silent() const { return audio_.why_silent(); }
 
-  /// Volume 0 … 1.
-  void set_volume(double volume, bool muted) { audio_.set_volume(muted ? 0.0 : volume); }
   /// After each tick of the run that is seen and heard.
   void hear(const Simulation& simulation);
-  /// While nothing moves: in a pause, or when the run has ended.
-  void rest();
-  /// Every frame: finds the sound device again if it was lost.
-  void keep_open(std::int64_t now_ns);
+  /// Every frame, so long after the one before: the loops end where nothing has been heard for a moment, as in a pause,
+  /// and a device that was lost is looked for. Volume 0 … 1.
+  void pass(std::int64_t elapsed_ns, double volume, bool muted);
 
  private:
   static constexpr std::size_t most_takes = 3;
@@ -47,7 +44,8 @@ class Sounds {
   std::array<Take, noise_count> takes_;
   engine::LoopId wind_ = 0;
   Ear ear_;
-  std::int64_t last_try_ns_ = 0;
+  std::int64_t unheard_ns_ = 0;  // since the last tick
+  std::int64_t lost_ns_ = 0;     // since the device was last looked for
   bool was_heard_;
 };
 

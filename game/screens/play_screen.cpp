@@ -89,6 +89,7 @@ void PlayScreen::tick() {
     say_that_recording_failed(error);
   }
   meter_.add(run_.simulation(), engine::now_ns() - begun);
+  session_->sounds.hear(run_.simulation());
 }
 
 void PlayScreen::say_that_recording_failed(const engine::ReplayError& error) {
