@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/tiled_edit.h"
+#include "game/level.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// A level whose cords and gravity are changed while it runs, and the text of its file with these changes.
+class TunedLevel {
+ public:
+  /// Reads the level's file. Throws engine::MapError if it cannot be read or is not the one the level was loaded from.
+  explicit TunedLevel(const Level& level);
+
+  /// Sets a property of an object (engine::map_itself: the gravity), for good and in the running scene at once. Throws
+  /// engine::MapError, and changes nothing, if it cannot be.
+  void set(int object, std::string_view property, const engine::Properties::Value& value, engine::Scene& scene);
+  /// The same without the property.
+  void remove(int object, std::string_view property, engine::Scene& scene);
+
+  /// Whether it differs from the file.
+  bool is_changed() const { return text_ != file_text_; }
+  const engine::TiledMap& map() const { return map_; }
+  /// The object that cord is of; null for one that no object declares.
+  const engine::MapObject* object_of(engine::CordIndex cord) const;
+
+  /// The level to begin anew with. Throws engine::MapError.
+  Level level() const;
+  /// Puts the changes into the file, which keeps every other byte. Throws engine::MapError for a level that cannot be
+  /// loaded or a file that has changed since, and std::runtime_error if it cannot be written; the file then stays.
+  void write();
+
+ private:
+  void take(std::string text, int object, engine::Scene& scene);
+
+  std::string file_text_;
+  std::string text_;
+  engine::TiledMap map_;
+};
+
+}  // namespace game
