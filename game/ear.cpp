@@ -52,6 +52,7 @@ void Ear::hear(const Simulation& simulation) {
   run_tick_ = simulation.run_ticks();
   hear_bodies(simulation);
   hear_cords(simulation);
+  hear_line(simulation);
   hear_held_cord(simulation);
   hear_player(simulation);
   hear_wind(simulation);
@@ -62,6 +63,9 @@ void Ear::begin(const Simulation& simulation) {
   reached_goal_ = simulation.goal_ticks().has_value();
   held_ = simulation.scene().coupling().held_by(simulation.player().body()).has_value();
   on_ground_ = simulation.player().is_on_ground();
+  checkpoint_ = simulation.checkpoint();
+  line_ = simulation.player().line().state();
+  line_length_ = simulation.player().line().length();
   velocities_.clear();
   tension_ = unrest_ = walked_ = 0.0;
   since_creak_ = since_slap_ = 0;
@@ -132,7 +136,8 @@ void Ear::hear_held_cord(const Simulation& simulation) {
   ++since_creak_;
   const engine::Coupling& coupling = simulation.scene().coupling();
   const auto held = coupling.held_by(simulation.player().body());
-  if (held && !held_) add(Noise::catches, 0.8);
+  const bool by_line = held && simulation.player().line().cord() == held->cord;
+  if (held && !held_ && !by_line) add(Noise::catches, 0.8);
   if (!held && held_) add(Noise::lets_go, 0.7);
   const double tension = held ? tension_at(coupling, *held) : 0.0;
   if (held && held_) unrest_ += std::abs(tension - tension_);
@@ -144,6 +149,18 @@ void Ear::hear_held_cord(const Simulation& simulation) {
   unrest_ = 0.0;
   since_creak_ = 0;
   add(Noise::creak, 0.15 + 0.6 * smooth(tension / full_creak), rises ? 1.06 : 0.92);
+}
+
+void Ear::hear_line(const Simulation& simulation) {
+  const Line& line = simulation.player().line();
+  if (line.state() == Line::State::flying && line_ != Line::State::flying) add(Noise::throws, 0.7);
+  const bool takes_hold = line.state() == Line::State::held && line_ != Line::State::held;
+  if (takes_hold) cues_.push_back({Noise::hook, from(simulation, line.hook(), 0.8, 1.0)});
+  const bool is_held = line.state() == Line::State::held && !takes_hold;
+  const double speed = is_held ? std::abs(line.length() - line_length_) * ticks_per_second : 0.0;  // m/s
+  reel_ = {0.6 * smooth(speed / 2.0), 0.0, 0.8 + 0.2 * std::min(speed, 5.0)};
+  line_ = line.state();
+  line_length_ = line.length();
 }
 
 void Ear::hear_player(const Simulation& simulation) {
@@ -159,6 +176,8 @@ void Ear::hear_player(const Simulation& simulation) {
   }
   if (simulation.falls() > falls_) add(Noise::fall, 0.7);
   falls_ = simulation.falls();
+  if (simulation.checkpoint() && simulation.checkpoint() != checkpoint_) add(Noise::checkpoint, 0.7);
+  checkpoint_ = simulation.checkpoint();
   if (simulation.goal_ticks() && !reached_goal_) add(Noise::goal, 0.8);
   reached_goal_ = simulation.goal_ticks().has_value();
 }

@@ -2,6 +2,7 @@
 
 #include <box2d/box2d.h>
 
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -22,8 +23,11 @@ enum class Noise : unsigned char {
   footstep,
   fall,  ///< out of the level
   goal,
+  throws,  ///< the player throws a line
+  hook,    ///< and it takes hold
+  checkpoint,
 };
-inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::goal) + 1;
+inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::checkpoint) + 1;
 
 struct Cue {
   Noise noise;
@@ -41,6 +45,8 @@ class Ear {
   std::span<const Cue> cues() const { return cues_; }
   /// The air around the player, from how fast he flies.
   const engine::Playing& wind() const { return wind_; }
+  /// The line, as it is reeled in or out.
+  const engine::Playing& reel() const { return reel_; }
 
  private:
   void begin(const Simulation& simulation);
@@ -48,6 +54,7 @@ class Ear {
   void hear_bodies(const Simulation& simulation);
   void hear_cords(const Simulation& simulation);
   void hear_held_cord(const Simulation& simulation);
+  void hear_line(const Simulation& simulation);
   void hear_player(const Simulation& simulation);
   void hear_wind(const Simulation& simulation);
   void add(Noise noise, double volume, double pitch = 1.0) { cues_.push_back({noise, {volume, 0.0, pitch}}); }
@@ -55,11 +62,15 @@ class Ear {
 
   std::vector<Cue> cues_;
   engine::Playing wind_{0.0, 0.0, 1.0};
+  engine::Playing reel_{0.0, 0.0, 1.0};
   std::unordered_map<const b2Body*, ribbon::Vec2> velocities_;  // m/s, after the tick before
   int tick_ = -1;
   int run_tick_ = -1;
   int falls_ = 0;
   bool reached_goal_ = false;
+  std::optional<std::size_t> checkpoint_;
+  Line::State line_ = Line::State::stowed;
+  double line_length_ = 0.0;  // m
   bool held_ = false;
   bool on_ground_ = false;
   double tension_ = 0.0;  // N

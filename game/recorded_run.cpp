@@ -1,5 +1,7 @@
 #include "game/recorded_run.h"
 
+#include <utility>
+
 namespace game {
 namespace {
 
@@ -46,6 +48,24 @@ void RecordedRun::tick(const engine::TickInput& input) {
   simulation_->tick(used);
   if (verifier_) verifier_->check(simulation_->hash());
   if (writer_) writer_->write(used, simulation_->hash());
+}
+
+Simulation& RecordedRun::tune() {
+  is_tuned_ = true;
+  end_recording();
+  return *simulation_;
+}
+
+void RecordedRun::set_level(Level level) {
+  end_recording();
+  level_ = std::move(level);
+}
+
+void RecordedRun::end_recording() {
+  if (!writer_) return;
+  engine::ReplayWriter ended = std::move(*writer_);
+  writer_.reset();
+  ended.finish();
 }
 
 void RecordedRun::seek(int tick) {

@@ -21,8 +21,11 @@ Sounds::Sounds() : was_heard_(audio_.is_heard()) {
   load(Noise::footstep, {"footstep"});
   load(Noise::fall, {"fall"});
   load(Noise::goal, {"goal"});
-  const engine::SoundId air = load("whoosh");
-  wind_ = audio_.start_loop(air == none ? audio_.add({engine::Audio::rate, {0.0F, 0.0F}}) : air);
+  load(Noise::throws, {"throw"});
+  load(Noise::hook, {"hook"});
+  load(Noise::checkpoint, {"checkpoint"});
+  wind_ = load_loop("whoosh");
+  reel_ = load_loop("reel");
 }
 
 engine::SoundId Sounds::load(const std::string& name) {
@@ -32,6 +35,11 @@ engine::SoundId Sounds::load(const std::string& name) {
     if (trouble_.empty()) trouble_ = error.what();
     return none;
   }
+}
+
+engine::LoopId Sounds::load_loop(const std::string& name) {
+  const engine::SoundId sound = load(name);
+  return audio_.start_loop(sound == none ? audio_.add({engine::Audio::rate, {0.0F, 0.0F}}) : sound);
 }
 
 void Sounds::load(Noise noise, const std::vector<std::string>& names) {
@@ -52,12 +60,15 @@ void Sounds::hear(const Simulation& simulation) {
   ear_.hear(simulation);
   for (const Cue& cue : ear_.cues()) play(cue);
   audio_.set_loop(wind_, ear_.wind());
+  audio_.set_loop(reel_, ear_.reel());
 }
 
 void Sounds::pass(std::int64_t elapsed_ns, double volume, bool muted) {
   audio_.set_volume(muted ? 0.0 : volume);
   unheard_ns_ += elapsed_ns;
-  if (unheard_ns_ > pause_ns) audio_.set_loop(wind_, {0.0, 0.0, 1.0});
+  if (unheard_ns_ > pause_ns) {
+    for (const engine::LoopId loop : {wind_, reel_}) audio_.set_loop(loop, {0.0, 0.0, 1.0});
+  }
   lost_ns_ = audio_.is_heard() ? 0 : lost_ns_ + elapsed_ns;
   if (!was_heard_ || lost_ns_ < patience_ns) return;
   lost_ns_ = 0;

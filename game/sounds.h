@@ -36,6 +36,7 @@ class Sounds {
   };
 
   engine::SoundId load(const std::string& name);
+  engine::LoopId load_loop(const std::string& name);
   void load(Noise noise, const std::vector<std::string>& names);
   void play(const Cue& cue);
 
@@ -43,6 +44,7 @@ class Sounds {
   std::string trouble_;
   std::array<Take, noise_count> takes_;
   engine::LoopId wind_ = 0;
+  engine::LoopId reel_ = 0;
   Ear ear_;
   std::int64_t unheard_ns_ = 0;  // since the last tick
   std::int64_t lost_ns_ = 0;     // since the device was last looked for

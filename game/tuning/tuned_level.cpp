@@ -21,22 +21,25 @@ std::string text_of(const std::string& path) {
   }
 }
 
-bool is_cord(const engine::MapObject& object) { return object.kind == "cord" || object.kind == "ribbon"; }
-
-engine::CordIndex cord_of(const engine::TiledMap& map, int id) {
-  engine::CordIndex cord = 0;
-  for (const engine::MapObject& object : map.objects) {
-    if (object.id == id) return cord;
-    if (is_cord(object)) ++cord;
+/// -1: none.
+engine::CordIndex cord_of(const engine::Scene& scene, int object) {
+  for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
+    if (scene.cord_object(cord) == object) return cord;
   }
   return -1;
 }
 
+void set_gravity(b2World& world, const engine::Properties& properties) {
+  const double gravity = properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0});
+  world.SetGravity({0.0F, static_cast<float>(gravity)});
+}
+
 }  // namespace
 
-TunedLevel::TunedLevel(const Level& level) : file_text_(text_of(level.map.file)), text_(file_text_), map_(level.map) {
+TunedLevel::TunedLevel(const Level& level) : file_text_(text_of(level.map.file)), text_(file_text_), level_(level) {
   if (engine::hash_bytes(file_text_) != level.map.content_hash) {
-    throw engine::MapError(level.map.file + ": the file has changed since the level was loaded; load it anew to tune it");
+    throw engine::MapError(level.map.file +
+                           ": the file has changed since the level was loaded; load it anew to tune it");
   }
 }
 
@@ -50,32 +53,22 @@ void TunedLevel::remove(int object, std::string_view property, engine::Scene& sc
 }
 
 void TunedLevel::take(std::string text, int object, engine::Scene& scene) {
-  engine::TiledMap map = engine::parse_tiled_map(text, map_.file);
+  Level level = level_of(engine::parse_tiled_map(text, level_.map.file));
   if (object == engine::map_itself) {
-    scene.set_gravity(map);
-  } else {
-    const engine::MapObject* changed = map.find(object);
-    if (is_cord(*changed)) engine::retune(scene.coupling(), cord_of(map, object), *changed);
+    set_gravity(scene.world(), level.map.properties);
+  } else if (const engine::CordIndex cord = cord_of(scene, object); cord >= 0) {
+    engine::retune(scene.coupling(), cord, *level.map.find(object));
   }
   text_ = std::move(text);
-  map_ = std::move(map);
+  level_ = std::move(level);
 }
-
-const engine::MapObject* TunedLevel::object_of(engine::CordIndex cord) const {
-  for (const engine::MapObject& object : map_.objects) {
-    if (is_cord(object) && cord-- == 0) return &object;
-  }
-  return nullptr;
-}
-
-Level TunedLevel::level() const { return level_of(map_); }
 
 void TunedLevel::write() {
-  level();  // what cannot be loaded is not written
-  if (text_of(map_.file) != file_text_) {
-    throw engine::MapError(map_.file + ": the file has changed since the level was loaded; it stays as it is");
+  const std::string& path = level_.map.file;
+  if (text_of(path) != file_text_) {
+    throw engine::MapError(path + ": the file has changed since it was read, and stays as it is");
   }
-  engine::replace_file(map_.file, text_);
+  engine::replace_file(path, text_);
   file_text_ = text_;
 }
 

@@ -23,14 +23,11 @@ class TunedLevel {
 
   /// Whether it differs from the file.
   bool is_changed() const { return text_ != file_text_; }
-  const engine::TiledMap& map() const { return map_; }
-  /// The object that cord is of; null for one that no object declares.
-  const engine::MapObject* object_of(engine::CordIndex cord) const;
 
-  /// The level to begin anew with. Throws engine::MapError.
-  Level level() const;
-  /// Puts the changes into the file, which keeps every other byte. Throws engine::MapError for a level that cannot be
-  /// loaded or a file that has changed since, and std::runtime_error if it cannot be written; the file then stays.
+  /// The level to begin anew with.
+  const Level& level() const { return level_; }
+  /// Puts the changes into the file, which keeps every other byte. Throws engine::MapError if the file has changed
+  /// since it was read, and std::runtime_error if it cannot be written; it then stays as it is.
   void write();
 
  private:
@@ -38,7 +35,7 @@ class TunedLevel {
 
   std::string file_text_;
   std::string text_;
-  engine::TiledMap map_;
+  Level level_;
 };
 
 }  // namespace game
