@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ struct Level {
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
-  ribbon::Vec2 goal_center;   ///< m
-  ribbon::Vec2 goal_size;     ///< m
+  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
+  std::optional<double> player_reach{};
+  ribbon::Vec2 goal_center;  ///< m
+  ribbon::Vec2 goal_size;    ///< m
 
   /// A new world with everything where the map has it.
   std::unique_ptr<engine::Scene> make_scene() const;
