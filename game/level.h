@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Level {
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches
   std::vector<Sign> signs;
+  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
+  std::optional<double> player_reach{};
 
   /// A new world with everything where the map has it.
   std::unique_ptr<engine::Scene> make_scene() const;
