@@ -38,6 +38,8 @@ struct PlayerTuning {
   int coyote_ticks = 6;       ///< a jump still counts this long after the ground was left
   int jump_buffer_ticks = 6;  ///< and this long before it is reached
   int hop_ticks = 6;          ///< a jump this long after letting go is one off the cord
+
+  bool operator==(const PlayerTuning&) const = default;
 };
 
 /// The player: a Box2D body, and what the hands and feet remember.

@@ -43,6 +43,7 @@ void RecordedRun::start_recording() {
 void RecordedRun::begin(const std::string& record_path) {
   writer_.reset();
   simulation_.emplace(level_);
+  is_tuned_ = level_is_tuned_;
   record_path_ = record_path;
   start_recording();
 }
@@ -65,7 +66,8 @@ Simulation& RecordedRun::tune() {
   return *simulation_;
 }
 
-void RecordedRun::set_level(Level level) {
+void RecordedRun::set_level(Level level, bool tuned) {
+  level_is_tuned_ = tuned;
   end_recording();
   level_ = std::move(level);
 }

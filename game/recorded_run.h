@@ -46,9 +46,10 @@ class RecordedRun {
   /// if the recording cannot be completed.
   Simulation& tune();
   bool is_tuned() const { return is_tuned_; }
-  /// What a restart begins with from now on: the level with other settings, or its file when that has changed. The
+  bool level_is_tuned() const { return level_is_tuned_; }
+  /// What a run begins with from now on: the level with other settings than its file, `tuned`, or that file anew. The
   /// recording ends as by tune().
-  void set_level(Level level);
+  void set_level(Level level, bool tuned);
 
   /// Goes to the state after `tick` ticks of the replay, forwards by running them without looking at them, backwards by
   /// running them from the start; a simulation() taken before stays the one of the run. Throws engine::ReplayError, and
@@ -71,6 +72,7 @@ class RecordedRun {
   std::optional<Simulation> simulation_;
   std::size_t next_ = 0;  // tick of the replay
   bool is_tuned_ = false;
+  bool level_is_tuned_ = false;
   std::optional<engine::ReplayVerifier> verifier_;
   std::optional<engine::ReplayWriter> writer_;
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "engine/sdl_canvas.h"
@@ -66,7 +65,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
       show_player(run);
       const engine::Scene& scene = run.simulation().scene();
       for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
-        const std::string title = title_of(scene, run.simulation().level(), cord);
+        const std::string title = title_of(scene, run.level(), cord);
         ImGui::PushID(cord);
         if (ImGui::CollapsingHeader(title.c_str())) show_cord(scene, cord);
         ImGui::PopID();
@@ -88,7 +87,7 @@ void TuningPanel::show_file(const RecordedRun& run) {
   ImGui::EndDisabled();
   if (ImGui::BeginPopupModal("Overwrite?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::Text("The changed numbers go into %s.\nWhatever else it holds stays as it is.",
-                run.simulation().level().map.file.c_str());
+                run.level().map.file.c_str());
     if (ImGui::Button("Overwrite")) {
       write();
       ImGui::CloseCurrentPopup();
@@ -153,7 +152,8 @@ void TuningPanel::show_dials(const engine::Coupling& coupling, engine::CordIndex
       }
       ImGui::SameLine();
     }
-    const std::string label = dial.property + (*dial.unit == '\0' ? "" : std::string(" [") + dial.unit + "]");
+    std::string label = dial.property;
+    if (*dial.unit != '\0') label.append(" [").append(dial.unit).append("]");
     if (is_on && dial.whole) {
       auto whole = static_cast<int>(value);
       if (ImGui::SliderInt(label.c_str(), &whole, static_cast<int>(dial.least), static_cast<int>(dial.most))) {
@@ -173,25 +173,26 @@ void TuningPanel::show_dials(const engine::Coupling& coupling, engine::CordIndex
 /// Of what the user asked for in this frame; what cannot be is told and changes nothing.
 void TuningPanel::obey(RecordedRun& run) {
   if (run.has_replay()) return;
+  if (tuned_ && run.level().map.content_hash != tuned_->level().map.content_hash) tuned_.reset();  // loaded anew
   try {
     if (std::exchange(wants_file_, false)) {
       tuned_.reset();
-      run.set_level(load_level(run.simulation().level().map.file));
+      player_.reset();
+      run.set_level(load_level(run.level().map.file), false);
       wants_restart_ = true;
     }
     if (const auto wish = std::exchange(wish_, std::nullopt)) {
       message_.clear();
-      if (!tuned_) tuned_.emplace(run.simulation().level());
+      if (!tuned_) tuned_.emplace(run.level());
       engine::Scene& scene = run.tune().scene();
       if (wish->value) {
         tuned_->set(wish->object, wish->property, *wish->value, scene);
       } else {
         tuned_->remove(wish->object, wish->property, scene);
       }
-      run.set_level(tuned_->level());
+      run.set_level(tuned_->level(), tuned_->is_changed());
     }
-    const PlayerTuning& now = run.simulation().player().tuning();
-    if (player_ && std::memcmp(&now, &*player_, sizeof now) != 0) run.tune().player().set_tuning(*player_);
+    if (player_ && run.simulation().player().tuning() != *player_) run.tune().player().set_tuning(*player_);
   } catch (const std::runtime_error& error) {
     message_ = error.what();
   }
