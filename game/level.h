@@ -8,6 +8,7 @@
 
 #include "engine/scene.h"
 #include "engine/tiled_map.h"
+#include "game/medals.h"
 
 namespace game {
 
@@ -24,13 +25,6 @@ struct Area {
 struct Sign {
   ribbon::Vec2 at;  ///< m, the middle of its foot
   std::string text;
-};
-
-/// s, in which a run is worth a medal; 0 where there is none.
-struct Medals {
-  double gold = 0.0;
-  double silver = 0.0;
-  double bronze = 0.0;
 };
 
 /// A level as read from its map: what the scene does not know of, and the map to build the scene from.

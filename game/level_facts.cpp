@@ -14,7 +14,9 @@ std::string level_title(const Level& level) {
   return title;
 }
 
-std::optional<Medals> level_medals(const Level&) { return std::nullopt; }
+std::optional<Medals> level_medals(const Level& level) {
+  return level.medals.bronze > 0.0 ? std::optional(level.medals) : std::nullopt;
+}
 
 LevelKey level_key(const Level& level) { return {level.name, level.map.content_hash}; }
 

@@ -5,7 +5,7 @@
 
 namespace game {
 
-/// The slowest times that still get them, s.
+/// The slowest times that still get them, s; 0 where there are none.
 struct Medals {
   double gold = 0.0;
   double silver = 0.0;

@@ -87,6 +87,7 @@ void PlayScreen::follow_file(std::int64_t elapsed_ns) {
   try {
     Level level = load_level(level_file_->path());
     if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote
+    level.player_reach = run_.level().player_reach;
     run_.set_level(std::move(level), false);
     session_->notice.show("The level was loaded anew");
     restart();
