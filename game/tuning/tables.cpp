@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace game {
 namespace {
@@ -23,9 +24,9 @@ void show_cost(const Meter& meter) {
 
 /// As in Goto 2017, Fig. 4.1.
 void show_legend() {
-  constexpr std::array<std::pair<const char*, ImVec4>, 3> points = {{{"free", {0.35F, 0.55F, 1.0F, 1.0F}},
-                                                                     {"dragged", {1.0F, 0.85F, 0.25F, 1.0F}},
-                                                                     {"constrained", {1.0F, 0.35F, 0.3F, 1.0F}}}};
+  const std::array<std::pair<const char*, ImVec4>, 3> points = {{{"free", {0.35F, 0.55F, 1.0F, 1.0F}},
+                                                                 {"dragged", {1.0F, 0.85F, 0.25F, 1.0F}},
+                                                                 {"constrained", {1.0F, 0.35F, 0.3F, 1.0F}}}};
   ImGui::TextUnformatted("points (F1):");
   for (const auto& [name, color] : points) {
     ImGui::SameLine();
@@ -44,37 +45,38 @@ void show_solving(const Simulation& simulation) {
               world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
 }
 
-void cell(const char* format, auto... values) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
+void cell(const std::string& text) {
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(text.data());
+  ImGui::TextUnformatted(text.c_str());
+}
+void cell(int count) { cell(std::to_string(count)); }
+/// To three significant digits.
+void cell(double value, const char* unit) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
+  cell(std::string(text.data()));
 }
 
 void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
   const ribbon::CordReport& last = coupling.direct_report(c);
   const ribbon::CordReport& total = coupling.direct_total(c);
-  cell("%d", static_cast<int>(coupling.direct_cord(c).touches().size()));
-  cell("%.3g", greatest_tension(coupling, c));
-  cell("%d", inverted_cells(coupling, c));
-  cell("%d/%d", last.iterations, last.stages);
-  cell("%d", total.impacts);
-  cell("%d", total.fallbacks);
-  cell("%d", total.unconverged);
-  cell("%.2g %%", 100.0 * meter.peak_stretch(c));
+  cell(static_cast<int>(coupling.direct_cord(c).touches().size()));
+  cell(greatest_tension(coupling, c), "");
+  cell(inverted_cells(coupling, c));
+  cell(std::to_string(last.iterations) + "/" + std::to_string(last.stages));
+  cell(total.impacts);
+  cell(total.fallbacks);
+  cell(total.unconverged);
+  cell(100.0 * meter.peak_stretch(c), " %");
 }
 
 void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
   const ribbon::StepReport& last = coupling.report(c);
-  const ribbon::StepReport& total = coupling.total(c);
-  cell("%d", last.self_contacts + last.circle_contacts);
-  cell("%s", "");
-  cell("%d", inverted_cells(coupling, c));
-  cell("%s", "");
-  cell("%s", "");
-  cell("%d", total.fem_skipped);
-  cell("%d", last.strained_bars);
-  cell("%.2g %%", 100.0 * meter.peak_stretch(c));
+  cell(last.self_contacts + last.circle_contacts);
+  cell("");
+  cell(inverted_cells(coupling, c));
+  for (int empty = 0; empty < 4; ++empty) cell("");  // it has no Newton steps, and none of what may go wrong in them
+  cell(100.0 * meter.peak_stretch(c), " %");
 }
 
 }  // namespace
@@ -117,8 +119,8 @@ void show_tables(const Simulation& simulation, const Meter& meter) {
   const Coupling& coupling = simulation.scene().coupling();
   for (int c = 0; c < coupling.size(); ++c) {
     ImGui::TableNextRow();
-    cell("%d", c);
-    cell("%d", static_cast<int>(coupling.positions(c).size()));
+    cell(c);
+    cell(static_cast<int>(coupling.positions(c).size()));
     if (coupling.solver(c) == engine::Solver::direct) {
       show_direct_row(coupling, c, meter);
     } else {

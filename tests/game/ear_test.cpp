@@ -34,6 +34,8 @@ Level drop(double player_height, double ball_height = 1.0, double ball_x = 14.0)
   object(4, R"("type":"circle","ellipse":true,"properties":[{"name":"body","type":"string","value":"dynamic"},
                {"name":"density","type":"float","value":20}])",
          ball_x, 2.0 + ball_height, 1.0, 1.0);
+  object(5, R"("type":"hook","point":true)", 6.0, 7.0, 0.0, 0.0);
+  object(6, R"("type":"checkpoint")", 7.0, 4.0, 1.0, 4.0);
   map << "]}]}";
   return level_of(engine::parse_tiled_map(map.str(), "drop.tmj"));
 }
@@ -41,6 +43,7 @@ Level drop(double player_height, double ball_height = 1.0, double ball_x = 14.0)
 struct Heard {
   std::vector<Cue> cues;
   double most_wind = 0.0;
+  double most_reel = 0.0;
 
   int count(Noise noise) const {
     return static_cast<int>(std::count_if(cues.begin(), cues.end(), [&](const Cue& c) { return c.noise == noise; }));
@@ -62,6 +65,7 @@ Heard listen(Simulation& simulation, int ticks, int buttons = 0) {
     ear.hear(simulation);
     heard.cues.insert(heard.cues.end(), ear.cues().begin(), ear.cues().end());
     heard.most_wind = std::max(heard.most_wind, ear.wind().volume);
+    heard.most_reel = std::max(heard.most_reel, ear.reel().volume);
   }
   return heard;
 }
@@ -146,6 +150,21 @@ TEST(Ear, RunningIsHeardInStepsThatComeWithTheSpeed) {
   const Heard heard = heard_of(drop(0.0), 120, button_right);
   EXPECT_NEAR(heard.count(Noise::footstep), 2.0 * 6.0 / 1.05, 2.0);
 }
+
+TEST(Ear, ALineIsHeardThrownTakingHoldAndReeled) {
+  Simulation simulation(drop(0.0));
+  listen(simulation, 20);
+  const Heard thrown = listen(simulation, 30, button_throw);
+  EXPECT_EQ(thrown.count(Noise::throws), 1);
+  EXPECT_EQ(thrown.count(Noise::hook), 1);
+  EXPECT_EQ(thrown.count(Noise::catches), 0) << "a line is no cord that is caught";
+  ASSERT_EQ(simulation.player().line().state(), Line::State::held);
+  EXPECT_EQ(thrown.most_reel, 0.0) << "nobody reels";
+  EXPECT_GT(listen(simulation, 30, button_reel_in).most_reel, 0.3);
+  EXPECT_EQ(listen(simulation, 1, button_throw).count(Noise::lets_go), 1);
+}
+
+TEST(Ear, ACheckpointIsHeardOnce) { EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1); }
 
 TEST(Ear, ARestartIsNotHeardAsAFallAThudOrALettingGo) {
   Simulation simulation(first_swing());
