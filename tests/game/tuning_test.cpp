@@ -242,7 +242,9 @@ TEST(Tables, CellsTurnedInsideOutAreCounted) {
       std::swap(state.positions[p], state.positions[p + 1]);
     coupling.cord(c).restore(state);
     const engine::CordShape shape = coupling.shape(c);
-    if (shape.rows == 2) EXPECT_EQ(inverted_cells(coupling, c), shape.columns - 1);
+    if (shape.rows == 2) {
+      EXPECT_EQ(inverted_cells(coupling, c), shape.columns - 1);
+    }
   }
 }
 
