@@ -57,6 +57,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
   if (ImGui::Begin("Cords and dials (F2)", &is_shown_)) {
     show_tables(run.simulation(), meter);
     ImGui::Separator();
+    ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // room for the names
     if (run.has_replay()) {
       ImGui::TextWrapped("This is a recorded run: nothing can be tuned in it.");
     } else {
@@ -71,6 +72,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
         ImGui::PopID();
       }
     }
+    ImGui::PopItemWidth();
   }
   ImGui::End();
 }

@@ -55,8 +55,7 @@ struct Heard {
   }
 };
 
-Heard listen(Simulation& simulation, int ticks, int buttons = 0) {
-  Ear ear;
+Heard listen(Ear& ear, Simulation& simulation, int ticks, int buttons = 0) {
   Heard heard;
   engine::TickInput input;
   input.buttons = static_cast<std::uint16_t>(buttons);
@@ -71,8 +70,9 @@ Heard listen(Simulation& simulation, int ticks, int buttons = 0) {
 }
 
 Heard heard_of(const Level& level, int ticks, int buttons = 0) {
+  Ear ear;
   Simulation simulation(level);
-  return listen(simulation, ticks, buttons);
+  return listen(ear, simulation, ticks, buttons);
 }
 
 Heard golden_run(Ear& ear, Simulation& simulation) {
@@ -139,9 +139,11 @@ TEST(Ear, WhatIsFurtherIsQuieterAndOnItsSide) {
 }
 
 TEST(Ear, WhoStandsOrLiesIsSilent) {
-  Simulation simulation(drop(0.0, 0.0));
-  listen(simulation, 30);
-  const Heard heard = listen(simulation, 200);
+  Ear ear;
+  const Level level = drop(0.0, 0.0);
+  Simulation simulation(level);
+  listen(ear, simulation, 30);
+  const Heard heard = listen(ear, simulation, 200);
   EXPECT_TRUE(heard.cues.empty());
   EXPECT_EQ(heard.most_wind, 0.0);
 }
@@ -152,16 +154,18 @@ TEST(Ear, RunningIsHeardInStepsThatComeWithTheSpeed) {
 }
 
 TEST(Ear, ALineIsHeardThrownTakingHoldAndReeled) {
-  Simulation simulation(drop(0.0));
-  listen(simulation, 20);
-  const Heard thrown = listen(simulation, 30, button_throw);
+  Ear ear;
+  const Level level = drop(0.0);
+  Simulation simulation(level);
+  listen(ear, simulation, 20);
+  const Heard thrown = listen(ear, simulation, 30, button_throw);
   EXPECT_EQ(thrown.count(Noise::throws), 1);
   EXPECT_EQ(thrown.count(Noise::hook), 1);
   EXPECT_EQ(thrown.count(Noise::catches), 0) << "a line is no cord that is caught";
   ASSERT_EQ(simulation.player().line().state(), Line::State::held);
   EXPECT_EQ(thrown.most_reel, 0.0) << "nobody reels";
-  EXPECT_GT(listen(simulation, 30, button_reel_in).most_reel, 0.3);
-  EXPECT_EQ(listen(simulation, 1, button_throw).count(Noise::lets_go), 1);
+  EXPECT_GT(listen(ear, simulation, 30, button_reel_in).most_reel, 0.3);
+  EXPECT_EQ(listen(ear, simulation, 1, button_throw).count(Noise::lets_go), 1);
 }
 
 TEST(Ear, ACheckpointIsHeardOnce) { EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1); }

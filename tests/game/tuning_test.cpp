@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -184,30 +185,33 @@ TEST(TuningPanel, ChangesNothingUnlessItIsAskedTo) {
   EXPECT_NE(shown.canvas.raster().pixels(), hidden.canvas.raster().pixels());
 }
 
-/// Clicks every tenth pixel of the panel, in rows: whatever is there gets pressed, dragged and opened.
+/// Presses, drags and lets go in a thousand places of the panel: whatever is there gets pressed, moved and opened.
 TEST(TuningPanel, WhateverIsClickedTheRunGoesOn) {
   Panelled panelled(play(own_level()));
   panelled.panel.toggle();
   panelled.frame();
-  bool was_tuned = false;
-  for (int round = 0; round < 2; ++round) {
-    for (int y = 70; y < 700; y += 9) {
-      for (const int x : {870, 900, 1000, 1100}) {
-        engine::WindowInput input;
-        input.mouse = {1.0 * x, 1.0 * y};
-        panelled.frame(input);
-        input.buttons_held.set(0);
-        input.buttons_pressed.set(0);
-        panelled.frame(input);
-        panelled.frame();
-        if (panelled.panel.takes_restart()) panelled.run.begin("");
-        was_tuned = was_tuned || panelled.run.is_tuned();
-        if (!panelled.panel.is_shown()) panelled.panel.toggle();
-      }
-    }
+  std::mt19937 random(3);
+  const auto place = [&random] {
+    return ribbon::Vec2{840.0 + static_cast<double>(random() % 420), 64.0 + static_cast<double>(random() % 630)};
+  };
+  int tuned = 0;
+  for (int click = 0; click < 1000; ++click) {
+    engine::WindowInput input;
+    input.mouse = place();
+    panelled.frame(input);
+    input.buttons_held.set(0);
+    input.buttons_pressed.set(0);
+    panelled.frame(input);
+    input.buttons_pressed.reset();
+    input.mouse.x += static_cast<double>(random() % 60);
+    panelled.frame(input);
+    panelled.frame();
+    tuned += panelled.run.is_tuned();
+    if (panelled.panel.takes_restart()) panelled.run.begin("");
+    if (!panelled.panel.is_shown()) panelled.panel.toggle();
   }
-  EXPECT_TRUE(was_tuned);
-  EXPECT_EQ(bytes_of(panelled.path).size(), test_support::mixed_swing_map().size()) << "nobody was asked";
+  EXPECT_GT(tuned, 0);
+  EXPECT_NO_THROW(load_level(panelled.path)) << "if it was written to, with what can be loaded";
 }
 
 TEST(TuningPanel, OfARecordedRunNothingCanBeTuned) {
