@@ -11,6 +11,20 @@ constexpr std::ptrdiff_t narrow = 8;  // columns, that are looked through faster
 
 }  // namespace
 
+inline void BlockLdlt::Block::operator+=(Block b) {
+  xx += b.xx;
+  xy += b.xy;
+  yx += b.yx;
+  yy += b.yy;
+}
+
+inline void BlockLdlt::Block::subtract_product(Block a, Block b) {
+  xx -= a.xx * b.xx + a.yx * b.yx;
+  xy -= a.xx * b.xy + a.yx * b.yy;
+  yx -= a.xy * b.xx + a.yy * b.yx;
+  yy -= a.xy * b.xy + a.yy * b.yy;
+}
+
 void BlockLdlt::begin_pattern(std::span<const int> order) {
   order_.assign(order.begin(), order.end());
   row_of_.resize(order.size());
@@ -69,7 +83,7 @@ void BlockLdlt::end_pattern() {
 }
 
 /// The place of a block in its row, or the end of all if it is none of the pattern.
-std::size_t BlockLdlt::find(int row, int column) const {
+inline std::size_t BlockLdlt::find(int row, int column) const {
   const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row)]);
   const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row) + 1]);
   const auto found = end - begin <= narrow ? std::find_if(begin, end, [column](int c) { return c >= column; })
@@ -99,11 +113,7 @@ void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
   }
   const std::size_t place = find(row, column);
   assert(place < columns_.size());
-  Block& block = blocks_[place];
-  block.xx += xx;
-  block.xy += xy;
-  block.yx += yx;
-  block.yy += yy;
+  blocks_[place] += {xx, xy, yx, yy};
 }
 
 void BlockLdlt::add(int a, double xx, double xy, double yy) {
@@ -119,6 +129,21 @@ void BlockLdlt::add_outer(double factor, std::span<const int> slots, std::span<c
     add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
     for (std::size_t j = i + 1; j < slots.size(); ++j) {
       add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
+    }
+  }
+}
+
+void BlockLdlt::add_band(int first, const BandedMatrix& band, int reach) {
+  const int n = band.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    const double* upper = band.row(2 * p);
+    const double* lower = band.row(2 * p + 1);
+    add(first + p, upper[0], upper[1], lower[0]);
+    std::size_t place = first_[at(row_of_[at(first + p)])];
+    for (int k = 1; k <= reach && p + k < n; ++k) {
+      const int column = row_of_[at(first + p + k)];
+      while (columns_[place] != column) ++place;
+      blocks_[place] += {upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]};
     }
   }
 }
@@ -179,12 +204,7 @@ bool BlockLdlt::eliminate(std::size_t row) {
     std::size_t place = first_[target];
     for (std::size_t j = i + 1; j < end; ++j) {
       while (columns_[place] != columns_[j]) ++place;
-      const Block& c = blocks_[j];
-      Block& t = blocks_[place];
-      t.xx -= l.xx * c.xx + l.yx * c.yx;
-      t.xy -= l.xx * c.xy + l.yx * c.yy;
-      t.yx -= l.xy * c.xx + l.yy * c.yx;
-      t.yy -= l.xy * c.xy + l.yy * c.yy;
+      blocks_[place].subtract_product(l, blocks_[j]);
     }
     blocks_[i] = l;
   }

@@ -47,6 +47,7 @@ Lattice::Lattice(const CordDef& def)
                                            : 1),
       terms_(declared_terms(def)),
       constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
+      stiffened_(constant_),
       matrix_(constant_),
       damped_(static_cast<std::size_t>(def.damping > 0.0 ? def.points * def.rows : 0)),
       right_side_(2 * static_cast<std::size_t>(def.points * def.rows)) {
@@ -55,6 +56,7 @@ Lattice::Lattice(const CordDef& def)
 
 void Lattice::set_rest_lengths(std::span<const double> lengths) {
   constant_.set_zero();
+  stiffening_ = 0.0;
   for (const auto& term : terms_) {
     term->set_rest_lengths(lengths);
     term->add_constant(constant_);
@@ -87,7 +89,10 @@ void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span
 
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
   if (damping_ == 0.0) return {stage, x, x, 1.0};
-  for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);
+  const double inverse_q = 1.0 / stage.q;
+  for (std::size_t p = 0; p < damped_.size(); ++p) {
+    damped_[p] = x[p] + damping_ * (stage.velocity[p] + inverse_q * (x[p] - stage.predicted[p]));
+  }
   return last_shape(stage, x);
 }
 
@@ -110,10 +115,15 @@ bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span
 void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                        std::span<Vec2> force) {
   const NewtonSystem system{shape(stage, x), matrix_, force};
-  matrix_.set_scaled(constant_, system.stiffening);
+  if (stiffening_ != system.stiffening) {
+    stiffening_ = system.stiffening;
+    stiffened_.set_scaled(constant_, stiffening_);
+  }
+  matrix_ = stiffened_;
   for (std::size_t p = 0; p < x.size(); ++p) {
     force[p] = stage.residual(p, x[p]);
-    system.add(static_cast<int>(p), static_cast<int>(p), {stage.inertia[p], 0.0, stage.inertia[p]});
+    matrix_.row(static_cast<int>(2 * p))[0] += stage.inertia[p];
+    matrix_.row(static_cast<int>(2 * p) + 1)[0] += stage.inertia[p];
   }
   for (const CarriedLoad& load : stage.carried) {
     force[load.point] += load.residual;
@@ -143,16 +153,7 @@ void Lattice::couple(BlockLdlt& blocks, int first, int /*first_dual*/) const {
 void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                    int first, int /*first_dual*/, std::span<Vec2> right_side) {
   assemble(stage, x, tensions, right_side.subspan(static_cast<std::size_t>(first), x.size()));
-  const int n = matrix_.size() / 2;
-  for (int p = 0; p < n; ++p) {
-    const double* upper = matrix_.row(2 * p);
-    const double* lower = matrix_.row(2 * p + 1);
-    blocks.add(first + p, upper[0], upper[1], lower[0]);
-    for (int k = 1; k <= reach_ && p + k < n; ++k) {
-      const int q = 2 * k;
-      blocks.add(first + p, first + p + k, upper[q], upper[q + 1], lower[q - 1], lower[q]);
-    }
-  }
+  blocks.add_band(first, matrix_, reach_);
 }
 
 void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,

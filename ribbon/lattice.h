@@ -47,7 +47,9 @@ class Lattice final : public Elasticity {
   int reach_;       // how many points further than a point are coupled with it
   std::vector<std::unique_ptr<Term>> terms_;
   std::size_t tension_count_ = 0;
-  BandedMatrix constant_;  // the Hessian's part that only rest lengths change
+  BandedMatrix constant_;   // the Hessian's part that only rest lengths change
+  BandedMatrix stiffened_;  // the same times stiffening_, if that is not 0
+  double stiffening_ = 0.0;
   BandedMatrix matrix_;
   BandedLdlt solver_;
   std::vector<Vec2> damped_;  // x + β·v, if damping is declared
