@@ -49,8 +49,6 @@ class BlockLdlt {
   struct Block {
     double xx, xy, yx, yy;
     void operator+=(Block b);
-    /// Takes away aᵀ·b.
-    void subtract_product(Block a, Block b);
   };
   struct Diagonal {
     double xx, xy, yy;
