@@ -99,21 +99,16 @@ bool Island::holds(const Member& member, int body) {
   return std::any_of(grips.begin(), grips.end(), [body](const Grip& grip) { return grip.body == body; });
 }
 
-/// The box in which the cord stays.
+/// The boxes in which the cord and the points of its outline stay.
 void Island::find_reach(const Member& member) {
-  const std::size_t first = member.first + at(member.cord->outline_[0]);
-  reach_ = {positions_[first], positions_[first]};
+  outline_boxes_.clear();
   for (const int point : member.cord->outline_) {
     const std::size_t p = member.first + at(point);
-    reach_ = joined(reach_, box_around(positions_[p], ends_[p], 0.0));
+    outline_boxes_.push_back(box_around(positions_[p], ends_[p], 0.0));
   }
+  reach_ = outline_boxes_[0];
+  for (const Box& box : outline_boxes_) reach_ = joined(reach_, box);
   reach_ = widened(reach_, member.room);
-}
-
-/// The box in which a link of the outline stays, but for the room.
-Box Island::link_box(const ContactPair& pair) const {
-  return joined(box_around(positions_[at(pair.a)], ends_[at(pair.a)], 0.0),
-                box_around(positions_[at(pair.b)], ends_[at(pair.b)], 0.0));
 }
 
 /// The box in which a spot of a body stays.
@@ -223,11 +218,14 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   // straight by that little, it has one minimum of the distance, and bent by it one a link: as one became the other,
   // the energy of what presses would jump.
   const bool by_points = reach >= large_circle * member.longest_link;
-  const int count = by_points ? static_cast<int>(member.cord->outline_.size()) : links(*member.cord);
+  const int points = static_cast<int>(member.cord->outline_.size());
+  const int count = by_points ? points : links(*member.cord);
   int disc = -1;
   for (int k = 0; k < count; ++k) {
+    const Box& here = outline_boxes_[at(k)];
+    const Box& there = outline_boxes_[at(by_points ? k : k + 1 < points ? k + 1 : 0)];
+    if (!overlap(joined(here, there), near)) continue;
     ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
-    if (!overlap(link_box(pair), near)) continue;
     if (disc < 0) disc = add_spot(circle.body, circle.offset);
     pair.disc = disc;
     pair.reach = reach;
@@ -240,9 +238,11 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
 
 double Island::longest_link(const Member& member) const {
   double longest2 = 0.0;
+  const std::vector<int>& outline = member.cord->outline_;
   for (int k = 0; k < links(*member.cord); ++k) {
-    const ContactPair link = pair_with_link(member, k);
-    const Vec2 along = positions_[at(link.b)] - positions_[at(link.a)];
+    const std::size_t a = member.first + at(outline[at(k)]);
+    const std::size_t b = member.first + at(outline[at(k + 1) % outline.size()]);
+    const Vec2 along = positions_[b] - positions_[a];
     longest2 = std::max(longest2, dot(along, along));
   }
   return std::sqrt(longest2);
@@ -260,14 +260,13 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
   int a = -1;
   int b = -1;
   for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
-    const std::size_t point = member.first + at(cord.outline_[at(k)]);
-    if (!overlap(box_around(positions_[point], ends_[point], 0.0), near)) continue;
+    if (!overlap(outline_boxes_[at(k)], near)) continue;
     if (a < 0) {
       a = add_spot(segment.body, segment.a);
       b = add_spot(segment.body, segment.b);
     }
     ContactPair pair;
-    pair.disc = static_cast<int>(point);
+    pair.disc = static_cast<int>(member.first) + cord.outline_[at(k)];
     pair.a = a;
     pair.b = b;
     pair.ends = false;

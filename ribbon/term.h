@@ -38,9 +38,9 @@ struct NewtonSystem : Shape {
   void add_between(int p, int q, Block b) const {
     const int along = 2 * (q - p);
     double* p_upper = matrix.row(2 * p);
-    double* p_lower = matrix.row(2 * p + 1);
-    double* q_upper = matrix.row(2 * q);
-    double* q_lower = matrix.row(2 * q + 1);
+    double* p_lower = p_upper + matrix.stride();
+    double* q_upper = p_upper + along * matrix.stride();
+    double* q_lower = q_upper + matrix.stride();
     p_upper[0] += b.xx;
     p_upper[1] += b.xy;
     p_upper[along] -= b.xx;
