@@ -133,6 +133,7 @@ void BlockLdlt::add_outer(double factor, std::span<const int> slots, std::span<c
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Vec2 g = factor * by[i];
     add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
+    if (g == Vec2{}) continue;
     for (std::size_t j = i + 1; j < slots.size(); ++j) {
       add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
     }

@@ -20,18 +20,6 @@ constexpr double deep_share = 0.01;
 constexpr double emerging_share = 0.1;     // and comes out of so much of its depth in a step,
 constexpr double fastest_emergence = 1.0;  // m/s, but no faster than this
 
-Box box_around(Vec2 a, Vec2 b, double margin) {
-  return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
-          {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
-}
-
-Box joined(const Box& a, const Box& b) {
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-}
-
-Box widened(const Box& box, double margin) { return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}}; }
-
 }  // namespace
 
 /// Everything is expected to go straight on in the step, and to fall, and to leave that way by no more than its room.

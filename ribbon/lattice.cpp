@@ -42,6 +42,7 @@ Terms declared_terms(const CordDef& def) {
 
 Lattice::Lattice(const CordDef& def)
     : damping_(def.damping),
+      tension_only_(def.tension_only),
       reach_(def.rows > 1                  ? def.rows + 1
              : def.bending_stiffness > 0.0 ? 2
                                            : 1),
@@ -122,8 +123,12 @@ void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<co
   matrix_ = stiffened_;
   for (std::size_t p = 0; p < x.size(); ++p) {
     force[p] = stage.residual(p, x[p]);
-    matrix_.row(static_cast<int>(2 * p))[0] += stage.inertia[p];
-    matrix_.row(static_cast<int>(2 * p) + 1)[0] += stage.inertia[p];
+  }
+  double* diagonal = matrix_.row(0);
+  for (const double inertia : stage.inertia) {
+    diagonal[0] += inertia;
+    diagonal[matrix_.stride()] += inertia;
+    diagonal += 2 * matrix_.stride();
   }
   for (const CarriedLoad& load : stage.carried) {
     force[load.point] += load.residual;
@@ -200,6 +205,8 @@ double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span
 }
 
 double Lattice::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  const auto pulls = [](double tension) { return tension > 0.0; };
+  if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), pulls)) return 0.0;
   const Shape at = shape(stage, x);
   double most = 0.0;
   std::size_t first = 0;

@@ -44,7 +44,8 @@ class Lattice final : public Elasticity {
   bool solve(std::span<Vec2> residual);
 
   double damping_;  // s
-  int reach_;       // how many points further than a point are coupled with it
+  bool tension_only_;
+  int reach_;  // how many points further than a point are coupled with it
   std::vector<std::unique_ptr<Term>> terms_;
   std::size_t tension_count_ = 0;
   BandedMatrix constant_;   // the Hessian's part that only rest lengths change
