@@ -77,8 +77,7 @@ Cord::Cord(const CordDef& def)
       rest_(slot(def.points) - 1, def.length / (def.points - 1)),
       outline_(outline_of(def)),
       alone_(std::make_unique<Island>()) {
-  for (std::size_t p = 0; p < positions_.size(); ++p) own_masses_.push_back(share_of_mass(p));
-  masses_ = own_masses_;
+  for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
   elasticity_->set_rest_lengths(rest_);
   elasticity_->find_tensions(positions_, tensions_);
@@ -98,7 +97,7 @@ CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings)
 }
 
 /// An equal share of each link or cell around the point.
-double Cord::share_of_mass(std::size_t point) const {
+double Cord::own_mass(std::size_t point) const {
   const auto rows = slot(def_.rows);
   const auto share = [](std::size_t k, std::size_t n) { return k == 0 || k == n - 1 ? 0.5 : 1.0; };
   const double link = def_.mass_per_length * def_.length / (def_.points - 1);
@@ -137,7 +136,7 @@ void Cord::check_point(int point) const { check_range("point", point, 0, size() 
 void Cord::attach_mass(int point, double mass) {
   check_point(point);
   check_range("attached mass", mass, 0.0, 1e12);
-  masses_[slot(point)] = own_masses_[slot(point)] + mass;
+  masses_[slot(point)] = own_mass(slot(point)) + mass;
   restart_ = true;
 }
 

@@ -161,7 +161,7 @@ class Cord {
   void set_damping_apart();
   void put_damping_back();
   void drive(int point, Vec2 target, PointKind kind);
-  double share_of_mass(std::size_t point) const;
+  double own_mass(std::size_t point) const;
 
   CordDef def_;
   std::unique_ptr<Elasticity> elasticity_;
@@ -171,7 +171,6 @@ class Cord {
   std::vector<Vec2> accelerations_;
   std::vector<Vec2> targets_;
   std::vector<PointKind> kinds_;
-  std::vector<double> own_masses_;  // kg, without what is attached
   std::vector<double> masses_;
   std::vector<Vec2> loads_;
   std::vector<double> tensions_;

@@ -82,7 +82,7 @@ void Island::load_member(const Member& member, double time, double q) {
 void Island::add_drag(const Member& member, double q) {
   for (std::size_t i = 0; i < member.count; ++i) {
     const std::size_t p = member.first + i;
-    const double c = member.cord->def_.drag * member.cord->own_masses_[i];
+    const double c = member.cord->def_.drag * member.cord->own_mass(i);
     inertia_[p] += c / q;
     force_[p] -= c * velocity_[p];
   }
