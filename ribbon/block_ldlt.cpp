@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::ptrdiff_t narrow = 8;  // columns, that are looked through faster than halved
 
-/// Two doubles that every processor of ours works on at once, each rounded as it would be alone. Compilers see it in no
-/// other way that blocks are rows of two.
+/// Two doubles worked on at once, each rounded as it would be alone. g++ 12 does not see by itself that a block's rows
+/// can be.
 using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
 
 Pair pair_at(const double* first) {

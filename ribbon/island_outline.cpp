@@ -48,7 +48,7 @@ double Island::longest_link(const Member& member) const {
   const std::vector<int>& outline = member.cord->outline_;
   for (int k = 0; k < links(*member.cord); ++k) {
     const std::size_t a = member.first + at(outline[at(k)]);
-    const std::size_t b = member.first + at(outline[at(k + 1) % outline.size()]);
+    const std::size_t b = member.first + at(outline[at(k + 1) < outline.size() ? at(k + 1) : 0]);
     const Vec2 along = positions_[b] - positions_[a];
     longest2 = std::max(longest2, dot(along, along));
   }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double widening = 8.0;  // of the room of what left it
 constexpr double most_widening = 500.0;
+constexpr double surely_kept = 0.9;  // of his room, that who is so near the end of his way has kept to, whatever rounds
 
 }  // namespace
 
@@ -65,7 +66,10 @@ bool Island::widen() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Member& member = members_[m];
     bool left = body_left;
+    const double surely2 = surely_kept * surely_kept * member.room * member.room;
     for (std::size_t p = member.first; p < member.first + member.count && !left; ++p) {
+      const Vec2 off = positions_[p] - ends_[p];
+      if (dot(off, off) <= surely2) continue;
       left = !(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= member.room);
     }
     if (!left || widenings_[m] > most_widening) continue;
