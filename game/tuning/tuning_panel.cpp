@@ -194,7 +194,7 @@ void TuningPanel::obey(RecordedRun& run) {
       }
       run.set_level(tuned_->level(), tuned_->is_changed());
     }
-    if (player_ && run.simulation().player().tuning() != *player_) run.tune().player().set_tuning(*player_);
+    if (player_) run.tune().player().set_tuning(*player_);  // also after a restart, which makes another player
   } catch (const std::runtime_error& error) {
     message_ = error.what();
   }
