@@ -3,7 +3,6 @@
 #include <array>
 #include <utility>
 
-
 namespace game {
 
 using ribbon::Vec2;

@@ -17,7 +17,7 @@ namespace {
 using engine::Align;
 using ribbon::Vec2;
 
-const Card card{.headline = "Levels", .lines = {}, .width = 420.0, .side = -1.0};
+const Card card{.headline = "Levels", .lines = {}, .width = 420.0, .side = 1.0};
 
 }  // namespace
 
@@ -105,7 +105,7 @@ void LevelScreen::draw_facts(engine::Canvas& canvas, double text_scale) const {
   double width = 0.0;
   for (const std::string& line : lines) width = std::max(width, canvas.text_width(line, size));
   const Vec2 box{width + 2.0 * size, step * static_cast<double>(lines.size()) + size};
-  const Vec2 corner{canvas.width() - box.x - 24.0 * text_scale, canvas.height() - box.y - 60.0 * text_scale};
+  const Vec2 corner{24.0 * text_scale, canvas.height() - box.y - 60.0 * text_scale};
   canvas.panel(corner, box, 0.6 * size, style::paper);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     canvas.text(corner + Vec2{size, 0.5 * size + step * static_cast<double>(k)}, lines[k], size, style::white);
