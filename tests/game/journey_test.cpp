@@ -25,7 +25,7 @@ using test_support::golden;
 using test_support::scratch;
 using test_support::VirtualPad;
 
-constexpr std::int64_t tick_ns = 16'666'667;  // the same third of a nanosecond too much each time: one tick a frame
+constexpr std::int64_t tick_ns = 16'666'668;  // a tick, and so little more that there are never two; a quarter is whole
 
 /// The program, opened in folders of this test's own.
 class Journey : public testing::Test {
@@ -49,7 +49,7 @@ class Journey : public testing::Test {
 
   void open(const RunOptions& options = {}) {
     app_.emplace(options);
-    frame();
+    if (!options.level) frame();
   }
   bool frame() { return app_->update(app_->window().poll(), tick_ns); }
   std::string screen() const { return app_->screens().top().title(); }
@@ -93,8 +93,8 @@ struct KeyOf {
   PadButton pad;
 };
 constexpr std::array keys = {
-    KeyOf{button_left, Key::a, PadButton::left_stick_left},
-    KeyOf{button_right, Key::right, PadButton::left_stick_right},
+    KeyOf{button_left, Key::a, PadButton::dpad_left},
+    KeyOf{button_right, Key::right, PadButton::dpad_right},
     KeyOf{button_jump, Key::space, PadButton::a},
     KeyOf{button_grab, Key::shift, PadButton::right_trigger},
     KeyOf{button_up, Key::w, PadButton::dpad_up},
@@ -176,7 +176,7 @@ TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
   open(options);
   const engine::Replay wanted = engine::load_replay(golden());
   std::uint16_t before = 0;
-  for (std::size_t k = 1; k <= wanted.ticks.size() + 60 && screen() == "first_swing"; ++k) {  // the first went by
+  for (std::size_t k = 0; k <= wanted.ticks.size() + 60 && screen() == "first_swing"; ++k) {
     const std::uint16_t buttons = k < wanted.ticks.size() ? wanted.ticks[k].input.buttons : std::uint16_t{0};
     change_buttons(before, buttons, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
     before = buttons;
