@@ -57,6 +57,24 @@ void Canvas::triangles(std::span<const Vec2> vertices, std::span<const int> indi
   paint(color, [&](Mesh& mesh) { add_triangles(mesh, pixels_of(vertices), indices); });
 }
 
+void Canvas::strip(std::span<const Vec2> points, const StripLook& look) {
+  const double scale = view_.pixels_per_metre;
+  if (!std::isfinite(look.image_length) || look.image_length <= 0.0 || look.color.a == 0) return;
+  textured_.clear();
+  add_band(
+      textured_, pixels_of(points),
+      {look.width * scale, 1.0 / (look.image_length * scale), look.start / look.image_length, look.color, look.colors});
+  textured(textured_, {look.image, Filter::linear, Wrap::repeat, Wrap::clamp});
+}
+
+void Canvas::textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) {
+  if (!mesh.indices.empty() && is_paintable(mesh)) paint_textured(mesh, texture, clip);
+}
+
+void Canvas::mesh(const Mesh& mesh, Color color) {
+  if (!mesh.indices.empty() && color.a > 0 && is_paintable(mesh)) paint_mesh(mesh, color);
+}
+
 void Canvas::panel(Vec2 top_left, Vec2 size, double corner_radius, Color color) {
   paint(color, [&](Mesh& mesh) { add_rounded_rectangle(mesh, top_left, size, corner_radius); });
 }

@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "engine/canvas_mesh.h"
+#include "engine/color.h"
+#include "engine/textured_mesh.h"
 #include "ribbon/vec2.h"
 
 namespace engine {
-
-/// Red, green, blue and opacity, 0 to 255 each, not premultiplied; alpha 255 is opaque.
-struct Color {
-  std::uint8_t r = 0;
-  std::uint8_t g = 0;
-  std::uint8_t b = 0;
-  std::uint8_t a = 255;
-  constexpr bool operator==(const Color&) const = default;
-};
 
 /// The camera: which point of the world stands in the middle of the canvas, and how large a metre is drawn.
 struct View {
@@ -28,9 +21,20 @@ struct View {
 /// Which part of a text stands at the given place.
 enum class Align { left, center, right };
 
+/// How Canvas::strip looks.
+struct StripLook {
+  const Image* image = nullptr;     ///< none: the colour alone. u runs along the strip, v across it
+  double width = 0.1;               ///< m
+  double image_length = 1.0;        ///< m of the strip that one image is laid along, then it comes again; > 0
+  double start = 0.0;               ///< m along the image where the strip begins
+  Color color{255, 255, 255};       ///< multiplied with the image's
+  std::span<const Color> colors{};  ///< instead: of each point, as many as there are points
+};
+
 /// What a game draws on. World shapes are in metres, y up, and pass through the view; text and panels are in screen
-/// pixels, the origin at the top left corner, y down. Every shape is antialiased, and blended once: where the parts of
-/// one shape overlap (the joints of a line, a line crossing itself), a translucent colour does not add up.
+/// pixels, the origin at the top left corner, y down. Every shape is antialiased, and, but for textured ones, blended
+/// once: where the parts of one shape overlap (the joints of a line, a line crossing itself), a translucent colour does
+/// not add up.
 ///
 /// A shape that is not finite or has no size draws nothing. Nothing here throws except set_view.
 class Canvas {
@@ -70,6 +74,15 @@ class Canvas {
   /// over by an incomplete three are ignored.
   void triangles(std::span<const ribbon::Vec2> vertices, std::span<const int> indices, Color color);
 
+  /// A textured band of constant width along a line through the points (m): see add_band.
+  void strip(std::span<const ribbon::Vec2> points, const StripLook& look);
+  /// Textured triangles in pixels, within `clip`: what else is drawn with images, and what an immediate-mode interface
+  /// hands out. Draws nothing unless is_paintable(mesh). The image is only used during the call.
+  void textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
+  /// A mesh in pixels: several shapes of it are blended once together. Draws nothing if an index is out of range, or a
+  /// number not finite.
+  void mesh(const Mesh& mesh, Color color);
+
   /// A filled rectangle with round corners, in pixels; top_left is the corner nearest the origin.
   void panel(ribbon::Vec2 top_left, ribbon::Vec2 size, double corner_radius, Color color);
 
@@ -87,6 +100,8 @@ class Canvas {
   /// Fills a mesh, in pixels. Where its triangles overlap, the largest cover counts, so that the color is blended at
   /// most once a pixel. Corners are finite but may lie far outside.
   virtual void paint_mesh(const Mesh& mesh, Color color) = 0;
+  /// Paints the triangles in their order. The mesh is paintable; its corners may lie far outside.
+  virtual void paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) = 0;
   /// Draws text with its top left corner here, in pixels (finite, the text not empty).
   virtual void paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) = 0;
 
@@ -98,6 +113,7 @@ class Canvas {
   View view_;
   // Kept between shapes for their memory.
   Mesh mesh_;
+  TexturedMesh textured_;
   std::vector<ribbon::Vec2> pixels_;
 };
 

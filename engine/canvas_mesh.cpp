@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/line_profile.h"
+
 namespace engine {
 namespace {
 
@@ -39,21 +41,6 @@ void add_triangle(Mesh& mesh, int a, int b, int c) {
 void add_quad(Mesh& mesh, int a, int b, int c, int d) {
   add_triangle(mesh, a, b, c);
   add_triangle(mesh, a, c, d);
-}
-
-/// Cover across a shape, from its middle outwards: `cover` up to `core`, then falling to 0 at `outer`.
-struct Profile {
-  double core;
-  double outer;
-  double cover;
-};
-
-// What is narrower than a pixel keeps its total cover, the volume under this profile, and gets fainter instead. The two
-// cases meet in a border that falls from 1 to 0 over one pixel each way.
-Profile line_profile(double width) {
-  const double half = width / 2.0;
-  if (half < 0.5) return {0.0, 1.0, width};
-  return {half - 0.5, half + 0.5, 1.0};
 }
 
 // A cone cut off at core c and outer o, height 1, holds π/3 (o² + oc + c²) = π (r² + 1/12) with o, c = r ± 1/2.
@@ -169,6 +156,13 @@ std::vector<Edge> boundary(std::span<const int> indices) {
 }
 
 }  // namespace
+
+bool is_paintable(const Mesh& mesh) {
+  const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < mesh.vertices.size(); };
+  const auto sound = [](const MeshVertex& v) { return drawable(v.at) && v.cover >= 0.0 && v.cover <= 1.0; };
+  return std::all_of(mesh.indices.begin(), mesh.indices.end(), known) &&
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), sound);
+}
 
 void add_disc(Mesh& mesh, Vec2 center, double radius) {
   if (!drawable(center) || !drawable(radius) || radius <= 0.0) return;

@@ -25,6 +25,9 @@ struct Mesh {
   }
 };
 
+/// True if all indices are in range and all numbers such that it can be painted.
+bool is_paintable(const Mesh& mesh);
+
 /// These add a shape to a mesh, all in pixels. Input that is not finite (beyond 1e12 pixels counts as such) or has no
 /// size adds nothing; no triangle without area is ever added.
 void add_disc(Mesh& mesh, ribbon::Vec2 center, double radius);

@@ -94,7 +94,8 @@ void Raster::fill_row(int row, std::uint32_t rgb) {
 void Raster::fill(const Mesh& mesh, std::uint32_t rgb, int opacity) {
   const auto vertex = [&](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(mesh.indices[i])]; };
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) cover_triangle(vertex(i), vertex(i + 1), vertex(i + 2));
-  for (int y = 0; y < height_; ++y) blend_row(y, rgb, opacity);
+  for (int y = touched_.begin; y < touched_.end; ++y) blend_row(y, rgb, opacity);
+  touched_ = {};
 }
 
 void Raster::cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
@@ -103,23 +104,25 @@ void Raster::cover_triangle(const MeshVertex& a, const MeshVertex& b, const Mesh
   // A mesh holds no triangle without area, but far outside one may come to that when its corners are sorted.
   if (cross(v[1].at - v[0].at, v[2].at - v[0].at) == 0.0) return;
   const CoverPlane plane(v[0], v[1], v[2]);
+  const int first = first_pixel(v[0].at.y, height_);
   const int last = first_pixel(v[2].at.y, height_);
-  for (int y = first_pixel(v[0].at.y, height_); y < last; ++y) {
+  if (first >= last) return;
+  touched_.add(first, last);
+  for (int y = first; y < last; ++y) {
     const double middle = y + 0.5;
     const double long_x = edge_x(v[0], v[2], middle);
     const double short_x = middle < v[1].at.y ? edge_x(v[0], v[1], middle) : edge_x(v[1], v[2], middle);
     const int begin = first_pixel(std::min(long_x, short_x), width_);
     const int end = first_pixel(std::max(long_x, short_x), width_);
     if (begin >= end) continue;
-    Row& row = rows_[static_cast<std::size_t>(y)];
-    row = row.begin == row.end ? Row{begin, end} : Row{std::min(row.begin, begin), std::max(row.end, end)};
+    rows_[static_cast<std::size_t>(y)].add(begin, end);
     std::uint8_t* line = cover_.data() + static_cast<std::ptrdiff_t>(y) * width_;
     raise({line + begin, line + end}, plane, begin + 0.5, middle);
   }
 }
 
 void Raster::blend_row(int y, std::uint32_t rgb, int opacity) {
-  Row& row = rows_[static_cast<std::size_t>(y)];
+  Range& row = rows_[static_cast<std::size_t>(y)];
   const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(y) * width_;
   std::uint8_t* cover = cover_.data() + line;
   std::uint32_t* pixel = pixels_.data() + line;

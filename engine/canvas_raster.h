@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/canvas_mesh.h"
+#include "engine/textured_mesh.h"
 
 namespace engine {
 
@@ -27,15 +28,21 @@ class Raster {
   /// Blends the colour once over every pixel whose middle the mesh covers, by the largest cover of its triangles there
   /// times opacity (0 … 255). The mesh's indices are in range, its corners finite.
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
+  /// Blends the mesh's triangles over what is there, one after the other (raster_textured.cpp). The mesh is paintable.
+  void fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
   /// Blends the colour by a mask of width × (its size / width) bytes, its top left corner at this pixel; parts outside
   /// are cut off.
   void stamp(std::span<const std::uint8_t> mask, int mask_width, int left, int top, std::uint32_t rgb, int opacity);
 
  private:
-  struct Row {
-    int begin = 0;  // the pixels of the cover buffer that may be non-zero
+  struct Range {
+    int begin = 0;
     int end = 0;
+    void add(int from, int to) {
+      *this = begin == end ? Range{from, to} : Range{begin < from ? begin : from, end > to ? end : to};
+    }
   };
+  class Painter;
 
   void cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c);
   void blend_row(int y, std::uint32_t rgb, int opacity);
@@ -44,7 +51,8 @@ class Raster {
   int height_;
   std::vector<std::uint32_t> pixels_;
   std::vector<std::uint8_t> cover_;  // all zero between two fills
-  std::vector<Row> rows_;
+  std::vector<Range> rows_;          // the pixels of the cover buffer that may be non-zero, row by row
+  Range touched_;                    // the rows of which that is so
 };
 
 }  // namespace engine

@@ -144,6 +144,10 @@ void HeadlessCanvas::paint_background(Color top, Color bottom) {
 
 void HeadlessCanvas::paint_mesh(const Mesh& mesh, Color color) { raster_.fill(mesh, rgb_of(color), color.a); }
 
+void HeadlessCanvas::paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) {
+  raster_.fill(mesh, texture, clip);
+}
+
 void HeadlessCanvas::paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) {
   if (std::abs(top_left.x) > text_margin || std::abs(top_left.y) > text_margin) return;
   const Letters& letters = typesetter_->letters(utf8, pixel_size(size));

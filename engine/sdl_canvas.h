@@ -35,6 +35,7 @@ class HeadlessCanvas : public Canvas {
  protected:
   void paint_background(Color top, Color bottom) override;
   void paint_mesh(const Mesh& mesh, Color color) override;
+  void paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) override;
   void paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) override;
 
  private:

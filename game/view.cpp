@@ -158,8 +158,8 @@ void draw_cord_points(Canvas& canvas, const DrawnCord& cord) {
 }
 
 void draw_goal(Canvas& canvas, const Level& level, bool reached) {
-  const Vec2 foot = level.goal_center - 0.5 * level.goal_size;
-  const Vec2 top = foot + Vec2{0.0, level.goal_size.y + 0.4};
+  const Vec2 foot = level.goal.center - 0.5 * level.goal.size;
+  const Vec2 top = foot + Vec2{0.0, level.goal.size.y + 0.4};
   canvas.polyline(std::array{foot, top}, 0.1, ink);
   const double flap = reached ? 0.12 : 0.0;
   const std::array flag = {top, top + Vec2{1.3, -0.35 + flap}, top + Vec2{0.0, -0.8}};

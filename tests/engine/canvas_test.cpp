@@ -39,12 +39,16 @@ class RecordingCanvas : public engine::Canvas {
     std::string utf8;
   };
   std::vector<Mesh> meshes;
+  std::vector<engine::TexturedMesh> textured_meshes;
   std::vector<Text> texts;
   std::vector<Color> backgrounds;
 
  protected:
   void paint_background(Color top, Color bottom) override { backgrounds = {top, bottom}; }
   void paint_mesh(const Mesh& mesh, Color) override { meshes.push_back(mesh); }
+  void paint_textured(const engine::TexturedMesh& mesh, const engine::Texture&, const engine::PixelBox&) override {
+    textured_meshes.push_back(mesh);
+  }
   void paint_text(Vec2 at, std::string_view utf8, double, Color) override { texts.push_back({at, std::string(utf8)}); }
 };
 

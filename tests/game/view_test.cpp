@@ -29,6 +29,7 @@ class RecordingCanvas : public engine::Canvas {
  protected:
   void paint_background(engine::Color, engine::Color) override {}
   void paint_mesh(const engine::Mesh&, engine::Color) override { ++shapes; }
+  void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
   void paint_text(ribbon::Vec2, std::string_view utf8, double, engine::Color) override { texts.emplace_back(utf8); }
 };
 
