@@ -33,8 +33,8 @@ class Controls {
 
   std::uint16_t held_ = 0;
   std::uint16_t tapped_ = 0;
-  std::uint16_t stale_ = 0;  // down since a menu
-  bool forgot_ = false;      // and was not asked since
+  std::uint16_t stale_ = 0;                     // down since a menu
+  bool forgot_ = false;                         // and was not asked since
   bool grabs_ = false;                          // where a press holds on until the next
   std::array<int, action_count> wheel_left_{};  // ticks
   ribbon::Vec2 mouse_{};                        // m

@@ -206,9 +206,7 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool help) 
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
 }
 
-void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) {
-  draw_run(canvas, text_scale, false);
-}
+void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
 
 void PlayScreen::finish_recording() {
   try {

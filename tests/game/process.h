@@ -64,7 +64,12 @@ class XServer {
     return true;
   }
   /// ":7", once it is there.
-  std::string display() const { return ":" + bytes_of(number()).substr(0, bytes_of(number()).find('\n')); }
+  std::string display() const {
+    std::string name = ":";
+    name += bytes_of(number());
+    name.pop_back();  // the line's end
+    return name;
+  }
   void send(int signal) const { process_.send(signal); }
 
  private:
