@@ -162,6 +162,16 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* mete
   }
 }
 
+/// At the bottom, in the middle.
+void draw_line(Canvas& canvas, const std::string& line, double scale) {
+  if (line.empty()) return;
+  const double size = 21.0 * scale;
+  const Vec2 box{canvas.text_width(line, size) + 1.6 * size, canvas.line_height(size) + 0.6 * size};
+  const Vec2 corner{0.5 * (canvas.width() - box.x), canvas.height() - box.y - 60.0 * scale};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
+}
+
 }  // namespace
 
 std::string seconds_in_words(int ticks) {
@@ -190,11 +200,11 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
-  if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, 15.0 * scale, faint});
+  if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
   if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
   if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
   if (options.headline.empty()) {
-    canvas.text({0.5 * canvas.width(), margin}, options.below, 20.0 * scale, white, Align::center);
+    draw_line(canvas, options.below, scale);
   } else {
     draw_banner(canvas, options.headline, options.below, scale);
   }

@@ -8,7 +8,6 @@
 
 #include "engine/scene.h"
 #include "engine/tiled_map.h"
-#include "game/medals.h"
 
 namespace game {
 
@@ -27,6 +26,13 @@ struct Sign {
   std::string text;
 };
 
+/// s, in which a run is worth a medal; 0 where there is none.
+struct Medals {
+  double gold = 0.0;
+  double silver = 0.0;
+  double bronze = 0.0;
+};
+
 /// A level as read from its map: what the scene does not know of, and the map to build the scene from.
 struct Level {
   std::string name;
@@ -38,12 +44,12 @@ struct Level {
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
+  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
+  std::optional<double> player_reach{};
   Area goal;
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches
   std::vector<Sign> signs;
-  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
-  std::optional<double> player_reach{};
 
   /// A new world with everything where the map has it.
   std::unique_ptr<engine::Scene> make_scene() const;

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
-namespace game {
+#include "game/level.h"
 
-/// The slowest times that still get them, s; 0 where there are none.
-struct Medals {
-  double gold = 0.0;
-  double silver = 0.0;
-  double bronze = 0.0;
-};
+namespace game {
 
 enum class Medal { none, bronze, silver, gold };
 
 /// For a run of so many ticks.
 Medal medal_for(int ticks, const Medals& medals);
+
+/// The most ticks that a run within so many seconds has.
+int ticks_in(double seconds);
 
 /// "Gold"; empty for none.
 std::string medal_title(Medal medal);

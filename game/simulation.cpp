@@ -17,12 +17,12 @@ using ribbon::Vec2;
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
 constexpr double drag_speed = 15.0;                 // m/s, at which it takes the point along at the most
-constexpr double abyss = 3.0;                       // m below the level, where the player is put back
-constexpr double pointer_reach = 1.5;               // m, from the pointer to a hook that it is at
-constexpr double look_ahead = 3.0;                  // m, from the hand to where a hook is looked for without pointing
-constexpr double look_up = 5.0;                     // m
 constexpr double longest_reach = 10.0;              // m, that a replay may declare
 constexpr const char* reach_setting = "player_reach";
+constexpr double abyss = 3.0;          // m below the level, where the player is put back
+constexpr double pointer_reach = 1.5;  // m, from the pointer to a hook that it is at
+constexpr double look_ahead = 3.0;     // m, from the hand to where a hook is looked for without pointing
+constexpr double look_up = 5.0;        // m
 
 /// m, along the cord from one point to another.
 double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {

@@ -27,24 +27,17 @@ class LevelScreen : public Screen {
   std::string title() const override { return "levels"; }
 
  private:
-  struct Entry {
-    std::string name;
-    std::unique_ptr<Level> level{};  // once it is read
-    bool broken = false;
-  };
-
-  void read_one_more();
   void fill_menu();
   void show_focused(std::int64_t elapsed_ns);
   void draw_facts(engine::Canvas& canvas, double text_scale) const;
-  const Entry& focused() const { return entries_[static_cast<std::size_t>(menu_.focus())]; }
+  const Level& focused() const { return levels_[static_cast<std::size_t>(menu_.focus())]; }
 
   Session* session_;
-  std::vector<Entry> entries_;
+  const std::vector<Level> levels_;
   Menu menu_;
   std::optional<Simulation> preview_;
   std::optional<View> view_;
-  const Level* previewed_ = nullptr;
+  int previewed_ = -1;
   engine::FixedTick clock_{ticks_per_second, 2};
 };
 

@@ -14,6 +14,7 @@ namespace game {
 namespace {
 
 constexpr int joy_ticks = 45;                        // from the goal to the results
+constexpr int hint_ticks = 8 * ticks_per_second;     // that what a level teaches is shown
 constexpr std::int64_t ghost_budget_ns = 1'500'000;  // of a frame
 
 }  // namespace
@@ -106,7 +107,7 @@ Next PlayScreen::play(const Frame& frame) {
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
   obey_keys(frame);
   const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
-  controls_.take(frame.input, session_->settings, mouse, view_options_.debug);
+  controls_.take(frame.input, session_->settings, mouse, view_options_.debug || run_.level().sandbox);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
   advance_ghost(ticks);
@@ -145,7 +146,7 @@ int PlayScreen::ticks_to_run(const Frame& frame) {
   if (!stopped_) return due;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart shows at once
-  controls_.forget();  // what was tapped while it stood still is not meant for after it
+  controls_.forget_presses();  // what was tapped while it stood still is not meant for after it
   return 0;
 }
 
@@ -218,16 +219,24 @@ void PlayScreen::choose_message() {
   if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
   if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));
   if (run_.has_replay()) return say("", "");
+  const std::string& hint = run_.level().hint;
+  if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
+    return say("", hint);
+  }
   say("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
+  draw_run(canvas, text_scale, session_->settings.help);
+}
+
+void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool help) {
   const Settings& settings = session_->settings;
   keys_ = run_.has_replay() ? std::vector<std::string>{"A replay: nothing steers it"}
                             : help_lines(settings, session_->uses_pad);
   choose_message();
   view_options_.text_scale = text_scale;
-  view_options_.keys = settings.help ? &keys_ : nullptr;
+  view_options_.keys = help ? &keys_ : nullptr;
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;
@@ -236,11 +245,7 @@ void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
   panel_.draw(canvas);
 }
 
-void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) {
-  const bool help = std::exchange(session_->settings.help, false);
-  draw(canvas, text_scale);
-  session_->settings.help = help;
-}
+void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
 
 void PlayScreen::finish_recording() {
   try {

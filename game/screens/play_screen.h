@@ -71,6 +71,7 @@ class PlayScreen : public Screen {
   void finish_recording();
   void say_that_recording_failed(const engine::ReplayError& error);
   void choose_message();
+  void draw_run(engine::Canvas& canvas, double text_scale, bool help);
 
   Session* session_;
   RunOptions options_;

@@ -16,9 +16,9 @@ enum Meaning { next_level, again, watch, levels, leave_it };
 
 /// The level after that one, in the order of the level select; empty: it was the last.
 std::string level_after(const std::string& name) {
-  const std::vector<std::string> names = level_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() || found + 1 == names.end() ? "" : *(found + 1);
+  const std::vector<Level> levels = levels_in_order();
+  const auto found = std::find_if(levels.begin(), levels.end(), [&](const Level& level) { return level.name == name; });
+  return found == levels.end() || found + 1 == levels.end() ? "" : (found + 1)->name;
 }
 
 }  // namespace
@@ -42,15 +42,12 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
   if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "The first time you made it!");
   if (before) card_.lines.push_back((is_best ? "Before it was " : "Your best is ") + best_in_words(level, before));
   if (run.assisted) card_.lines.emplace_back("Nicely done, with some help: kept without a medal");
-  const auto medals = level_medals(level);
-  if (medals && !run.assisted && medal != Medal::gold) {
-    const double wanted = medal == Medal::silver   ? medals->gold
-                          : medal == Medal::bronze ? medals->silver
-                                                   : medals->bronze;
-    const auto better = static_cast<Medal>(static_cast<int>(medal) + 1);
-    card_.lines.push_back(medal_title(better) + " is for " +
-                          seconds_in_words(static_cast<int>(wanted * ticks_per_second)));
-  }
+  const double wanted[] = {level.medals.bronze, level.medals.silver, level.medals.gold};
+  if (run.assisted || medal == Medal::gold) return;
+  const auto better = static_cast<int>(medal) + 1;
+  const double seconds = wanted[better - 1];
+  if (seconds <= 0.0) return;
+  card_.lines.push_back(medal_title(static_cast<Medal>(better)) + " is for " + seconds_in_words(ticks_in(seconds)));
 }
 
 void ResultsScreen::fill_menu() {
@@ -59,7 +56,8 @@ void ResultsScreen::fill_menu() {
     meanings_.push_back(meaning);
     items.push_back({label});
   };
-  if (!play_->is_direct() && !level_after(play_->run().level().name).empty()) add(next_level, "Next level");
+  if (!play_->is_direct()) next_ = level_after(play_->run().level().name);
+  if (!next_.empty()) add(next_level, "Next level");
   add(again, "Once more");
   if (!play_->own_recording().empty()) add(watch, "Watch this run");
   if (!play_->is_direct()) add(levels, "Levels");
@@ -77,7 +75,7 @@ Next ResultsScreen::update(const Frame& frame) {
 
 Next ResultsScreen::choose(int meaning) {
   switch (meaning) {
-    case next_level: return start_level(*session_, level_after(play_->run().level().name));
+    case next_level: return start_level(*session_, next_);
     case watch: {
       RunOptions options;
       options.level = play_->options().level.value_or(play_->run().level().name);

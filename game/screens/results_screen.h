@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "game/records.h"
 #include "game/screens/card.h"
@@ -32,6 +34,7 @@ class ResultsScreen : public Screen {
   PlayScreen* play_;
   Card card_;
   Menu menu_;
+  std::string next_{};         // level
   std::vector<int> meanings_;  // of the menu's lines
 };
 

@@ -13,8 +13,11 @@ namespace {
 
 enum Item { play, options, leave_it };
 
-const Card card{
-    .headline = "Rope swing", .lines = {"Swing from cord to cord, to the flag"}, .width = 380.0, .text_size = 28.0};
+const Card card{.headline = "Rope swing",
+                .lines = {"Swing from cord to cord, to the flag"},
+                .width = 380.0,
+                .text_size = 28.0,
+                .side = -1.0};
 
 }  // namespace
 

@@ -170,5 +170,22 @@ TEST(InputState, WheelAndTextAreOfOnePollOnly) {
   EXPECT_TRUE(next.text.empty() && next.wheel == ribbon::Vec2{} && next.wheel_turned.none());
 }
 
+TEST(Controls, WhatIsStillDownFromAMenuDoesNothingUntilItWasUp) {
+  Hands hands;
+  hands.events.key_down(Key::space);
+  hands.events.key_down(Key::e);
+  hands.events.take();  // the menu's
+  hands.controls.forget();
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_grab) << "who hangs on goes on to";
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_grab);
+  hands.events.key_up(Key::space);
+  hands.frame();
+  hands.events.key_down(Key::space);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_grab | button_jump);
+}
+
 }  // namespace
 }  // namespace game
