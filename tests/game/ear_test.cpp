@@ -77,13 +77,17 @@ Heard heard_of(const Level& level, int ticks, int buttons = 0) {
 
 Heard golden_run(Ear& ear, Simulation& simulation) {
   Heard heard;
+  Simulation unheard(simulation.level());
   const engine::Replay golden = engine::load_replay(test_support::golden());
   for (const auto& tick : golden.ticks) {
     simulation.tick(tick.input);
     ear.hear(simulation);
     heard.cues.insert(heard.cues.end(), ear.cues().begin(), ear.cues().end());
     heard.most_wind = std::max(heard.most_wind, ear.wind().volume);
-    EXPECT_EQ(simulation.hash(), tick.state) << "listening changed the run";
+    unheard.tick(tick.input);
+    if (simulation.hash() == unheard.hash()) continue;
+    ADD_FAILURE() << "listening changed the run in tick " << simulation.ticks();
+    break;
   }
   return heard;
 }
