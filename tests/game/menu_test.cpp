@@ -116,8 +116,10 @@ TEST(MenuReader, AHeldDirectionIsRepeatedAfterAWhile) {
 
 bool press(Rebinding& rebinding, Bindings& bindings, const auto& code) {
   engine::WindowInput input;
-  if constexpr (std::is_same_v<std::decay_t<decltype(code)>, Key>) input.keys_pressed.set(static_cast<std::size_t>(code));
-  else input.pad_pressed.set(static_cast<std::size_t>(code));
+  if constexpr (std::is_same_v<std::decay_t<decltype(code)>, Key>)
+    input.keys_pressed.set(static_cast<std::size_t>(code));
+  else
+    input.pad_pressed.set(static_cast<std::size_t>(code));
   return rebinding.take(input, bindings);
 }
 

@@ -93,8 +93,7 @@ TEST(SettingsText, NamesWhatIsWrongAndWhatIsAccepted) {
     }
     return std::string("taken");
   };
-  EXPECT_EQ(refused(R"({"speed": 20})"),
-            "settings.json: \"speed\" is 20, accepted is a whole number from 50 to 100");
+  EXPECT_EQ(refused(R"({"speed": 20})"), "settings.json: \"speed\" is 20, accepted is a whole number from 50 to 100");
   EXPECT_NE(refused(R"({"muted": 1})").find("\"muted\" is 1"), std::string::npos);
   EXPECT_NE(refused(R"({"bindings": {"jump": ["key_nowhere"]}})").find("key_nowhere"), std::string::npos);
   EXPECT_NE(refused(R"({"bindings": {"jump": [7]}})").find("jump has 7"), std::string::npos);
