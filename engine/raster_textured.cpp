@@ -165,6 +165,16 @@ void paint_flat(Span span, Lanes color) {
     *span.pixel = over(color, *span.pixel);
 }
 
+/// Vertical gradients are flat along every row.
+bool is_flat(const Span& span) {
+  return std::all_of(span.ramp.begin() + 2, span.ramp.end(), [](const Ramp& r) { return r.step == 0; });
+}
+
+Lanes first_color(const Span& span) {
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  return tinted(white_lanes, b.here, r.here, g.here, a.here);
+}
+
 Lanes flat_color(const Planes& planes) {
   const auto lane = [&planes](std::size_t k) {
     return static_cast<Lanes>(std::lround(std::min(planes.low(k), planes.low(5))));
@@ -248,7 +258,11 @@ class Raster::Painter {
         continue;
       }
       for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
-      paint_tinted(span, sample);
+      if (std::is_same_v<Sample, Plain> && is_flat(span)) {
+        paint_flat(span, first_color(span));
+      } else {
+        paint_tinted(span, sample);
+      }
     }
   }
 

@@ -1,10 +1,22 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/canvas.h"
 #include "game/meter.h"
 #include "game/simulation.h"
+#include "game/view/effects.h"
 
 namespace game {
+
+/// Somebody who ran here before, at this moment of the run.
+struct Ghost {
+  ribbon::Vec2 at;        ///< m, the middle of the body
+  ribbon::Vec2 velocity;  ///< m/s
+  bool faces_left = false;
+  bool on_ground = true;
+  std::optional<ribbon::Vec2> held{};  ///< m, the place of a cord that the hands hold
+};
 
 /// What is shown besides the world itself.
 struct ViewOptions {
@@ -13,6 +25,10 @@ struct ViewOptions {
   bool watching = false;  ///< a replay, so the keys do not steer
   bool over = false;      ///< the replay has ended, or the ticks asked for have run
   bool help = true;
+  bool strain_tint = false;     ///< cords coloured by how much they are stretched, and what the colours mean
+  bool colour_safe = false;     ///< colours that stay apart for who sees red and green alike
+  bool reduced_motion = false;  ///< no shaking, zooming, drifting clouds or bursts
+  std::optional<Ghost> ghost{};
   const char* notice = nullptr;  ///< what has gone wrong, until the end
   double text_scale = 1.0;       ///< pixels a desktop unit
   const Meter* meter = nullptr;  ///< of what the debug view tells of cost and stretch, if it is to
@@ -21,15 +37,14 @@ struct ViewOptions {
 /// Draws a run of a level. The camera follows the player within the level.
 class View {
  public:
-  explicit View(const Simulation& simulation) : simulation_(&simulation) {}
+  explicit View(const Simulation& simulation) : simulation_(&simulation), effects_(simulation) {}
 
   /// Draws the moment `alpha` (0 … 1) of the way from the tick before the last to the last.
   void draw(engine::Canvas& canvas, double alpha, const ViewOptions& options);
 
  private:
-  engine::View camera(const engine::Canvas& canvas, ribbon::Vec2 player) const;
-
   const Simulation* simulation_;
+  Effects effects_;
 };
 
 }  // namespace game
