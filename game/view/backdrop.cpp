@@ -109,6 +109,17 @@ void draw_sun(Pen& pen) {
   pen.canvas.mesh(pen.shape, pen.colors.sun);
 }
 
+/// What stands still on the screen.
+void draw_sky(Pen& pen) {
+  const Palette& colors = pen.colors;
+  const double width = pen.canvas.width();
+  const double high = pen.canvas.height();
+  const double middle = std::round(0.5 * high);
+  pen.fade({0.0, 0.0}, {width, middle}, colors.sky_top, colors.sky_middle);
+  pen.fade({0.0, middle}, {width, high - middle}, colors.sky_middle, colors.horizon);
+  draw_sun(pen);
+}
+
 void draw_clouds(Pen& pen) {
   const double high = pen.canvas.height();
   const double wide = pen.canvas.width() / high;
@@ -132,12 +143,10 @@ void draw_clouds(Pen& pen) {
 
 void draw_backdrop(Pen& pen) {
   const Palette& colors = pen.colors;
-  const double width = pen.canvas.width();
-  const double high = pen.canvas.height();
-  const double middle = std::round(0.5 * high);
-  pen.fade({0.0, 0.0}, {width, middle}, colors.sky_top, colors.sky_middle);
-  pen.fade({0.0, middle}, {width, high - middle}, colors.sky_middle, colors.horizon);
-  draw_sun(pen);
+  if (const int key = &colors == &palette(true) ? 1 : 0; !pen.canvas.recall(key)) {
+    draw_sky(pen);
+    pen.canvas.remember(key);
+  }
   draw_clouds(pen);
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     if (k == 2) draw_trees(pen, ranges[k], colors.hills[k], 0.021, 0.055);
