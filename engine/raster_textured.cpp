@@ -65,6 +65,10 @@ class Planes {
   }
   double low(std::size_t k) const { return low_[k]; }
   bool flat(std::size_t k) const { return low_[k] == high_[k]; }
+  /// Whether all colours stay the same along rows, as those of a vertical gradient do.
+  bool even() const {
+    return std::all_of(per_x_.begin() + 2, per_x_.end(), [](double slope) { return std::abs(slope) < 1e-7; });
+  }
   /// How far the place in the image goes for a pixel: the side of the square that a pixel covers of it on average.
   double texels_a_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
 
@@ -79,9 +83,9 @@ struct Ramp {
   std::int64_t step = 0;
 };
 
+std::int64_t fixed(double x) { return static_cast<std::int64_t>(std::floor(x * 65536.0 + 0.5)); }
+
 Ramp ramp_of(double first, double last, int pixels) {
-  constexpr double one = 65536.0;
-  const auto fixed = [](double x) { return static_cast<std::int64_t>(std::floor(x * one + 0.5)); };
   return {fixed(first), pixels > 1 ? (fixed(last) - fixed(first)) / (pixels - 1) : 0};
 }
 
@@ -215,10 +219,15 @@ void paint_image(const Span& span, const Sample& sample, bool flat) {
   const auto& [u, v, b, r, g, a] = span.ramp;
   if (!flat) return paint_tinted(span, sample);
   constexpr std::int64_t white = 255 << 16;
-  if (b.here == a.here && r.here == a.here && g.here == a.here) {
+  const bool grey = b.here == r.here && b.here == g.here;
+  if (grey && b.here == a.here) {
     if (a.here == white) return paint_evenly(span, sample, [](Lanes color) { return color; });
     const auto scale = static_cast<Lanes>(a.here * 257 >> 24U);
     return paint_evenly(span, sample, [scale](Lanes color) { return scaled(color, scale); });
+  }
+  if (grey && a.here == white) {
+    const auto scale = static_cast<Lanes>(b.here * 257 >> 24U);
+    return paint_evenly(span, sample, [scale](Lanes color) { return darkened(color, scale); });
   }
   paint_evenly(span, sample, [b = b.here, r = r.here, g = g.here, a = a.here](Lanes color) {
     return color != 0 ? tinted(color, b, r, g, a) : color;
@@ -232,11 +241,6 @@ void paint_flat(Span span, Lanes color) {
   }
   for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel)
     *span.pixel = over(color, *span.pixel);
-}
-
-/// Vertical gradients are flat along every row.
-bool is_even(const Span& span) {
-  return std::all_of(span.ramp.begin() + 2, span.ramp.end(), [](const Ramp& r) { return r.step == 0; });
 }
 
 Lanes first_color(const Span& span) {
@@ -295,7 +299,8 @@ class Raster::Painter {
     const bool flat = planes.flat(2) && planes.flat(3) && planes.flat(4) && planes.flat(5);
     if (flat && planes.low(5) == 0.0) return;
     std::array<Ramp, 4> colors;
-    for (std::size_t k = 0; k < colors.size(); ++k) colors[k] = ramp_of(planes.low(k + 2), planes.low(k + 2), 1);
+    for (std::size_t k = 0; k < colors.size(); ++k) colors[k].here = fixed(planes.low(k + 2));
+    const bool even = flat || planes.even();
     const int last = first_pixel(v[2].at.y, top_, bottom_);
     for (int y = first_pixel(v[0].at.y, top_, bottom_); y < last; ++y) {
       const double middle = y + 0.5;
@@ -308,9 +313,13 @@ class Raster::Painter {
       const auto ramp = [&](std::size_t k, double scale) {
         return ramp_of(scale * planes.at(k, begin + 0.5, middle), scale * planes.at(k, end - 0.5, middle), span.count);
       };
-      for (std::size_t k = 2; k < quantities && !flat; ++k) span.ramp[k] = ramp(k, 1.0);
-      if (flat) std::copy(colors.begin(), colors.end(), span.ramp.begin() + 2);
-      const bool even = flat || is_even(span);
+      if (flat) {
+        std::copy(colors.begin(), colors.end(), span.ramp.begin() + 2);
+      } else if (even) {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k].here = fixed(planes.at(k, begin + 0.5, middle));
+      } else {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
+      }
       if constexpr (std::is_same_v<Sample, Plain>) {
         if (even) {
           paint_flat(span, first_color(span));

@@ -21,12 +21,14 @@ using engine::Color;
 using engine::to_double;
 using ribbon::Vec2;
 
-void draw_bodies(Pen& pen, const Simulation& simulation, const Snapshot& now) {
+std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
+  std::vector<DrawnBody> bodies;
   std::size_t index = now.bodies.size();
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    const Snapshot::Body& pose = now.bodies[--index];
-    if (body != &simulation.player().body()) draw_body(pen, *body, pose, static_cast<int>(index));
+    --index;  // the list begins with the one made last
+    if (body != &simulation.player().body()) bodies.push_back({*body, now.bodies[index], static_cast<int>(index)});
   }
+  return bodies;
 }
 
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
@@ -75,14 +77,15 @@ FigureState figure_of(const Ghost& ghost, double time) {
 void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
   const Snapshot now = interpolate(simulation_->previous(), simulation_->current(), alpha);
   const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
-  Pen pen{canvas, palette(options.colour_safe), textures(), time, options.reduced_motion};
+  const Palette& colors = palette(options.colour_safe);
+  Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
   effects_.follow(pen.colors, pen.calm);
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.calm));
 
   draw_backdrop(pen);
   draw_goal(pen, simulation_->level().goal_center, simulation_->level().goal_size,
             simulation_->goal_ticks().has_value());
-  draw_bodies(pen, *simulation_, now);
+  draw_bodies(pen, bodies_of(*simulation_, now));
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));

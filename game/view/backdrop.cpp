@@ -27,7 +27,7 @@ constexpr std::array<Range, 4> ranges = {{{0.93, 0.44, 0.20, 0.60, 0.030, 401},
                                           {0.76, 0.24, 0.11, 0.42, 0.006, 403},
                                           {0.62, 0.12, 0.08, 0.34, 0.004, 404}}};
 constexpr int period = 4096;     // hills, after which they come again
-constexpr double column = 12.0;  // px, between two points of a hill's outline
+constexpr double column = 20.0;  // px, between two points of a hill's outline
 
 double outline(const Range& range, double x) {
   return range.swell * (tiled_noise(x / range.length, 0.0, period, range.seed) - 0.5) +
@@ -84,7 +84,7 @@ void draw_range(Pen& pen, const Range& range, Color color, Color mist) {
   if (bottom < high) pen.fade({0.0, bottom}, {width, high - bottom}, misty(bottom), misty(bottom));
 }
 
-void draw_trees(Pen& pen, const Range& range, Color color, double spacing, double size) {
+void draw_trees(Pen& pen, const Range& range, const engine::Image& image, double spacing, double size) {
   const double high = pen.canvas.height();
   const double shift = (1.0 - range.follow) * camera_way(pen).x;
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
@@ -95,8 +95,7 @@ void draw_trees(Pen& pen, const Range& range, Color color, double spacing, doubl
     const double tall = high * size * (0.6 + 0.8 * scatter(k, 2, range.seed));
     const double y = top_of(pen, range, x) + 0.06 * tall;
     if (y - tall > high) continue;
-    pen.sprite(pen.images.tree, {x, y - 0.5 * tall}, {0.5 * tall, tall},
-               mix(color, pen.colors.ink, 0.16 * scatter(k, 3, range.seed)));
+    pen.sprite(image, {x, y - 0.5 * tall}, {0.5 * tall, tall}, {255, 255, 255});
   }
 }
 
@@ -149,9 +148,9 @@ void draw_backdrop(Pen& pen) {
   }
   draw_clouds(pen);
   for (std::size_t k = 0; k < ranges.size(); ++k) {
-    if (k == 2) draw_trees(pen, ranges[k], colors.hills[k], 0.021, 0.055);
-    if (k == 3) draw_trees(pen, ranges[k], colors.hills[k], 0.034, 0.11);
-    draw_range(pen, ranges[k], colors.hills[k], mix(colors.hills[k], colors.horizon, 0.65));
+    if (k == 2) draw_trees(pen, ranges[k], pen.images.trees[0], 0.021, 0.055);
+    if (k == 3) draw_trees(pen, ranges[k], pen.images.trees[1], 0.034, 0.11);
+    draw_range(pen, ranges[k], colors.hills[k], mix(colors.hills[k], colors.mist, 0.7));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/convert.h"
@@ -73,7 +74,6 @@ void draw_beam(Pen& pen, const std::vector<Vec2>& corners, const Extent& extent)
   const double scale = pen.scale();
   const Vec2 u = 1.0 / (scale * 4.0 * extent.width) * Vec2{along.x, -along.y};
   const Vec2 v = 1.0 / (scale * extent.width) * Vec2{-across.x, across.y};
-  draw_outline(pen, corners, 0.06, pen.colors.ink);
   add_polygon(pen, corners, {pen.canvas.to_pixels(corner), u, v}, pen.colors.wood);
   pen.canvas.textured(pen.mesh, {&pen.images.wood});
 }
@@ -101,27 +101,23 @@ void draw_earth(Pen& pen, const std::vector<Vec2>& corners) {
   const Vec2 origin = pen.canvas.to_pixels({0.0, 0.0});
   double top = corners.front().y;
   for (const Vec2 p : corners) top = std::max(top, p.y);
-  add_polygon(pen, corners, {origin, {texel, 0.0}, {0.0, texel}}, pen.colors.soil);
+  add_polygon(pen, corners, {origin, {texel, 0.0}, {0.0, texel}}, {255, 255, 255});
+  // It gets darker downwards, and stays so.
+  constexpr Color white{255, 255, 255};
+  const auto deep = static_cast<std::uint8_t>(pen.colors.deep_light);
   for (engine::TexturedVertex& v : pen.mesh.vertices)
-    v.color = mix(pen.colors.soil, pen.colors.soil_deep, (top - pen.canvas.to_world(v.at).y) / darkest_below);
-  draw_outline(pen, corners, 0.07, mix(pen.colors.soil_deep, pen.colors.ink, 0.5));
+    v.color = mix(white, {deep, deep, deep}, (top - pen.canvas.to_world(v.at).y) / darkest_below);
   pen.canvas.textured(pen.mesh, {&pen.images.soil});
-  draw_grass(pen, corners);
 }
 
-void draw_polygon(Pen& pen, const b2PolygonShape& shape, const Snapshot::Body& pose) {
-  const std::vector<Vec2> corners = corners_of(shape, pose);
+bool is_beam(const std::vector<Vec2>& corners) { return corners.size() == 4 && extent_of(corners).width < beam; }
+
+bool is_seen(const Pen& pen, const std::vector<Vec2>& corners) {
   Vec2 middle;
   for (const Vec2 p : corners) middle += (1.0 / static_cast<double>(corners.size())) * p;
   double reach = 0.0;
   for (const Vec2 p : corners) reach = std::max(reach, length(p - middle));
-  if (!pen.sees(middle, reach + 0.5)) return;
-  const Extent extent = extent_of(corners);
-  if (extent.width < beam && corners.size() == 4) {
-    draw_beam(pen, corners, extent);
-  } else {
-    draw_earth(pen, corners);
-  }
+  return pen.sees(middle, reach + 0.5);
 }
 
 /// A peg that a cord winds round: the end of a trunk.
@@ -139,6 +135,23 @@ void draw_ball(Pen& pen, Vec2 center, double radius, double angle, Color color) 
   pen.disc(pen.images.shade, center, radius - 0.025, {255, 255, 255});
 }
 
+void draw_circle(Pen& pen, const DrawnBody& drawn, const b2CircleShape& shape) {
+  const Vec2 center = placed(drawn.pose, to_double(shape.m_p));
+  const double radius = static_cast<double>(shape.m_radius);
+  if (!pen.sees(center, radius)) return;
+  if (drawn.body.GetType() == b2_staticBody) return draw_peg(pen, center, radius);
+  const auto kind = static_cast<std::size_t>(drawn.number) % pen.colors.balls.size();
+  draw_ball(pen, center, radius, drawn.pose.angle, pen.colors.balls[kind]);
+}
+
+/// `use(drawn, shape)` for each shape of this type.
+template <typename Shape, typename Use>
+void each_shape(std::span<const DrawnBody> bodies, b2Shape::Type type, Use use) {
+  for (const DrawnBody& drawn : bodies)
+    for (const b2Fixture* fixture = drawn.body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext())
+      if (fixture->GetType() == type) use(drawn, static_cast<const Shape&>(*fixture->GetShape()));
+}
+
 }  // namespace
 
 Vec2 placed(const Snapshot::Body& pose, Vec2 local) {
@@ -147,24 +160,23 @@ Vec2 placed(const Snapshot::Body& pose, Vec2 local) {
   return pose.position + Vec2{c * local.x - s * local.y, s * local.x + c * local.y};
 }
 
-void draw_body(Pen& pen, const b2Body& body, const Snapshot::Body& pose, int number) {
-  for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-    const b2Shape& shape = *fixture->GetShape();
-    if (shape.GetType() == b2Shape::e_polygon) {
-      draw_polygon(pen, static_cast<const b2PolygonShape&>(shape), pose);
-    } else if (shape.GetType() == b2Shape::e_circle) {
-      const auto& circle = static_cast<const b2CircleShape&>(shape);
-      const Vec2 center = placed(pose, to_double(circle.m_p));
-      const double radius = static_cast<double>(circle.m_radius);
-      if (!pen.sees(center, radius)) continue;
-      if (body.GetType() == b2_staticBody) {
-        draw_peg(pen, center, radius);
-      } else {
-        draw_ball(pen, center, radius, pose.angle,
-                  pen.colors.balls[static_cast<std::size_t>(number) % pen.colors.balls.size()]);
-      }
-    }
-  }
+void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
+  std::vector<std::vector<Vec2>> grounds;
+  each_shape<b2PolygonShape>(bodies, b2Shape::e_polygon, [&](const DrawnBody& drawn, const b2PolygonShape& shape) {
+    std::vector<Vec2> corners = corners_of(shape, drawn.pose);
+    if (is_seen(pen, corners)) grounds.push_back(std::move(corners));
+  });
+  // First all outlines, so that pieces that adjoin become one; last the grass, which grows over its neighbours.
+  for (const auto& corners : grounds) draw_outline(pen, corners, 0.09, pen.colors.ink);
+  for (const auto& corners : grounds)
+    if (!is_beam(corners)) draw_earth(pen, corners);
+  for (const auto& corners : grounds)
+    if (is_beam(corners)) draw_beam(pen, corners, extent_of(corners));
+  for (const auto& corners : grounds)
+    if (!is_beam(corners)) draw_grass(pen, corners);
+  each_shape<b2CircleShape>(bodies, b2Shape::e_circle, [&](const DrawnBody& drawn, const b2CircleShape& shape) {
+    draw_circle(pen, drawn, shape);
+  });
 }
 
 }  // namespace game

@@ -2,14 +2,22 @@
 
 #include <box2d/box2d.h>
 
+#include <span>
+
 #include "game/simulation.h"
 #include "game/view/pen.h"
 
 namespace game {
 
-/// Draws a body of the level: ground with grass on what faces up, beams and posts of wood where it is thin, pegs, and
-/// what rolls. `number` tells alike bodies apart.
-void draw_body(Pen& pen, const b2Body& body, const Snapshot::Body& pose, int number);
+/// A body of the level at a moment between two ticks.
+struct DrawnBody {
+  const b2Body& body;
+  Snapshot::Body pose;
+  int number;  ///< tells alike ones apart
+};
+
+/// Draws ground, with grass on what faces up, beams and posts of wood where it is thin, pegs, and what rolls.
+void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies);
 
 /// Where a body's own place is in the world.
 ribbon::Vec2 placed(const Snapshot::Body& pose, ribbon::Vec2 local);

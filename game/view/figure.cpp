@@ -13,13 +13,13 @@ using ribbon::Vec2;
 
 constexpr Color skin{244, 200, 160};
 constexpr Color hair{84, 52, 44};
-constexpr Color jacket{44, 92, 122};
-constexpr Color jacket_far{32, 68, 94};
-constexpr Color trousers{92, 70, 72};
-constexpr Color trousers_far{68, 52, 58};
+constexpr Color jacket{58, 128, 168};
+constexpr Color jacket_far{42, 92, 126};
+constexpr Color trousers{112, 84, 78};
+constexpr Color trousers_far{82, 62, 62};
 constexpr Color boots{58, 42, 44};
-constexpr Color scarf{232, 92, 62};
-constexpr Color scarf_shade{188, 62, 52};
+constexpr Color scarf{250, 104, 66};
+constexpr Color scarf_shade{204, 66, 52};
 constexpr double outline = 0.055;  // m, of which half shows on either side
 constexpr double head_radius = 0.19;
 

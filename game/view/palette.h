@@ -8,9 +8,11 @@ namespace game {
 
 /// The colours of everything. The backdrop's come from far to near.
 struct Palette {
-  engine::Color sky_top, sky_middle, horizon, sun, cloud;
+  engine::Color sky_top, sky_middle, horizon, sun, cloud, mist;
   std::array<engine::Color, 4> hills;
-  engine::Color soil, soil_deep, grass, wood, stone;
+  engine::Color soil;
+  int deep_light;  ///< 0 … 255: how bright the soil is some metres below the grass
+  engine::Color grass, wood, stone;
   std::array<engine::Color, 3> ropes;    ///< one after the other, so that neighbours differ
   std::array<engine::Color, 4> ribbons;  ///< likewise
   std::array<engine::Color, 3> balls;

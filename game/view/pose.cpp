@@ -10,7 +10,7 @@ namespace {
 using ribbon::Vec2;
 
 constexpr double half_height = 0.75;
-constexpr double hip_height = -0.08;  // above the middle of who stands
+constexpr double hip_height = -0.045;  // above the middle of who stands
 constexpr double torso = 0.44;
 constexpr double neck_to_head = 0.22;
 constexpr double upper_arm = 0.27;

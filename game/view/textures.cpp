@@ -21,6 +21,11 @@ double smoothstep(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
+Color tinted(Color light, Color color) {
+  const auto channel = [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a * b + 127) / 255); };
+  return {channel(light.r, color.r), channel(light.g, color.g), channel(light.b, color.b), light.a};
+}
+
 double fraction(double x) { return x - std::floor(x); }
 
 std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }
@@ -84,37 +89,39 @@ double pebble(double u, double v, int cells, int seed) {
   return most;
 }
 
-Image soil_image() {
-  return drawn(256, 256, [](double u, double v) {
-    const double wave = 0.02 * std::sin(2.0 * pi * (2.0 * u + v));
-    const double layers =
-        0.05 * std::sin(2.0 * pi * 6.0 * (v + wave)) + 0.03 * std::sin(2.0 * pi * (11.0 * v + 2.0 * u));
-    const double grain = 0.16 * (tiled_cloudiness(16.0 * u, 16.0 * v, 16, 21) - 0.5);
-    const double stone = std::max(pebble(u, v, 7, 31), 0.8 * pebble(u, v, 17, 41));
-    const double earth = 0.82 + layers + grain;
-    return grey(earth + stone * (0.32 * (stone - 0.45)));
+Image soil_image(Color color) {
+  return drawn(256, 256, [color](double u, double v) {
+    const double wave = 0.025 * std::sin(2.0 * pi * (2.0 * u + v)) + 0.03 * tiled_noise(8.0 * u, 8.0 * v, 8, 20);
+    const double bed = tiled_noise(0.5, 10.0 * (v + wave), 10, 22);
+    const double layers = 0.10 * (smoothstep(0.4, 0.5, bed) - 0.5) + 0.05 * smoothstep(0.62, 0.66, bed);
+    const double grain = 0.10 * (tiled_noise(64.0 * u, 64.0 * v, 64, 21) - 0.5) +
+                         0.08 * (tiled_cloudiness(8.0 * u, 8.0 * v, 8, 23) - 0.5);
+    const double stone = std::max(pebble(u, v, 6, 31), 0.9 * pebble(u, v, 15, 41));
+    const double earth = 0.80 + layers + grain;
+    return tinted(grey(stone > 0.05 ? earth + 0.36 * (stone - 0.36) : earth), color);
   });
 }
 
 /// How high the blade at a place stands, and how bright it is: the highest of those around it.
 Color grass_at(double u, double v) {
-  constexpr int blades = 90;
+  constexpr int blades = 110;
   constexpr double ground = 0.5;  // v of the surface
   double light = -1.0;
   for (int k = static_cast<int>(blades * u) - 3; k <= static_cast<int>(blades * u) + 3; ++k) {
     const int wk = (k + blades) % blades;
-    const double tall = 0.12 + 0.34 * scatter(wk, 0, 51) * scatter(wk, 1, 51);
-    const double height = (ground + 0.06 - v) / tall;
+    const double tall = 0.10 + 0.12 * scatter(wk, 0, 51) + 0.22 * scatter(wk, 0, 51) * scatter(wk, 1, 51);
+    const double height = (ground + 0.04 - v) / tall;
     if (height < 0.0 || height > 1.0) continue;
-    const double lean = 2.4 * (scatter(wk, 2, 51) - 0.5) * height * height;
-    const double width = 1.15 * (1.0 - height);
+    const double lean = 2.6 * (scatter(wk, 2, 51) - 0.5) * height * height;
+    const double width = 1.5 * (1.0 - height);
     if (std::abs(blades * u - k - 0.5 - lean) < 0.5 * width)
-      light = std::max(light, 0.72 + 0.28 * height + 0.14 * (scatter(wk, 3, 51) - 0.5));
+      light = std::max(light, 0.70 + 0.26 * height + 0.16 * (scatter(wk, 3, 51) - 0.5));
   }
   if (light >= 0.0) return grey(light);
-  const double fringe = ground + 0.16 + 0.26 * tiled_noise(24.0 * u, 0.0, 24, 57) * tiled_noise(60.0 * u, 0.0, 60, 58);
-  if (v < ground || v > fringe) return grey(0.6, 0.0);
-  return grey(0.8 - 0.6 * (v - ground) + 0.12 * (tiled_noise(64.0 * u, 32.0 * v, 64, 59) - 0.5));
+  const double fringe = ground + 0.18 + 0.24 * tiled_noise(24.0 * u, 0.0, 24, 57) * tiled_noise(60.0 * u, 0.0, 60, 58);
+  if (v < ground || v > fringe) return grey(0.5, 0.0);
+  const double rim = smoothstep(fringe - 0.05, fringe - 0.03, v);
+  return grey((0.92 - 0.5 * (v - ground) + 0.1 * (tiled_noise(64.0 * u, 32.0 * v, 64, 59) - 0.5)) * (1.0 - 0.4 * rim));
 }
 
 Image wood_image() {
@@ -146,7 +153,7 @@ Image shade_image() {
     const double x = 2.0 * u - 1.0;
     const double y = 2.0 * v - 1.0;
     const double lit = std::exp(-9.0 * ((x + 0.36) * (x + 0.36) + (y + 0.42) * (y + 0.42)));
-    const double dark = smoothstep(0.35, 1.25, std::hypot(x + 0.25, y + 0.3)) * 0.62;
+    const double dark = smoothstep(0.55, 1.45, std::hypot(x + 0.25, y + 0.3)) * 0.62;
     if (lit > 0.25) return grey(1.0, 0.75 * (lit - 0.25));
     return Color{30, 16, 30, byte(dark)};
   });
@@ -157,12 +164,9 @@ Image ball_image() {
     const double x = 2.0 * u - 1.0;
     const double y = 2.0 * v - 1.0;
     const double away = std::hypot(x, y);
-    const double band = smoothstep(0.30, 0.26, std::abs(y + 0.10 * x * x));
-    const double star = smoothstep(0.22, 0.18, away);
-    return grey(
-        std::clamp(0.86 + 0.14 * band - 0.5 * star + 0.04 * (tiled_noise(12.0 * u, 12.0 * v, 12, 81) - 0.5), 0.0, 1.0) *
-            (1.0 - 0.55 * smoothstep(0.86, 0.95, away)) -
-        0.2 * (1.0 - band));
+    const double band = smoothstep(0.30, 0.27, std::abs(y + 0.10 * x * x));
+    const double hub = smoothstep(0.2, 0.17, away);
+    return grey((0.84 + 0.16 * band - 0.45 * hub) * (1.0 - 0.22 * smoothstep(0.90, 0.95, away)));
   });
 }
 
@@ -170,8 +174,8 @@ Image iron_image() {
   return drawn(128, 128, [](double u, double v) {
     const double away = std::hypot(2.0 * u - 1.0, 2.0 * v - 1.0);
     const double rim = smoothstep(0.74, 0.78, away) - smoothstep(0.92, 0.98, away);
-    return grey(0.72 + 0.2 * rim + 0.16 * (tiled_cloudiness(10.0 * u, 10.0 * v, 10, 91) - 0.5) -
-                0.3 * smoothstep(0.94, 1.0, away));
+    return grey(0.8 + 0.2 * rim + 0.16 * (tiled_cloudiness(10.0 * u, 10.0 * v, 10, 91) - 0.5) -
+                0.2 * smoothstep(0.94, 1.0, away));
   });
 }
 
@@ -183,52 +187,66 @@ Image glow_image() {
   });
 }
 
-Image tree_image() {
-  return drawn(64, 128, [](double u, double v) {
+Image tree_image(Color color) {
+  return drawn(64, 128, [color](double u, double v) {
     const double x = std::abs(2.0 * u - 1.0);
-    if (v > 0.9) return grey(0.5, x < 0.08 ? 1.0 : 0.0);
+    if (v > 0.9) return tinted(grey(0.5, x < 0.08 ? 1.0 : 0.0), color);
     const double tier = fraction(4.2 * v + 0.15);
     const double reach =
         (0.14 + 0.66 * v) * (0.52 + 0.48 * tier) * (0.9 + 0.2 * tiled_noise(8.0 * u, 24.0 * v, 64, 95));
-    return grey(0.86 + 0.14 * (u < 0.5 ? 1.0 : -1.0) * smoothstep(0.0, 0.4, x), smoothstep(reach, reach - 0.05, x));
+    return tinted(
+        grey(0.86 + 0.14 * (u < 0.5 ? 1.0 : -1.0) * smoothstep(0.0, 0.4, x), smoothstep(reach, reach - 0.05, x)),
+        color);
   });
 }
 
 /// Puffs in a row, the larger in the middle, flat below and lit from above.
 Image cloud_image(int seed) {
   return drawn(256, 128, [seed](double u, double v) {
-    const double ragged = 0.14 * (tiled_cloudiness(8.0 * u, 4.0 * v, 8, seed) - 0.5);
+    const double ragged = 0.10 * (tiled_cloudiness(8.0 * u, 4.0 * v, 8, seed) - 0.5);
+    const double x = 2.0 * u;  // in heights of the image
     double inside = -1.0;
-    for (int k = 0; k < 7; ++k) {
-      const double x = 0.16 + 0.68 * k / 6.0;
-      const double size = (0.16 + 0.16 * scatter(k, 0, seed)) * (1.25 - 1.5 * std::abs(x - 0.5));
-      const double y = 0.72 - 0.9 * size - 0.2 * scatter(k, 1, seed) * (1.0 - 2.0 * std::abs(x - 0.5));
-      inside = std::max(inside, size - std::hypot(1.15 * (u - x), 0.62 * (v - y)) + 0.5 * ragged);
+    double light = 0.0;
+    for (int k = 0; k < 9; ++k) {
+      const double along = -1.0 + k / 4.0;
+      const double size = (0.13 + 0.09 * scatter(k, 0, seed)) * (1.35 - 0.85 * std::abs(along));
+      const double lift = (0.05 + 0.16 * scatter(k, 1, seed)) * (1.0 - std::abs(along));
+      const double y = 0.76 - 0.72 * size - lift;
+      const double depth = size - std::hypot(x - 1.0 - 0.68 * along, v - y) + ragged;
+      if (depth > inside) light = std::clamp(0.5 + 0.5 * (y - v) / size, 0.0, 1.0);
+      inside = std::max(inside, depth);
     }
-    const double base = smoothstep(0.86, 0.66, v + 0.5 * ragged);
-    const double light = 0.84 + 0.16 * smoothstep(0.75, 0.25, v + ragged);
-    const Color lit = grey(light);
-    return Color{lit.r, lit.g, byte(std::min(1.0, light + 0.03)), byte(0.94 * smoothstep(0.0, 0.07, inside) * base)};
+    const double base = smoothstep(0.80, 0.72, v + 0.4 * ragged);
+    const double shade = 0.84 + 0.16 * smoothstep(0.1, 0.75, light);
+    return Color{byte(shade), byte(shade + 0.01), byte(shade + 0.05),
+                 byte(0.96 * smoothstep(0.0, 0.035, inside) * base)};
   });
 }
 
 }  // namespace
 
-const Textures& textures() {
-  static const Textures all{rope_image(3, 1.0, 0.1),
-                            rope_image(6, 2.0, 0.06),
-                            cloth_image(),
-                            soil_image(),
-                            drawn(512, 64, grass_at),
-                            wood_image(),
-                            stone_image(),
-                            shade_image(),
-                            ball_image(),
-                            iron_image(),
-                            glow_image(),
-                            tree_image(),
-                            {cloud_image(101), cloud_image(202), cloud_image(303)}};
-  return all;
+const Textures& textures(const Palette& colors) {
+  const auto make = [](const Palette& of) {
+    return Textures{rope_image(3, 1.0, 0.1),
+                    rope_image(6, 2.0, 0.06),
+                    cloth_image(),
+                    soil_image(of.soil),
+                    drawn(512, 64, grass_at),
+                    wood_image(),
+                    stone_image(),
+                    shade_image(),
+                    ball_image(),
+                    iron_image(),
+                    glow_image(),
+                    {tree_image(of.hills[2]), tree_image(of.hills[3])},
+                    {cloud_image(101), cloud_image(202), cloud_image(303)}};
+  };
+  if (&colors == &palette(true)) {
+    static const Textures safe = make(colors);
+    return safe;
+  }
+  static const Textures usual = make(colors);
+  return usual;
 }
 
 }  // namespace game

@@ -45,7 +45,7 @@ void print(const char* name, std::vector<double>& times) {
   std::printf("%-8s median %6.3f ms, worst %6.3f ms\n", name, times[times.size() / 2], times.back());
 }
 
-int measure(const std::string& replay, int width, int height, bool debug) {
+int measure(const std::string& replay, int most, int width, int height, bool debug) {
   game::RunOptions options;
   options.replay = replay;
   game::RecordedRun run(options);
@@ -58,7 +58,7 @@ int measure(const std::string& replay, int width, int height, bool debug) {
   std::vector<double> ticks;
   std::vector<double> making;
   std::vector<double> frames;
-  while (!run.is_over()) {
+  while (!run.is_over() && run.simulation().ticks() < most) {
     take(ticks, [&] { run.tick({}); });
     take(making, [&] { view_of_lists.draw(lists, 1.0, shown); });
     take(frames, [&] { view.draw(canvas, 1.0, shown); });
@@ -78,13 +78,15 @@ int main(int argc, char** argv) {
   int width = 1280;
   int height = 720;
   bool debug = false;
+  int most = 1'000'000;
   app.add_option("replay", replay, "The run to draw")->required();
   app.add_option("--width", width, "px")->check(CLI::Range(1, 16384));
   app.add_option("--height", height, "px")->check(CLI::Range(1, 16384));
+  app.add_option("--ticks", most, "Stop after so many")->check(CLI::Range(1, 1'000'000'000));
   app.add_flag("--debug", debug, "With the debug view");
   CLI11_PARSE(app, argc, argv);
   try {
-    return measure(replay, width, height, debug);
+    return measure(replay, most, width, height, debug);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "frame_cost: %s\n", error.what());
     return 1;
