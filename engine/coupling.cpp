@@ -136,6 +136,12 @@ RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
 
 }  // namespace
 
+void Coupling::make_room(CoupledCord& coupled) {
+  coupled.circles.reserve(usual_bodies);
+  coupled.segments.reserve(usual_bodies);
+  coupled.grips.reserve(usual_grips);
+}
+
 CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
   cord.reserve(usual_bodies, usual_bodies, usual_grips);
   return add(CoupledCord{std::move(cord), filter});
@@ -147,13 +153,29 @@ CordIndex Coupling::add(ribbon::Cord cord, const b2Filter& filter) {
 }
 
 CordIndex Coupling::add(CoupledCord coupled) {
+  make_room(coupled);
   cords_.push_back(std::move(coupled));
-  cords_.back().circles.reserve(usual_bodies);
-  cords_.back().segments.reserve(usual_bodies);
-  cords_.back().grips.reserve(usual_grips);
   gathered_.reserve(usual_bodies);
   rigid_.reserve(usual_bodies);
   return size() - 1;
+}
+
+void Coupling::replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter) {
+  check_cord(index);
+  if (solver(index) != Solver::direct) {
+    throw ribbon::DefinitionError("cord " + std::to_string(index) +
+                                  " is of the thesis's solver; accepted is one of the direct solver");
+  }
+  for (std::size_t k = 0; k < holders_.size();) {
+    if (holders_[k].cord == index) {
+      let_go(holders_[k].id);
+    } else {
+      ++k;
+    }
+  }
+  cord.reserve(usual_grips);
+  CoupledCord& coupled = cords_[at(index)] = CoupledCord{std::move(cord), filter};
+  make_room(coupled);
 }
 
 void Coupling::gather(b2World& world, double dt) {
@@ -318,19 +340,6 @@ void Coupling::destroy(b2World& world, b2Body& body) {
     if (gathered.body == &body) gathered.body = nullptr;
   }
   world.DestroyBody(&body);
-}
-
-std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
-  std::optional<CordPoint> nearest;
-  for (CordIndex c = 0; c < size(); ++c) {
-    const auto positions = this->positions(c);
-    for (std::size_t p = 0; p < positions.size(); ++p) {
-      const double distance = length(positions[p] - position);
-      if (!(distance <= reach) || (nearest && distance >= nearest->distance)) continue;
-      nearest = CordPoint{c, static_cast<int>(p), distance};
-    }
-  }
-  return nearest;
 }
 
 }  // namespace engine

@@ -39,11 +39,12 @@ struct CordShape {
   bool braced = false;     ///< bars join neighbours across the corner as well
 };
 
-/// The nearest cord point to somewhere.
+/// A place on a cord.
 struct CordPoint {
   CordIndex cord = 0;
   int point = 0;
-  double distance = 0.0;  ///< m
+  double distance = 0.0;  ///< m, from where it was looked for
+  double along = 0.0;     ///< share of the way from there to the point of the next column, below 1
 };
 
 /// A grip's number, never used twice.
@@ -64,6 +65,7 @@ struct GripDef {
 struct GripState {
   CordIndex cord = 0;
   double arc = 0.0;    ///< m at rest along the cord
+  ribbon::Vec2 place;  ///< m, of the cord there
   ribbon::Vec2 pull;   ///< N, on the body in the last tick; of one that is pushed
   bool slips = false;  ///< in the last tick
 };
@@ -108,6 +110,11 @@ class Coupling {
 
   CordIndex add(ribbon::Cord cord, const b2Filter& filter = {});
 
+  /// Puts another cord in the place of one of the direct solver, between ticks: who held that has let go, and what it
+  /// had counted and touched is forgotten. Throws ribbon::DefinitionError, and changes nothing, for a cord that does
+  /// not exist or is the thesis's.
+  void replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter = {});
+
   int size() const { return static_cast<int>(cords_.size()); }
   /// A cord of the thesis's solver; std::bad_variant_access for one of the direct solver, and the other way round.
   ribbon::ThesisCord& cord(CordIndex index) { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
@@ -122,6 +129,8 @@ class Coupling {
   /// Drags a point to `target` [m] in the next tick: call it again to drag on. Throws ribbon::DefinitionError for an
   /// unknown cord or point or a coordinate beyond ±1e9, and so does release.
   void operate(CordIndex index, int point, ribbon::Vec2 target);
+  /// Constrains a point to `target` [m], reached in the next tick and then kept; throws as operate does.
+  void constrain(CordIndex index, int point, ribbon::Vec2 target);
   /// Lets a dragged or constrained point go with the velocity it has.
   void release(CordIndex index, int point);
 
@@ -166,6 +175,9 @@ class Coupling {
   /// Moves a grip along its cord to `arc` [m] at `speed` [m/s at rest, above 0], under load: it climbs. Throws
   /// ribbon::DefinitionError for a grip that is none, and numbers out of range.
   void climb(GripId grip, double arc, double speed);
+  /// Moves the body's hand evenly over the next tick, as hold does. Throws ribbon::DefinitionError for a grip that is
+  /// none, and a hand beyond ±1e9.
+  void move_hand(GripId grip, b2Vec2 local_hand);
   /// Lets one grip go; false if there is none of that number.
   bool let_go(GripId grip);
   /// Nothing if it has been let go, or let go itself.
@@ -174,6 +186,10 @@ class Coupling {
   /// What began and ceased to touch cords of the direct solver in the last step, by cord and fixture. Valid until the
   /// next gather.
   std::span<const TouchEvent> touch_events() const { return touch_events_; }
+  /// What touched a cord of the direct solver in the last step, by fixture's number.
+  std::span<const FixtureTouch> touching(CordIndex index) const { return cords_[at(index)].touching; }
+  /// The fixture of a number that touching() tells; null if it is no more.
+  const b2Fixture* fixture(std::uint64_t number) const { return fixture_ids_.fixture(number); }
   /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
   ribbon::Vec2 velocity(const b2Body& body) const;
   /// What the body holds.
@@ -197,6 +213,13 @@ class Coupling {
 
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
+  /// The same between the points too, of all cords but `except`; of a cord of the thesis's solver points only.
+  std::optional<CordPoint> nearest_place(ribbon::Vec2 position, double reach,
+                                         std::optional<CordIndex> except = {}) const;
+  /// m, where a place is.
+  ribbon::Vec2 position(const CordPoint& place) const;
+  /// m at rest along a cord of the direct solver, from its first column to a place.
+  double arc(const CordPoint& place) const;
 
  private:
   struct CoupledCord {
@@ -228,6 +251,7 @@ class Coupling {
 
   void check_state(const State& state, const std::vector<b2Body*>& bodies) const;
   void forget(const b2Body& body);
+  static void make_room(CoupledCord& coupled);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   void drop_what_is_gone_from(const b2World& world);
@@ -247,6 +271,7 @@ class Coupling {
   void let_go_who_must();
   void find_touch_events();
   static void add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching);
+  Holder& grip_of_direct(GripId grip);
   Holder* holder(const b2Body& body);
   const Holder* holder(const b2Body& body) const;
   std::vector<LedBody>::iterator led_place(const b2Body& body);

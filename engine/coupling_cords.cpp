@@ -1,9 +1,13 @@
 // What a Coupling tells of a cord of either solver: the one place that knows how to ask each.
 
+#include <algorithm>
+
 #include "engine/coupling.h"
 
 namespace engine {
 namespace {
+
+using ribbon::Vec2;
 
 CordShape shape_of(const ribbon::ThesisCord& cord) {
   const ribbon::Mesh& mesh = cord.mesh();
@@ -28,7 +32,7 @@ CordShape Coupling::shape(CordIndex index) const {
   return std::visit([](const auto& cord) { return shape_of(cord); }, cords_[at(index)].cord);
 }
 
-std::span<const ribbon::Vec2> Coupling::positions(CordIndex index) const {
+std::span<const Vec2> Coupling::positions(CordIndex index) const {
   return std::visit([](const auto& cord) { return cord.positions(); }, cords_[at(index)].cord);
 }
 
@@ -36,9 +40,59 @@ ribbon::PointKind Coupling::kind(CordIndex index, int point) const {
   return std::visit([point](const auto& cord) { return cord.kind(point); }, cords_[at(index)].cord);
 }
 
-void Coupling::operate(CordIndex index, int point, ribbon::Vec2 target) {
+std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
+  std::optional<CordPoint> nearest;
+  for (CordIndex c = 0; c < size(); ++c) {
+    const auto positions = this->positions(c);
+    for (std::size_t p = 0; p < positions.size(); ++p) {
+      const double distance = length(positions[p] - position);
+      if (!(distance <= reach) || (nearest && distance >= nearest->distance)) continue;
+      nearest = CordPoint{c, static_cast<int>(p), distance};
+    }
+  }
+  return nearest;
+}
+
+std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, std::optional<CordIndex> except) const {
+  std::optional<CordPoint> nearest;
+  for (CordIndex c = 0; c < size(); ++c) {
+    if (c == except) continue;
+    const auto x = positions(c);
+    const int rows = shape(c).rows;
+    for (int p = 0; p < static_cast<int>(x.size()); ++p) {
+      CordPoint place{c, p};
+      if (p + rows < static_cast<int>(x.size()) && solver(c) == Solver::direct) {
+        const Vec2 link = x[at(p + rows)] - x[at(p)];
+        const double share = dot(position - x[at(p)], link) / dot(link, link);
+        if (share >= 1.0) continue;  // nearer to the next one
+        place.along = std::max(0.0, share);
+      }
+      place.distance = length(this->position(place) - position);
+      if (!(place.distance <= reach) || (nearest && place.distance >= nearest->distance)) continue;
+      nearest = place;
+    }
+  }
+  return nearest;
+}
+
+Vec2 Coupling::position(const CordPoint& place) const {
+  const auto x = positions(place.cord);
+  if (place.along == 0.0) return x[at(place.point)];
+  return x[at(place.point)] + place.along * (x[at(place.point + shape(place.cord).rows)] - x[at(place.point)]);
+}
+
+double Coupling::arc(const CordPoint& place) const {
+  return arc_at(place.cord, place.point / shape(place.cord).rows + place.along);
+}
+
+void Coupling::operate(CordIndex index, int point, Vec2 target) {
   check_cord(index);
   std::visit([=](auto& cord) { cord.operate(point, target); }, cords_[at(index)].cord);
+}
+
+void Coupling::constrain(CordIndex index, int point, Vec2 target) {
+  check_cord(index);
+  std::visit([=](auto& cord) { cord.constrain(point, target); }, cords_[at(index)].cord);
 }
 
 void Coupling::release(CordIndex index, int point) {

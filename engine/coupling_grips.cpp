@@ -76,18 +76,27 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   return next_grip_++;
 }
 
-void Coupling::climb(GripId grip, double arc, double speed) {
+Coupling::Holder& Coupling::grip_of_direct(GripId grip) {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
-  if (held == holders_.end() || solver(held->cord) != Solver::direct) {
-    throw ribbon::DefinitionError("grip is " + std::to_string(grip) +
-                                  "; accepted is one of a cord of the direct solver that has not been let go");
-  }
-  const ribbon::Cord& cord = direct_cord(held->cord);
-  check_arc(held->cord, arc);
+  if (held != holders_.end() && solver(held->cord) == Solver::direct) return *held;
+  throw ribbon::DefinitionError("grip is " + std::to_string(grip) +
+                                "; accepted is one of a cord of the direct solver that has not been let go");
+}
+
+void Coupling::climb(GripId grip, double arc, double speed) {
+  Holder& held = grip_of_direct(grip);
+  const ribbon::Cord& cord = direct_cord(held.cord);
+  check_arc(held.cord, arc);
   if (!(speed > 0.0)) ribbon::refuse("speed", speed, "above 0, up to 1e+06");
   ribbon::check_range("speed", speed, 0.0, 1e6);
-  held->climb_to = column_at(held->cord, arc);
-  held->climb_speed = speed / cord.rest_length(0);
+  held.climb_to = column_at(held.cord, arc);
+  held.climb_speed = speed / cord.rest_length(0);
+}
+
+void Coupling::move_hand(GripId grip, b2Vec2 local_hand) {
+  Holder& held = grip_of_direct(grip);
+  ribbon::check_coordinates("local_hand", to_double(local_hand));
+  held.next_hand = local_hand;
 }
 
 bool Coupling::let_go(GripId grip) {
@@ -102,7 +111,8 @@ bool Coupling::let_go(GripId grip) {
 std::optional<GripState> Coupling::state(GripId grip) const {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
   if (held == holders_.end()) return std::nullopt;
-  return GripState{held->cord, arc_at(held->cord, column(*held)), held->pull, held->slips};
+  const CordPoint place{held->cord, held->point, 0.0, held->along};
+  return GripState{held->cord, arc_at(held->cord, column(*held)), position(place), held->pull, held->slips};
 }
 
 bool Coupling::release(b2Body& body) {
@@ -132,7 +142,7 @@ Coupling::Holder* Coupling::holder(const b2Body& body) {
 std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   const Holder* held = holder(body);
   if (held == nullptr) return std::nullopt;
-  return CordPoint{held->cord, held->point, 0.0};
+  return CordPoint{held->cord, held->point, 0.0, held->along};
 }
 
 double Coupling::column(const Holder& holder) const {

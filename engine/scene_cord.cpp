@@ -15,14 +15,15 @@ namespace {
 
 using ribbon::Vec2;
 
-const Choices thesis_properties = {"solver",           "columns",     "rows",      "mass",
-                                   "spring_stiffness", "bar_damping", "drag",      "area_stiffness",
-                                   "self_collision",   "substeps",    "pin_first", "pin_last"};
+const Choices thesis_properties = {"solver",      "columns",  "rows",           "mass",           "spring_stiffness",
+                                   "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
+                                   "pin_first",   "pin_last", "solid"};
 const Choices direct_properties = {
     "solver",        "columns",        "rows",       "mass",        "stretch_stiffness", "bending_stiffness",
     "poisson_ratio", "area_stiffness", "damping",    "drag",        "tension_only",      "radius",
     "width",         "accuracy",       "integrator", "substeps",    "tolerance",         "max_iterations",
-    "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact"};
+    "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact",
+    "solid"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -60,7 +61,9 @@ double path_length(const MapObject& object) {
 }
 
 int columns_of(const Properties& p) { return static_cast<int>(p.integer("columns", {2, 5000})); }
-int rows_of(const Properties& p, Solver solver) {
+int rows_of(const MapObject& object, Solver solver) {
+  const Properties& p = object.properties;
+  if (object.kind == "ribbon") return static_cast<int>(p.integer_or("rows", 3, {2, 16}));
   return solver == Solver::direct ? static_cast<int>(p.integer_or("rows", 1, {1, 16}))
                                   : static_cast<int>(p.integer_or("rows", 2, {2, 16}));
 }
@@ -85,7 +88,7 @@ ribbon::ThesisDef thesis_def(const MapObject& object) {
   check_properties(object, Solver::thesis, thesis_properties, direct_properties);
   ribbon::ThesisDef def;
   def.w = columns_of(p);
-  def.h = rows_of(p, Solver::thesis);
+  def.h = rows_of(object, Solver::thesis);
   def.spacing = path_length(object) / (def.w - 1);
   def.point_mass = mass_of(p) / (def.w * def.h);
   def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
@@ -180,7 +183,7 @@ ribbon::CordDef direct_def(const MapObject& object) {
   check_properties(object, Solver::direct, direct_properties, thesis_properties);
   ribbon::CordDef def;
   def.points = columns_of(p);
-  def.rows = rows_of(p, Solver::direct);
+  def.rows = rows_of(object, Solver::direct);
   const std::vector<Vec2> middle = lay_in_equal_links(object.points, path_length(object), def.points);
   def.length = 0.0;
   for (std::size_t i = 1; i < middle.size(); ++i) def.length += length(middle[i] - middle[i - 1]);
@@ -209,13 +212,15 @@ ribbon::CordDef direct_def(const MapObject& object) {
 }  // namespace
 
 std::int64_t points_of(const MapObject& object) {
-  const Properties& p = object.properties;
-  return std::int64_t{columns_of(p)} * rows_of(p, solver_of(object));
+  return std::int64_t{columns_of(object.properties)} * rows_of(object, solver_of(object));
 }
+
+bool is_solid(const MapObject& object) { return object.properties.boolean_or("solid", false); }
 
 CordDefinition read_cord(const MapObject& object) {
   if (object.shape != MapShape::polyline) {
-    throw object.error("the shape of a cord is " + std::string(shape_name(object.shape)) + "; accepted is polyline");
+    throw object.error("the shape of a " + object.kind + " is " + std::string(shape_name(object.shape)) +
+                       "; accepted is polyline");
   }
   if (solver_of(object) == Solver::direct) return direct_def(object);
   return thesis_def(object);

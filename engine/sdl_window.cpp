@@ -6,70 +6,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
 #include <vector>
 
 #include "engine/sdl_display.h"
+#include "engine/sdl_events.h"
 
 namespace engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::optional<Key> offset_key(SDL_Keycode code, SDL_Keycode first, SDL_Keycode last, Key start) {
-  if (code < first || code > last) return std::nullopt;
-  return static_cast<Key>(static_cast<int>(start) + (code - first));
-}
-
-std::optional<Key> key_of_code(SDL_Keycode code) {
-  if (const auto key = offset_key(code, SDLK_a, SDLK_z, Key::a)) return key;
-  if (const auto key = offset_key(code, SDLK_0, SDLK_9, Key::digit_0)) return key;
-  if (const auto key = offset_key(code, SDLK_F1, SDLK_F12, Key::f1)) return key;
-  switch (code) {
-    case SDLK_LEFT: return Key::left;
-    case SDLK_RIGHT: return Key::right;
-    case SDLK_UP: return Key::up;
-    case SDLK_DOWN: return Key::down;
-    case SDLK_SPACE: return Key::space;
-    case SDLK_RETURN:
-    case SDLK_KP_ENTER: return Key::enter;
-    case SDLK_ESCAPE: return Key::escape;
-    case SDLK_TAB: return Key::tab;
-    case SDLK_LSHIFT:
-    case SDLK_RSHIFT: return Key::shift;
-    case SDLK_LCTRL:
-    case SDLK_RCTRL: return Key::ctrl;
-    case SDLK_COMMA: return Key::comma;
-    case SDLK_PERIOD: return Key::period;
-    default: return std::nullopt;
-  }
-}
-
-/// The label's key; where the layout has no such label (digits in French, letters in Greek), the key that stands in the
-/// same place on an American keyboard.
-std::optional<Key> key_of(const SDL_Keysym& keysym) {
-  if (const auto key = key_of_code(keysym.sym)) return key;
-  switch (keysym.scancode) {
-    case SDL_SCANCODE_0: return Key::digit_0;
-    case SDL_SCANCODE_COMMA: return Key::comma;
-    case SDL_SCANCODE_PERIOD: return Key::period;
-    default: break;
-  }
-  if (const auto key = offset_key(keysym.scancode, SDL_SCANCODE_1, SDL_SCANCODE_9, Key::digit_1)) return key;
-  return keysym.sym > 127 ? offset_key(keysym.scancode, SDL_SCANCODE_A, SDL_SCANCODE_Z, Key::a) : std::nullopt;
-}
-
-std::optional<MouseButton> button_of(std::uint8_t button) {
-  switch (button) {
-    case SDL_BUTTON_LEFT: return MouseButton::left;
-    case SDL_BUTTON_MIDDLE: return MouseButton::middle;
-    case SDL_BUTTON_RIGHT: return MouseButton::right;
-    default: return std::nullopt;
-  }
-}
 
 [[noreturn]] void no_display(const std::string& reason) {
   throw std::runtime_error("there is no display to open a window on (" + reason +
@@ -128,8 +76,6 @@ struct Window::Impl {
   template <typename Question>
   int ask_display(const Question& question);
 
-  void handle(const SDL_Event& event);
-  void mouse_at(int x, int y) { input.mouse_at({x * scale_x, y * scale_y}); }
   void follow_size();
 
   DisplayLoss loss;
@@ -138,8 +84,8 @@ struct Window::Impl {
   std::unique_ptr<SDL_Window, decltype(&SDL_DestroyWindow)> window;
   std::unique_ptr<SDL_Renderer, decltype(&SDL_DestroyRenderer)> renderer;
   std::unique_ptr<SDL_Texture, decltype(&SDL_DestroyTexture)> texture{nullptr, SDL_DestroyTexture};
-  double scale_x = 1.0;  // pixels per desktop unit
-  double scale_y = 1.0;
+  ribbon::Vec2 scale{1.0, 1.0};  // pixels per desktop unit
+  EventReader events;
   InputState input;
   bool vsync;
   Clock::duration period;
@@ -183,38 +129,12 @@ void Window::Impl::follow_size() {
   SDL_GetWindowSize(window.get(), &units_x, &units_y);
   if (SDL_GetRendererOutputSize(renderer.get(), &pixels_x, &pixels_y) != 0) return;
   if (pixels_x < 1 || pixels_y < 1 || units_x < 1 || units_y < 1) return;  // while it is minimised
-  scale_x = static_cast<double>(pixels_x) / units_x;
-  scale_y = static_cast<double>(pixels_y) / units_y;
+  scale = {static_cast<double>(pixels_x) / units_x, static_cast<double>(pixels_y) / units_y};
   if (texture && pixels_x == canvas.width() && pixels_y == canvas.height()) return;
   canvas.resize(pixels_x, pixels_y);
   texture.reset(
       need(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING, pixels_x, pixels_y),
            "a texture for the window"));
-}
-
-void Window::Impl::handle(const SDL_Event& event) {
-  switch (event.type) {
-    case SDL_QUIT: input.quit(); break;
-    case SDL_KEYDOWN:
-      if (const auto key = key_of(event.key.keysym); key && event.key.repeat == 0) input.key_down(*key);
-      break;
-    case SDL_KEYUP:
-      if (const auto key = key_of(event.key.keysym)) input.key_up(*key);
-      break;
-    case SDL_MOUSEMOTION: mouse_at(event.motion.x, event.motion.y); break;
-    case SDL_MOUSEBUTTONDOWN:
-      mouse_at(event.button.x, event.button.y);
-      if (const auto button = button_of(event.button.button)) input.button_down(*button);
-      break;
-    case SDL_MOUSEBUTTONUP:
-      mouse_at(event.button.x, event.button.y);
-      if (const auto button = button_of(event.button.button)) input.button_up(*button);
-      break;
-    case SDL_WINDOWEVENT:
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) input.focus_lost();
-      break;
-    default: break;
-  }
 }
 
 Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
@@ -226,12 +146,15 @@ Window::~Window() {
 }
 
 Canvas& Window::canvas() { return impl_->canvas; }
+const Canvas& Window::canvas() const { return impl_->canvas; }
 
-double Window::pixel_scale() const { return std::max(impl_->scale_y, 1.0); }
+double Window::pixel_scale() const { return std::max(impl_->scale.y, 1.0); }
 
 WindowInput Window::poll() {
   SDL_Event event;
-  while (impl_->ask_display([&event] { return SDL_PollEvent(&event); }) != 0) impl_->handle(event);
+  while (impl_->ask_display([&event] { return SDL_PollEvent(&event); }) != 0) {
+    impl_->events.read(event, impl_->scale, impl_->input);
+  }
   impl_->follow_size();
   return impl_->input.take();
 }
@@ -250,6 +173,12 @@ void Window::present() {
   const auto now = Clock::now();
   if (now < earliest) std::this_thread::sleep_until(earliest);
   impl_->shown = std::max(earliest, now);
+}
+
+void Window::set_fullscreen(bool fullscreen) {
+  impl_->ask_display([&] {
+    return SDL_SetWindowFullscreen(impl_->window.get(), fullscreen ? std::uint32_t{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0U);
+  });
 }
 
 void Window::save_png(const std::string& path) const { impl_->canvas.save_png(path); }

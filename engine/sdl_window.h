@@ -20,6 +20,7 @@ class Window {
 
   /// The picture to draw on, in the display's own pixels. It keeps what was drawn until it is cleared.
   Canvas& canvas();
+  const Canvas& canvas() const;
   /// How many pixels a desktop unit has, 1 or more: multiply text sizes by it to keep them readable.
   double pixel_scale() const;
 
@@ -29,6 +30,9 @@ class Window {
   /// Shows the canvas, and waits so that a loop of frames runs at the display's rate, or at 60 a second if it is
   /// unknown.
   void present();
+
+  /// Fills the whole screen, or is a window again. Where the desktop does not have it, nothing happens.
+  void set_fullscreen(bool fullscreen);
 
   /// Writes the canvas as it is now. Throws std::runtime_error naming the path and the reason if it cannot be written.
   void save_png(const std::string& path) const;

@@ -66,10 +66,12 @@ std::string Properties::text_or(std::string_view key, std::string_view fallback,
   return has(key) ? text(key, choices) : std::string(fallback);
 }
 
-void Properties::check_known_properties(Choices known) const {
+void Properties::check_known_properties(Choices known, std::span<const std::string> others) const {
   for (const auto& [key, value] : values_) {
-    if (contains(known, key)) continue;
-    throw error("property " + in_quotes(key) + " is unknown, accepted are: " + list_in_words(known));
+    if (contains(known, key) || std::find(others.begin(), others.end(), key) != others.end()) continue;
+    std::string accepted = list_in_words(known);
+    for (const std::string& other : others) accepted += ", " + other;
+    throw error("property " + in_quotes(key) + " is unknown, accepted are: " + accepted);
   }
 }
 

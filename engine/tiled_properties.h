@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -46,8 +47,9 @@ class Properties {
   std::string text(std::string_view key, Choices choices = {}) const;
   std::string text_or(std::string_view key, std::string_view fallback, Choices choices = {}) const;
 
-  /// Throws a MapError naming the first property, by name, that is not in `known`, and those that are.
-  void check_known_properties(Choices known) const;
+  /// Throws a MapError naming the first property, by name, that is neither in `known` nor in `others`, and those that
+  /// are.
+  void check_known_properties(Choices known, std::span<const std::string> others = {}) const;
 
   /// The error to throw about this owner: `levels/a.tmj: object 12 "rope": ` and the sentence.
   MapError error(std::string_view sentence) const;

@@ -53,16 +53,6 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
   canvas.text(middle + Vec2{0.0, 14.0 * scale + canvas.line_height(large)}, below, small, white, Align::center);
 }
 
-/// At the bottom right.
-void draw_notice(Canvas& canvas, const std::string& notice, double scale) {
-  const double margin = 14.0 * scale;
-  const double size = 18.0 * scale;
-  const Vec2 box{canvas.text_width(notice, size) + 2.0 * margin, canvas.line_height(size) + margin};
-  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - margin - box.y};
-  canvas.panel(corner, box, 0.5 * size, paper);
-  canvas.text(corner + Vec2{margin, 0.5 * margin}, notice, size, gold);
-}
-
 std::vector<std::string> keys_in_words() {
   return {"Swing from cord to cord to the flag!",
           "Arrows or A D: run, pump",
@@ -190,6 +180,15 @@ std::string seconds_in_words(int ticks) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.2f s", static_cast<double>(ticks) / ticks_per_second);
   return text.data();
+}
+
+void draw_notice(Canvas& canvas, const std::string& notice, double scale) {
+  const double margin = 14.0 * scale;
+  const double size = 18.0 * scale;
+  const Vec2 box{canvas.text_width(notice, size) + 2.0 * margin, canvas.line_height(size) + margin};
+  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - margin - box.y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{margin, 0.5 * margin}, notice, size, gold);
 }
 
 void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& options) {

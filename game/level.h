@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,14 +10,43 @@
 
 namespace game {
 
+/// A part of the level where something happens to who enters it.
+struct Area {
+  ribbon::Vec2 center;  ///< m
+  ribbon::Vec2 size;    ///< m
+  bool holds(ribbon::Vec2 point) const {
+    return std::abs(point.x - center.x) <= 0.5 * size.x && std::abs(point.y - center.y) <= 0.5 * size.y;
+  }
+};
+
+/// Words that stand in the world.
+struct Sign {
+  ribbon::Vec2 at;  ///< m, the middle of its foot
+  std::string text;
+};
+
+/// s, in which a run is worth a medal; 0 where there is none.
+struct Medals {
+  double gold = 0.0;
+  double silver = 0.0;
+  double bronze = 0.0;
+};
+
 /// A level as read from its map: what the scene does not know of, and the map to build the scene from.
 struct Level {
   std::string name;
+  std::string title;     ///< as players read it; the name unless given
+  std::string hint;      ///< one sentence, may be empty
+  int number = 0;        ///< its place among the levels, from 1; 0 comes last
+  bool sandbox = false;  ///< the pointer drags what it can get hold of, without being asked for
+  Medals medals;
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
-  ribbon::Vec2 goal_center;   ///< m
-  ribbon::Vec2 goal_size;     ///< m
+  Area goal;
+  std::vector<Area> checkpoints;
+  std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches
+  std::vector<Sign> signs;
 
   /// A new world with everything where the map has it.
   std::unique_ptr<engine::Scene> make_scene() const;
@@ -25,9 +55,15 @@ struct Level {
 /// The folder of levels and replays: the environment's ROPESWING_ASSETS, or the source tree's.
 std::string assets_folder();
 
-/// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. Throws engine::MapError if there is none,
-/// if it has not exactly one `player` (a point; mass [kg], that of PlayerTuning unless given) and one `goal` (a
-/// rectangle), or if the scene cannot be built.
+/// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. Beside what engine/scene.h says a map has
+/// - one `player`: point, the middle of its feet; mass [kg], that of PlayerTuning unless given
+/// - one `goal`: rectangle
+/// - `checkpoint`: rectangle; who falls comes back to the foot of the last one that he entered
+/// - `hook`: point at which a line can be thrown
+/// - `text`: point, the foot of a sign; text, what it says
+/// and properties of its own: title, hint, number, sandbox, gold, silver, bronze [s].
+/// Throws engine::MapError if there is no such file, if the map has anything else or these otherwise, or if the scene
+/// cannot be built.
 Level load_level(const std::string& name);
 
 /// The level that a map is. Throws as load_level does.

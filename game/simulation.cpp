@@ -17,7 +17,10 @@ using ribbon::Vec2;
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
 constexpr double drag_speed = 15.0;                 // m/s, at which it takes the point along at the most
-constexpr double abyss = 3.0;                       // m below the level, where the player is put back to the start
+constexpr double abyss = 3.0;                       // m below the level, where the player is put back
+constexpr double pointer_reach = 1.5;               // m, from the pointer to a hook that it is at
+constexpr double look_ahead = 3.0;                  // m, from the hand to where a hook is looked for without pointing
+constexpr double look_up = 5.0;                     // m
 
 /// m, along the cord from one point to another.
 double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {
@@ -32,6 +35,8 @@ double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int
   }
   return way;
 }
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Vec2 no_further(Vec2 from, Vec2 to, double most) {
   const double way = length(to - from);
@@ -78,15 +83,24 @@ void Simulation::tick(const engine::TickInput& input) {
   if (make_mover_) return;
 
   take_snapshot(current_);
+  if (player_->line().is_new()) {  // was nowhere before, or elsewhere
+    previous_.cords.resize(current_.cords.size());
+    previous_.cords[at(*player_->line().cord())] = current_.cords[at(*player_->line().cord())];
+  }
   compute_hash();
 }
 
 void Simulation::skip(const engine::TickInput& input) {
-  const bool restart_down = (input.buttons & button_restart) != 0;
-  if (restart_down && !restart_was_down_) restart();
-  restart_was_down_ = restart_down;
+  const unsigned pressed = input.buttons & ~static_cast<unsigned>(buttons_before_);
+  buttons_before_ = input.buttons;
+  if ((pressed & button_restart) != 0) restart();
+  if ((pressed & button_retry) != 0) put_player_back();
 
-  player_->apply(input.buttons, scene_->coupling(), tick_dt);
+  aim(engine::pointer(input));
+  std::uint16_t buttons = input.buttons;
+  if ((pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
+  const auto hook = aimed_hook_ ? std::optional(level_->hooks[*aimed_hook_]) : std::nullopt;
+  player_->apply(buttons, hook, scene_->coupling(), tick_dt);
   drag(input);
   move_(tick_dt);
   ++ticks_;
@@ -103,6 +117,8 @@ void Simulation::restart() {
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   dragged_.reset();
+  checkpoint_.reset();
+  aimed_hook_.reset();
   run_ticks_ = 0;
   falls_ = 0;
   goal_ticks_.reset();
@@ -128,17 +144,55 @@ void Simulation::drag(const engine::TickInput& input) {
   coupling.operate(dragged_->cord, dragged_->point, within_reach(coupling, *dragged_, pointer));
 }
 
+/// The hook that the pointer is at; if it is at none within reach, the one that is best ahead and above.
+void Simulation::aim(Vec2 pointer) {
+  aimed_hook_.reset();
+  const Vec2 hand = player_->hand();
+  const Vec2 ahead = hand + Vec2{player_->faces_left() ? -look_ahead : look_ahead, look_up};
+  double best = 0.0;
+  for (std::size_t k = 0; k < level_->hooks.size(); ++k) {
+    const Vec2 hook = level_->hooks[k];
+    if (length(hook - hand) > player_->line().tuning().reach) continue;
+    const double from_pointer = length(hook - pointer);
+    const double cost = from_pointer <= pointer_reach ? from_pointer - pointer_reach : length(hook - ahead);
+    if (aimed_hook_ && cost >= best) continue;
+    aimed_hook_ = k;
+    best = cost;
+  }
+}
+
+/// What hangs from the cord that the player holds; false if nothing does.
+bool Simulation::drop_load() {
+  engine::Coupling& coupling = scene_->coupling();
+  const auto held = coupling.held_by(player_->body());
+  if (!held) return false;
+  bool dropped = false;
+  for (const engine::SceneBody& made : scene_->bodies()) {
+    if (made.kind != engine::BodyKind::load) continue;
+    const auto hangs = coupling.held_by(*made.body);
+    if (hangs && hangs->cord == held->cord) dropped = coupling.release(*made.body) || dropped;
+  }
+  return dropped;
+}
+
+void Simulation::put_player_back() {
+  Vec2 feet = level_->player_start;
+  if (checkpoint_) {
+    const Area& area = level_->checkpoints[*checkpoint_];
+    feet = area.center - Vec2{0.0, 0.5 * area.size.y};
+  }
+  player_->put(feet, scene_->coupling());
+}
+
 void Simulation::watch_the_player() {
   const Vec2 at = player_->position();
-  const Vec2 from_goal = at - level_->goal_center;
-  const bool in_goal =
-      std::abs(from_goal.x) <= 0.5 * level_->goal_size.x && std::abs(from_goal.y) <= 0.5 * level_->goal_size.y;
-  if (in_goal && !goal_ticks_) goal_ticks_ = run_ticks_;
+  if (level_->goal.holds(at) && !goal_ticks_) goal_ticks_ = run_ticks_;
+  for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
+    if (level_->checkpoints[k].holds(at)) checkpoint_ = k;
+  }
   if (at.y > -abyss) return;
   ++falls_;
-  scene_->coupling().release(player_->body());
-  player_->body().SetTransform(to_float(level_->player_start + Vec2{0.0, 0.5 * player_->tuning().height}), 0.0F);
-  player_->body().SetLinearVelocity({0.0F, 0.0F});
+  put_player_back();
 }
 
 void Simulation::take_snapshot(Snapshot& snapshot) const {
@@ -161,11 +215,13 @@ void Simulation::compute_hash() {
   game.add(run_ticks_);
   game.add(falls_);
   game.add(goal_ticks_.value_or(-1));
+  game.add(checkpoint_ ? static_cast<int>(*checkpoint_) : -1);
   game.add(dragged_ ? dragged_->cord : -1);
   game.add(dragged_ ? dragged_->point : -1);
   const auto held = scene_->coupling().held_by(player_->body());
   game.add(held ? held->cord : -1);
   game.add(held ? held->point : -1);
+  game.add(held ? held->along : 0.0);
   game.add(scene_->coupling().velocity(player_->body()));
   player_->add_to(game);
 

@@ -59,6 +59,10 @@ class Simulation {
   int run_ticks() const { return run_ticks_; }                   ///< since the last restart
   int falls() const { return falls_; }                           ///< out of the level, since the last restart
   std::optional<int> goal_ticks() const { return goal_ticks_; }  ///< of this run when the goal was reached
+  /// Of the level's, the last one entered; a fall ends there.
+  std::optional<std::size_t> checkpoint() const { return checkpoint_; }
+  /// Of the level's hooks, the one that a line thrown now goes for.
+  std::optional<std::size_t> aimed_hook() const { return aimed_hook_; }
 
   /// What a replay of this level has to agree with.
   static engine::ReplayHeader replay_header(const Level& level);
@@ -66,6 +70,9 @@ class Simulation {
  private:
   void restart();
   void drag(const engine::TickInput& input);
+  void aim(ribbon::Vec2 pointer);
+  bool drop_load();
+  void put_player_back();
   void watch_the_player();
   void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
@@ -79,7 +86,9 @@ class Simulation {
   Snapshot current_;
   engine::StateHash hash_;
   std::optional<engine::CordPoint> dragged_;
-  bool restart_was_down_ = false;
+  std::optional<std::size_t> checkpoint_;
+  std::optional<std::size_t> aimed_hook_;
+  std::uint16_t buttons_before_ = 0;
   int ticks_ = 0;
   int run_ticks_ = 0;
   int falls_ = 0;

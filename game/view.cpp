@@ -1,6 +1,8 @@
 #include "game/view.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "engine/convert.h"
@@ -23,10 +25,15 @@ using ribbon::Vec2;
 
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
+  const std::span<const engine::SceneBody> made = simulation.scene().bodies();
   std::size_t index = now.bodies.size();
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
     --index;  // the list begins with the one made last
-    if (body != &simulation.player().body()) bodies.push_back({*body, now.bodies[index], static_cast<int>(index)});
+    if (body == &simulation.player().body()) continue;
+    const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
+      return b.body == body && b.kind == engine::BodyKind::load;
+    });
+    bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load});
   }
   return bodies;
 }
@@ -35,7 +42,8 @@ std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& no
   const engine::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
   for (int c = 0; c < coupling.size(); ++c)
-    cords.push_back({coupling, c, coupling.shape(c), now.cords[static_cast<std::size_t>(c)]});
+    cords.push_back({coupling, c, coupling.shape(c), now.cords[static_cast<std::size_t>(c)],
+                     simulation.player().line().cord() == c});
   return cords;
 }
 
@@ -48,6 +56,23 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
+void draw_marks(Pen& pen, const Simulation& simulation) {
+  const Level& level = simulation.level();
+  for (const Sign& sign : level.signs) draw_sign(pen, sign.at, sign.text);
+  for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
+    draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
+  draw_goal(pen, level.goal.center, level.goal.size, simulation.goal_ticks().has_value());
+  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
+}
+
+/// The player's own line on its way; later it is a cord.
+void draw_flight(Pen& pen, const Simulation& simulation, Vec2 player_at) {
+  const Player& player = simulation.player();
+  if (player.line().state() != Line::State::flying) return;
+  const Vec2 hand = player_at + (player.hand() - player.position());
+  draw_thrown_line(pen, hand, player.line().tip(hand), 0.3);
+}
+
 FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time) {
   const Player& player = simulation.player();
   FigureState state;
@@ -56,6 +81,7 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
   state.faces_left = player.faces_left();
   state.on_ground = player.is_on_ground();
   state.time = time;
+  if (player.is_climbing()) state.climbing = state.velocity.y;
   if (const auto held = simulation.scene().coupling().held_by(player.body()))
     state.held = now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)];
   return state;
@@ -83,13 +109,14 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.calm));
 
   draw_backdrop(pen);
-  draw_goal(pen, simulation_->level().goal_center, simulation_->level().goal_size,
-            simulation_->goal_ticks().has_value());
+  draw_marks(pen, *simulation_);
   draw_bodies(pen, bodies_of(*simulation_, now));
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  draw_figure(pen, pose_of(figure_of(*simulation_, now, time)));
+  const FigureState figure = figure_of(*simulation_, now, time);
+  draw_flight(pen, *simulation_, figure.at);
+  draw_figure(pen, pose_of(figure));
   effects_.draw(pen, alpha);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_cord_points(pen, cord);

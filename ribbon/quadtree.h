@@ -4,19 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "ribbon/box.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
-
-/// An axis-aligned box, m.
-struct Box {
-  Vec2 low;
-  Vec2 high;
-};
-
-inline bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
 
 /// A loose quadtree (space division of Goto 2017, section 3.6): an item lies in the node of its size that its centre
 /// falls into, and a node answers for twice its own square. So an item that straddles a dividing line is no dearer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/convert.h"
+#include "game/view/marks.h"
 
 namespace game {
 namespace {
@@ -92,15 +93,21 @@ void draw_grass(Pen& pen, const std::vector<Vec2>& corners) {
     look.image_length = grass_long;
     look.start = left.x;
     look.color = pen.colors.grass;
-    pen.canvas.strip(std::array{left, right}, look);
+    const Vec2 lifted{0.0, 0.05};  // over the outline
+    pen.canvas.strip(std::array{left + lifted, right + lifted}, look);
   }
+}
+
+double top_of(const std::vector<Vec2>& corners) {
+  double top = corners.front().y;
+  for (const Vec2 p : corners) top = std::max(top, p.y);
+  return top;
 }
 
 void draw_earth(Pen& pen, const std::vector<Vec2>& corners) {
   const double texel = 1.0 / (image_size * pen.scale());
   const Vec2 origin = pen.canvas.to_pixels({0.0, 0.0});
-  double top = corners.front().y;
-  for (const Vec2 p : corners) top = std::max(top, p.y);
+  const double top = top_of(corners);
   add_polygon(pen, corners, {origin, {texel, 0.0}, {0.0, texel}}, {255, 255, 255});
   // It gets darker downwards, and stays so.
   constexpr Color white{255, 255, 255};
@@ -118,6 +125,20 @@ bool is_seen(const Pen& pen, const std::vector<Vec2>& corners) {
   double reach = 0.0;
   for (const Vec2 p : corners) reach = std::max(reach, length(p - middle));
   return pen.sees(middle, reach + 0.5);
+}
+
+/// A weight with corners.
+void draw_block(Pen& pen, const DrawnBody& drawn, const std::vector<Vec2>& corners) {
+  const Extent extent = extent_of(corners);
+  draw_outline(pen, corners, 0.08, pen.colors.ink);
+  const Vec2 middle = pen.canvas.to_pixels(drawn.pose.position);
+  const Vec2 u = 0.5 / (0.75 * extent.length * pen.scale()) * Vec2{extent.along.x, -extent.along.y};
+  const Vec2 v{-u.y, u.x};
+  const double half = 0.5 / dot(u, u);
+  add_polygon(pen, corners, {middle - half * (u + v), u, v}, mix(pen.colors.iron, {255, 255, 255}, 0.12));
+  pen.canvas.textured(pen.mesh, {&pen.images.iron});
+  draw_mass(pen, drawn.pose.position, 0.5 * std::min(extent.width, extent.length),
+            static_cast<double>(drawn.body.GetMass()));
 }
 
 /// A peg that a cord winds round: the end of a trunk.
@@ -139,6 +160,8 @@ void draw_circle(Pen& pen, const DrawnBody& drawn, const b2CircleShape& shape) {
   const Vec2 center = placed(drawn.pose, to_double(shape.m_p));
   const double radius = static_cast<double>(shape.m_radius);
   if (!pen.sees(center, radius)) return;
+  if (drawn.is_load)
+    return draw_weight(pen, center, radius, drawn.pose.angle, static_cast<double>(drawn.body.GetMass()));
   if (drawn.body.GetType() == b2_staticBody) return draw_peg(pen, center, radius);
   const auto kind = static_cast<std::size_t>(drawn.number) % pen.colors.balls.size();
   draw_ball(pen, center, radius, drawn.pose.angle, pen.colors.balls[kind]);
@@ -162,10 +185,17 @@ Vec2 placed(const Snapshot::Body& pose, Vec2 local) {
 
 void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
   std::vector<std::vector<Vec2>> grounds;
+  std::vector<std::pair<const DrawnBody*, std::vector<Vec2>>> weights;
   each_shape<b2PolygonShape>(bodies, b2Shape::e_polygon, [&](const DrawnBody& drawn, const b2PolygonShape& shape) {
     std::vector<Vec2> corners = corners_of(shape, drawn.pose);
-    if (is_seen(pen, corners)) grounds.push_back(std::move(corners));
+    if (!is_seen(pen, corners)) return;
+    if (drawn.is_load) {
+      weights.emplace_back(&drawn, std::move(corners));
+    } else {
+      grounds.push_back(std::move(corners));
+    }
   });
+  std::stable_sort(grounds.begin(), grounds.end(), [](const auto& a, const auto& b) { return top_of(a) > top_of(b); });
   // First all outlines, so that pieces that adjoin become one; last the grass, which grows over its neighbours.
   for (const auto& corners : grounds) draw_outline(pen, corners, 0.09, pen.colors.ink);
   for (const auto& corners : grounds)
@@ -174,6 +204,7 @@ void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
     if (is_beam(corners)) draw_beam(pen, corners, extent_of(corners));
   for (const auto& corners : grounds)
     if (!is_beam(corners)) draw_grass(pen, corners);
+  for (const auto& [drawn, corners] : weights) draw_block(pen, *drawn, corners);
   each_shape<b2CircleShape>(bodies, b2Shape::e_circle, [&](const DrawnBody& drawn, const b2CircleShape& shape) {
     draw_circle(pen, drawn, shape);
   });

@@ -13,10 +13,12 @@ namespace game {
 struct DrawnBody {
   const b2Body& body;
   Snapshot::Body pose;
-  int number;  ///< tells alike ones apart
+  int number;            ///< tells alike ones apart
+  bool is_load = false;  ///< a weight, with its mass written on it
 };
 
-/// Draws ground, with grass on what faces up, beams and posts of wood where it is thin, pegs, and what rolls.
+/// Draws ground, with grass on what faces up, beams and posts of wood where it is thin, pegs, what rolls, and
+/// weights.
 void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies);
 
 /// Where a body's own place is in the world.

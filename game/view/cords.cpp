@@ -19,6 +19,7 @@ constexpr double outline = 0.05;      // m, of which half shows on either side
 constexpr double piece = 5.0;         // px, of a curve that is drawn straight
 
 const Color& own_color(const Pen& pen, const DrawnCord& cord) {
+  if (cord.is_line) return pen.colors.line;
   const auto number = static_cast<std::size_t>(cord.index);
   return cord.shape.rows > 1 ? pen.colors.ribbons[number % pen.colors.ribbons.size()]
                              : pen.colors.ropes[number % pen.colors.ropes.size()];
@@ -40,8 +41,10 @@ std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
   return all;
 }
 
+double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness, least_width); }
+
 void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
-  const double width = std::max(cord.shape.thickness, least_width);
+  const double width = drawn_width(cord);
   const int steps = steps_between(pen, cord);
   std::vector<Vec2> curve;
   smooth_curve(cord.points, steps, curve);
@@ -61,10 +64,10 @@ void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors
 
 /// A turn of thread round a loose end.
 void draw_whipping(Pen& pen, const DrawnCord& cord, int end, int inner) {
-  if (cord.kind(end) == PointKind::constrained) return;
+  if (cord.kind(end) == PointKind::constrained || cord.is_line) return;
   const Vec2 way = cord.at(inner) - cord.at(end);
   if (length(way) <= 0.0) return;
-  const double width = std::max(cord.shape.thickness, least_width);
+  const double width = drawn_width(cord);
   const Vec2 in = (1.3 * width / length(way)) * way;
   const Vec2 tip = cord.at(end) - 0.25 * in;
   pen.canvas.polyline(std::array{tip, tip + 0.2 * in}, 1.15 * width, own_color(pen, cord));
@@ -134,6 +137,7 @@ void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors
     draw_whipping(pen, cord, 0, std::min(1, cord.shape.columns - 1));
     draw_whipping(pen, cord, cord.shape.columns - 1, std::max(cord.shape.columns - 2, 0));
   }
+  if (cord.is_line) return;  // it is hooked, and the hook is drawn
   for (int i = 0; i < cord.shape.columns; ++i) draw_fixing(pen, cord, i);
 }
 

@@ -14,6 +14,7 @@ struct DrawnCord {
   engine::CordIndex index;
   engine::CordShape shape;
   const std::vector<ribbon::Vec2>& points;  ///< m
+  bool is_line = false;                     ///< the player's own
 
   int size() const { return static_cast<int>(points.size()); }
   int point(int i, int j) const { return i * shape.rows + j; }

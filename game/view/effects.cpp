@@ -40,6 +40,7 @@ void Effects::follow(const Palette& palette, bool calm) {
     particles_.clear();
     was_on_ground_ = true;
     had_goal_ = simulation_->goal_ticks().has_value();
+    checkpoint_ = simulation_->checkpoint();
   } else if (gap > 0) {
     const bool on_ground = simulation_->player().is_on_ground();
     now.impact = std::max(-before_.velocity.y, 0.0);
@@ -73,10 +74,16 @@ void Effects::watch(const CameraSubject& now, const Palette& palette) {
   const bool has_goal = simulation_->goal_ticks().has_value();
   if (has_goal && !had_goal_) {
     const Level& level = simulation_->level();
-    add_sparkle(particles_, level.goal_center + Vec2{0.6, 1.2}, palette.goal);
-    add_sparkle(particles_, level.goal_center + Vec2{0.6, 1.2}, palette.sun);
+    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.goal);
+    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.sun);
   }
   had_goal_ = has_goal;
+  const auto checkpoint = simulation_->checkpoint();
+  if (checkpoint && checkpoint != checkpoint_) {
+    const Area& area = simulation_->level().checkpoints[*checkpoint];
+    add_sparkle(particles_, area.center + Vec2{0.4, 1.4 - 0.5 * area.size.y}, palette.banner_up);
+  }
+  checkpoint_ = checkpoint;
 }
 
 void Effects::draw(Pen& pen, double alpha) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "game/simulation.h"
 #include "game/view/camera.h"
 #include "game/view/particles.h"
@@ -31,6 +34,7 @@ class Effects {
   CameraSubject before_{};
   bool was_on_ground_ = true;
   bool had_goal_ = false;
+  std::optional<std::size_t> checkpoint_{};
   int seen_ticks_ = -1;
   int seen_run_ticks_ = 0;
 };

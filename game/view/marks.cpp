@@ -54,7 +54,7 @@ void draw_flag(Pen& pen, const Flag& flag, Color color) {
   pen.canvas.mesh(pen.shape, pen.colors.ink);
   pen.mesh.clear();
   for (std::size_t i = 0; i < upper.size(); ++i) {
-    const Color shaded = mix(mix(color, pen.colors.ink, 0.35), mix(color, white, 0.2), light[i]);
+    const Color shaded = mix(mix(color, pen.colors.ink, 0.18), mix(color, white, 0.3), light[i]);
     const double u = 0.12 * static_cast<double>(i);
     pen.mesh.vertices.push_back({upper[i], {u, 0.0}, shaded});
     pen.mesh.vertices.push_back({lower[i], {u, 1.0}, shaded});
@@ -102,8 +102,8 @@ void draw_hook(Pen& pen, Vec2 at, bool in_reach) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
-void draw_sign(Pen& pen, Vec2 center, std::string_view text, double height) {
-  if (text.empty() || !pen.sees(center, 8.0)) return;
+void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
+  if (text.empty() || !pen.sees(foot, 8.0)) return;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
@@ -114,12 +114,12 @@ void draw_sign(Pen& pen, Vec2 center, std::string_view text, double height) {
   const double step = pen.canvas.line_height(size);
   double width = 0.0;
   for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
-  const Vec2 middle = pen.canvas.to_pixels(center);
   const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
-  const Vec2 corner = middle - 0.5 * board;
-  for (const double x : {0.2, 0.8}) {  // posts
-    const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, middle.y});
-    draw_pole(pen, top - Vec2{0.0, 0.5 * board.y / pen.scale() + 0.7}, top, 0.1);
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, 0.7});
+  const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
+  for (const double x : {0.2, 0.8}) {
+    const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});
+    draw_pole(pen, {top.x, foot.y}, top, 0.1);
   }
   pen.canvas.panel(corner - Vec2{2.5, 2.5}, board + Vec2{5.0, 5.0}, 0.25 * size, pen.colors.ink);
   pen.shape.clear();
@@ -140,6 +140,10 @@ void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass
   pen.canvas.circle(center, radius, pen.colors.ink);
   pen.disc(pen.images.iron, center, radius - 0.03, mix(pen.colors.iron, white, 0.12), angle);
   pen.disc(pen.images.shade, center, radius - 0.03, white);
+  draw_mass(pen, center, radius, mass);
+}
+
+void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
   std::array<char, 32> text{};
   if (mass >= 1000.0) {
     std::snprintf(text.data(), text.size(), "%.3g t", mass / 1000.0);

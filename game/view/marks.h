@@ -16,11 +16,14 @@ void draw_checkpoint(Pen& pen, ribbon::Vec2 center, ribbon::Vec2 size, bool reac
 /// A ring that a line can be thrown at, shining if it is in reach.
 void draw_hook(Pen& pen, ribbon::Vec2 at, bool in_reach);
 
-/// A wooden board with a text in the middle, its lines parted by '\n', the letters `height` m high.
-void draw_sign(Pen& pen, ribbon::Vec2 center, std::string_view text, double height = 0.34);
+/// A wooden board on posts whose feet are at this height, its lines parted by '\n', the letters `height` m high.
+void draw_sign(Pen& pen, ribbon::Vec2 foot, std::string_view text, double height = 0.32);
 
 /// A weight of iron with its mass written on it, kg.
 void draw_weight(Pen& pen, ribbon::Vec2 center, double radius, double angle, double mass);
+
+/// A mass [kg] in letters that fit into a disc.
+void draw_mass(Pen& pen, ribbon::Vec2 center, double radius, double mass);
 
 /// The line that the player throws, from hand to hook: a thin cord with a claw at its tip. `slack` (0 … 1) of it hangs
 /// through.

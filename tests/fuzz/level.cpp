@@ -14,8 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const game::Level level =
         game::level_of(engine::parse_tiled_map(std::string_view(reinterpret_cast<const char*>(data), size), file));
-    fuzz::demand(is_finite(level.player_start) && is_finite(level.goal_center), "player and goal are somewhere");
-    fuzz::demand(level.player_mass > 0.0 && level.goal_size.x > 0.0, "the player weighs something");
+    fuzz::demand(is_finite(level.player_start) && is_finite(level.goal.center), "player and goal are somewhere");
+    fuzz::demand(level.player_mass > 0.0 && level.goal.size.x > 0.0, "the player weighs something");
   } catch (const engine::MapError& error) {
     fuzz::demand_sentence(error.what(), file);
   }

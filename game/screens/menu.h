@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/canvas.h"
+#include "game/screens/menu_input.h"
+
+namespace game {
+
+struct MenuItem {
+  std::string label;
+  std::string value{};      ///< at the right; empty: none
+  bool adjustable = false;  ///< left and right change the value; else they do nothing
+};
+
+/// Where a menu stands, in pixels.
+struct MenuPlace {
+  ribbon::Vec2 top_left;
+  double width;
+  double height;  ///< of all lines that are shown at a time
+  double text_size;
+
+  double row_height() const { return 1.75 * text_size; }
+  int rows() const;
+};
+
+/// What the player did with a menu's line.
+struct MenuChoice {
+  int item;
+  int step;  ///< ±1: the value was changed; 0: the line was chosen
+};
+
+/// Lines of which one has the focus. Up and down wrap around; what does not fit is scrolled. Draws nothing but itself.
+class Menu {
+ public:
+  /// Keeps the focus where it was, if there still is that line.
+  void set_items(std::vector<MenuItem> items);
+  const std::vector<MenuItem>& items() const { return items_; }
+  int focus() const { return focus_; }
+  void set_focus(int item);
+
+  /// Moves the focus, by mouse too. A line that is adjustable answers accept and click with a step: to the left where
+  /// the click was on the left arrow.
+  std::optional<MenuChoice> update(const MenuInput& input, const MenuPlace& place);
+  void draw(engine::Canvas& canvas, const MenuPlace& place) const;
+
+ private:
+  int first_shown(const MenuPlace& place) const;
+  std::optional<int> item_at(ribbon::Vec2 mouse, const MenuPlace& place) const;
+  void draw_row(engine::Canvas& canvas, ribbon::Vec2 at, const MenuPlace& place, int item) const;
+  int size() const { return static_cast<int>(items_.size()); }
+
+  std::vector<MenuItem> items_;
+  int focus_ = 0;
+  int scrolled_ = 0;  // lines above the first that is shown
+};
+
+}  // namespace game

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "game/screens/menu.h"
+#include "game/screens/screen.h"
+#include "game/session.h"
+
+namespace game {
+
+class PlayScreen;
+
+/// Over a run that stands still.
+class PauseScreen : public Screen {
+ public:
+  /// Both outlive it.
+  PauseScreen(Session& session, PlayScreen& play);
+
+  Next update(const Frame& frame) override;
+  void draw(engine::Canvas& canvas, double text_scale) override;
+  bool is_overlay() const override { return true; }
+
+ private:
+  Session* session_;
+  PlayScreen* play_;
+  Menu menu_;
+};
+
+}  // namespace game

@@ -1,0 +1,58 @@
+#include "game/screens/screen.h"
+
+#include <utility>
+
+namespace game {
+
+Next Next::open(std::unique_ptr<Screen> screen) {
+  Next next{What::open, {}};
+  next.screens.push_back(std::move(screen));
+  return next;
+}
+
+Next Next::back() { return {What::back, {}}; }
+
+Next Next::replace_all(std::vector<std::unique_ptr<Screen>> screens) { return {What::replace_all, std::move(screens)}; }
+
+Next Next::quit() { return {What::quit, {}}; }
+
+void ScreenStack::open(std::unique_ptr<Screen> screen) {
+  screens_.push_back(std::move(screen));
+  screens_.back()->shown();
+}
+
+void ScreenStack::close_top() {
+  screens_.back()->leave();
+  screens_.pop_back();
+}
+
+bool ScreenStack::update(const Frame& frame) {
+  Next next = screens_.back()->update(frame);
+  switch (next.what) {
+    case Next::What::stay: return true;
+    case Next::What::open: open(std::move(next.screens.front())); return true;
+    case Next::What::back:
+      close_top();
+      if (!screens_.empty()) screens_.back()->shown();
+      return !screens_.empty();
+    case Next::What::replace_all:
+      while (!screens_.empty()) close_top();
+      for (std::unique_ptr<Screen>& screen : next.screens) screens_.push_back(std::move(screen));
+      screens_.back()->shown();
+      return true;
+    case Next::What::quit: return false;
+  }
+  return false;
+}
+
+void ScreenStack::draw(engine::Canvas& canvas, double text_scale) {
+  std::size_t first = screens_.size() - 1;
+  while (first > 0 && screens_[first]->is_overlay()) --first;
+  for (std::size_t k = first; k < screens_.size(); ++k) screens_[k]->draw(canvas, text_scale);
+}
+
+void ScreenStack::leave() {
+  for (auto screen = screens_.rbegin(); screen != screens_.rend(); ++screen) (*screen)->leave();
+}
+
+}  // namespace game

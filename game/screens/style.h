@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/canvas.h"
+
+/// What all menus look like.
+namespace game::style {
+
+inline constexpr engine::Color paper{20, 24, 34, 215};
+inline constexpr engine::Color shade{12, 16, 26, 110};  ///< over a picture that stands still
+inline constexpr engine::Color white{255, 255, 255};
+inline constexpr engine::Color faint{206, 216, 226};
+inline constexpr engine::Color gold{255, 212, 92};
+inline constexpr engine::Color silver{208, 214, 222};
+inline constexpr engine::Color bronze{214, 150, 92};
+inline constexpr engine::Color focus{52, 98, 168, 235};
+
+}  // namespace game::style

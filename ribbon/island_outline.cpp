@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/island.h"
+
+// The outlines of cords, and where they may touch each other, or themselves.
+
+namespace ribbon {
+namespace {
+
+// Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
+constexpr double own_neighbourhood = 3.0;
+
+}  // namespace
+
+int Island::links(const Cord& cord) {
+  const int points = static_cast<int>(cord.outline_.size());
+  return cord.def_.rows == 1 ? points - 1 : points;
+}
+
+/// The link k of the outline, as the segment of a pair.
+ContactPair Island::pair_with_link(const Member& member, int k) const {
+  const std::vector<int>& outline = member.cord->outline_;
+  const int n = static_cast<int>(outline.size());
+  const bool closed = member.cord->def_.rows > 1;
+  const auto anchor = [&](int i) {
+    if (closed) return static_cast<int>(member.first) + outline[at((i + n) % n)];
+    return i < 0 || i >= n ? -1 : static_cast<int>(member.first) + outline[at(i)];
+  };
+  ContactPair pair;
+  pair.a = anchor(k);
+  pair.b = anchor(k + 1);
+  pair.before = anchor(k - 1);
+  pair.after = anchor(k + 2);
+  return pair;
+}
+
+/// The point k of the outline, as a segment without length.
+ContactPair Island::pair_with_point(const Member& member, int k) {
+  ContactPair pair;
+  pair.a = static_cast<int>(member.first) + member.cord->outline_[at(k)];
+  pair.b = pair.a;
+  return pair;
+}
+
+double Island::longest_link(const Member& member) const {
+  double longest2 = 0.0;
+  for (int k = 0; k < links(*member.cord); ++k) {
+    const ContactPair link = pair_with_link(member, k);
+    const Vec2 along = positions_[at(link.b)] - positions_[at(link.a)];
+    longest2 = std::max(longest2, dot(along, along));
+  }
+  return std::sqrt(longest2);
+}
+
+/// Points of cords against links, of the same and of other cords, as far as these declare it.
+void Island::meet_each_other() {
+  link_boxes_.clear();
+  outline_links_.clear();
+  const Vec2 drift = mean_way();
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const CordDef& def = members_[m].cord->def_;
+    if (!def.self_contact && (!def.cord_contact || members_.size() == 1)) continue;
+    for (int k = 0; k < links(*members_[m].cord); ++k) {
+      const ContactPair link = pair_with_link(members_[m], k);
+      const std::size_t a = at(link.a);
+      const std::size_t b = at(link.b);
+      const Box box =
+          joined(box_around(positions_[a], ends_[a] - drift, 0.0), box_around(positions_[b], ends_[b] - drift, 0.0));
+      link_boxes_.push_back(widened(box, def.radius + members_[m].room));
+      outline_links_.push_back({m, k});
+    }
+  }
+  if (link_boxes_.empty()) return;
+  if (!tree_ || tree_room_ < link_boxes_.size()) {
+    tree_room_ = 2 * link_boxes_.size();
+    tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_room_));
+  }
+  tree_->build(link_boxes_);
+  for (const Member& member : members_) {
+    const Cord& cord = *member.cord;
+    if (!cord.def_.self_contact && !cord.def_.cord_contact) continue;
+    for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
+      const std::size_t p = member.first + at(cord.outline_[at(k)]);
+      const Box box = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + member.room);
+      tree_->query(box, [&](int item) { meet_link(member, k, outline_links_[at(item)]); });
+    }
+  }
+}
+
+/// How far all of it goes in the step, on average: what goes together does not meet.
+Vec2 Island::mean_way() const {
+  Vec2 sum;
+  for (std::size_t p = 0; p < count_; ++p) sum += ends_[p] - positions_[p];
+  return (1.0 / static_cast<double>(count_)) * sum;
+}
+
+/// The outline's point k of a cord against a link of this or another one.
+void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
+  const Member& other = members_[link.member];
+  const bool itself = &other == &member;
+  const CordDef& def = member.cord->def_;
+  if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def_.cord_contact) return;
+  const std::size_t disc = member.first + at(member.cord->outline_[at(k)]);
+  const double reach = def.radius + other.cord->def_.radius;
+  if (!may_meet(disc, link, reach + member.room + other.room)) return;
+  if (itself && are_neighbours(def, k, link.link)) return;
+  ContactPair pair = pair_with_link(other, link.link);
+  pair.disc = static_cast<int>(disc);
+  pair.mutual = true;
+  pair.reach = reach;
+  pair.disc_radius = def.radius;
+  pair.touch.other = other.id;
+  pair.touch.feature = 2 * k + 1;
+  pair.touch.other_feature = link.link + 1;
+  add_pair(member, pair, itself ? member.mass : member.mass + other.mass, other.cord->def_.friction,
+           other.cord->def_.restitution);
+}
+
+/// Whether on their straight ways a point and a link may come as near each other as that.
+bool Island::may_meet(std::size_t disc, const OutlineLink& link, double distance) const {
+  const Member& member = members_[link.member];
+  const std::vector<int>& outline = member.cord->outline_;
+  const std::size_t a = member.first + at(outline[at(link.link)]);
+  const std::size_t b = member.first + at(outline[(at(link.link) + 1) % outline.size()]);
+  const Vec2 way = ends_[disc] - positions_[disc];
+  const Vec2 past_a = way - (ends_[a] - positions_[a]);
+  const Vec2 past_b = way - (ends_[b] - positions_[b]);
+  const double most = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
+  return may_be_within(most, positions_[disc], positions_[a], positions_[b]) &&
+         gap_between(positions_[disc], positions_[a], positions_[b]).distance <= most;
+}
+
+/// Whether a point and a link of one outline lie so near each other at rest that they could not be kept apart.
+bool Island::are_neighbours(const CordDef& def, int k, int link) {
+  const double along = def.length / (def.points - 1);
+  const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  const int n = def.points;
+  const int size = def.rows == 1 ? n : 2 * (n + def.rows - 2);
+  const auto at_rest = [&](int i) {
+    i %= size;
+    if (i < n) return Vec2{along * i, 0.0};
+    i -= n - 1;
+    if (i < def.rows) return Vec2{along * (n - 1), across * i};
+    i -= def.rows - 1;
+    if (i < n) return Vec2{along * (n - 1 - i), def.width};
+    return Vec2{0.0, def.width - across * (i - n + 1)};
+  };
+  if (k == link || k == (link + 1) % size) return true;
+  const Gap gap = gap_between(at_rest(k), at_rest(link), at_rest(link + 1));
+  return gap.distance < own_neighbourhood * def.radius;
+}
+
+}  // namespace ribbon
