@@ -112,6 +112,7 @@ class Island {
   void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
   Vec2 place_of(int anchor) const;
   void meet_circle(const Member& member, const RigidCircle& circle);
+  bool is_fixed_in(const ContactPair& link, Vec2 center, double reach) const;
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
   Vec2 mean_way() const;

@@ -78,6 +78,7 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   for (int k = 0; k < count; ++k) {
     ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
     if (!overlap(link_box(pair), near)) continue;
+    if (body.inverse_mass == 0.0 && is_fixed_in(pair, body.position + circle.offset, reach)) continue;
     if (disc < 0) disc = add_spot(circle.body, circle.offset);
     pair.disc = disc;
     pair.reach = reach;
@@ -86,6 +87,15 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
     add_pair(member, pair, mass, circle.friction, circle.restitution);
   }
+}
+
+/// Whether a link is constrained where it is within reach of a disc already. If that does not move either, nothing that
+/// the cord could do would part them: a bridge hangs from the corner of a rock.
+bool Island::is_fixed_in(const ContactPair& link, Vec2 center, double reach) const {
+  const auto is_in = [&](int end) {
+    return constrained_[at(end)] != 0 && length(positions_[at(end)] - center) < reach;
+  };
+  return is_in(link.a) || is_in(link.b);
 }
 
 /// The cord's points against the inside of an edge; its ends are circles.
@@ -102,6 +112,7 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
   for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
     const std::size_t point = member.first + at(cord.outline_[at(k)]);
     if (!overlap(box_around(positions_[point], ends_[point], 0.0), near)) continue;
+    if (body.inverse_mass == 0.0 && constrained_[point] != 0) continue;
     if (a < 0) {
       a = add_spot(segment.body, segment.a);
       b = add_spot(segment.body, segment.b);
