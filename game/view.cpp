@@ -15,6 +15,7 @@
 #include "game/view/marks.h"
 #include "game/view/palette.h"
 #include "game/view/pen.h"
+#include "game/view/strain_legend.h"
 
 namespace game {
 namespace {
@@ -119,8 +120,9 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_figure(pen, pose_of(figure));
   effects_.draw(pen, alpha);
   if (options.debug) {
-    for (const DrawnCord& cord : cords) draw_cord_points(pen, cord);
+    for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }
+  if (options.strain_tint) draw_strain_legend(canvas, options.text_scale);
   draw_hud(canvas, *simulation_, options);
 }
 

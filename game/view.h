@@ -20,7 +20,7 @@ struct Ghost {
 
 /// What is shown besides the world itself.
 struct ViewOptions {
-  bool debug = false;  ///< the cords' points and connections, coloured as in Goto 2017, Fig. 4.1, and the step's counts
+  bool debug = false;  ///< the cords as in view/debug_view.h, and the step's counts
   bool paused = false;
   bool watching = false;  ///< a replay, so the keys do not steer
   bool over = false;      ///< the replay has ended, or the ticks asked for have run
