@@ -79,7 +79,9 @@ TEST(Camera, ComesToRestWhereItWouldJump) {
     followed.tick(at({20.0, 8.0}));
     const double away =
         length(followed.view(1.0, width, height, false).center - jumped.view(1.0, width, height, false).center);
-    if (k > 60) EXPECT_LE(away, before + 1e-9) << k;
+    if (k > 60) {
+      EXPECT_LE(away, before + 1e-9) << k;
+    }
     before = away;
   }
   EXPECT_LT(before, 1e-3);
