@@ -126,7 +126,11 @@ double strain(const DrawnCord& cord, int column) {
   return sum / rest - 1.0;
 }
 
-Color strain_color(double strain) { return ramp_color(std::sqrt(std::clamp(strain / most_strain, 0.0, 1.0))); }
+Color strain_color(double strain) {
+  // Lighter than the ramp, for the rope's own shading makes it darker again.
+  const Color color = ramp_color(std::sqrt(std::clamp(strain / most_strain, 0.0, 1.0)));
+  return mix(color, {255, 255, 255}, 0.25);
+}
 
 void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
   if (!is_seen(pen, cord)) return;

@@ -30,7 +30,7 @@ void draw_strain_legend(engine::Canvas& canvas, double text_scale) {
   engine::TexturedMesh mesh;
   for (int k = 0; k <= steps; ++k) {
     const double share = static_cast<double>(k) / steps;  // from the top
-    const Color color = ramp_color(1.0 - share);
+    const Color color = strain_color(most_strain * (1.0 - share) * (1.0 - share));
     mesh.vertices.push_back({bar + Vec2{0.0, share * high}, {}, color});
     mesh.vertices.push_back({bar + Vec2{16.0 * text_scale, share * high}, {}, color});
     if (k > 0) mesh.indices.insert(mesh.indices.end(), {2 * k - 2, 2 * k - 1, 2 * k + 1, 2 * k - 2, 2 * k + 1, 2 * k});
