@@ -101,7 +101,6 @@ class Island {
   static bool may_touch(const Member& member);
   void find_reach(const Member& member);
   static bool holds(const Member& member, int body);
-  Box link_box(const ContactPair& pair) const;
   Box spot_box(const RigidBody& body, Vec2 arm) const;
   int add_spot(int body, Vec2 arm);
   double pressing_mass(const Member& member) const;
@@ -241,7 +240,8 @@ class Island {
   std::vector<OutlineLink> outline_links_;
   std::unique_ptr<Quadtree> tree_;
   std::size_t tree_room_ = 0;
-  Box reach_;  // of the cord whose contacts are looked for
+  Box reach_;                       // of the cord whose contacts are looked for,
+  std::vector<Box> outline_boxes_;  // and of its outline's points, but for the room
   bool has_pattern_ = false;
   bool meets_ = false;         // there is something to touch
   double stage_weight_ = 0.0;  // s, with which the stage's forces act

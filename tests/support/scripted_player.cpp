@@ -93,6 +93,20 @@ Move pump_and_let_go(int side, double lean, double climb) {
           [=](const Simulation& s, int) { return has_swung_out(s, top_of_cord(s), side, lean, climb); }};
 }
 
+Move pump_for(int ticks) {
+  return {[](const Simulation& s) { return game::button_grab | pumping(s); },
+          [ticks](const Simulation&, int k) { return k >= ticks; }};
+}
+
+Move bounce(double x, double y) {
+  return {[x, k = 0](const Simulation& s) mutable {
+            const double ahead = position(s).x + 0.5 * velocity(s).x - x;
+            const int steer = ahead > 0.2 ? game::button_left : ahead < -0.2 ? game::button_right : 0;
+            return steer | (++k % 6 < 3 ? game::button_jump : 0);
+          },
+          [y](const Simulation& s, int) { return position(s).y > y; }};
+}
+
 Move jump_off(int side) {
   return hold(side | game::button_jump, [](const Simulation&, int k) { return k >= 1; });
 }

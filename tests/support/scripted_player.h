@@ -36,6 +36,10 @@ Move fly_and_catch(int side, int ticks_before);
 /// Pumps until the cord leans to `side` by `lean` (the horizontal part of its unit vector) while it rises at `climb`
 /// m/s or more; lets go.
 Move pump_and_let_go(int side, double lean, double climb = 0.5);
+/// Pumps for so many ticks.
+Move pump_for(int ticks);
+/// Stays about x [m] on what throws it up, and jumps each time, until it rises past y.
+Move bounce(double x, double y);
 /// Lets go of the cord by jumping off it.
 Move jump_off(int side);
 /// Climbs (button_up, button_down) for so many ticks.

@@ -27,14 +27,28 @@ std::vector<Move> round_the_pegs() {
 
 std::vector<Move> rolling_bridge() { return {run_past(29.0), run_past(42.0), until_goal(right)}; }
 
-std::vector<Move> trampoline() { return {run_past(6.2), jump(right), until_goal(right | game::button_jump)}; }
+std::vector<Move> trampoline() { return {run_past(6.2), jump(right, 20), bounce(12.0, 13.2), until_goal(right)}; }
 
 std::vector<Move> curtains() {
   return {run_past(23.5), jump_and_catch(right), climb(game::button_up, 200), pump_and_let_go(right, 0.5),
           until_goal(right)};
 }
 
-std::vector<Move> heavy_load() { return {run_past(9.6), jump(right, 30), run_past(12.0), until_goal(right)}; }
+std::vector<Move> heavy_load() {
+  return {run_past(4.3),
+          jump(right, 30),
+          run_past(8.0),
+          jump_and_catch(right),
+          pump_for(240),
+          hold(game::button_grab | game::button_throw, [](const game::Simulation&, int k) { return k >= 2; }),
+          jump_off(left),
+          jump(left, 60),
+          run_past(21.0),
+          jump(right, 60),
+          wait(5),
+          jump(right, 60),
+          until_goal(right)};
+}
 
 std::vector<Move> long_line() {
   return {run_past(7.0),
@@ -44,6 +58,14 @@ std::vector<Move> long_line() {
           throw_at({24.0, 14.0}, right),
           swing_line_and_let_go(right, 0.6),
           throw_at({34.0, 14.5}, right),
+          swing_line_and_let_go(right, 0.6),
+          run_past(44.5),
+          stand(),
+          throw_at({45.5, 16.5}),
+          reel_to(2.5),
+          swing_line_and_let_go(right, 0.3),
+          throw_at({50.0, 21.5}),
+          reel_to(3.5),
           swing_line_and_let_go(right, 0.6),
           until_goal(right)};
 }
