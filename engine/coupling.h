@@ -145,6 +145,10 @@ class Coupling {
   /// m, estimated, of the last tick: what its length costs, as if the one before had been exact. 0 unless it is asked
   /// for.
   double direct_error(CordIndex index) const { return cords_[at(index)].direct_error; }
+  /// How many islands the cords of the direct solver made in the last step.
+  int direct_islands() const { return direct_solver_.islands(); }
+  /// How many circles and edges were gathered for a cord in the last tick, because they may touch it.
+  int gathered_near(CordIndex index) const;
   /// What happened in the cord's last step.
   const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
   /// What has happened to the cord since it was added, summed up.

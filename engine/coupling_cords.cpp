@@ -100,4 +100,9 @@ void Coupling::release(CordIndex index, int point) {
   std::visit([=](auto& cord) { cord.release(point); }, cords_[at(index)].cord);
 }
 
+int Coupling::gathered_near(CordIndex index) const {
+  const CoupledCord& cord = cords_[at(index)];
+  return static_cast<int>(cord.circles.size() + cord.segments.size());
+}
+
 }  // namespace engine

@@ -148,6 +148,8 @@ Window::~Window() {
 Canvas& Window::canvas() { return impl_->canvas; }
 const Canvas& Window::canvas() const { return impl_->canvas; }
 
+const Raster& Window::raster() const { return impl_->canvas.raster(); }
+
 double Window::pixel_scale() const { return std::max(impl_->scale.y, 1.0); }
 
 WindowInput Window::poll() {

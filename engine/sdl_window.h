@@ -21,6 +21,7 @@ class Window {
   /// The picture to draw on, in the display's own pixels. It keeps what was drawn until it is cleared.
   Canvas& canvas();
   const Canvas& canvas() const;
+  const Raster& raster() const;
   /// How many pixels a desktop unit has, 1 or more: multiply text sizes by it to keep them readable.
   double pixel_scale() const;
 

@@ -31,8 +31,10 @@ constexpr std::array<Row, action_count> table = {{
     {Action::slow_motion, "slow_motion", "Slow motion 1/2, 1/4", 0},
     {Action::help, "help", "Show or hide the keys", 0},
     {Action::debug_view, "debug_view", "Debug view, drag by mouse", 0},
+    {Action::panel, "panel", "Figures and dials", 0},
     {Action::mute, "mute", "Sound on or off", 0},
     {Action::fullscreen, "fullscreen", "Full screen", 0},
+    {Action::film, "film", "Film, and stop filming", 0},
     {Action::screenshot, "screenshot", "Save a picture", 0},
 }};
 

@@ -25,8 +25,10 @@ enum class Action : std::uint8_t {
   slow_motion,
   help,
   debug_view,
+  panel,
   mute,
   fullscreen,
+  film,
   screenshot,
 };
 inline constexpr std::size_t action_count = static_cast<std::size_t>(Action::screenshot) + 1;

@@ -18,14 +18,6 @@ namespace {
 constexpr int window_width = 1280;
 constexpr int window_height = 720;
 
-/// A free name for a picture: ropeswing-1.png, -2.png, …
-std::string screenshot_name() {
-  for (int number = 1;; ++number) {
-    std::string name = "ropeswing-" + std::to_string(number) + ".png";
-    if (!std::filesystem::exists(name)) return name;
-  }
-}
-
 std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& options) {
   if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
   RunOptions asked = options;
@@ -42,6 +34,7 @@ App::App(const RunOptions& options)
       first_run_(run_asked_for(session_, options)),
       direct_(first_run_.get()),
       window_("Rope swing", window_width, window_height) {
+  tell_of_sounds();
   if (direct_ != nullptr) {
     screens_.open(std::move(first_run_));
   } else {
@@ -65,6 +58,8 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   const MenuInput menu = menu_reader_.read(input, elapsed_ns);
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
   session_.notice.pass(elapsed_ns);
+  drawn_ns_ += elapsed_ns;
+  session_.sounds.pass(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
   follow_settings();
   return true;
 }
@@ -85,6 +80,18 @@ void App::draw() {
   screens_.draw(window_.canvas(), text_scale());
   if (!session_.notice.text().empty()) draw_notice(window_.canvas(), session_.notice.text(), text_scale());
   if (std::exchange(wants_picture_, false)) take_picture();
+  take_film();
+}
+
+/// What is drawn after it is not in the film.
+void App::take_film() {
+  std::string said = film_.take(window_.raster(), std::exchange(drawn_ns_, 0));
+  if (std::exchange(wants_film_, false)) said = film_.toggle(window_.raster());
+  if (!said.empty()) {
+    std::printf("%s\n", said.c_str());
+    session_.notice.show(std::move(said));
+  }
+  if (film_.is_running()) draw_filming_mark(window_.canvas(), text_scale());
 }
 
 double App::text_scale() const {
@@ -98,6 +105,7 @@ void App::obey_keys(const engine::WindowInput& input) {
   if (settings.bindings.pressed(Action::mute, input)) settings.sound.muted = !settings.sound.muted;
   if (settings.bindings.pressed(Action::fullscreen, input)) settings.fullscreen = !settings.fullscreen;
   if (settings.bindings.pressed(Action::screenshot, input)) wants_picture_ = true;
+  if (settings.bindings.pressed(Action::film, input)) wants_film_ = true;
 }
 
 void App::notice_pads(const engine::WindowInput& input) {
@@ -107,9 +115,17 @@ void App::notice_pads(const engine::WindowInput& input) {
   if (input.pad_lost) session_.notice.show("The gamepad was unplugged");
 }
 
+void App::tell_of_sounds() {
+  const Sounds& sounds = session_.sounds;
+  for (const std::string& trouble : {sounds.why_silent(), sounds.trouble()}) {
+    if (!trouble.empty()) std::fprintf(stderr, "ropeswing: %s\n", trouble.c_str());
+  }
+  if (!sounds.trouble().empty()) session_.notice.show("A sound is missing: " + sounds.trouble());
+}
+
 void App::take_picture() {
   try {
-    const std::string name = screenshot_name();
+    const std::string name = free_name(".png");
     window_.save_png(name);
     std::printf("picture: %s\n", name.c_str());
     session_.notice.show("Picture: " + name);
@@ -120,6 +136,7 @@ void App::take_picture() {
 }
 
 int App::finish() {
+  if (const std::string said = film_.finish(); !said.empty()) std::printf("%s\n", said.c_str());
   screens_.leave();
   if (!options_.screenshot.empty()) {
     window_.save_png(options_.screenshot);

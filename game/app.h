@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/sdl_window.h"
+#include "game/film.h"
 #include "game/run.h"
 #include "game/screens/menu_input.h"
 #include "game/screens/screen.h"
@@ -41,7 +42,9 @@ class App {
   void follow_settings();
   void obey_keys(const engine::WindowInput& input);
   void notice_pads(const engine::WindowInput& input);
+  void tell_of_sounds();
   void take_picture();
+  void take_film();
 
   RunOptions options_;
   Session session_;
@@ -53,6 +56,9 @@ class App {
   bool is_fullscreen_ = false;
   std::string title_;
   bool wants_picture_ = false;
+  Film film_;
+  bool wants_film_ = false;    // to begin or end
+  std::int64_t drawn_ns_ = 0;  // since the frame drawn before
 };
 
 }  // namespace game

@@ -34,8 +34,10 @@ Bindings Bindings::defaults() {
   bind(Action::slow_motion, {Key::x, PadButton::right_stick});
   bind(Action::help, {Key::h});
   bind(Action::debug_view, {Key::f1});
+  bind(Action::panel, {Key::f2});
   bind(Action::mute, {Key::m});
   bind(Action::fullscreen, {Key::f11});
+  bind(Action::film, {Key::f10});
   bind(Action::screenshot, {Key::f12});
   return made;
 }

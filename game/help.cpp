@@ -18,8 +18,9 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
       keys(Action::pause, 1) + ": pause"};
   if (pad) return lines;
   lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
-  lines.push_back(keys(Action::debug_view) + ": debug view, drag by mouse");
-  lines.push_back(keys(Action::fullscreen) + ": full screen   " + keys(Action::screenshot) + ": picture");
+  lines.push_back(keys(Action::debug_view) + ": points, drag by mouse   " + keys(Action::panel) + ": dials");
+  lines.push_back(keys(Action::film) + ": film   " + keys(Action::fullscreen) + ": full screen   " +
+                  keys(Action::screenshot) + ": picture");
   lines.push_back(keys(Action::mute) + ": sound   " + keys(Action::help) + ": hide this");
   return lines;
 }

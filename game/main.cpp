@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -6,8 +7,10 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "engine/video_writer.h"
 #include "game/run.h"
 
 namespace {
@@ -21,7 +24,8 @@ void check_paths(const game::RunOptions& options) {
       {"--level", options.level && options.level->ends_with(".tmj") ? *options.level : std::string()},
       {"--replay", options.replay},
       {"--record", options.record},
-      {"--screenshot", options.screenshot}};
+      {"--screenshot", options.screenshot},
+      {"--video", options.video}};
   std::map<fs::path, const char*> seen;
   for (const auto& [option, path] : named) {
     if (path.empty()) continue;
@@ -39,6 +43,24 @@ void check_paths(const game::RunOptions& options) {
   }
 }
 
+/// 640x360
+void read_video_size(const std::string& text, game::RunOptions& options) {
+  const std::size_t cross = text.find('x');
+  const auto number = [&text](std::size_t from, std::size_t to) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
+    return error == std::errc() && end == text.data() + to && value >= 16 && value <= 4096 ? value : 0;
+  };
+  const int width = cross == std::string::npos ? 0 : number(0, cross);
+  const int height = width == 0 ? 0 : number(cross + 1, text.size());
+  if (height == 0) {
+    throw std::runtime_error("--video-size " + text +
+                             " is not accepted; accepted is WIDTHxHEIGHT, 16 to 4096 each, as 480x270");
+  }
+  options.video_width = width;
+  options.video_height = height;
+}
+
 int run(const game::RunOptions& options) {
   check_paths(options);
   const int status = options.headless ? game::run_headless(options) : game::run_in_window(options);
@@ -52,9 +74,10 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a recording that gets too long is an error to tell, not the end of the game
   CLI::App app{"Swing from cord to cord to the flag."};
   game::RunOptions options;
+  std::string video_size;
   const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");
   app.add_option("--level", options.level, "A level's name, or a Tiled map (.tmj)")->check(named);
-  app.add_flag("--headless", options.headless, "Run without a window, as fast as it goes");
+  auto* headless = app.add_flag("--headless", options.headless, "Run without a window, as fast as it goes");
   auto* replay = app.add_option("--replay", options.replay, "Play the inputs of this recording")->check(named);
   auto* verify = app.add_flag("--verify", options.verify, "Compare every tick with the recording's")->needs(replay);
   auto* record = app.add_option("--record", options.record, "Record the run to this file as it happens")->check(named);
@@ -66,6 +89,10 @@ int main(int argc, char** argv) {
   app.add_option("--ticks", options.ticks, "Stop after so many ticks of 1/60 s")
       ->check(CLI::Range(0, 1'000'000'000))
       ->excludes(verify);
+  auto* video = app.add_option("--video", options.video, "Write a video of the run, .gif or .mp4; with --headless")
+                    ->check(named)
+                    ->needs(headless);
+  app.add_option("--video-size", video_size, "Its width and height in pixels, 480x270 unless given")->needs(video);
   app.add_option("--screenshot", options.screenshot, "Write a PNG picture of the last moment")->check(named);
   try {
     app.parse(argc, argv);
@@ -73,6 +100,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : status_unusable;
   }
   try {
+    if (!video_size.empty()) read_video_size(video_size, options);
+    if (!options.video.empty()) engine::check_video_name(options.video);
     return run(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());

@@ -54,6 +54,14 @@ double Meter::median_us() const {
 
 double Meter::worst_us() const { return *std::max_element(recent_us_.begin(), recent_us_.end()); }
 
+std::vector<float> Meter::recent_us() const {
+  std::vector<float> recent;
+  for (std::size_t k = timed_ < remembered ? 0 : timed_ - remembered; k < timed_; ++k) {
+    recent.push_back(static_cast<float>(recent_us_[k % remembered]));
+  }
+  return recent;
+}
+
 double Meter::peak_stretch(engine::CordIndex cord) const {
   const auto index = static_cast<std::size_t>(cord);
   return index < cords_.size() ? cords_[index].peak_stretch : 0.0;

@@ -22,6 +22,8 @@ class Meter {
   /// µs, of the last second's ticks: the median, and the dearest. 0 before the first.
   double median_us() const;
   double worst_us() const;
+  /// µs, of the last second's ticks, oldest first.
+  std::vector<float> recent_us() const;
   /// By cord: how much longer than at rest it was, the most since the last restart, as a share.
   double peak_stretch(engine::CordIndex cord) const;
   /// m, by cord: the errors that the ticks of the last second made, estimated, summed up. They may heal, and what they

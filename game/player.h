@@ -67,6 +67,8 @@ class Player {
   bool is_climbing() const { return climbs_; }
   bool faces_left() const { return faces_left_; }
   const PlayerTuning& tuning() const { return tuning_; }
+  /// Moves otherwise from now on; size and mass of the body stay. No recording has it.
+  void set_tuning(const PlayerTuning& tuning) { tuning_ = tuning; }
 
   void add_to(engine::Hasher& hasher) const;
 

@@ -1,5 +1,7 @@
 #include "game/recorded_run.h"
 
+#include <utility>
+
 namespace game {
 namespace {
 
@@ -41,6 +43,7 @@ void RecordedRun::start_recording() {
 void RecordedRun::begin(const std::string& record_path) {
   writer_.reset();
   simulation_.emplace(level_);
+  is_tuned_ = level_is_tuned_;
   record_path_ = record_path;
   start_recording();
 }
@@ -55,6 +58,25 @@ void RecordedRun::tick(const engine::TickInput& input) {
   simulation_->tick(used);
   if (verifier_) verifier_->check(simulation_->hash());
   if (writer_) writer_->write(used, simulation_->hash());
+}
+
+Simulation& RecordedRun::tune() {
+  is_tuned_ = true;
+  end_recording();
+  return *simulation_;
+}
+
+void RecordedRun::set_level(Level level, bool tuned) {
+  level_is_tuned_ = tuned;
+  end_recording();
+  level_ = std::move(level);
+}
+
+void RecordedRun::end_recording() {
+  if (!writer_) return;
+  engine::ReplayWriter ended = std::move(*writer_);
+  writer_.reset();
+  ended.finish();
 }
 
 void RecordedRun::seek(int tick) {

@@ -41,6 +41,16 @@ class RecordedRun {
   /// Throws engine::ReplayError once if the recording cannot be written; the run goes on without it.
   void tick(const engine::TickInput& input);
 
+  /// Has the run go on among other settings than its level's: whoever changes its simulation asks for it here. It is
+  /// tuned from then on, and a recording ends with the ticks before. Not for a replay. Throws engine::ReplayError once
+  /// if the recording cannot be completed.
+  Simulation& tune();
+  bool is_tuned() const { return is_tuned_; }
+  bool level_is_tuned() const { return level_is_tuned_; }
+  /// What a run begins with from now on: the level with other settings than its file, `tuned`, or that file anew. The
+  /// recording ends as by tune().
+  void set_level(Level level, bool tuned);
+
   /// Goes to the state after `tick` ticks of the replay, forwards by running them without looking at them, backwards by
   /// running them from the start; a simulation() taken before stays the one of the run. Throws engine::ReplayError, and
   /// changes nothing, without a replay, for a tick that is not in it, and for a run that is verified or recorded.
@@ -54,11 +64,15 @@ class RecordedRun {
   int exit_status() const;
 
  private:
+  void end_recording();
+
   std::string record_path_;  // empty: no recording
   std::optional<engine::Replay> replay_;
   Level level_;
   std::optional<Simulation> simulation_;
   std::size_t next_ = 0;  // tick of the replay
+  bool is_tuned_ = false;
+  bool level_is_tuned_ = false;
   std::optional<engine::ReplayVerifier> verifier_;
   std::optional<engine::ReplayWriter> writer_;
 };

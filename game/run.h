@@ -18,6 +18,9 @@ struct RunOptions {
   int seek = 0;                          ///< tick of the replay to begin after
   std::optional<double> player_reach{};  ///< m, an assist: see Level
   std::string screenshot;                ///< path of a PNG of the last moment; empty: none
+  std::string video;                     ///< path of a .gif or .mp4 of the run, headless; empty: none
+  int video_width = 480;                 ///< px
+  int video_height = 270;                ///< px
 };
 
 /// Runs without a window, as fast as it can, and prints what happened: with a replay its inputs, else none. Returns the

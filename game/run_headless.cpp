@@ -2,9 +2,11 @@
 #include <cstdio>
 #include <ctime>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "engine/sdl_canvas.h"
+#include "engine/video_writer.h"
 #include "game/hud.h"
 #include "game/recorded_run.h"
 #include "game/run.h"
@@ -27,6 +29,35 @@ void save_picture(const Simulation& simulation, const RunOptions& options) {
   canvas.save_png(options.screenshot);
   std::printf("picture of the last moment: %s\n", options.screenshot.c_str());
 }
+
+/// The picture of every second tick, as a video.
+class HeadlessFilm {
+ public:
+  HeadlessFilm(const Simulation& simulation, const RunOptions& options)
+      : canvas_(options.video_width, options.video_height),
+        view_(simulation),
+        writer_(options.video, options.video_width, options.video_height) {
+    view_options_.text_scale = options.video_height / (1.0 * picture_height);
+  }
+
+  void take(const Simulation& simulation) {
+    if (simulation.ticks() % (ticks_per_second / engine::VideoWriter::frames_per_second) != 0) return;
+    view_.draw(canvas_, 1.0, view_options_);
+    writer_.write(canvas_.raster().pixels());
+    ++frames_;
+  }
+  void finish(const std::string& path) {
+    writer_.finish();
+    std::printf("video of %d frames: %s\n", frames_, path.c_str());
+  }
+
+ private:
+  engine::HeadlessCanvas canvas_;
+  View view_;
+  ViewOptions view_options_;
+  engine::VideoWriter writer_;
+  int frames_ = 0;
+};
 
 /// Goes there and says how fast, by the processor's time: what else runs on the machine does not count.
 void seek(RecordedRun& run, int tick) {
@@ -56,11 +87,17 @@ int run_headless(const RunOptions& options) {
     throw std::runtime_error("--headless needs to know how far to run; accepted is --replay FILE or --ticks N");
   }
   if (options.seek > 0) seek(run, options.seek);
+  std::optional<HeadlessFilm> film;
+  if (!options.video.empty()) film.emplace(run.simulation(), options);
   run.start_recording();
   const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
-  while (!run.is_over() && run.simulation().ticks() < most) run.tick({});
+  while (!run.is_over() && run.simulation().ticks() < most) {
+    run.tick({});
+    if (film) film->take(run.simulation());
+  }
   run.finish();
   print_result(run.simulation());
+  if (film) film->finish(options.video);
   if (!options.screenshot.empty()) save_picture(run.simulation(), options);
   std::puts(run.closing_line().c_str());
   return run.exit_status();

@@ -8,6 +8,7 @@
 #include "game/run_folder.h"
 #include "game/settings.h"
 #include "game/settings_file.h"
+#include "game/sounds.h"
 
 namespace game {
 
@@ -38,6 +39,7 @@ struct Session {
 
   Settings settings;
   Notice notice;
+  Sounds sounds;
   Records records;
   RunFolder runs;
   bool uses_pad = false;     ///< the last thing that was pressed was on a gamepad: hints name its buttons

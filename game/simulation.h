@@ -52,6 +52,7 @@ class Simulation {
   /// What is changed in it is in no recording.
   engine::Scene& scene() { return *scene_; }
   const Player& player() const { return *player_; }
+  Player& player() { return *player_; }                          ///< as for the scene
   const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
   const Snapshot& previous() const { return previous_; }         ///< before the last tick
   const Snapshot& current() const { return current_; }           ///< after it

@@ -110,4 +110,10 @@ void DirectSolver::join(std::size_t a, std::size_t b) {
   parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
+int DirectSolver::islands() const {
+  int count = 0;
+  for (std::size_t k = 0; k < parents_.size(); ++k) count += parents_[k] == k;
+  return count;
+}
+
 }  // namespace ribbon

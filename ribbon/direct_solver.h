@@ -17,6 +17,9 @@ class DirectSolver {
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 
+  /// How many islands the cords of the last step made.
+  int islands() const;
+
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void share(std::size_t cord, int body, std::span<const RigidBody> bodies);

@@ -23,6 +23,7 @@ PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
     : session_(&session), options_(options), direct_(direct), run_(options), view_(run_.simulation()) {
   if (options.seek > 0) run_.seek(options.seek);
   view_options_.meter = &meter_;
+  if (!run_.has_replay()) level_file_.emplace(run_.level().map.file);
 }
 
 std::string PlayScreen::title() const { return run_.level().name + (run_.has_replay() ? ", a replay" : ""); }
@@ -43,7 +44,11 @@ void PlayScreen::begin_run() {
   finish_recording();
   assisted_ = won_ = false;
   recording_ = session_->runs.next_path(run_.level().name);
-  if (recording_.empty()) session_->say_that_runs_are_not_recorded();
+  if (run_.level_is_tuned()) {
+    recording_.clear();
+  } else if (recording_.empty()) {
+    session_->say_that_runs_are_not_recorded();
+  }
   try {
     run_.begin(recording_);
   } catch (const engine::ReplayError& error) {
@@ -52,6 +57,7 @@ void PlayScreen::begin_run() {
     recording_.clear();
   }
   const LevelKey key{run_.level().name, run_.level().map.content_hash};
+  assisted_ = run_.is_tuned();
   ghost_ = session_->settings.ghost ? Ghost::load(session_->records.replay_path(key), run_.level()) : nullptr;
 }
 
@@ -65,6 +71,36 @@ bool PlayScreen::is_won() const {
 }
 
 Next PlayScreen::update(const Frame& frame) {
+  const engine::WindowInput left = panel_.update(frame.input, frame.canvas, frame.text_scale,
+                                                 1e-9 * static_cast<double>(frame.elapsed_ns), run_, meter_);
+  if (run_.is_tuned()) {
+    assisted_ = true;
+    recording_.clear();  // it ended where the tuning began
+  }
+  follow_file(frame.elapsed_ns);
+  if (panel_.takes_restart()) restart();
+  return play({left, frame.menu, frame.canvas, frame.elapsed_ns, frame.text_scale});
+}
+
+/// A level whose file has changed begins anew; one that is broken now is told of, and the old one goes on.
+void PlayScreen::follow_file(std::int64_t elapsed_ns) {
+  if (!level_file_ || !level_file_->pass(elapsed_ns)) return;
+  try {
+    Level level = load_level(level_file_->path());
+    if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote
+    level.player_reach = run_.level().player_reach;
+    run_.set_level(std::move(level), false);
+    session_->notice.show("The level was loaded anew");
+    restart();
+  } catch (const engine::ReplayError& error) {
+    say_that_recording_failed(error);
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    session_->notice.show(error.what());
+  }
+}
+
+Next PlayScreen::play(const Frame& frame) {
   if (is_plain() && (frame.input.pressed(engine::Key::escape) || frame.input.pressed(engine::PadButton::b))) {
     return direct_ ? Next::quit() : Next::back();
   }
@@ -99,6 +135,7 @@ void PlayScreen::obey_keys(const Frame& frame) {
   if (pressed(Action::slow_motion)) slowed_ = slowed_ == 4 ? 1 : 2 * slowed_;
   if (pressed(Action::help)) settings.help = !settings.help;
   if (pressed(Action::debug_view)) view_options_.debug = !view_options_.debug;
+  if (pressed(Action::panel)) panel_.toggle();
   if (pressed(Action::restart) && !run_.has_replay()) restart();
 }
 
@@ -144,6 +181,7 @@ void PlayScreen::tick() {
     say_that_recording_failed(error);
   }
   meter_.add(run_.simulation(), engine::now_ns() - begun);
+  session_->sounds.hear(run_.simulation());
 }
 
 /// At least as far as the run goes, and ahead of it while there is time.
@@ -204,6 +242,7 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool help) 
   view_options_.strain_tint = settings.strain_tint;
   view_options_.ghost = ghost_ && settings.ghost ? ghost_->at(simulation().run_ticks()) : std::nullopt;
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
+  panel_.draw(canvas);
 }
 
 void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }

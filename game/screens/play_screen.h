@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/file_watch.h"
 #include "engine/tick.h"
 #include "game/controls.h"
 #include "game/ghost.h"
@@ -12,6 +13,7 @@
 #include "game/recorded_run.h"
 #include "game/screens/screen.h"
 #include "game/session.h"
+#include "game/tuning/tuning_panel.h"
 #include "game/view.h"
 
 namespace game {
@@ -58,7 +60,9 @@ class PlayScreen : public Screen {
   /// Each run has a recording of its own, in the player's folder.
   bool keeps_runs() const { return !is_plain() && options_.record.empty(); }
   void begin_run();
+  Next play(const Frame& frame);
   void obey_keys(const Frame& frame);
+  void follow_file(std::int64_t elapsed_ns);
   bool wants_pause(const Frame& frame) const;
   int ticks_to_run(const Frame& frame);
   void tick();
@@ -75,6 +79,8 @@ class PlayScreen : public Screen {
   RecordedRun run_;
   View view_;
   Meter meter_;
+  TuningPanel panel_;
+  std::optional<engine::FileWatch> level_file_;  // none: of a replay
   ViewOptions view_options_;
   Controls controls_;
   engine::FixedTick clock_{ticks_per_second};

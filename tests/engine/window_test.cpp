@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "engine/window_input.h"
+#include "tests/support/environment.h"
 
 using engine::Align;
 using engine::Color;
@@ -21,6 +21,7 @@ using engine::MouseButton;
 using engine::Window;
 using engine::WindowInput;
 using ribbon::Vec2;
+using test_support::Environment;
 
 namespace {
 
@@ -44,24 +45,6 @@ struct TemporaryDirectory {
   ~TemporaryDirectory() { fs::remove_all(path); }
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-};
-
-/// An environment variable, set (or, for null, taken away) until the end of the scope.
-class Environment {
- public:
-  Environment(const char* name, const char* value) : name_(name) {
-    if (const char* const old = std::getenv(name)) old_ = old, was_set_ = true;
-    set(value);
-  }
-  ~Environment() { set(was_set_ ? old_.c_str() : nullptr); }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  void set(const char* value) const { value != nullptr ? setenv(name_, value, 1) : unsetenv(name_); }
-  const char* name_;
-  std::string old_;
-  bool was_set_ = false;
 };
 
 void draw_scene(engine::Canvas& canvas) {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <stdexcept>
 
 #include "engine/state_hash.h"
+#include "engine/tiled_edit.h"
 #include "tests/study/figures.h"
 #include "tests/study/words.h"
 
@@ -19,6 +18,13 @@ std::string kind_of(const nlohmann::ordered_json& object) {
     if (object.contains(key) && object[key].is_string()) return object[key].get<std::string>();
   }
   return {};
+}
+
+engine::Properties::Value value_of(const nlohmann::ordered_json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  return value.get<std::string>();
 }
 
 }  // namespace
@@ -232,22 +238,34 @@ bool LevelFile::declares(const std::string& property) const {
   return found;
 }
 
-void LevelFile::apply(const Dials& dials) const {
-  Json json = json_;
-  for_each_cord(json, [&](Json& cord) { set_dials(cord, dials); });
-  level_of(json);  // what cannot be built is not written
-  const std::string beside = path_ + ".new";
-  {
-    std::ofstream out(beside, std::ios::binary);
-    out << json.dump(1) << '\n';
-    out.flush();
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(beside, ignored);
-      throw std::runtime_error("cannot write " + beside + "; the level is as it was");
+/// The text with what differs between two versions of a cord, and nothing else, changed.
+std::string LevelFile::with_changes(const std::string& text, const Json& before, const Json& after) {
+  const int id = before["id"].get<int>();
+  std::string changed = text;
+  for (const Json& property : after.value("properties", Json::array())) {
+    const auto name = property["name"].get<std::string>();
+    const Json* old = find(before, name);
+    if (old == nullptr || *old != property["value"]) {
+      changed = engine::with_property(changed, id, name, value_of(property["value"]));
     }
   }
-  std::filesystem::rename(beside, path_);
+  for (const Json& property : before.value("properties", Json::array())) {
+    const auto name = property["name"].get<std::string>();
+    if (find(after, name) == nullptr) changed = engine::without_property(changed, id, name);
+  }
+  return changed;
+}
+
+void LevelFile::apply(const Dials& dials) const {
+  std::string text = content_of(path_);
+  Json json = json_;
+  for_each_cord(json, [&](Json& cord) {
+    const Json before = cord;
+    set_dials(cord, dials);
+    text = with_changes(text, before, cord);
+  });
+  game::level_of(engine::parse_tiled_map(text, path_));  // what cannot be built is not written
+  engine::replace_file(path_, text);
 }
 
 }  // namespace study

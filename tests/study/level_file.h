@@ -46,7 +46,7 @@ class LevelFile {
   /// Whether a cord declares it, as something else than false or 0.
   bool declares(const std::string& property) const;
 
-  /// Writes the file anew with these dials; what else it says stays. Throws std::runtime_error, and leaves the file as
+  /// Puts these dials into the file, which keeps every other byte. Throws std::runtime_error, and leaves the file as
   /// it was, if it cannot be written.
   void apply(const Dials& dials) const;
 
@@ -60,6 +60,7 @@ class LevelFile {
     for_each_object(json, "cord", visit);
   }
   static void set(Json& cord, const std::string& name, const Json& value);
+  static std::string with_changes(const std::string& text, const Json& before, const Json& after);
   static const Json* find(const Json& cord, const std::string& name);
   void displace(Json& cord, double offset) const;
   static void multiply_links(Json& cord, double times);

@@ -1,0 +1,90 @@
+#include "game/tuning/dials.h"
+
+#include <string_view>
+
+namespace game {
+namespace {
+
+using engine::CordIndex;
+using engine::Coupling;
+
+/// What reads a field of a cord of the direct solver.
+auto direct(auto read) {
+  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.direct_cord(cord).def()); };
+}
+auto thesis(auto read) {
+  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.cord(cord).def()); };
+}
+
+std::vector<Dial> direct_dials(bool is_ribbon) {
+  using ribbon::CordDef;
+  std::vector<Dial> dials = {
+      {"mass", "kg", 1e-2, 1e3, true, false, false, 0.0,
+       direct([](const CordDef& d) { return d.mass_per_length * d.length; })},
+      {"drag", "1/s", 1e-3, 10.0, true, false, true, 0.1, direct([](const CordDef& d) { return d.drag; })},
+      {"stretch_stiffness", "N", 10.0, 1e9, true, false, !is_ribbon, 1e4,
+       direct([](const CordDef& d) { return d.stretch_stiffness; })},
+      {"bending_stiffness", "N·m²", 1e-6, 1e4, true, false, true, 0.1,
+       direct([](const CordDef& d) { return d.bending_stiffness; })},
+      {"damping", "s", 1e-5, 1.0, true, false, true, 0.01, direct([](const CordDef& d) { return d.damping; })}};
+  if (is_ribbon) {
+    dials.push_back({"poisson_ratio", "", -0.9, 0.9, false, false, true, 0.3,
+                     direct([](const CordDef& d) { return d.poisson_ratio; })});
+    dials.push_back({"area_stiffness", "", 1e-2, 10.0, true, false, true, 1.0,
+                     direct([](const CordDef& d) { return d.area_stiffness; })});
+  }
+  const std::vector<Dial> rest = {
+      {"friction", "", 1e-2, 2.0, false, false, true, 0.5, direct([](const CordDef& d) { return d.friction; })},
+      {"restitution", "", 1e-2, 1.0, false, false, true, 0.3, direct([](const CordDef& d) { return d.restitution; })},
+      {"radius", "m", 1e-3, 0.2, true, false, false, 0.0, direct([](const CordDef& d) { return d.radius; })},
+      {"substeps", "", 1.0, 16.0, false, true, false, 0.0,
+       direct([](const CordDef& d) { return static_cast<double>(d.accuracy.substeps); })},
+      {"tolerance", "m", 1e-8, 0.1, true, false, false, 0.0,
+       direct([](const CordDef& d) { return d.accuracy.tolerance; })},
+      {"max_iterations", "", 1.0, 64.0, false, true, false, 0.0,
+       direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_iterations); })}};
+  dials.insert(dials.end(), rest.begin(), rest.end());
+  return dials;
+}
+
+std::vector<Dial> thesis_dials() {
+  using ribbon::ThesisDef;
+  return {{"mass", "kg", 1e-2, 1e3, true, false, false, 0.0,
+           thesis([](const ThesisDef& d) { return d.point_mass * d.w * d.h; })},
+          {"drag", "1/s", 1e-3, 10.0, true, false, true, 0.1, thesis([](const ThesisDef& d) { return d.drag; })},
+          {"spring_stiffness", "N/m", 1.0, 1e12, true, false, true, 1e4,
+           thesis([](const ThesisDef& d) { return d.spring_stiffness; })},
+          {"bar_damping", "N·s/m", 1e-2, 1e6, true, false, true, 10.0,
+           thesis([](const ThesisDef& d) { return d.bar_damping; })},
+          {"area_stiffness", "", 1e-2, 1.0, false, false, true, 0.5,
+           thesis([](const ThesisDef& d) { return d.area_stiffness; })},
+          {"substeps", "", 1.0, 64.0, false, true, false, 0.0,
+           thesis([](const ThesisDef& d) { return static_cast<double>(d.substeps); })}};
+}
+
+}  // namespace
+
+std::vector<Dial> dials_of(const Coupling& coupling, CordIndex cord) {
+  if (coupling.solver(cord) == engine::Solver::thesis) return thesis_dials();
+  return direct_dials(coupling.shape(cord).rows > 1);
+}
+
+std::vector<Switch> switches_of(const Coupling& coupling, CordIndex cord) {
+  using ribbon::CordDef;
+  if (coupling.solver(cord) == engine::Solver::thesis) {
+    return {{"self_collision", thesis([](const ribbon::ThesisDef& d) { return d.self_collision; })}};
+  }
+  std::vector<Switch> switches = {{"self_contact", direct([](const CordDef& d) { return d.self_contact; })},
+                                  {"cord_contact", direct([](const CordDef& d) { return d.cord_contact; })}};
+  if (coupling.shape(cord).rows == 1) {
+    switches.push_back({"tension_only", direct([](const CordDef& d) { return d.tension_only; })});
+  }
+  return switches;
+}
+
+std::optional<engine::Properties::Value> off_value(const Dial& dial) {
+  if (std::string_view(dial.property) == "stretch_stiffness") return std::nullopt;
+  return 0.0;
+}
+
+}  // namespace game

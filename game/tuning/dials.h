@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/coupling.h"
+#include "engine/tiled_map.h"
+
+namespace game {
+
+/// A number of a cord that can be tuned: a property of its object in the map.
+struct Dial {
+  const char* property;
+  const char* unit;
+  double least, most;  ///< of the slider; what is typed may be anything that the map takes
+  bool logarithmic = false;
+  bool whole = false;
+  /// A term of the model that can be switched off; `on`: what it begins with when it is switched on.
+  bool term = false;
+  double on = 0.0;
+  /// What the cord has now; infinite: it does not stretch.
+  std::function<double(const engine::Coupling&, engine::CordIndex)> value;
+};
+
+/// A term that is there or not, without a number.
+struct Switch {
+  const char* property;
+  std::function<bool(const engine::Coupling&, engine::CordIndex)> value;
+};
+
+/// What can be tuned of a cord, by its solver, and rows.
+std::vector<Dial> dials_of(const engine::Coupling& coupling, engine::CordIndex cord);
+std::vector<Switch> switches_of(const engine::Coupling& coupling, engine::CordIndex cord);
+
+/// The value that switches a term off: none takes the property away.
+std::optional<engine::Properties::Value> off_value(const Dial& dial);
+
+}  // namespace game

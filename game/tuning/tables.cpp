@@ -1,0 +1,133 @@
+#include "game/tuning/tables.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace game {
+namespace {
+
+using engine::Coupling;
+using ribbon::Vec2;
+
+void show_cost(const Meter& meter) {
+  const std::vector<float> recent = meter.recent_us();
+  ImGui::Text("a tick: %.0f µs, at most %.0f µs in the last second (of 16667)", meter.median_us(), meter.worst_us());
+  if (recent.empty()) return;
+  ImGui::PlotLines("##us", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0.0F,
+                   1.1F * static_cast<float>(meter.worst_us()), {ImGui::GetContentRegionAvail().x, 0.0F});
+}
+
+/// As in Goto 2017, Fig. 4.1.
+void show_legend() {
+  const std::array<std::pair<const char*, ImVec4>, 3> points = {{{"free", {0.35F, 0.55F, 1.0F, 1.0F}},
+                                                                 {"dragged", {1.0F, 0.85F, 0.25F, 1.0F}},
+                                                                 {"constrained", {1.0F, 0.35F, 0.3F, 1.0F}}}};
+  ImGui::TextUnformatted("points (F1):");
+  for (const auto& [name, color] : points) {
+    ImGui::SameLine();
+    ImGui::TextColored(color, "%s", name);
+  }
+}
+
+void show_solving(const Simulation& simulation) {
+  const Coupling& coupling = simulation.scene().coupling();
+  const b2World& world = simulation.scene().world();
+  int near = 0;
+  for (int c = 0; c < coupling.size(); ++c) near += coupling.gathered_near(c);
+  ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.direct_islands(),
+              near);
+  ImGui::Text("Box2D: %d bodies, %d contacts, %d proxies in a tree %d high", world.GetBodyCount(),
+              world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
+}
+
+void cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+}
+void cell(int count) { cell(std::to_string(count)); }
+/// To three significant digits.
+void cell(double value, const char* unit) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
+  cell(std::string(text.data()));
+}
+
+void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
+  const ribbon::CordReport& last = coupling.direct_report(c);
+  const ribbon::CordReport& total = coupling.direct_total(c);
+  cell(static_cast<int>(coupling.direct_cord(c).touches().size()));
+  cell(greatest_tension(coupling, c), "");
+  cell(inverted_cells(coupling, c));
+  cell(std::to_string(last.iterations) + "/" + std::to_string(last.stages));
+  cell(total.impacts);
+  cell(total.fallbacks);
+  cell(total.unconverged);
+  cell(100.0 * meter.peak_stretch(c), " %");
+}
+
+void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
+  const ribbon::StepReport& last = coupling.report(c);
+  cell(last.self_contacts + last.circle_contacts);
+  cell("");
+  cell(inverted_cells(coupling, c));
+  for (int empty = 0; empty < 4; ++empty) cell("");  // it has no Newton steps, and none of what may go wrong in them
+  cell(100.0 * meter.peak_stretch(c), " %");
+}
+
+}  // namespace
+
+int inverted_cells(const Coupling& coupling, engine::CordIndex cord) {
+  const engine::CordShape shape = coupling.shape(cord);
+  const auto x = coupling.positions(cord);
+  int count = 0;
+  for (int i = 0; i + 1 < shape.columns; ++i) {
+    for (int j = 0; j + 1 < shape.rows; ++j) {
+      const auto point = static_cast<std::size_t>(i * shape.rows + j);
+      const auto next = point + static_cast<std::size_t>(shape.rows);
+      count += cross(x[next + 1] - x[point], x[point + 1] - x[next]) < 0.0;  // its diagonals
+    }
+  }
+  return count;
+}
+
+double greatest_tension(const Coupling& coupling, engine::CordIndex cord) {
+  if (coupling.solver(cord) != engine::Solver::direct || coupling.shape(cord).rows != 1) return 0.0;
+  const auto tensions = coupling.direct_cord(cord).tensions();
+  return tensions.empty() ? 0.0 : *std::max_element(tensions.begin(), tensions.end());
+}
+
+void show_tables(const Simulation& simulation, const Meter& meter) {
+  show_cost(meter);
+  show_legend();
+  show_solving(simulation);
+  constexpr std::array titles = {"cord",          "points",  "contacts",  "tension N",   "inverted",
+                                 "Newton/solves", "impacts", "fallbacks", "unconverged", "peak stretch"};
+  if (!ImGui::BeginTable("cords", static_cast<int>(titles.size()),
+                         ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit |
+                             ImGuiTableFlags_BordersInnerV,
+                         {0.0F, ImGui::GetTextLineHeightWithSpacing() *
+                                    static_cast<float>(std::min(simulation.scene().coupling().size(), 12) + 2)})) {
+    return;
+  }
+  for (const char* title : titles) ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
+  const Coupling& coupling = simulation.scene().coupling();
+  for (int c = 0; c < coupling.size(); ++c) {
+    ImGui::TableNextRow();
+    cell(c);
+    cell(static_cast<int>(coupling.positions(c).size()));
+    if (coupling.solver(c) == engine::Solver::direct) {
+      show_direct_row(coupling, c, meter);
+    } else {
+      show_thesis_row(coupling, c, meter);
+    }
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace game

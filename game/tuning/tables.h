@@ -1,0 +1,17 @@
+#pragma once
+
+#include "game/meter.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// How many cells of a cord of two rows and more are inside out.
+int inverted_cells(const engine::Coupling& coupling, engine::CordIndex cord);
+/// N, the greatest of a rope's links; 0 of what has none.
+double greatest_tension(const engine::Coupling& coupling, engine::CordIndex cord);
+
+/// Adds to the ImGui window that is open what a tick costs, what the points' colours mean, and the figures of all cords
+/// and of what they are solved with.
+void show_tables(const Simulation& simulation, const Meter& meter);
+
+}  // namespace game

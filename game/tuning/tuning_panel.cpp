@@ -1,0 +1,212 @@
+#include "game/tuning/tuning_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/sdl_canvas.h"
+#include "game/tuning/dials.h"
+#include "game/tuning/tables.h"
+
+namespace game {
+namespace {
+
+/// A slider of a double. True when it was moved.
+bool slide(const char* label, double& value, double least, double most, bool logarithmic) {
+  const ImGuiSliderFlags flags = logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, "%.4g", flags);
+}
+
+std::string title_of(const engine::Scene& scene, const Level& level, engine::CordIndex cord) {
+  std::string title = "cord " + std::to_string(cord);
+  const engine::MapObject* object = level.map.find(scene.cord_object(cord));
+  if (object != nullptr && !object->name.empty()) title += ": " + object->name;
+  title += " (";
+  title += engine::solver_name(scene.coupling().solver(cord));
+  return title + ")";
+}
+
+}  // namespace
+
+TuningPanel::TuningPanel() : panel_(engine::HeadlessCanvas::default_font()) {}
+
+bool TuningPanel::takes_restart() { return std::exchange(wants_restart_, false); }
+
+engine::WindowInput TuningPanel::update(const engine::WindowInput& input, const engine::Canvas& canvas, double scale,
+                                        double seconds, RecordedRun& run, const Meter& meter) {
+  if (!is_shown_) return input;
+  panel_.begin(input, canvas.width(), canvas.height(), scale, seconds);
+  show(run, meter, scale);
+  panel_.end();
+  obey(run);
+  return left_by(panel_, input);
+}
+
+void TuningPanel::draw(engine::Canvas& canvas) const {
+  if (is_shown_) panel_.draw(canvas);
+}
+
+void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale) {
+  const auto unit = static_cast<float>(scale);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x - 12.0F * unit, 64.0F * unit}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
+  ImGui::SetNextWindowSize({430.0F * unit, std::max(200.0F * unit, screen.y - 90.0F * unit)}, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("Cords and dials (F2)", &is_shown_)) {
+    show_tables(run.simulation(), meter);
+    ImGui::Separator();
+    ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // room for the names
+    if (run.has_replay()) {
+      ImGui::TextWrapped("This is a recorded run: nothing can be tuned in it.");
+    } else {
+      show_file(run);
+      show_world(run);
+      show_player(run);
+      const engine::Scene& scene = run.simulation().scene();
+      for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
+        const std::string title = title_of(scene, run.level(), cord);
+        ImGui::PushID(cord);
+        if (ImGui::CollapsingHeader(title.c_str())) show_cord(scene, cord);
+        ImGui::PopID();
+      }
+    }
+    ImGui::PopItemWidth();
+  }
+  ImGui::End();
+}
+
+void TuningPanel::show_file(const RecordedRun& run) {
+  if (run.is_tuned()) ImGui::TextColored({1.0F, 0.83F, 0.36F, 1.0F}, "Tuned: no medal, no best time, no recording.");
+  if (ImGui::Button("Restart with these")) wants_restart_ = true;
+  const bool is_changed = tuned_ && tuned_->is_changed();
+  ImGui::BeginDisabled(!is_changed);
+  ImGui::SameLine();
+  if (ImGui::Button("As in the file")) wants_file_ = true;
+  ImGui::SameLine();
+  if (ImGui::Button("Write to the level")) ImGui::OpenPopup("Overwrite?");
+  ImGui::EndDisabled();
+  if (ImGui::BeginPopupModal("Overwrite?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    ImGui::Text("The changed numbers go into %s.\nWhatever else it holds stays as it is.",
+                run.level().map.file.c_str());
+    if (ImGui::Button("Overwrite")) {
+      write();
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  if (!message_.empty()) ImGui::TextWrapped("%s", message_.c_str());
+}
+
+void TuningPanel::show_world(const RecordedRun& run) {
+  if (!ImGui::CollapsingHeader("World")) return;
+  const b2Vec2 gravity = run.simulation().scene().world().GetGravity();
+  double value = std::round(1e4 * static_cast<double>(gravity.y)) / 1e4;  // as it was typed, not as single precision
+  if (slide("gravity_y [m/s²]", value, -30.0, 5.0, false)) wish_ = Wish{engine::map_itself, "gravity_y", value};
+}
+
+void TuningPanel::show_player(const RecordedRun& run) {
+  if (!ImGui::CollapsingHeader("Player")) return;
+  PlayerTuning tuning = run.simulation().player().tuning();
+  bool moved = slide("run speed [m/s]", tuning.run_speed, 1.0, 20.0, false);
+  moved |= slide("gain on the ground [m/s²]", tuning.ground_gain, 1.0, 100.0, false);
+  moved |= slide("gain in the air [m/s²]", tuning.air_gain, 0.0, 40.0, false);
+  moved |= slide("jump speed [m/s]", tuning.jump_speed, 1.0, 20.0, false);
+  moved |= slide("pump [m/s²]", tuning.pump_gain, 0.0, 20.0, false);
+  moved |= slide("reach [m]", tuning.reach, 0.3, 3.0, false);
+  moved |= slide("climb speed [m/s]", tuning.climb_speed, 0.1, 10.0, false);
+  moved |= slide("hop speed [m/s]", tuning.hop_speed, 0.0, 10.0, false);
+  if (moved) player_ = tuning;
+}
+
+void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) {
+  const int object = scene.cord_object(cord);
+  if (object == 0) {
+    ImGui::TextWrapped("The player's own line: it is in no level.");
+    return;
+  }
+  for (const Switch& option : switches_of(scene.coupling(), cord)) {
+    bool on = option.value(scene.coupling(), cord);
+    if (ImGui::Checkbox(option.property, &on)) wish_ = Wish{object, option.property, on};
+  }
+  if (scene.coupling().solver(cord) == engine::Solver::direct) {
+    constexpr std::array names = {"tr_bdf2", "implicit_euler"};
+    int chosen = static_cast<int>(scene.coupling().direct_cord(cord).def().accuracy.integrator);
+    if (ImGui::Combo("integrator", &chosen, names.data(), static_cast<int>(names.size()))) {
+      wish_ = Wish{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
+    }
+  }
+  show_dials(scene.coupling(), cord, object);
+}
+
+void TuningPanel::show_dials(const engine::Coupling& coupling, engine::CordIndex cord, int object) {
+  for (const Dial& dial : dials_of(coupling, cord)) {
+    double value = dial.value(coupling, cord);
+    const bool is_on = !dial.term || (value != 0.0 && std::isfinite(value));
+    ImGui::PushID(dial.property);
+    bool wanted = is_on;
+    if (dial.term) {
+      if (ImGui::Checkbox("##on", &wanted)) {
+        wish_ = Wish{object, dial.property, wanted ? engine::Properties::Value(dial.on) : off_value(dial)};
+      }
+      ImGui::SameLine();
+    }
+    std::string label = dial.property;
+    if (*dial.unit != '\0') label.append(" [").append(dial.unit).append("]");
+    if (is_on && dial.whole) {
+      auto whole = static_cast<int>(value);
+      if (ImGui::SliderInt(label.c_str(), &whole, static_cast<int>(dial.least), static_cast<int>(dial.most))) {
+        wish_ = Wish{object, dial.property, std::int64_t{whole}};
+      }
+    } else if (is_on) {
+      if (slide(label.c_str(), value, dial.least, dial.most, dial.logarithmic)) {
+        wish_ = Wish{object, dial.property, value};
+      }
+    } else {
+      ImGui::TextDisabled("%s: off", dial.property);
+    }
+    ImGui::PopID();
+  }
+}
+
+/// Of what the user asked for in this frame; what cannot be is told and changes nothing.
+void TuningPanel::obey(RecordedRun& run) {
+  if (run.has_replay()) return;
+  if (tuned_ && run.level().map.content_hash != tuned_->level().map.content_hash) tuned_.reset();  // loaded anew
+  try {
+    if (std::exchange(wants_file_, false)) {
+      tuned_.reset();
+      player_.reset();
+      run.set_level(load_level(run.level().map.file), false);
+      wants_restart_ = true;
+    }
+    if (const auto wish = std::exchange(wish_, std::nullopt)) {
+      message_.clear();
+      if (!tuned_) tuned_.emplace(run.level());
+      engine::Scene& scene = run.tune().scene();
+      if (wish->value) {
+        tuned_->set(wish->object, wish->property, *wish->value, scene);
+      } else {
+        tuned_->remove(wish->object, wish->property, scene);
+      }
+      run.set_level(tuned_->level(), tuned_->is_changed());
+    }
+    if (player_) run.tune().player().set_tuning(*player_);  // also after a restart, which makes another player
+  } catch (const std::runtime_error& error) {
+    message_ = error.what();
+  }
+}
+
+void TuningPanel::write() {
+  try {
+    tuned_->write();
+    message_ = "written";
+  } catch (const std::runtime_error& error) {
+    message_ = error.what();
+  }
+}
+
+}  // namespace game
