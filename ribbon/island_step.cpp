@@ -8,8 +8,10 @@ namespace ribbon {
 namespace {
 
 constexpr int sharper_tries = 3;  // of a substep of implicit Euler that gained energy
-constexpr int most_work = 4000;   // Newton steps in the halves of a substep
-constexpr int most_halves = 10;   // times a substep of implicit Euler is halved
+// Newton steps in the halves of a substep that lead to no solution. Those that do are not counted: 5,000 slack links
+// that turn about in a step of a second take 2,000 of either kind, and are solved.
+constexpr int most_patience = 4000;
+constexpr int most_halves = 20;  // times a substep of implicit Euler is halved
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
@@ -97,7 +99,8 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
       x_start_ = x0_;
       v_start_ = v0_;
       tension_start_ = tension0_;
-      converged = halves(start, dt, 1, report.iterations + most_work, report);
+      int patience = most_patience;
+      converged = halves(start, dt, 1, patience, report);
       x0_ = x_start_;
       v0_ = v_start_;
       tension0_ = tension_start_;
@@ -365,20 +368,22 @@ bool Island::implicit_euler(double start, double dt, CordReport& report) {
   return converged;
 }
 
-/// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps are
-/// spent.
-bool Island::halves(double start, double dt, int depth, int most_iterations, CordReport& report) {
+/// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps were
+/// in vain.
+bool Island::halves(double start, double dt, int depth, int& patience, CordReport& report) {
   bool all = true;
   for (const double from : {start, start + 0.5 * dt}) {
     begin_substep(from, 0.5 * dt);
+    const int before = report.iterations;
     if (implicit_euler(from, 0.5 * dt, report)) continue;
-    if (depth == most_halves || report.iterations > most_iterations) {
+    patience -= report.iterations - before;
+    if (depth == most_halves || patience < 0) {
       all = false;
       continue;
     }
     return_to_start();
     ++report.halvings;
-    all = halves(from, 0.5 * dt, depth + 1, most_iterations, report) && all;
+    all = halves(from, 0.5 * dt, depth + 1, patience, report) && all;
   }
   return all;
 }
