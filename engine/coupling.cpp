@@ -241,6 +241,9 @@ void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gra
     swept = reach_of(to_double(body.GetWorldPoint(circle.m_p)), static_cast<double>(circle.m_radius),
                      static_cast<double>(body.GetLinearVelocityFromLocalPoint(circle.m_p).Length()), gravity_, dt);
   }
+  const double speed =
+      static_cast<double>(body.GetLinearVelocity().Length() + std::abs(body.GetAngularVelocity()) * extent(fixture));
+  const double way = direct_reach * (speed * dt + length(gravity_) * dt * dt);
   for (CoupledCord& coupled : cords_) {
     if (!should_collide(fixture.GetFilterData(), coupled.filter)) continue;
     if (std::holds_alternative<ribbon::ThesisCord>(coupled.cord)) {
@@ -250,9 +253,6 @@ void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gra
                                  static_cast<double>(circle.m_radius)});
       continue;
     }
-    const double speed =
-        static_cast<double>(body.GetLinearVelocity().Length() + std::abs(body.GetAngularVelocity()) * extent(fixture));
-    const double way = direct_reach * (speed * dt + length(gravity_) * dt * dt);
     const Box reach{coupled.reach.low - Vec2{way, way}, coupled.reach.high + Vec2{way, way}};
     if (!is_near(fixture, reach)) continue;
     add_shape(fixture, body_index(body, gravity), fixture_ids_.of(fixture), reach, coupled.circles, coupled.segments);

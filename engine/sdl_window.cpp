@@ -175,6 +175,13 @@ void Window::present() {
   impl_->shown = std::max(earliest, now);
 }
 
+void Window::set_title(const std::string& title) {
+  impl_->ask_display([&] {
+    SDL_SetWindowTitle(impl_->window.get(), title.c_str());
+    return 0;
+  });
+}
+
 void Window::set_fullscreen(bool fullscreen) {
   impl_->ask_display([&] {
     return SDL_SetWindowFullscreen(impl_->window.get(), fullscreen ? std::uint32_t{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0U);

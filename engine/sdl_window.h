@@ -31,6 +31,7 @@ class Window {
   /// unknown.
   void present();
 
+  void set_title(const std::string& title);
   /// Fills the whole screen, or is a window again. Where the desktop does not have it, nothing happens.
   void set_fullscreen(bool fullscreen);
 

@@ -10,6 +10,7 @@
 #include "game/hud.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
+#include "game/user_files.h"
 
 namespace game {
 namespace {
@@ -27,13 +28,17 @@ std::string screenshot_name() {
 
 std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& options) {
   if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
-  return std::make_unique<PlayScreen>(session, options, true);
+  RunOptions asked = options;
+  const bool by_hand = options.replay.empty() && !options.ticks;
+  if (by_hand && session.settings.long_reach) asked.player_reach = PlayScreen::long_reach;
+  return std::make_unique<PlayScreen>(session, asked, true);
 }
 
 }  // namespace
 
 App::App(const RunOptions& options)
     : options_(options),
+      session_(config_folder(), data_folder()),
       first_run_(run_asked_for(session_, options)),
       direct_(first_run_.get()),
       window_("Rope swing", window_width, window_height) {
@@ -60,11 +65,20 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   const MenuInput menu = menu_reader_.read(input, elapsed_ns);
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
   session_.notice.pass(elapsed_ns);
+  follow_settings();
+  return true;
+}
+
+void App::follow_settings() {
+  session_.keep_settings();
   if (is_fullscreen_ != session_.settings.fullscreen) {
     is_fullscreen_ = session_.settings.fullscreen;
     window_.set_fullscreen(is_fullscreen_);
   }
-  return true;
+  const std::string title = "Rope swing - " + screens_.top().title();
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
 }
 
 void App::draw() {

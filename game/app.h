@@ -38,6 +38,7 @@ class App {
 
  private:
   double text_scale() const;
+  void follow_settings();
   void obey_keys(const engine::WindowInput& input);
   void notice_pads(const engine::WindowInput& input);
   void take_picture();
@@ -50,6 +51,7 @@ class App {
   ScreenStack screens_;
   MenuReader menu_reader_;
   bool is_fullscreen_ = false;
+  std::string title_;
   bool wants_picture_ = false;
 };
 

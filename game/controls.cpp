@@ -10,6 +10,8 @@ namespace {
 using engine::InputCode;
 using engine::WindowInput;
 
+constexpr unsigned at_a_press =
+    button_jump | button_throw | button_retry | button_restart;  // what they do they do then
 constexpr double aiming = 0.5;  // share of a stick's way, from where it points somewhere
 
 std::uint16_t with(std::uint16_t buttons, unsigned more) { return static_cast<std::uint16_t>(buttons | more); }
@@ -32,6 +34,10 @@ void Controls::take(const WindowInput& input, const Settings& settings, ribbon::
   }
   if (dragging && input.held(engine::MouseButton::left)) held_ = with(held_, button_drag);
   if (dragging && input.pressed(engine::MouseButton::left)) tapped_ = with(tapped_, button_drag);
+  stale_ =
+      forgot_ ? static_cast<std::uint16_t>(held_ & ~tapped_ & at_a_press) : static_cast<std::uint16_t>(stale_ & held_);
+  forgot_ = false;
+  held_ = without(held_, stale_);
   toggle_grab(settings.toggle_grab);
   take_aim(input, mouse);
 }
@@ -71,8 +77,13 @@ engine::TickInput Controls::next(ribbon::Vec2 hand) {
 }
 
 void Controls::forget() {
-  tapped_ = 0;
+  forget_presses();
+  forgot_ = true;
   grabs_ = false;
+}
+
+void Controls::forget_presses() {
+  tapped_ = 0;
   wheel_left_.fill(0);
 }
 

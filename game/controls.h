@@ -21,8 +21,11 @@ class Controls {
   void take(const engine::WindowInput& input, const Settings& settings, ribbon::Vec2 mouse, bool dragging);
   /// The next tick's, for a player whose hand is there, m.
   engine::TickInput next(ribbon::Vec2 hand);
-  /// What was pressed and not yet used is not meant for later, and nothing is held on to.
+  /// What was pressed and not yet used is not meant for later, what is still down from a menu is not meant for the
+  /// player until it was up, and a grab by a press is over.
   void forget();
+  /// Only what was pressed is forgotten: who goes tick by tick holds down what the next one is to have.
+  void forget_presses();
 
  private:
   void take_aim(const engine::WindowInput& input, ribbon::Vec2 mouse);
@@ -30,6 +33,8 @@ class Controls {
 
   std::uint16_t held_ = 0;
   std::uint16_t tapped_ = 0;
+  std::uint16_t stale_ = 0;                     // down since a menu
+  bool forgot_ = false;                         // and was not asked since
   bool grabs_ = false;                          // where a press holds on until the next
   std::array<int, action_count> wheel_left_{};  // ticks
   ribbon::Vec2 mouse_{};                        // m

@@ -53,18 +53,6 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
   canvas.text(middle + Vec2{0.0, 14.0 * scale + canvas.line_height(large)}, below, small, white, Align::center);
 }
 
-std::vector<std::string> keys_in_words() {
-  return {"Swing from cord to cord to the flag!",
-          "Arrows or A D: run, pump",
-          "Space, Up or W: jump, let go",
-          "Hold E or Shift: catch a cord",
-          "R: start again",
-          "P: pause   N: one tick",
-          "F1: debug view, drag by mouse",
-          "F12: screenshot   H: hide this",
-          "Esc: leave"};
-}
-
 /// A table whose cells end at the right edges of their columns, below its titles.
 using Table = std::vector<std::vector<std::string>>;
 
@@ -174,6 +162,16 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* mete
   }
 }
 
+/// At the bottom, in the middle.
+void draw_line(Canvas& canvas, const std::string& line, double scale) {
+  if (line.empty()) return;
+  const double size = 21.0 * scale;
+  const Vec2 box{canvas.text_width(line, size) + 1.6 * size, canvas.line_height(size) + 0.6 * size};
+  const Vec2 corner{0.5 * (canvas.width() - box.x), canvas.height() - box.y - 60.0 * scale};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
+}
+
 }  // namespace
 
 std::string seconds_in_words(int ticks) {
@@ -202,17 +200,13 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
-  if (options.help && !options.watching) draw_box(canvas, {margin, margin}, {keys_in_words(), 15.0 * scale, faint});
+  if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
   if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
   if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
-  if (options.paused) {
-    draw_banner(canvas, "Paused", "P to go on, N for one tick", scale);
-  } else if (goal) {
-    draw_banner(canvas, "You made it!", "in " + time + (options.watching ? "" : "   R to try again"), scale);
-  } else if (options.over) {
-    draw_banner(canvas, "That was all", "Esc to leave", scale);
-  } else if (options.watching) {
-    canvas.text({0.5 * canvas.width(), margin}, "watching a replay", 20.0 * scale, white, Align::center);
+  if (options.headline.empty()) {
+    draw_line(canvas, options.below, scale);
+  } else {
+    draw_banner(canvas, options.headline, options.below, scale);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct Level {
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
+  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
+  std::optional<double> player_reach{};
   Area goal;
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches

@@ -93,7 +93,8 @@ Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, const Line
       body_(make_body(world, feet, tuning)),
       line_(line_tuning),
       ticks_since_jump_wanted_(long_ago),
-      ticks_since_let_go_(long_ago) {}
+      ticks_since_let_go_(long_ago),
+      ticks_since_jump_(long_ago) {}
 
 Vec2 Player::position() const { return to_double(body_->GetPosition()); }
 
@@ -175,8 +176,9 @@ void Player::feel_ground(const engine::Coupling& coupling) {
   feels_ground_ = on_ground || stands_on_cord(coupling);
 }
 
-/// A solid cord below the feet carries.
+/// A solid cord below the feet carries, once it has stopped the fall: a jump before that would waste what it stores.
 bool Player::stands_on_cord(const engine::Coupling& coupling) const {
+  if (coupling.velocity(*body_).y < tuning_.sinking_speed) return false;
   for (engine::CordIndex c = 0; c < coupling.size(); ++c) {
     for (const engine::FixtureTouch& touch : coupling.touching(c)) {
       const b2Fixture* fixture = coupling.fixture(touch.fixture);
@@ -200,13 +202,16 @@ void Player::run(int direction, double dt) {
 
 void Player::jump_if_wanted() {
   if (ticks_since_jump_wanted_ == 0 && ticks_since_let_go_ <= tuning_.hop_ticks && !is_on_ground()) return hop();
+  ticks_since_jump_ = std::min(ticks_since_jump_ + 1, long_ago);
   if (ticks_since_jump_wanted_ > tuning_.jump_buffer_ticks || ticks_off_ground_ > tuning_.coyote_ticks) return;
+  if (ticks_since_jump_ < tuning_.jump_pause_ticks) return;
   const b2Vec2 velocity = body_->GetLinearVelocity();
   // Off what throws one up already, a jump adds its share.
   const double up =
       std::max(tuning_.jump_speed, static_cast<double>(velocity.y) + tuning_.spring_share * tuning_.jump_speed);
   body_->SetLinearVelocity({velocity.x, static_cast<float>(up)});
   ticks_since_jump_wanted_ = long_ago;
+  ticks_since_jump_ = 0;
   ticks_off_ground_ = tuning_.coyote_ticks + 1;
 }
 
@@ -294,6 +299,7 @@ void Player::add_to(engine::Hasher& hasher) const {
   hasher.add(ticks_off_ground_);
   hasher.add(ticks_since_jump_wanted_);
   hasher.add(ticks_since_let_go_);
+  hasher.add(ticks_since_jump_);
   hasher.add(buttons_before_);
   hasher.add(static_cast<int>(wants_to_catch_));
   hasher.add(static_cast<int>(faces_left_));

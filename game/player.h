@@ -17,27 +17,29 @@ inline constexpr std::uint16_t player_category = 0x0002;
 
 /// How the player moves: change these to change the feel. Ticks are 1/60 s.
 struct PlayerTuning {
-  double radius = 0.3;        ///< m, of feet and head
-  double height = 1.5;        ///< m
-  double mass = 60.0;         ///< kg, unless the level has its own
-  double run_speed = 6.0;     ///< m/s
-  double ground_gain = 40.0;  ///< m/s², towards the run speed
-  double air_gain = 9.0;      ///< m/s², in the air, and only to gain speed, never to lose what a swing gave
-  double jump_speed = 6.5;    ///< m/s, upwards: 2.1 m high
-  double spring_share = 0.5;  ///< of the jump's speed, added to what a trampoline gives
-  double pump_gain = 4.5;     ///< m/s², across the cord while hanging
-  double reach = 1.0;         ///< m, from the hand to the cord it can catch
-  double longest_arm = 1.2;   ///< m, from the hand to a held point that something else pulls away
-  double pull_in = 0.25;      ///< share of the way from where it caught the cord to the hand, a tick
-  double climb_speed = 1.8;   ///< m/s, up a cord
-  double slide_speed = 4.0;   ///< m/s, down it
-  double top_margin = 0.5;    ///< m along the cord, from what it is fixed to, where climbing ends
-  double hop_speed = 2.5;     ///< m/s, upwards, more for who jumps off a cord
-  double hand_height = 0.95;  ///< m above the middle of the body
-  double ground_slope = 0.5;  ///< least upward part of the normal of what counts as ground
-  int coyote_ticks = 6;       ///< a jump still counts this long after the ground was left
-  int jump_buffer_ticks = 6;  ///< and this long before it is reached
-  int hop_ticks = 6;          ///< a jump this long after letting go is one off the cord
+  double radius = 0.3;          ///< m, of feet and head
+  double height = 1.5;          ///< m
+  double mass = 60.0;           ///< kg, unless the level has its own
+  double run_speed = 6.0;       ///< m/s
+  double ground_gain = 40.0;    ///< m/s², towards the run speed
+  double air_gain = 9.0;        ///< m/s², in the air, and only to gain speed, never to lose what a swing gave
+  double jump_speed = 6.5;      ///< m/s, upwards: 2.1 m high
+  double sinking_speed = -0.5;  ///< m/s, on a cord; who sinks in faster does not stand yet
+  double spring_share = 0.5;    ///< of the jump's speed, added to what a trampoline gives
+  double pump_gain = 4.5;       ///< m/s², across the cord while hanging
+  double reach = 1.0;           ///< m, from the hand to the cord it can catch
+  double longest_arm = 1.2;     ///< m, from the hand to a held point that something else pulls away
+  double pull_in = 0.25;        ///< share of the way from where it caught the cord to the hand, a tick
+  double climb_speed = 1.8;     ///< m/s, up a cord
+  double slide_speed = 4.0;     ///< m/s, down it
+  double top_margin = 0.5;      ///< m along the cord, from what it is fixed to, where climbing ends
+  double hop_speed = 2.5;       ///< m/s, upwards, more for who jumps off a cord
+  double hand_height = 0.95;    ///< m above the middle of the body
+  double ground_slope = 0.5;    ///< least upward part of the normal of what counts as ground
+  int coyote_ticks = 6;         ///< a jump still counts this long after the ground was left
+  int jump_buffer_ticks = 6;    ///< and this long before it is reached
+  int jump_pause_ticks = 20;    ///< between two jumps at the least: what throws one up would take several
+  int hop_ticks = 6;            ///< a jump this long after letting go is one off the cord
 };
 
 /// The player: a Box2D body, and what the hands and feet remember.
@@ -92,6 +94,7 @@ class Player {
   int ticks_off_ground_ = 0;
   int ticks_since_jump_wanted_;
   int ticks_since_let_go_;
+  int ticks_since_jump_;
   std::uint16_t buttons_before_ = 0;
   bool wants_to_catch_ = true;  // false from letting go until the grab button was up
   bool faces_left_ = false;

@@ -18,6 +18,8 @@ Level level_for(const RunOptions& options, const std::optional<engine::Replay>& 
     if (!replay || options.level) throw;
     throw engine::MapError(std::string(error.what()) + "; the replay is of that level: give its map with --level");
   }
+  level.player_reach = options.player_reach;
+  if (replay) Simulation::take_assists(level, replay->header);
   if (replay) engine::check_header(replay->header, Simulation::replay_header(level));
   return level;
 }
@@ -34,6 +36,13 @@ RecordedRun::RecordedRun(const RunOptions& options)
 
 void RecordedRun::start_recording() {
   if (!record_path_.empty()) writer_.emplace(record_path_, Simulation::replay_header(level_));
+}
+
+void RecordedRun::begin(const std::string& record_path) {
+  writer_.reset();
+  simulation_.emplace(level_);
+  record_path_ = record_path;
+  start_recording();
 }
 
 bool RecordedRun::is_over() const {

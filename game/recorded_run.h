@@ -22,6 +22,7 @@ class RecordedRun {
   RecordedRun& operator=(const RecordedRun&) = delete;
 
   const Simulation& simulation() const { return *simulation_; }
+  const Level& level() const { return level_; }
   /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
   void estimate_errors(bool wanted) { simulation_->scene().coupling().estimate_errors(wanted); }
   bool has_replay() const { return replay_.has_value(); }
@@ -31,6 +32,10 @@ class RecordedRun {
   /// Opens the recording, if there is to be one. It empties what the file held before, so it comes last, when nothing
   /// else can keep the run from starting; before the first tick. Throws engine::ReplayError if it cannot be written.
   void start_recording();
+
+  /// The level begins anew: another run, with a recording of its own (empty: none), after finish() of the one before.
+  /// Only without a replay. Throws as start_recording does; the run has begun all the same.
+  void begin(const std::string& record_path);
 
   /// One tick, with the replay's input if there is one and with `input` otherwise. Only while the run is not over.
   /// Throws engine::ReplayError once if the recording cannot be written; the run goes on without it.

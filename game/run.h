@@ -11,12 +11,13 @@ inline constexpr const char* default_level = "first_swing";
 struct RunOptions {
   std::optional<std::string> level;  ///< a name or a .tmj file; none: the replay's, or default_level
   bool headless = false;
-  std::string replay;        ///< path; empty: play
-  bool verify = false;       ///< hold the run against the replay's hashes; needs `replay`
-  std::string record;        ///< path; empty: no recording
-  std::optional<int> ticks;  ///< stop after this many
-  int seek = 0;              ///< tick of the replay to begin after
-  std::string screenshot;    ///< path of a PNG of the last moment; empty: none
+  std::string replay;                    ///< path; empty: play
+  bool verify = false;                   ///< hold the run against the replay's hashes; needs `replay`
+  std::string record;                    ///< path; empty: no recording
+  std::optional<int> ticks;              ///< stop after this many
+  int seek = 0;                          ///< tick of the replay to begin after
+  std::optional<double> player_reach{};  ///< m, an assist: see Level
+  std::string screenshot;                ///< path of a PNG of the last moment; empty: none
 };
 
 /// Runs without a window, as fast as it can, and prints what happened: with a replay its inputs, else none. Returns the

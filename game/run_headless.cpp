@@ -19,7 +19,10 @@ constexpr int picture_height = 720;
 void save_picture(const Simulation& simulation, const RunOptions& options) {
   engine::HeadlessCanvas canvas(picture_width, picture_height);
   ViewOptions view_options;
-  view_options.watching = !options.replay.empty();
+  if (const auto goal = simulation.goal_ticks()) {
+    view_options.headline = "You made it!";
+    view_options.below = "in " + seconds_in_words(*goal);
+  }
   View(simulation).draw(canvas, 1.0, view_options);
   canvas.save_png(options.screenshot);
   std::printf("picture of the last moment: %s\n", options.screenshot.c_str());

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "game/records.h"
+#include "game/run_folder.h"
 #include "game/settings.h"
+#include "game/settings_file.h"
 
 namespace game {
 
@@ -22,9 +26,26 @@ class Notice {
 
 /// What all screens share.
 struct Session {
+  /// Reads what is remembered in these folders; empty: nothing is.
+  Session(const std::string& config_folder, const std::string& data_folder);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Remembers the settings if they have changed.
+  void keep_settings();
+  /// Says, once, that runs cannot be recorded.
+  void say_that_runs_are_not_recorded();
+
   Settings settings;
   Notice notice;
-  bool uses_pad = false;  ///< the last thing that was pressed was on a gamepad: hints name its buttons
+  Records records;
+  RunFolder runs;
+  bool uses_pad = false;     ///< the last thing that was pressed was on a gamepad: hints name its buttons
+  std::string last_level{};  ///< that was played, for the level select
+
+ private:
+  SettingsFile settings_file_;
+  bool said_ = false;
 };
 
 }  // namespace game

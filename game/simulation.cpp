@@ -17,10 +17,12 @@ using ribbon::Vec2;
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
 constexpr double drag_speed = 15.0;                 // m/s, at which it takes the point along at the most
-constexpr double abyss = 3.0;                       // m below the level, where the player is put back
-constexpr double pointer_reach = 1.5;               // m, from the pointer to a hook that it is at
-constexpr double look_ahead = 3.0;                  // m, from the hand to where a hook is looked for without pointing
-constexpr double look_up = 5.0;                     // m
+constexpr double longest_reach = 10.0;              // m, that a replay may declare
+constexpr const char* reach_setting = "player_reach";
+constexpr double abyss = 3.0;          // m below the level, where the player is put back
+constexpr double pointer_reach = 1.5;  // m, from the pointer to a hook that it is at
+constexpr double look_ahead = 3.0;     // m, from the hand to where a hook is looked for without pointing
+constexpr double look_up = 5.0;        // m
 
 /// m, along the cord from one point to another.
 double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {
@@ -114,6 +116,7 @@ void Simulation::restart() {
   scene_ = level_->make_scene();
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
+  tuning.reach = level_->player_reach.value_or(tuning.reach);
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   dragged_.reset();
@@ -238,7 +241,15 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
   header.settings["cord_method"] = std::string(engine::solver_name(engine::Scene::default_solver));
+  if (level.player_reach) header.settings[reach_setting] = *level.player_reach;
   return header;
+}
+
+void Simulation::take_assists(Level& level, const engine::ReplayHeader& header) {
+  const auto found = header.settings.find(reach_setting);
+  const double* reach = found == header.settings.end() ? nullptr : std::get_if<double>(&found->second);
+  level.player_reach =
+      reach != nullptr && *reach > 0.0 && *reach <= longest_reach ? std::optional(*reach) : std::nullopt;
 }
 
 }  // namespace game

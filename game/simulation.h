@@ -66,6 +66,8 @@ class Simulation {
 
   /// What a replay of this level has to agree with.
   static engine::ReplayHeader replay_header(const Level& level);
+  /// Gives a level the assists, and no others, that a replay of it declares.
+  static void take_assists(Level& level, const engine::ReplayHeader& header);
 
  private:
   void restart();

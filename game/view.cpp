@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/convert.h"
+#include "game/ghost.h"
 #include "game/hud.h"
 
 namespace game {
@@ -233,11 +234,12 @@ void View::draw(Canvas& canvas, double alpha, const ViewOptions& options) {
   const auto held = coupling.held_by(player.body());
   const Vec2* held_at =
       held ? &now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)] : nullptr;
+  if (options.ghost) draw_ghost(canvas, *options.ghost);
   draw_player(canvas, player, player_at, held_at);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_cord_points(canvas, cord);
   }
-  draw_hud(canvas, *simulation_, options);
+  if (options.hud) draw_hud(canvas, *simulation_, options);
 }
 
 }  // namespace game

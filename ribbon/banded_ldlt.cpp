@@ -10,6 +10,8 @@ namespace {
 
 constexpr int widest = 2 * 64 + 3;  // h = 64 rows
 
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 /// Fixed > 0 gives the loops a constant length, which doubles their speed; 0 reads the width at run time.
 /// Right-looking elimination: row k is subtracted from the rows below it, so that no entry's sum depends on the
 /// order in which a compiler likes to add.
@@ -17,31 +19,38 @@ template <int Fixed>
 bool factor_and_solve(BandedMatrix& a, double* b) {
   const int width = Fixed > 0 ? Fixed : a.half_bandwidth();
   const int n = a.size();
-  std::array<double, static_cast<std::size_t>(Fixed > 0 ? Fixed : widest) + 1> pivot_row;
-
+  using Row = std::array<double, static_cast<std::size_t>(Fixed > 0 ? Fixed : widest) + 1>;
   for (int k = 0; k < n; ++k) {
     double* row = a.row(k);
     const double inverse_pivot = 1.0 / row[0];
     // A pivot of infinity gives 0 here, one too small to divide by infinity, and NaN is neither.
     if (!(inverse_pivot > 0.0 && inverse_pivot < std::numeric_limits<double>::infinity())) return false;
-    const double b_k = b[k];
-    for (int j = 1; j <= width; ++j) pivot_row[static_cast<std::size_t>(j)] = row[j];
+    Row u;  // of D·Lᵀ
+    Row l;
+    for (int j = 1; j <= width; ++j) u[at(j)] = row[j];
+    for (int i = 1; i <= width; ++i) l[at(i)] = u[at(i)] * inverse_pivot;
+#pragma GCC unroll 16
     for (int i = 1; i <= width; ++i) {
-      const double l = pivot_row[static_cast<std::size_t>(i)] * inverse_pivot;  // L(k + i, k)
-      double* below = a.row(k + i) - i;
-      for (int j = i; j <= width; ++j) below[j] -= l * pivot_row[static_cast<std::size_t>(j)];
-      if (k + i < n) b[k + i] -= l * b_k;
-      row[i] = l;
+      double* below = row + i * width;  // that its entry j is in the column k + j
+#pragma GCC unroll 16
+      for (int j = i; j <= width; ++j) below[j] -= l[at(i)] * u[at(j)];
     }
+    const auto subtract_from = [&, b_k = b[k]](int rows) {
+      for (int i = 1; i <= rows; ++i) b[k + i] -= l[at(i)] * b_k;
+    };
+    k + width < n ? subtract_from(width) : subtract_from(n - 1 - k);
+    for (int i = 1; i <= width; ++i) row[i] = l[at(i)];
     row[0] = inverse_pivot;
   }
-  for (int k = n - 1; k >= 0; --k) {
+  const auto substitute_back = [&](int k, int rows) {
     const double* row = a.row(k);
-    const int last = n - 1 - k < width ? n - 1 - k : width;
     double x = b[k] * row[0];
-    for (int i = last; i >= 1; --i) x -= row[i] * b[k + i];
+    for (int i = rows; i >= 1; --i) x -= row[i] * b[k + i];
     b[k] = x;
-  }
+  };
+  int k = n - 1;
+  for (; k >= 0 && k + width >= n; --k) substitute_back(k, n - 1 - k);
+  for (; k >= 0; --k) substitute_back(k, width);
   return true;
 }
 

@@ -20,6 +20,8 @@ class BandedMatrix {
 
   int size() const { return n_; }
   int half_bandwidth() const { return half_bandwidth_; }
+  /// From a row to the next.
+  int stride() const { return half_bandwidth_ + 1; }
   double* row(int r) { return entries_.data() + offset(r); }
   const double* row(int r) const { return entries_.data() + offset(r); }
   /// The entry (r, c); c within the band on either side.
@@ -31,9 +33,7 @@ class BandedMatrix {
   void set_zero() { std::fill(entries_.begin(), entries_.end(), 0.0); }
 
  private:
-  std::size_t offset(int r) const {
-    return static_cast<std::size_t>(r) * (static_cast<std::size_t>(half_bandwidth_) + 1);
-  }
+  std::size_t offset(int r) const { return static_cast<std::size_t>(r) * static_cast<std::size_t>(stride()); }
 
   int n_;
   int half_bandwidth_;

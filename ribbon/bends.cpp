@@ -34,10 +34,18 @@ void Bends::add_constant(BandedMatrix& matrix) const {
 }
 
 void Bends::load(const NewtonSystem& system, std::span<const double> /*tensions*/) {
+  const std::span<Vec2> force = system.force;
+  Vec2 before = force[0];  // forces of the bend's three points: stored when the last bend has added to them
+  Vec2 here = force[1];
   for (std::size_t k = 0; k < bends_.size(); ++k) {
+    const auto& weights = bends_[k].weights;
     const Vec2 moment = bends_[k].stiffness * turn(k, system.damped);
-    for (std::size_t i = 0; i < 3; ++i) system.force[k + i] -= bends_[k].weights[i] * moment;
+    force[k] = before - weights[0] * moment;
+    before = here - weights[1] * moment;
+    here = force[k + 2] - weights[2] * moment;
   }
+  force[bends_.size()] = before;
+  force[bends_.size() + 1] = here;
 }
 
 double Bends::energy_at(std::span<const Vec2> x) const {

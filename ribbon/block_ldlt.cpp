@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <limits>
 
 namespace ribbon {
@@ -9,7 +10,26 @@ namespace {
 
 constexpr std::ptrdiff_t narrow = 8;  // columns, that are looked through faster than halved
 
+/// Two doubles worked on at once, each rounded as it would be alone. g++ 12 does not see by itself that a block's rows
+/// can be.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+Pair pair_at(const double* first) {
+  Pair pair;
+  std::memcpy(&pair, first, sizeof(pair));
+  return pair;
+}
+void put(Pair pair, double* first) { std::memcpy(first, &pair, sizeof(pair)); }
+void subtract(Pair pair, double* first) { put(pair_at(first) - pair, first); }
+
 }  // namespace
+
+inline void BlockLdlt::Block::operator+=(Block b) {
+  xx += b.xx;
+  xy += b.xy;
+  yx += b.yx;
+  yy += b.yy;
+}
 
 void BlockLdlt::begin_pattern(std::span<const int> order) {
   order_.assign(order.begin(), order.end());
@@ -69,7 +89,7 @@ void BlockLdlt::end_pattern() {
 }
 
 /// The place of a block in its row, or the end of all if it is none of the pattern.
-std::size_t BlockLdlt::find(int row, int column) const {
+inline std::size_t BlockLdlt::find(int row, int column) const {
   const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row)]);
   const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row) + 1]);
   const auto found = end - begin <= narrow ? std::find_if(begin, end, [column](int c) { return c >= column; })
@@ -99,11 +119,7 @@ void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
   }
   const std::size_t place = find(row, column);
   assert(place < columns_.size());
-  Block& block = blocks_[place];
-  block.xx += xx;
-  block.xy += xy;
-  block.yx += yx;
-  block.yy += yy;
+  blocks_[place] += {xx, xy, yx, yy};
 }
 
 void BlockLdlt::add(int a, double xx, double xy, double yy) {
@@ -117,8 +133,24 @@ void BlockLdlt::add_outer(double factor, std::span<const int> slots, std::span<c
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Vec2 g = factor * by[i];
     add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
+    if (g == Vec2{}) continue;
     for (std::size_t j = i + 1; j < slots.size(); ++j) {
       add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
+    }
+  }
+}
+
+void BlockLdlt::add_band(int first, const BandedMatrix& band, int reach) {
+  const int n = band.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    const double* upper = band.row(2 * p);
+    const double* lower = band.row(2 * p + 1);
+    add(first + p, upper[0], upper[1], lower[0]);
+    std::size_t place = first_[at(row_of_[at(first + p)])];
+    for (int k = 1; k <= reach && p + k < n; ++k) {
+      const int column = row_of_[at(first + p + k)];
+      while (columns_[place] != column) ++place;
+      blocks_[place] += {upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]};
     }
   }
 }
@@ -146,7 +178,7 @@ bool BlockLdlt::solve(std::span<Vec2> b) {
 
 /// With D the row's diagonal block and B_i those right of it: A_ij ← A_ij − B_iᵀ·D⁻¹·B_j for all its columns i ≤ j,
 /// which are coupled with each other, r_i ← r_i − B_iᵀ·D⁻¹·r. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
-bool BlockLdlt::eliminate(std::size_t row) {
+inline bool BlockLdlt::eliminate(std::size_t row) {
   const std::size_t end = first_[row + 1];
   if (held_[row] != 0) {
     diagonals_[row] = {1.0, 0.0, 1.0};
@@ -167,26 +199,25 @@ bool BlockLdlt::eliminate(std::size_t row) {
       blocks_[i] = {};
       continue;
     }
-    const Block b = blocks_[i];
-    const Block l{inverse.xx * b.xx + inverse.xy * b.yx, inverse.xx * b.xy + inverse.xy * b.yy,
-                  inverse.xy * b.xx + inverse.yy * b.yx, inverse.xy * b.xy + inverse.yy * b.yy};
+    const Pair b_x = pair_at(&blocks_[i].xx);
+    const Pair b_y = pair_at(&blocks_[i].yx);
+    const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
+    const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
     const std::size_t target = at(columns_[i]);
-    right_side_[target] -= {l.xx * r.x + l.yx * r.y, l.xy * r.x + l.yy * r.y};
+    subtract(l_x * r.x + l_y * r.y, &right_side_[target].x);
     Diagonal& diagonal = diagonals_[target];
-    diagonal.xx -= l.xx * b.xx + l.yx * b.yx;
-    diagonal.xy -= l.xx * b.xy + l.yx * b.yy;
-    diagonal.yy -= l.xy * b.xy + l.yy * b.yy;
+    subtract(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
+    diagonal.yy -= l_x[1] * b_x[1] + l_y[1] * b_y[1];
     std::size_t place = first_[target];
     for (std::size_t j = i + 1; j < end; ++j) {
       while (columns_[place] != columns_[j]) ++place;
-      const Block& c = blocks_[j];
-      Block& t = blocks_[place];
-      t.xx -= l.xx * c.xx + l.yx * c.yx;
-      t.xy -= l.xx * c.xy + l.yx * c.yy;
-      t.yx -= l.xy * c.xx + l.yy * c.yx;
-      t.yy -= l.xy * c.xy + l.yy * c.yy;
+      const Pair c_x = pair_at(&blocks_[j].xx);
+      const Pair c_y = pair_at(&blocks_[j].yx);
+      subtract(l_x[0] * c_x + l_y[0] * c_y, &blocks_[place].xx);
+      subtract(l_x[1] * c_x + l_y[1] * c_y, &blocks_[place].yx);
     }
-    blocks_[i] = l;
+    put(l_x, &blocks_[i].xx);
+    put(l_y, &blocks_[i].yx);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ribbon/banded_ldlt.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -34,6 +35,9 @@ class BlockLdlt {
   void add(int a, double xx, double xy, double yy);
   /// Adds factor·g·gᵀ, g having the part by[i] at slots[i].
   void add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by);
+  /// Adds a band's blocks, the 2 × 2 entries from (2p, 2q) on to that of slots first + p and first + q for p ≤ q ≤
+  /// p + reach. The order has these slots rising.
+  void add_band(int first, const BandedMatrix& band, int reach);
   /// Makes the slot's rows and columns those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 
@@ -44,6 +48,7 @@ class BlockLdlt {
  private:
   struct Block {
     double xx, xy, yx, yy;
+    void operator+=(Block b);
   };
   struct Diagonal {
     double xx, xy, yy;

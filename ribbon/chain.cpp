@@ -192,6 +192,7 @@ void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::spa
 double Chain::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
   double most = 0.0;
   for (std::size_t e = 0; tension_only_ && e < rest_.size(); ++e) {
+    if (tensions[e] > 0.0) continue;  // taut, and pulls
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
     const MixedBar mixed = bar(stage, x, e, size, size > 0.0 ? (1.0 / size) * ab : Vec2{});

@@ -15,6 +15,7 @@ constexpr double slowest_rebound = 0.5;  // m/s, slower than which nothing rebou
 bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after,
                              double dt) {
   place(x, false, anchors_);
+  evaluated_ = false;
   active_.clear();
   rebounds_.clear();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {

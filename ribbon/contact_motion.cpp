@@ -60,9 +60,10 @@ void Contacts::find_paired() {
 /// Who leaves his slack.
 bool Contacts::find_left(std::span<const Vec2> from, std::span<const Vec2> to) {
   char any = 0;
+  const bool goes = from.data() != to.data();
   for (const std::size_t i : paired_) {
     const Vec2 here = from[i] - watched_from_[i];
-    const Vec2 there = to[i] - watched_from_[i];
+    const Vec2 there = goes ? to[i] - watched_from_[i] : here;
     const double slack2 = slacks_[i] * slacks_[i];
     left_[i] = dot(here, here) <= slack2 && dot(there, there) <= slack2 ? 0 : 1;
     any = static_cast<char>(any | left_[i]);

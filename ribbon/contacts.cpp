@@ -44,6 +44,7 @@ void Contacts::clear(std::size_t points) {
   pairs_.clear();
   corners_.clear();
   active_.clear();
+  evaluated_ = false;
   touching_.clear();
   hit_.clear();  // no substep begins without pairs: who asks what was hit must not hear of another island's
 }
@@ -77,6 +78,7 @@ void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& ancho
 
 void Contacts::begin(std::span<const Vec2> x, double share) {
   emerged_ = share;
+  evaluated_ = false;
   place(x, false, starts_);
   slots_then_.assign(x.begin(), x.end());
   turned_then_.resize(spots_.size());
@@ -96,6 +98,7 @@ void Contacts::begin(std::span<const Vec2> x, double share) {
 }
 
 bool Contacts::evaluate(std::span<const Vec2> x) {
+  if (is_evaluated(x)) return false;
   touched_.swap(touching_);
   find_touching(x);
   return touched_ != touching_;
@@ -151,9 +154,17 @@ bool Contacts::change(std::span<const Vec2> x) {
   return changed();
 }
 
+/// Whether that would find what the last time did.
+bool Contacts::is_evaluated(std::span<const Vec2> x) {
+  if (!evaluated_) return false;
+  place(x, false, from_);
+  return from_ == anchors_;
+}
+
 void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   place(x, false, anchors_);
   watch(anchors_, anchors_);
+  evaluated_ = kept == 0.0;
   active_.clear();
   touching_.assign(pairs_.size(), 0);
   for (const std::size_t k : near_) {
@@ -374,7 +385,7 @@ void Contacts::update(std::span<const Vec2> direction) {
 }
 
 void Contacts::finish(std::span<const Vec2> x) {
-  find_touching(x);
+  evaluate(x);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     pairs_[k].touch.force = 0.0;
     pairs_[k].touch.impulse += impulses_[k];

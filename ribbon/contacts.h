@@ -175,6 +175,7 @@ class Contacts {
   const Spot& spot(int anchor) const { return spots_[at(anchor) - points_]; }
   bool is_moved_spot(int anchor) const { return at(anchor) >= points_ && spot(anchor).center >= 0; }
   void place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const;
+  bool is_evaluated(std::span<const Vec2> x);
   void find_touching(std::span<const Vec2> x, double kept_share = 0.0);
   void watch(std::span<const Vec2> from, std::span<const Vec2> to);
   void find_paired();
@@ -201,6 +202,7 @@ class Contacts {
   std::vector<ContactPair> pairs_;
   std::vector<Corner> corners_;  // of the pairs
   std::vector<Active> active_;
+  bool evaluated_ = false;  // active_ and touching_ are those who touch with anchors_ where they are
   // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
   std::vector<char> watched_;  // by pair: it is one of these

@@ -101,8 +101,8 @@ double Cord::own_mass(std::size_t point) const {
   const auto rows = slot(def_.rows);
   const auto share = [](std::size_t k, std::size_t n) { return k == 0 || k == n - 1 ? 0.5 : 1.0; };
   const double link = def_.mass_per_length * def_.length / (def_.points - 1);
-  const double along = link * share(point / rows, slot(def_.points));
-  return rows == 1 ? along : along * share(point % rows, rows) / static_cast<double>(rows - 1);
+  if (rows == 1) return link * share(point, slot(def_.points));
+  return link * share(point / rows, slot(def_.points)) * share(point % rows, rows) / static_cast<double>(rows - 1);
 }
 
 Cord::Energy Cord::energy(Vec2 gravity) const {

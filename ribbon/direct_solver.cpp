@@ -57,23 +57,23 @@ Box DirectSolver::take_reach(const IslandCord& island_cord, std::span<const Rigi
   const auto x = cord.positions();
   const auto v = cord.velocities();
   const double margin = cord.def().radius + Island::room_of(island_cord, bodies, dt, gravity);
-  const auto take = [](Box& box, Vec2 p) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  };
   const auto rows = static_cast<std::size_t>(cord.def().rows);
-  Box all{x[0], x[0]};
-  for (std::size_t column = 0; column + rows < x.size(); column += rows) {
-    Box box{x[column], x[column]};
-    for (std::size_t p = column; p < column + 2 * rows; ++p) {
-      take(box, x[p]);
-      take(box, x[p] + dt * v[p]);
+  const auto column_at = [&](std::size_t first) {
+    Box box = box_around(x[first], x[first] + dt * v[first], 0.0);
+    for (std::size_t p = first + 1; p < first + rows; ++p) {
+      box = joined(box, box_around(x[p], x[p] + dt * v[p], 0.0));
     }
-    take(all, box.low);
-    take(all, box.high);
-    links_.push_back({box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}});
+    return box;
+  };
+  Box before = column_at(0);
+  Box all = before;
+  for (std::size_t first = rows; first < x.size(); first += rows) {
+    const Box column = column_at(first);
+    links_.push_back(widened(joined(before, column), margin));
+    all = joined(all, column);
+    before = column;
   }
-  return {all.low - Vec2{margin, margin}, all.high + Vec2{margin, margin}};
+  return widened(all, margin);
 }
 
 /// Whether a link of the one may come near one of the other.

@@ -107,7 +107,6 @@ class Island {
   static bool may_touch(const Member& member);
   void find_reach(const Member& member);
   static bool holds(const Member& member, int body);
-  Box link_box(const ContactPair& pair) const;
   Box spot_box(const RigidBody& body, Vec2 arm) const;
   int add_spot(int body, Vec2 arm);
   double pressing_mass(const Member& member) const;
@@ -118,6 +117,7 @@ class Island {
   void add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution);
   Vec2 place_of(int anchor) const;
   void meet_circle(const Member& member, const RigidCircle& circle);
+  bool is_fixed_in(const ContactPair& link, Vec2 center, double reach) const;
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
   Vec2 mean_way() const;
@@ -246,7 +246,8 @@ class Island {
   std::vector<OutlineLink> outline_links_;
   std::unique_ptr<Quadtree> tree_;
   std::size_t tree_room_ = 0;
-  Box reach_;  // of the cord whose contacts are looked for
+  Box reach_;                       // of the cord whose contacts are looked for,
+  std::vector<Box> outline_boxes_;  // and of its outline's points, but for the room
   bool has_pattern_ = false;
   bool meets_ = false;         // there is something to touch
   double stage_weight_ = 0.0;  // s, with which the stage's forces act

@@ -45,9 +45,11 @@ ContactPair Island::pair_with_point(const Member& member, int k) {
 
 double Island::longest_link(const Member& member) const {
   double longest2 = 0.0;
+  const std::vector<int>& outline = member.cord->outline_;
   for (int k = 0; k < links(*member.cord); ++k) {
-    const ContactPair link = pair_with_link(member, k);
-    const Vec2 along = positions_[at(link.b)] - positions_[at(link.a)];
+    const std::size_t a = member.first + at(outline[at(k)]);
+    const std::size_t b = member.first + at(outline[at(k + 1) < outline.size() ? at(k + 1) : 0]);
+    const Vec2 along = positions_[b] - positions_[a];
     longest2 = std::max(longest2, dot(along, along));
   }
   return std::sqrt(longest2);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double widening = 8.0;  // of the room of what left it
 constexpr double most_widening = 500.0;
+constexpr double surely_kept = 0.9;  // of his room, that who is so near the end of his way has kept to, whatever rounds
 
 }  // namespace
 
@@ -32,21 +33,16 @@ double Island::room_of(const IslandCord& island_cord, std::span<const RigidBody>
   return 0.25 * cord.rest_length(0) + 2.0 * dt * dt * length(gravity) + turned;
 }
 
-/// The box in which the cord stays.
+/// The boxes in which the cord and the points of its outline stay.
 void Island::find_reach(const Member& member) {
-  const std::size_t first = member.first + at(member.cord->outline_[0]);
-  reach_ = {positions_[first], positions_[first]};
+  outline_boxes_.clear();
   for (const int point : member.cord->outline_) {
     const std::size_t p = member.first + at(point);
-    reach_ = joined(reach_, box_around(positions_[p], ends_[p], 0.0));
+    outline_boxes_.push_back(box_around(positions_[p], ends_[p], 0.0));
   }
+  reach_ = outline_boxes_[0];
+  for (const Box& box : outline_boxes_) reach_ = joined(reach_, box);
   reach_ = widened(reach_, member.room);
-}
-
-/// The box in which a link of the outline stays, but for the room.
-Box Island::link_box(const ContactPair& pair) const {
-  return joined(box_around(positions_[at(pair.a)], ends_[at(pair.a)], 0.0),
-                box_around(positions_[at(pair.b)], ends_[at(pair.b)], 0.0));
 }
 
 /// The box in which a spot of a body stays.
@@ -70,7 +66,10 @@ bool Island::widen() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Member& member = members_[m];
     bool left = body_left;
+    const double surely2 = surely_kept * surely_kept * member.room * member.room;
     for (std::size_t p = member.first; p < member.first + member.count && !left; ++p) {
+      const Vec2 off = positions_[p] - ends_[p];
+      if (dot(off, off) <= surely2) continue;
       left = !(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= member.room);
     }
     if (!left || widenings_[m] > most_widening) continue;

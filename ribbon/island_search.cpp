@@ -73,11 +73,15 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   // straight by that little, it has one minimum of the distance, and bent by it one a link: as one became the other,
   // the energy of what presses would jump.
   const bool by_points = reach >= large_circle * member.longest_link;
-  const int count = by_points ? static_cast<int>(member.cord->outline_.size()) : links(*member.cord);
+  const int points = static_cast<int>(member.cord->outline_.size());
+  const int count = by_points ? points : links(*member.cord);
   int disc = -1;
   for (int k = 0; k < count; ++k) {
+    const Box& here = outline_boxes_[at(k)];
+    const Box& there = outline_boxes_[at(by_points ? k : k + 1 < points ? k + 1 : 0)];
+    if (!overlap(joined(here, there), near)) continue;
     ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
-    if (!overlap(link_box(pair), near)) continue;
+    if (body.inverse_mass == 0.0 && is_fixed_in(pair, body.position + circle.offset, reach)) continue;
     if (disc < 0) disc = add_spot(circle.body, circle.offset);
     pair.disc = disc;
     pair.reach = reach;
@@ -86,6 +90,15 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
     add_pair(member, pair, mass, circle.friction, circle.restitution);
   }
+}
+
+/// Whether a link is constrained where it is within reach of a disc already. If that does not move either, nothing that
+/// the cord could do would part them: a bridge hangs from the corner of a rock.
+bool Island::is_fixed_in(const ContactPair& link, Vec2 center, double reach) const {
+  const auto is_in = [&](int end) {
+    return constrained_[at(end)] != 0 && length(positions_[at(end)] - center) < reach;
+  };
+  return is_in(link.a) || is_in(link.b);
 }
 
 /// The cord's points against the inside of an edge; its ends are circles.
@@ -100,8 +113,9 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
   int a = -1;
   int b = -1;
   for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
+    if (!overlap(outline_boxes_[at(k)], near)) continue;
     const std::size_t point = member.first + at(cord.outline_[at(k)]);
-    if (!overlap(box_around(positions_[point], ends_[point], 0.0), near)) continue;
+    if (body.inverse_mass == 0.0 && constrained_[point] != 0) continue;
     if (a < 0) {
       a = add_spot(segment.body, segment.a);
       b = add_spot(segment.body, segment.b);

@@ -42,11 +42,13 @@ Terms declared_terms(const CordDef& def) {
 
 Lattice::Lattice(const CordDef& def)
     : damping_(def.damping),
+      tension_only_(def.tension_only),
       reach_(def.rows > 1                  ? def.rows + 1
              : def.bending_stiffness > 0.0 ? 2
                                            : 1),
       terms_(declared_terms(def)),
       constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
+      stiffened_(constant_),
       matrix_(constant_),
       damped_(static_cast<std::size_t>(def.damping > 0.0 ? def.points * def.rows : 0)),
       right_side_(2 * static_cast<std::size_t>(def.points * def.rows)) {
@@ -55,6 +57,7 @@ Lattice::Lattice(const CordDef& def)
 
 void Lattice::set_rest_lengths(std::span<const double> lengths) {
   constant_.set_zero();
+  stiffening_ = 0.0;
   for (const auto& term : terms_) {
     term->set_rest_lengths(lengths);
     term->add_constant(constant_);
@@ -87,7 +90,10 @@ void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span
 
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
   if (damping_ == 0.0) return {stage, x, x, 1.0};
-  for (std::size_t p = 0; p < damped_.size(); ++p) damped_[p] = x[p] + damping_ * stage.velocity_at(p, x[p]);
+  const double inverse_q = 1.0 / stage.q;
+  for (std::size_t p = 0; p < damped_.size(); ++p) {
+    damped_[p] = x[p] + damping_ * (stage.velocity[p] + inverse_q * (x[p] - stage.predicted[p]));
+  }
   return last_shape(stage, x);
 }
 
@@ -110,10 +116,19 @@ bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span
 void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                        std::span<Vec2> force) {
   const NewtonSystem system{shape(stage, x), matrix_, force};
-  matrix_.set_scaled(constant_, system.stiffening);
+  if (stiffening_ != system.stiffening) {
+    stiffening_ = system.stiffening;
+    stiffened_.set_scaled(constant_, stiffening_);
+  }
+  matrix_ = stiffened_;
   for (std::size_t p = 0; p < x.size(); ++p) {
     force[p] = stage.residual(p, x[p]);
-    system.add(static_cast<int>(p), static_cast<int>(p), {stage.inertia[p], 0.0, stage.inertia[p]});
+  }
+  double* diagonal = matrix_.row(0);
+  for (const double inertia : stage.inertia) {
+    diagonal[0] += inertia;
+    diagonal[matrix_.stride()] += inertia;
+    diagonal += 2 * matrix_.stride();
   }
   for (const CarriedLoad& load : stage.carried) {
     force[load.point] += load.residual;
@@ -143,16 +158,7 @@ void Lattice::couple(BlockLdlt& blocks, int first, int /*first_dual*/) const {
 void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                    int first, int /*first_dual*/, std::span<Vec2> right_side) {
   assemble(stage, x, tensions, right_side.subspan(static_cast<std::size_t>(first), x.size()));
-  const int n = matrix_.size() / 2;
-  for (int p = 0; p < n; ++p) {
-    const double* upper = matrix_.row(2 * p);
-    const double* lower = matrix_.row(2 * p + 1);
-    blocks.add(first + p, upper[0], upper[1], lower[0]);
-    for (int k = 1; k <= reach_ && p + k < n; ++k) {
-      const int q = 2 * k;
-      blocks.add(first + p, first + p + k, upper[q], upper[q + 1], lower[q - 1], lower[q]);
-    }
-  }
+  blocks.add_band(first, matrix_, reach_);
 }
 
 void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
@@ -199,6 +205,8 @@ double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span
 }
 
 double Lattice::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  const auto pulls = [](double tension) { return tension > 0.0; };
+  if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), pulls)) return 0.0;
   const Shape at = shape(stage, x);
   double most = 0.0;
   std::size_t first = 0;

@@ -44,10 +44,13 @@ class Lattice final : public Elasticity {
   bool solve(std::span<Vec2> residual);
 
   double damping_;  // s
-  int reach_;       // how many points further than a point are coupled with it
+  bool tension_only_;
+  int reach_;  // how many points further than a point are coupled with it
   std::vector<std::unique_ptr<Term>> terms_;
   std::size_t tension_count_ = 0;
-  BandedMatrix constant_;  // the Hessian's part that only rest lengths change
+  BandedMatrix constant_;   // the Hessian's part that only rest lengths change
+  BandedMatrix stiffened_;  // the same times stiffening_, if that is not 0
+  double stiffening_ = 0.0;
   BandedMatrix matrix_;
   BandedLdlt solver_;
   std::vector<Vec2> damped_;  // x + β·v, if damping is declared

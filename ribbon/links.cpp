@@ -57,7 +57,7 @@ void Links::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<d
   }
 }
 
-MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
+inline MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
   const auto a = static_cast<std::size_t>(link.a);
   const auto b = static_cast<std::size_t>(link.b);
   if (inverse_stiffness_ == 0.0) return {dot(d, shape.x[b] - shape.x[a]) - link.rest, 0.0};
@@ -69,7 +69,7 @@ MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
 
 /// With a least compliance α₀ above α, α·λ⁺ + (α₀ − α)(λ⁺ − λ) = c + J·δ: the same solution, once λ rests, of a system
 /// that is no stiffer than 1/α₀ (the proximal point method of Rockafellar 1976).
-Links::Linearised Links::linearise(const Shape& shape, const Link& link, double tension) const {
+inline Links::Linearised Links::linearise(const Shape& shape, const Link& link, double tension) const {
   const Vec2 ab = shape.x[static_cast<std::size_t>(link.b)] - shape.x[static_cast<std::size_t>(link.a)];
   const double size = length(ab);
   const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, -1.0};
@@ -92,10 +92,7 @@ void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
     const Vec2 pull = at.force * at.d;
     system.force[static_cast<std::size_t>(link.a)] += pull;
     system.force[static_cast<std::size_t>(link.b)] -= pull;
-    const Block block = directed(at.d, at.stiffness, at.across);
-    system.add(link.a, link.a, block);
-    system.add(link.b, link.b, block);
-    system.add(link.a, link.b, -1.0 * block);
+    system.add_between(link.a, link.b, directed(at.d, at.stiffness, at.across));
   }
 }
 
@@ -112,6 +109,7 @@ void Links::update(const NewtonSystem& /*system*/, std::span<const double> /*ten
 double Links::misjudged_way(const Shape& shape, std::span<const double> tensions) const {
   double most = 0.0;
   for (std::size_t e = 0; tension_only_ && e < links_.size(); ++e) {
+    if (tensions[e] > 0.0) continue;  // taut, and pulls
     const Link& link = links_[e];
     const Vec2 ab = shape.x[static_cast<std::size_t>(link.b)] - shape.x[static_cast<std::size_t>(link.a)];
     const double size = length(ab);

@@ -34,6 +34,24 @@ struct NewtonSystem : Shape {
     if (p != q) lower[-1] += b.xy;
     lower[0] += b.yy;
   }
+  /// Adds to the blocks of points p, p and q, q, and takes away from those of p, q and q, p; p < q.
+  void add_between(int p, int q, Block b) const {
+    const int along = 2 * (q - p);
+    double* p_upper = matrix.row(2 * p);
+    double* p_lower = p_upper + matrix.stride();
+    double* q_upper = p_upper + along * matrix.stride();
+    double* q_lower = q_upper + matrix.stride();
+    p_upper[0] += b.xx;
+    p_upper[1] += b.xy;
+    p_upper[along] -= b.xx;
+    p_upper[along + 1] -= b.xy;
+    p_lower[0] += b.yy;
+    p_lower[along - 1] -= b.xy;
+    p_lower[along] -= b.yy;
+    q_upper[0] += b.xx;
+    q_upper[1] += b.xy;
+    q_lower[0] += b.yy;
+  }
   /// Adds factor·g·hᵀ to the block of points p ≤ q, and its transpose to q, p.
   void add_outer(int p, int q, double factor, Vec2 g, Vec2 h) const {
     double* upper = matrix.row(2 * p) + 2 * (q - p);

@@ -26,14 +26,17 @@ Layout lay_out(const Canvas& canvas, double scale, const Card& card, int rows) {
   const double headline = card.headline.empty() ? 0.0 : canvas.line_height(headline_size * scale) + 8.0 * scale;
   const double line = canvas.line_height(card.line_size * scale);
   const double lines = line * static_cast<double>(card.lines.size()) + (card.lines.empty() ? 0.0 : 14.0 * scale);
-  MenuPlace menu{{}, card.width * scale, 0.0, card.text_size * scale};
+  double width = card.width * scale;
+  for (const std::string& text : card.lines) width = std::max(width, canvas.text_width(text, card.line_size * scale));
+  MenuPlace menu{{}, width, 0.0, card.text_size * scale};
   const double fixed = headline + lines + 1.6 * margin * scale;
   const double room = canvas.height() - 2.0 * outside * scale - fixed;
   menu.height = menu.row_height() * std::clamp(static_cast<int>(room / menu.row_height()), 1, std::max(rows, 1));
   if (rows == 0) menu.height = 0.0;
   menu.height += 1e-6;  // so many rows, and not one less for a rounding
-  const Vec2 size{(card.width + 2.0 * margin) * scale, fixed + menu.height};
-  const Vec2 corner{0.5 * (canvas.width() - size.x), 0.5 * (canvas.height() - size.y)};
+  const Vec2 size{width + 2.0 * margin * scale, fixed + menu.height};
+  const double aside = 0.5 * (canvas.width() - size.x);
+  const Vec2 corner{aside + card.side * std::max(aside - 24.0 * scale, 0.0), 0.5 * (canvas.height() - size.y)};
   const double top = corner.y + 0.8 * margin * scale;
   menu.top_left = {corner.x + margin * scale, top + headline + lines};
   return {corner, size, top, top + headline, menu};
@@ -48,7 +51,7 @@ MenuPlace menu_place(const Canvas& canvas, double text_scale, const Card& card, 
 void draw_card(Canvas& canvas, double text_scale, const Card& card, int rows) {
   const Layout place = lay_out(canvas, text_scale, card, rows);
   canvas.panel(place.corner, place.size, 16.0 * text_scale, style::paper);
-  const double middle = 0.5 * canvas.width();
+  const double middle = place.corner.x + 0.5 * place.size.x;
   canvas.text({middle, place.headline_y}, card.headline, headline_size * text_scale, style::gold, Align::center);
   double y = place.lines_y;
   for (const std::string& line : card.lines) {

@@ -11,9 +11,10 @@ namespace game {
 struct Card {
   std::string headline;
   std::vector<std::string> lines{};
-  double width = 460.0;  ///< units of text, as are all lengths in a card
-  double text_size = 24.0;
+  double width = 460.0;     ///< of the menu, at least, in units of text, as are all lengths in a card
+  double text_size = 24.0;  ///< of the menu
   double line_size = 19.0;
+  double side = 0.0;  ///< −1: at the left edge of the picture; 0: in the middle; 1: at the right one
 };
 
 /// Where a card's menu of so many lines stands; it gets fewer if the picture is not high enough.

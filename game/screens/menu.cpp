@@ -73,7 +73,10 @@ void Menu::draw_row(Canvas& canvas, Vec2 at, const MenuPlace& place, int item) c
   canvas.text({at.x + margin, y}, shown.label, size, color);
   if (shown.value.empty()) return;
   if (!shown.adjustable) {
-    canvas.text({at.x + place.width - margin, y}, shown.value, size, color, Align::right);
+    const double room = shown.medal == Medal::none ? 0.0 : 1.2 * size;
+    canvas.text({at.x + place.width - margin - room, y}, shown.value, size, color, Align::right);
+    const Vec2 disc{at.x + place.width - margin - 0.8 * size, at.y + 0.5 * height - 0.45 * size};
+    if (room > 0.0) canvas.panel(disc, {0.8 * size, 0.8 * size}, 0.4 * size, style::of_medal(shown.medal));
     return;
   }
   const double left = at.x + place.width * (1.0 - value_share);

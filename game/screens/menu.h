@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "engine/canvas.h"
+#include "game/medals.h"
 #include "game/screens/menu_input.h"
 
 namespace game {
 
 struct MenuItem {
   std::string label;
-  std::string value{};      ///< at the right; empty: none
-  bool adjustable = false;  ///< left and right change the value; else they do nothing
+  std::string value{};        ///< at the right; empty: none
+  bool adjustable = false;    ///< left and right change the value; else they do nothing
+  Medal medal = Medal::none;  ///< drawn beside the value
 };
 
 /// Where a menu stands, in pixels.
@@ -30,6 +32,8 @@ struct MenuPlace {
 struct MenuChoice {
   int item;
   int step;  ///< ±1: the value was changed; 0: the line was chosen
+
+  bool operator==(const MenuChoice&) const = default;
 };
 
 /// Lines of which one has the focus. Up and down wrap around; what does not fit is scrolled. Draws nothing but itself.

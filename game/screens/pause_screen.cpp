@@ -1,20 +1,29 @@
 #include "game/screens/pause_screen.h"
 
-#include "game/screens/card.h"
+#include "game/level_facts.h"
+#include "game/screens/level_screen.h"
+#include "game/screens/options_screen.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
 
 namespace game {
 namespace {
 
-enum Item { go_on, again, leave_it };
-
-const Card card{.headline = "Paused", .lines = {}};
+enum Item { go_on, again, options, levels, leave_it };
 
 }  // namespace
 
 PauseScreen::PauseScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
-  menu_.set_items({{"Go on"}, {"Start again"}, {play.is_direct() ? "Leave the game" : "Back to the title"}});
+  card_.headline = "Paused";
+  card_.lines = {level_title(play.run().level())};
+  std::vector<MenuItem> items = {{"Go on"}, {"Start again"}, {"Options"}};
+  if (play.is_direct()) {
+    items.push_back({"Leave the game"});
+  } else {
+    items.push_back({"Levels"});
+    items.push_back({"Title"});
+  }
+  menu_.set_items(std::move(items));
 }
 
 Next PauseScreen::update(const Frame& frame) {
@@ -24,12 +33,18 @@ Next PauseScreen::update(const Frame& frame) {
     return Next::back();
   }
   if (frame.menu.back || bindings.pressed(Action::pause, frame.input)) return Next::back();
-  const MenuPlace place = menu_place(frame.canvas, frame.text_scale, card, static_cast<int>(menu_.items().size()));
-  const auto choice = menu_.update(frame.menu, place);
-  if (!choice) return Next::stay();
-  switch (choice->item) {
+  if (bindings.pressed(Action::restart, frame.input)) return choose(again);
+  const auto rows = static_cast<int>(menu_.items().size());
+  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, card_, rows));
+  return choice ? choose(choice->item) : Next::stay();
+}
+
+Next PauseScreen::choose(int item) {
+  switch (item) {
     case again: play_->restart(); return Next::back();
-    case leave_it: return play_->is_direct() ? Next::quit() : to_title(*session_);
+    case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
+    case levels: return play_->is_direct() ? Next::quit() : to_levels(*session_);
+    case leave_it: return to_title(*session_);
     case go_on:
     default: return Next::back();
   }
@@ -38,9 +53,10 @@ Next PauseScreen::update(const Frame& frame) {
 void PauseScreen::draw(engine::Canvas& canvas, double text_scale) {
   draw_shade(canvas);
   const auto rows = static_cast<int>(menu_.items().size());
-  draw_card(canvas, text_scale, card, rows);
-  menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));
-  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+  draw_card(canvas, text_scale, card_, rows);
+  menu_.draw(canvas, menu_place(canvas, text_scale, card_, rows));
+  const std::string step = codes_in_words(session_->settings.bindings, Action::step, false, 1);
+  draw_menu_keys(canvas, text_scale, session_->uses_pad, session_->uses_pad ? "" : "   " + step + ": one tick");
 }
 
 }  // namespace game

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "game/screens/card.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
 #include "game/session.h"
@@ -17,10 +18,14 @@ class PauseScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
+  std::string title() const override { return "paused"; }
 
  private:
+  Next choose(int item);
+
   Session* session_;
   PlayScreen* play_;
+  Card card_;
   Menu menu_;
 };
 

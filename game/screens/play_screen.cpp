@@ -5,28 +5,63 @@
 
 #include "engine/sdl_window.h"
 #include "game/buttons.h"
+#include "game/help.h"
+#include "game/hud.h"
 #include "game/screens/pause_screen.h"
+#include "game/screens/results_screen.h"
 
 namespace game {
+namespace {
 
-using engine::WindowInput;
+constexpr int joy_ticks = 45;                        // from the goal to the results
+constexpr int hint_ticks = 8 * ticks_per_second;     // that what a level teaches is shown
+constexpr std::int64_t ghost_budget_ns = 1'500'000;  // of a frame
+
+}  // namespace
 
 PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
     : session_(&session), options_(options), direct_(direct), run_(options), view_(run_.simulation()) {
   if (options.seek > 0) run_.seek(options.seek);
-  view_options_.watching = run_.has_replay();
   view_options_.meter = &meter_;
 }
 
+std::string PlayScreen::title() const { return run_.level().name + (run_.has_replay() ? ", a replay" : ""); }
+
 void PlayScreen::shown() {
   controls_.forget();
-  if (started_) return;
-  run_.start_recording();
-  started_ = true;
+  if (std::exchange(started_, true)) return;
+  if (keeps_runs()) {
+    session_->last_level = run_.level().name;
+    begin_run();
+  } else {
+    run_.start_recording();
+  }
+}
+
+/// With a new recording, and beside the best run so far.
+void PlayScreen::begin_run() {
+  finish_recording();
+  assisted_ = won_ = false;
+  recording_ = session_->runs.next_path(run_.level().name);
+  if (recording_.empty()) session_->say_that_runs_are_not_recorded();
+  try {
+    run_.begin(recording_);
+  } catch (const engine::ReplayError& error) {
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    session_->say_that_runs_are_not_recorded();
+    recording_.clear();
+  }
+  const LevelKey key{run_.level().name, run_.level().map.content_hash};
+  ghost_ = session_->settings.ghost ? Ghost::load(session_->records.replay_path(key), run_.level()) : nullptr;
 }
 
 bool PlayScreen::is_over() const {
   return run_.is_over() || (options_.ticks && run_.simulation().ticks() >= *options_.ticks);
+}
+
+bool PlayScreen::is_won() const {
+  const auto goal = simulation().goal_ticks();
+  return !is_plain() && goal && simulation().run_ticks() >= *goal + joy_ticks;
 }
 
 Next PlayScreen::update(const Frame& frame) {
@@ -36,35 +71,45 @@ Next PlayScreen::update(const Frame& frame) {
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
   obey_keys(frame);
   const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
-  controls_.take(frame.input, session_->settings, mouse, view_options_.debug);
+  controls_.take(frame.input, session_->settings, mouse, view_options_.debug || run_.level().sandbox);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
+  advance_ghost(ticks);
+  if (!is_won()) {
+    won_ = false;  // it began anew
+  } else if (!std::exchange(won_, true)) {
+    if (keeps_runs()) finish_recording();
+    return Next::open(std::make_unique<ResultsScreen>(*session_, *this));
+  }
   return Next::stay();
 }
 
 bool PlayScreen::wants_pause(const Frame& frame) const {
   if (is_plain()) return false;
   const bool lost = frame.input.pad_lost && session_->uses_pad;
-  return lost || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
+  const bool fixed = frame.input.pressed(engine::Key::escape);  // whatever is bound to what
+  return lost || fixed || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
 }
 
 void PlayScreen::obey_keys(const Frame& frame) {
-  const Bindings& bindings = session_->settings.bindings;
-  const auto pressed = [&](Action action) { return bindings.pressed(action, frame.input); };
+  Settings& settings = session_->settings;
+  const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::pause)) stopped_ = is_plain() && !stopped_;
   if (pressed(Action::step)) stopped_ = true;
   if (pressed(Action::slow_motion)) slowed_ = slowed_ == 4 ? 1 : 2 * slowed_;
-  if (pressed(Action::help)) session_->settings.help = !session_->settings.help;
+  if (pressed(Action::help)) settings.help = !settings.help;
   if (pressed(Action::debug_view)) view_options_.debug = !view_options_.debug;
+  if (pressed(Action::restart) && !run_.has_replay()) restart();
 }
 
 int PlayScreen::ticks_to_run(const Frame& frame) {
   const Settings& settings = session_->settings;
-  const int due = clock_.advance(frame.elapsed_ns * settings.speed / (100 * slowed_));
+  const int speed = run_.has_replay() ? 100 : settings.speed;
+  const int due = clock_.advance(frame.elapsed_ns * speed / (100 * slowed_));
   if (!stopped_) return due;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart shows at once
-  controls_.forget();  // what was tapped while it stood still is not meant for after it
+  controls_.forget_presses();  // what was tapped while it stood still is not meant for after it
   return 0;
 }
 
@@ -75,14 +120,24 @@ void PlayScreen::step() {
 
 void PlayScreen::restart() {
   controls_.forget();
-  restart_wanted_ = true;
+  if (keeps_runs()) {
+    begin_run();
+  } else {
+    restart_wanted_ = true;
+  }
 }
 
 void PlayScreen::tick() {
+  engine::TickInput input = controls_.next(simulation().player().hand());
+  input.buttons &= static_cast<std::uint16_t>(~button_restart);
+  if (std::exchange(restart_wanted_, false)) {
+    input.buttons |= button_restart;
+    assisted_ = false;
+  }
+  const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.player_reach;
+  if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t begun = engine::now_ns();
-  engine::TickInput input = controls_.next(simulation().player().hand());
-  if (std::exchange(restart_wanted_, false)) input.buttons |= button_restart;
   try {
     run_.tick(input);
   } catch (const engine::ReplayError& error) {  // of the recording, once: play on without it
@@ -91,27 +146,76 @@ void PlayScreen::tick() {
   meter_.add(run_.simulation(), engine::now_ns() - begun);
 }
 
+/// At least as far as the run goes, and ahead of it while there is time.
+void PlayScreen::advance_ghost(int ticks) {
+  if (!ghost_) return;
+  const std::int64_t end = engine::now_ns() + ghost_budget_ns;
+  for (int k = 0; k < ticks || engine::now_ns() < end; ++k) {
+    if (!ghost_->advance(simulation().run_ticks())) return;
+  }
+}
+
 void PlayScreen::say_that_recording_failed(const engine::ReplayError& error) {
   std::fprintf(stderr, "ropeswing: %s\n", error.what());
+  recording_.clear();  // what there is of it is not the run
+  if (keeps_runs()) return session_->say_that_runs_are_not_recorded();
   recording_failed_ = true;
   view_options_.notice = "The recording has ended: the file cannot be written";
 }
 
+void PlayScreen::choose_message() {
+  const auto say = [this](std::string headline, std::string below) {
+    view_options_.headline = std::move(headline);
+    view_options_.below = std::move(below);
+  };
+  const auto key = [this](Action action) {
+    return codes_in_words(session_->settings.bindings, action, session_->uses_pad, 1);
+  };
+  const std::string leave = session_->uses_pad ? "B: leave" : "Esc: leave";
+  if (is_over() && options_.verify) {
+    const bool same = run_.exit_status() == 0;
+    return say(same ? "Verified" : "Not as recorded", run_.closing_line() + "   " + leave);
+  }
+  if (is_over()) return say("That was all", leave);
+  const auto goal = simulation().goal_ticks();
+  if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
+  if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));
+  if (run_.has_replay()) return say("", "");
+  const std::string& hint = run_.level().hint;
+  if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
+    return say("", hint);
+  }
+  say("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
+}
+
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
+  draw_run(canvas, text_scale, session_->settings.help);
+}
+
+void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool help) {
   const Settings& settings = session_->settings;
+  keys_ = run_.has_replay() ? std::vector<std::string>{"A replay: nothing steers it"}
+                            : help_lines(settings, session_->uses_pad);
+  choose_message();
   view_options_.text_scale = text_scale;
-  view_options_.paused = stopped_;
-  view_options_.over = is_over();
-  view_options_.help = settings.help;
+  view_options_.keys = help ? &keys_ : nullptr;
+  view_options_.reduced_motion = settings.reduced_motion;
+  view_options_.colour_safe = settings.colour_safe;
+  view_options_.strain_tint = settings.strain_tint;
+  view_options_.ghost = ghost_ && settings.ghost ? ghost_->at(simulation().run_ticks()) : std::nullopt;
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
 }
 
-void PlayScreen::leave() {
+void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
+
+void PlayScreen::finish_recording() {
   try {
     run_.finish();
   } catch (const engine::ReplayError& error) {
     say_that_recording_failed(error);
   }
 }
+
+void PlayScreen::leave() { finish_recording(); }
 
 }  // namespace game

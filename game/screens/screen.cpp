@@ -48,7 +48,8 @@ bool ScreenStack::update(const Frame& frame) {
 void ScreenStack::draw(engine::Canvas& canvas, double text_scale) {
   std::size_t first = screens_.size() - 1;
   while (first > 0 && screens_[first]->is_overlay()) --first;
-  for (std::size_t k = first; k < screens_.size(); ++k) screens_[k]->draw(canvas, text_scale);
+  if (first + 1 < screens_.size()) screens_[first]->draw_below(canvas, text_scale);
+  screens_.back()->draw(canvas, text_scale);
 }
 
 void ScreenStack::leave() {

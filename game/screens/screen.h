@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/canvas.h"
@@ -35,8 +36,8 @@ struct Next {
   static Next quit();
 };
 
-/// One of the pictures that the game consists of. They lie on each other: the top one gets the input; those below an
-/// overlay are drawn, and stand still.
+/// One of the pictures that the game consists of. They lie on each other: the top one gets the input; below an
+/// overlay the next one that is none is drawn, and stands still.
 class Screen {
  public:
   Screen() = default;
@@ -46,8 +47,12 @@ class Screen {
 
   /// Comes to lie on top: at first, and again when what was above it has gone.
   virtual void shown() {}
+  /// What the window is called meanwhile.
+  virtual std::string title() const = 0;
   virtual Next update(const Frame& frame) = 0;
   virtual void draw(engine::Canvas& canvas, double text_scale) = 0;
+  /// The same while an overlay lies on it.
+  virtual void draw_below(engine::Canvas& canvas, double text_scale) { draw(canvas, text_scale); }
   /// True if what lies below is to be drawn first.
   virtual bool is_overlay() const { return false; }
   /// Before it goes, at the latest when the window closes: completes what it has under way.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/canvas.h"
+#include "game/medals.h"
 
 /// What all menus look like.
 namespace game::style {
@@ -13,5 +14,11 @@ inline constexpr engine::Color gold{255, 212, 92};
 inline constexpr engine::Color silver{208, 214, 222};
 inline constexpr engine::Color bronze{214, 150, 92};
 inline constexpr engine::Color focus{52, 98, 168, 235};
+inline constexpr engine::Color sky_top{92, 160, 214};
+inline constexpr engine::Color sky_bottom{214, 236, 246};
+
+inline engine::Color of_medal(Medal medal) {
+  return medal == Medal::gold ? gold : medal == Medal::silver ? silver : bronze;
+}
 
 }  // namespace game::style

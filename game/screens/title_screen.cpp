@@ -1,31 +1,71 @@
 #include "game/screens/title_screen.h"
 
+#include <exception>
 #include <utility>
 
 #include "game/screens/card.h"
-#include "game/screens/play_screen.h"
+#include "game/screens/level_screen.h"
+#include "game/screens/options_screen.h"
+#include "game/screens/style.h"
 
 namespace game {
 namespace {
 
-enum Item { play, leave_it };
+enum Item { play, options, leave_it };
 
-const Card card{.headline = "Rope swing", .lines = {}};
+const Card card{.headline = "Rope swing",
+                .lines = {"Swing from cord to cord, to the flag"},
+                .width = 380.0,
+                .text_size = 28.0,
+                .side = -1.0};
 
 }  // namespace
 
-TitleScreen::TitleScreen(Session& session) : session_(&session) { menu_.set_items({{"Play"}, {"Leave the game"}}); }
+TitleScreen::TitleScreen(Session& session) : session_(&session) {
+  menu_.set_items({{"Play"}, {"Options"}, {"Leave the game"}});
+  RunOptions shown;
+  shown.replay = assets_folder() + "/replays/" + default_level + ".replay";
+  try {
+    run_.emplace(shown);
+    view_.emplace(run_->simulation());
+  } catch (const std::exception&) {  // without it there is the sky
+    run_.reset();
+  }
+}
 
 Next TitleScreen::update(const Frame& frame) {
-  const MenuPlace place = menu_place(frame.canvas, frame.text_scale, card, static_cast<int>(menu_.items().size()));
-  const auto choice = menu_.update(frame.menu, place);
+  show_run(frame.elapsed_ns);
+  const auto rows = static_cast<int>(menu_.items().size());
+  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, card, rows));
   if (!choice) return Next::stay();
-  if (choice->item == play) return Next::open(std::make_unique<PlayScreen>(*session_, RunOptions{}, false));
-  return Next::quit();
+  switch (choice->item) {
+    case play: return Next::open(std::make_unique<LevelScreen>(*session_));
+    case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
+    case leave_it:
+    default: return Next::quit();
+  }
+}
+
+/// Over and over.
+void TitleScreen::show_run(std::int64_t elapsed_ns) {
+  if (!run_) return;
+  for (int ticks = clock_.advance(elapsed_ns); ticks > 0; --ticks) {
+    if (run_->is_over()) run_->seek(0);
+    run_->tick({});
+  }
+}
+
+void TitleScreen::draw_below(engine::Canvas& canvas, double) {
+  if (!view_) return canvas.clear(style::sky_top, style::sky_bottom);
+  ViewOptions options;
+  options.hud = false;
+  options.colour_safe = session_->settings.colour_safe;
+  options.reduced_motion = session_->settings.reduced_motion;
+  view_->draw(canvas, clock_.alpha(), options);
 }
 
 void TitleScreen::draw(engine::Canvas& canvas, double text_scale) {
-  canvas.clear({92, 160, 214}, {214, 236, 246});
+  draw_below(canvas, text_scale);
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <optional>
+
+#include "engine/tick.h"
+#include "game/recorded_run.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
 #include "game/session.h"
+#include "game/view.h"
 
 namespace game {
 
+/// The first screen. Behind it a recorded run is shown.
 class TitleScreen : public Screen {
  public:
   /// The session outlives it.
@@ -13,10 +19,17 @@ class TitleScreen : public Screen {
 
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
+  void draw_below(engine::Canvas& canvas, double text_scale) override;
+  std::string title() const override { return "title"; }
 
  private:
+  void show_run(std::int64_t elapsed_ns);
+
   Session* session_;
   Menu menu_;
+  std::optional<RecordedRun> run_;
+  std::optional<View> view_;
+  engine::FixedTick clock_{ticks_per_second, 2};
 };
 
 /// Leaves everything else.

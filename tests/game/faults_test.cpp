@@ -1,17 +1,15 @@
 // The program when something around it fails: disk, display, level, or whoever ends it.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <sstream>
 #include <string>
 
 #include "engine/replay.h"
+#include "tests/game/process.h"
 #include "tests/game/program.h"
 
 namespace {
@@ -83,43 +81,6 @@ TEST(ReplayFaults, ARunThatCannotStartLeavesTheRecordingOfTheLastAlone) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(golden()));
 }
 
-/// A process of this test's own, ended with it.
-class Process {
- public:
-  /// `command` is run by sh; the last program in it should be exec'ed, so that signals reach it.
-  explicit Process(const std::string& command) : id_(fork()) {
-    if (id_ != 0) return;
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  ~Process() {
-    if (status_) return;
-    kill(id_, SIGKILL);
-    waitpid(id_, nullptr, 0);
-  }
-
-  void send(int signal) const { kill(id_, signal); }
-  /// Whether it runs on; looked at again and again, a millisecond apart.
-  bool runs() {
-    int status = 0;
-    if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = status;
-    usleep(1000);
-    return !status_;
-  }
-  /// What it ended with: the exit status, or −1 if a signal ended it.
-  int wait() {
-    int status = 0;
-    if (!status_ && waitpid(id_, &status, 0) == id_) status_ = status;
-    return status_ && WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -1;
-  }
-
- private:
-  pid_t id_;
-  std::optional<int> status_;
-};
-
 /// Until the game is in the middle of a recording. False if it ended instead.
 bool is_recording(Process& game, const std::string& path) {
   while (!fs::exists(path) || fs::file_size(path) < 5'000) {
@@ -152,18 +113,16 @@ TEST(ReplayFaults, WhenTheDisplayIsLostTheGameEndsWithItsRecordingComplete) {
   if (std::system("command -v Xvfb >/dev/null") != 0) GTEST_SKIP() << "Xvfb is not installed";
   for (const char* const renderer : {"software", "opengl"}) {
     SCOPED_TRACE(renderer);
-    const std::string number = scratch("display");
     const std::string path = scratch("lost.replay");
     const std::string said = scratch("lost.txt");
     fs::remove(path);
-    fs::remove(number);
-    Process server("exec Xvfb -displayfd 3 -screen 0 640x480x24 3>" + number + " 2>/dev/null");
-    while (bytes_of(number).find('\n') == std::string::npos) ASSERT_TRUE(server.runs());
-    const std::string display = bytes_of(number).substr(0, bytes_of(number).find('\n'));
+    XServer server("640x480x24");
+    ASSERT_TRUE(server.starts());
     // The libraries of a display are not ours to hold to account for what they leave behind.
     std::ostringstream command;
     command << "ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
-            << " DISPLAY=:" << display << " exec " TEST_ROPESWING " --record " << path << " >" << said << " 2>&1";
+            << " DISPLAY=" << server.display() << " exec " TEST_ROPESWING " --record " << path << " >" << said
+            << " 2>&1";
     Process game(command.str());
     ASSERT_TRUE(is_recording(game, path)) << bytes_of(said);
     server.send(SIGKILL);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -17,26 +18,6 @@
 namespace test_support {
 
 namespace fs = std::filesystem;
-
-/// What a program printed and ended with; the status is −1 if a signal ended it.
-struct Ended {
-  int status;
-  std::string output;  // both streams
-};
-
-/// Runs the game by a shell; what stands before its name, such as variables and limits, is `environment`.
-inline Ended ropeswing(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " " TEST_ROPESWING " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Ended ended{-1, ""};
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ended.output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-  return ended;
-}
-
-inline std::string golden() { return TEST_ASSETS "/replays/first_swing.replay"; }
 
 /// A file of this process's own, so that test runs side by side do not meet; gone when it ends.
 inline std::string scratch(const std::string& name) {
@@ -53,6 +34,33 @@ inline std::string scratch(const std::string& name) {
   static const Folder folder;
   return folder.path + name;
 }
+
+/// What a program printed and ended with; the status is −1 if a signal ended it.
+struct Ended {
+  int status;
+  std::string output;  // both streams
+};
+
+/// What the game remembers between runs is to be that of this process's tests, whoever runs them.
+inline const bool remembers_nothing_of_the_user = [] {
+  setenv("XDG_CONFIG_HOME", scratch("config_home").c_str(), 1);
+  setenv("XDG_DATA_HOME", scratch("data_home").c_str(), 1);
+  return true;
+}();
+
+/// Runs the game by a shell; what stands before its name, such as variables and limits, is `environment`.
+inline Ended ropeswing(const std::string& arguments, const std::string& environment = "") {
+  const std::string command = environment + " " TEST_ROPESWING " " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Ended ended{-1, ""};
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ended.output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+  return ended;
+}
+
+inline std::string golden() { return TEST_ASSETS "/replays/first_swing.replay"; }
 
 inline std::string bytes_of(const std::string& path) {
   std::ostringstream bytes;

@@ -120,5 +120,50 @@ TEST(BlockLdlt, RefusesWhatIsNotPositiveDefinite) {
   EXPECT_FALSE(solves(-1.0, 0.0));
 }
 
+/// A band among other slots, as a rope among bodies that touch it.
+TEST(BlockLdlt, TakesABandWhoseSlotsRiseInTheOrder) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  const std::vector<int> order{2, 3, 0, 4, 5, 1, 6};
+  constexpr int first = 2;
+  constexpr int points = 5;
+  for (const int reach : {1, 2}) {
+    BandedMatrix band(2 * points, 5);
+    BlockLdlt sparse;
+    sparse.begin_pattern(order);
+    sparse.couple(0, 2);
+    sparse.couple(0, 3);
+    sparse.couple(5, 1);
+    for (int p = 0; p < points; ++p) {
+      for (int k = 1; k <= reach && p + k < points; ++k) sparse.couple(first + p, first + p + k);
+    }
+    sparse.end_pattern();
+    sparse.set_zero();
+    Eigen::MatrixXd dense = 12.0 * Eigen::MatrixXd::Identity(row(7), row(7));
+    for (int r = 0; r < 2 * points; ++r) {
+      const int last = std::min(2 * (r / 2 + reach) + 1, 2 * points - 1);
+      for (int c = r; c <= last; ++c) {
+        band.row(r)[c - r] = entry(random) + (r == c ? 12.0 : 0.0);
+        dense(row(first) + r, row(first) + c) = dense(row(first) + c, row(first) + r) = band.at(r, c);
+      }
+    }
+    for (const int other : {0, 1}) sparse.add(other, 12.0, 0.0, 12.0);
+    sparse.add_band(first, band, reach);
+
+    std::vector<Vec2> x(7);
+    Eigen::VectorXd b(row(7));
+    for (int slot = 0; slot < 7; ++slot) {
+      x[static_cast<std::size_t>(slot)] = {entry(random), entry(random)};
+      b.segment<2>(row(slot)) << x[static_cast<std::size_t>(slot)].x, x[static_cast<std::size_t>(slot)].y;
+    }
+    ASSERT_TRUE(sparse.solve(x));
+    const Eigen::VectorXd expected = dense.ldlt().solve(b);
+    for (int slot = 0; slot < 7; ++slot) {
+      EXPECT_NEAR(x[static_cast<std::size_t>(slot)].x, expected(row(slot)), 1e-13) << "reach " << reach;
+      EXPECT_NEAR(x[static_cast<std::size_t>(slot)].y, expected(row(slot) + 1), 1e-13) << "reach " << reach;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ribbon

@@ -1,38 +1,49 @@
-// Records the autopilot's winning run of first_swing: assets/replays/first_swing.replay is made by
-//   build/release/bin/record_run assets/replays/first_swing.replay
-// and has to be made anew whenever the physics or the level changes on purpose, and the picture with it:
-//   build/release/bin/ropeswing --headless --replay assets/replays/first_swing.replay --ticks 230
-//     --screenshot assets/pictures/first_swing.png
+// Records a winning run of a level, played by the scripted player: assets/replays/NAME.replay is made by
+//   build/release/bin/record_run NAME assets/replays/NAME.replay
+// and has to be made anew whenever the physics or the level changes on purpose (tests/tools/record_runs does so for all
+// levels, and for the pictures).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
 #include "engine/replay.h"
 #include "game/simulation.h"
-#include "tests/support/autopilot.h"
+#include "tests/support/scripted_player.h"
 
 namespace {
 
-constexpr int most_ticks = 60 * 60;
+constexpr int most_ticks = 4 * 60 * 60;
 constexpr int ticks_after_goal = 30;
 
-int record(const std::string& path) {
-  const game::Level level = game::load_level("first_swing");
+void trace(const game::Simulation& simulation, std::size_t move) {
+  const game::Player& player = simulation.player();
+  const b2Vec2 v = player.body().GetLinearVelocity();
+  std::printf("tick %4d move %2zu at %6.2f %6.2f  v %6.2f %6.2f%s%s%s\n", simulation.run_ticks(), move,
+              player.position().x, player.position().y, static_cast<double>(v.x), static_cast<double>(v.y),
+              player.is_on_ground() ? " ground" : "",
+              simulation.scene().coupling().held_by(player.body()) ? " holds" : "",
+              player.line().state() == game::Line::State::held ? " line" : "");
+}
+
+int record(const std::string& name, const std::string& path, int trace_every) {
+  const game::Level level = game::load_level(name);
   game::Simulation simulation(level);
-  test_support::Autopilot autopilot;
+  test_support::ScriptedPlayer player(test_support::winning_script(level.name));
   engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
   int left = most_ticks;
-  while (left-- > 0) {
-    engine::TickInput input;
-    if (!simulation.goal_ticks()) input.buttons = autopilot.buttons(simulation);
+  while (left-- > 0 && !player.is_stuck()) {
+    const engine::TickInput input = player.input(simulation);
     simulation.tick(input);
     writer.write(input, simulation.hash());
+    if (trace_every > 0 && simulation.ticks() % trace_every == 0) trace(simulation, player.move());
     if (simulation.goal_ticks())
       left = std::min(left, *simulation.goal_ticks() + ticks_after_goal - simulation.run_ticks());
+    if (player.is_done() && !simulation.goal_ticks()) break;
   }
   writer.finish();
   if (!simulation.goal_ticks()) {
-    std::fprintf(stderr, "record_run: the goal was not reached in %d ticks\n", most_ticks);
+    std::fprintf(stderr, "record_run: the goal of %s was not reached: %zu moves were done in %d ticks\n", name.c_str(),
+                 player.move(), simulation.ticks());
     return 1;
   }
   std::printf("%s: goal after %d ticks\n", path.c_str(), *simulation.goal_ticks());
@@ -42,12 +53,16 @@ int record(const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Records the autopilot's winning run of first_swing."};
+  CLI::App app{"Records the scripted player's winning run of a level."};
+  std::string level;
   std::string path;
+  int trace_every = 0;
+  app.add_option("level", level, "The level's name")->required();
   app.add_option("file", path, "The replay to write")->required();
+  app.add_option("--trace", trace_every, "Print where the player is, every so many ticks");
   CLI11_PARSE(app, argc, argv);
   try {
-    return record(path);
+    return record(level, path, trace_every);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "record_run: %s\n", error.what());
     return 1;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/canvas.h"
+#include "engine/replay.h"
+#include "game/simulation.h"
+
+namespace game {
+
+/// Where the player of an earlier run was in each of its ticks: the run is simulated again, a little in every frame.
+class Ghost {
+ public:
+  /// How far it goes ahead, so that a frame that takes long finds it there, ticks.
+  static constexpr int ahead = 120;
+
+  /// Of a recording of that level, with whatever assists. None if there is no recording, or it is of something else.
+  static std::unique_ptr<Ghost> load(const std::string& path, const Level& level);
+
+  /// One tick further, unless it is `ahead` of the run's tick already, has come to the end, or is no longer what was
+  /// recorded. True if it went on.
+  bool advance(int run_tick);
+  /// m, the middle of the body; none where there is none (any more), or not yet.
+  std::optional<ribbon::Vec2> at(int run_tick) const;
+
+ private:
+  Ghost(engine::Replay replay, Level level);
+
+  engine::Replay replay_;
+  Level level_;
+  Simulation simulation_;
+  std::vector<ribbon::Vec2> track_;  // after so many ticks
+};
+
+/// Draws a translucent player there.
+void draw_ghost(engine::Canvas& canvas, ribbon::Vec2 at);
+
+}  // namespace game

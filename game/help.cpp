@@ -1,0 +1,27 @@
+#include "game/help.h"
+
+namespace game {
+
+std::vector<std::string> help_lines(const Settings& settings, bool pad) {
+  const auto keys = [&](Action action, std::size_t most = 2) {
+    return codes_in_words(settings.bindings, action, pad, most);
+  };
+  const auto both = [&](Action one, Action other) { return keys(one, 1) + " " + keys(other, 1); };
+  std::vector<std::string> lines = {
+      both(Action::left, Action::right) + ": run, swing",
+      keys(Action::jump) + ": jump, let go",
+      (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": catch a cord",
+      both(Action::up, Action::down) + ": climb",
+      keys(Action::throw_line, 1) + ": throw a line",
+      both(Action::reel_in, Action::reel_out) + ": reel it in, out",
+      keys(Action::restart) + ": start again   " + keys(Action::retry, 1) + ": checkpoint",
+      keys(Action::pause, 1) + ": pause"};
+  if (pad) return lines;
+  lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
+  lines.push_back(keys(Action::debug_view) + ": debug view, drag by mouse");
+  lines.push_back(keys(Action::fullscreen) + ": full screen   " + keys(Action::screenshot) + ": picture");
+  lines.push_back(keys(Action::mute) + ": sound   " + keys(Action::help) + ": hide this");
+  return lines;
+}
+
+}  // namespace game

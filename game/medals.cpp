@@ -1,0 +1,29 @@
+#include "game/medals.h"
+
+#include <cmath>
+
+#include "game/simulation.h"
+
+namespace game {
+
+Medal medal_for(int ticks, const Medals& medals) {
+  const double seconds = static_cast<double>(ticks) / ticks_per_second;
+  // One that the level does not have is for 0 s.
+  if (seconds <= medals.gold) return Medal::gold;
+  if (seconds <= medals.silver) return Medal::silver;
+  return seconds <= medals.bronze ? Medal::bronze : Medal::none;
+}
+
+int ticks_in(double seconds) { return static_cast<int>(std::floor(seconds * ticks_per_second)); }
+
+std::string medal_title(Medal medal) {
+  switch (medal) {
+    case Medal::gold: return "Gold";
+    case Medal::silver: return "Silver";
+    case Medal::bronze: return "Bronze";
+    case Medal::none:
+    default: return "";
+  }
+}
+
+}  // namespace game

@@ -1,0 +1,62 @@
+#include "game/screens/controls_screen.h"
+
+#include "game/screens/style.h"
+
+namespace game {
+namespace {
+
+constexpr std::size_t shown_codes = 3;  // of a device
+
+}  // namespace
+
+ControlsScreen::ControlsScreen(Session& session) : session_(&session) { fill_menu(); }
+
+void ControlsScreen::fill_menu() {
+  const Bindings& bindings = session_->settings.bindings;
+  std::vector<MenuItem> items;
+  for (const Action action : all_actions()) {
+    const std::string keys = codes_in_words(bindings, action, false, shown_codes);
+    const std::string pad = codes_in_words(bindings, action, true, shown_codes);
+    const bool waits = rebinding_ && rebinding_->action() == action;
+    items.push_back({std::string(action_title(action)), waits ? "…" : pad == "none" ? keys : keys + "   |   " + pad});
+  }
+  items.push_back({"All as at first"});
+  items.push_back({"Back"});
+  menu_.set_items(std::move(items));
+}
+
+Card ControlsScreen::card() const {
+  const std::string line = rebinding_
+                               ? rebinding_->prompt(session_->settings.bindings)
+                               : "Keyboard and mouse   |   gamepad.   Choose a line, then press what is to do it.";
+  return {.headline = "Keys and buttons", .lines = {line}, .width = 900.0, .text_size = 19.0, .line_size = 17.0};
+}
+
+Next ControlsScreen::update(const Frame& frame) {
+  Bindings& bindings = session_->settings.bindings;
+  if (rebinding_) {
+    if (rebinding_->take(frame.input, bindings)) rebinding_.reset();
+    fill_menu();
+    return Next::stay();
+  }
+  if (frame.menu.back) return Next::back();
+  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, card(), rows()));
+  if (!choice) return Next::stay();
+  if (choice->item == rows() - 1) return Next::back();
+  if (choice->item == rows() - 2) {
+    bindings = Bindings::defaults();
+  } else {
+    rebinding_.emplace(all_actions()[static_cast<std::size_t>(choice->item)]);
+  }
+  fill_menu();
+  return Next::stay();
+}
+
+void ControlsScreen::draw(engine::Canvas& canvas, double text_scale) {
+  draw_shade(canvas);
+  draw_card(canvas, text_scale, card(), rows());
+  menu_.draw(canvas, menu_place(canvas, text_scale, card(), rows()));
+  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+}
+
+}  // namespace game

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "game/screens/card.h"
+#include "game/screens/menu.h"
+#include "game/screens/rebinding.h"
+#include "game/screens/screen.h"
+#include "game/session.h"
+
+namespace game {
+
+/// Which key does what, to be changed.
+class ControlsScreen : public Screen {
+ public:
+  /// The session outlives it.
+  explicit ControlsScreen(Session& session);
+
+  Next update(const Frame& frame) override;
+  void draw(engine::Canvas& canvas, double text_scale) override;
+  bool is_overlay() const override { return true; }
+  std::string title() const override { return "keys and buttons"; }
+
+ private:
+  void fill_menu();
+  Card card() const;
+  int rows() const { return static_cast<int>(menu_.items().size()); }
+
+  Session* session_;
+  Menu menu_;
+  std::optional<Rebinding> rebinding_;
+};
+
+}  // namespace game

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "game/screens/menu.h"
+#include "game/screens/screen.h"
+#include "game/session.h"
+
+namespace game {
+
+class OptionsScreen : public Screen {
+ public:
+  /// The session outlives it.
+  explicit OptionsScreen(Session& session);
+
+  Next update(const Frame& frame) override;
+  void draw(engine::Canvas& canvas, double text_scale) override;
+  bool is_overlay() const override { return true; }
+  std::string title() const override { return "options"; }
+
+ private:
+  void fill_menu();
+
+  Session* session_;
+  Menu menu_;
+};
+
+}  // namespace game

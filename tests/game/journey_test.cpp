@@ -1,0 +1,366 @@
+// The whole program in a window that nobody sees, played by SDL's events on a clock of the test's own.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/app.h"
+#include "game/buttons.h"
+#include "game/level_facts.h"
+#include "game/screens/play_screen.h"
+#include "tests/game/program.h"
+#include "tests/support/sdl_events.h"
+
+namespace game {
+namespace {
+
+using engine::Key;
+using engine::MouseButton;
+using engine::PadButton;
+using test_support::golden;
+using test_support::scratch;
+using test_support::VirtualPad;
+
+constexpr std::int64_t tick_ns = 16'666'668;  // a tick, and so little more that there are never two; a quarter is whole
+
+/// The program, opened in folders of this test's own.
+class Journey : public testing::Test {
+ protected:
+  Journey() {
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    setenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1", 1);  // a window that nobody sees never has the focus
+    std::filesystem::remove_all(config());
+    std::filesystem::remove_all(data());
+    setenv("XDG_CONFIG_HOME", config().c_str(), 1);
+    setenv("XDG_DATA_HOME", data().c_str(), 1);
+  }
+  ~Journey() override {
+    app_.reset();
+    unsetenv("SDL_VIDEODRIVER");
+    unsetenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS");
+  }
+
+  static std::string config() { return scratch("journey_config"); }
+  static std::string data() { return scratch("journey_data"); }
+
+  void open(const RunOptions& options = {}) {
+    app_.emplace(options);
+    if (!options.level) frame();
+  }
+  bool frame() { return app_->update(app_->window().poll(), tick_ns); }
+  std::string screen() const { return app_->screens().top().title(); }
+  const PlayScreen& play() const { return dynamic_cast<const PlayScreen&>(app_->screens().top()); }
+
+  /// Pressed in one frame, let go in the next. False where the game ended.
+  bool tap(Key key) {
+    test_support::push_key(key, true);
+    const bool goes_on = frame();
+    test_support::push_key(key, false);
+    return goes_on && frame();
+  }
+  bool tap(VirtualPad& pad, PadButton button) {
+    pad.press(button, true);
+    const bool goes_on = frame();
+    pad.press(button, false);
+    return goes_on && frame();
+  }
+
+  /// From the title into first_swing, by whatever goes down and accepts.
+  void start_first_swing(const std::function<void()>& down, const std::function<void()>& accept) {
+    accept();
+    ASSERT_EQ(screen(), "levels");
+    const std::vector<Level> levels = levels_in_order();
+    const auto is_wanted = [](const Level& level) { return level.name == "first_swing"; };
+    const auto which = std::find_if(levels.begin(), levels.end(), is_wanted) - levels.begin();
+    for (std::ptrdiff_t k = 0; k < which; ++k) down();
+    accept();  // in a single frame: the next one is the run's first tick
+    ASSERT_EQ(screen(), "first_swing");
+  }
+
+  std::optional<App> app_;
+};
+
+struct KeyOf {
+  Button button;
+  Key key;
+  PadButton pad;
+};
+constexpr std::array keys = {
+    KeyOf{button_left, Key::a, PadButton::dpad_left},
+    KeyOf{button_right, Key::right, PadButton::dpad_right},
+    KeyOf{button_jump, Key::space, PadButton::a},
+    KeyOf{button_grab, Key::shift, PadButton::right_trigger},
+    KeyOf{button_up, Key::w, PadButton::dpad_up},
+    KeyOf{button_down, Key::down, PadButton::dpad_down},
+    KeyOf{button_throw, Key::f, PadButton::y},
+    KeyOf{button_reel_in, Key::q, PadButton::right_shoulder},
+    KeyOf{button_reel_out, Key::z, PadButton::left_shoulder},
+    KeyOf{button_retry, Key::t, PadButton::b},
+};
+
+/// What changes from one tick's buttons to the next's.
+void change_buttons(std::uint16_t from, std::uint16_t to, const std::function<void(const KeyOf&, bool)>& press) {
+  for (const KeyOf& key : keys) {
+    if ((to & key.button) != (from & key.button)) press(key, (to & key.button) != 0);
+  }
+}
+
+/// The kept recording and the golden run have the same ticks, bit by bit, up to where the shorter one ends.
+void expect_same_run(const std::string& path, std::size_t at_least) {
+  const engine::Replay kept = engine::load_replay(path);
+  const engine::Replay wanted = engine::load_replay(golden());
+  ASSERT_GE(kept.ticks.size(), at_least);
+  for (std::size_t k = 0; k < std::min(kept.ticks.size(), wanted.ticks.size()); ++k) {
+    ASSERT_EQ(kept.ticks[k].input.buttons, wanted.ticks[k].input.buttons) << "tick " << k + 1;
+    ASSERT_TRUE(kept.ticks[k].state == wanted.ticks[k].state) << "tick " << k + 1;
+  }
+}
+
+TEST_F(Journey, KeysFromTheTitleToTheGoalAndBack) {
+  open();
+  EXPECT_EQ(screen(), "title");
+  const auto press = [this](Key key) {
+    test_support::push_key(key, true);
+    test_support::push_key(key, false);
+    frame();
+  };
+  start_first_swing([&] { press(Key::down); }, [&] { press(Key::enter); });
+  const engine::Replay wanted = engine::load_replay(golden());
+  std::uint16_t before = 0;
+  std::size_t ticks = 0;
+  for (; screen() == "first_swing" && ticks < wanted.ticks.size(); ++ticks) {
+    const std::uint16_t buttons = wanted.ticks[ticks].input.buttons;
+    change_buttons(before, buttons, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
+    before = buttons;
+    frame();
+  }
+  change_buttons(before, 0, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
+  for (int k = 0; k < 60 && screen() == "first_swing"; ++k) frame();
+  ASSERT_EQ(screen(), "results");
+  app_->draw();
+  const std::string recording = data() + "/ropeswing/runs/000001-first_swing.replay";
+  expect_same_run(recording, 300);
+  EXPECT_TRUE(engine::load_replay(recording).complete);
+  const Level level = load_level("first_swing");
+  const LevelKey key{level.name, level.map.content_hash};
+  ASSERT_TRUE(app_->session().records.best(key));
+  EXPECT_TRUE(std::filesystem::exists(app_->session().records.replay_path(key)));
+
+  press(Key::r);  // once more: beside the ghost
+  EXPECT_EQ(screen(), "first_swing");
+  EXPECT_EQ(play().simulation().ticks(), 0);
+  press(Key::escape);
+  EXPECT_EQ(screen(), "paused");
+  app_->draw();
+  press(Key::up);
+  press(Key::up);
+  press(Key::enter);
+  EXPECT_EQ(screen(), "levels");
+  press(Key::escape);
+  EXPECT_EQ(screen(), "title");
+  test_support::push_quit();
+  EXPECT_FALSE(frame());
+  EXPECT_EQ(app_->finish(), 0);
+}
+
+TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  const engine::Replay wanted = engine::load_replay(golden());
+  std::uint16_t before = 0;
+  for (std::size_t k = 0; k <= wanted.ticks.size() + 60 && screen() == "first_swing"; ++k) {
+    const std::uint16_t buttons = k < wanted.ticks.size() ? wanted.ticks[k].input.buttons : std::uint16_t{0};
+    change_buttons(before, buttons, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
+    before = buttons;
+    frame();
+  }
+  ASSERT_EQ(screen(), "results");
+  change_buttons(before, 0, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
+  tap(Key::down);  // Once more, Watch this run
+  tap(Key::enter);
+  ASSERT_EQ(screen(), "first_swing, a replay");
+  const PlayScreen& watched = play();
+  for (int k = 0; k < 5000 && !watched.is_over(); ++k) frame();
+  EXPECT_EQ(watched.run().closing_line().rfind("verified ", 0), 0U) << watched.run().closing_line();
+  app_->draw();
+  tap(Key::escape);
+  EXPECT_EQ(screen(), "results");
+}
+
+TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) {
+  open();
+  auto pad = std::make_unique<VirtualPad>();
+  frame();
+  EXPECT_EQ(app_->session().notice.text(), "A gamepad is plugged in");
+  const auto press = [&](PadButton button) {
+    pad->press(button, true);
+    frame();
+    pad->press(button, false);  // seen in the next frame, whichever screen has it
+  };
+  start_first_swing([&] { press(PadButton::dpad_down), frame(); }, [&] { press(PadButton::a); });
+  EXPECT_TRUE(app_->session().uses_pad);
+  const engine::Replay wanted = engine::load_replay(golden());
+  const auto to_pad = [&](const KeyOf& key, bool down) { pad->press(key.pad, down); };
+  constexpr std::array<std::size_t, 4> unplugged_after = {60, 131, 200, 302};
+  std::uint16_t before = 0;
+  for (std::size_t k = 0; screen() == "first_swing" && k < wanted.ticks.size(); ++k) {
+    if (std::count(unplugged_after.begin(), unplugged_after.end(), k) != 0) {
+      const int ticks = play().simulation().ticks();
+      pad.reset();
+      frame();
+      EXPECT_EQ(screen(), "paused");
+      EXPECT_EQ(app_->session().notice.text(), "The gamepad was unplugged");
+      for (int idle = 0; idle < 10; ++idle) frame();
+      pad = std::make_unique<VirtualPad>();
+      frame();
+      press(PadButton::a);  // Go on
+      ASSERT_EQ(screen(), "first_swing");
+      EXPECT_EQ(play().simulation().ticks(), ticks) << "it stood still";
+      before = 0;
+    }
+    const std::uint16_t buttons = wanted.ticks[k].input.buttons;
+    change_buttons(before, buttons, to_pad);
+    before = buttons;
+    frame();
+  }
+  change_buttons(before, 0, to_pad);
+  for (int k = 0; k < 60 && screen() == "first_swing"; ++k) frame();
+  ASSERT_EQ(screen(), "results");
+  expect_same_run(data() + "/ropeswing/runs/000001-first_swing.replay", 300);
+  press(PadButton::b);
+  EXPECT_EQ(screen(), "levels");
+}
+
+TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  for (int k = 0; k < 30; ++k) frame();  // it stands
+  ASSERT_TRUE(play().simulation().player().is_on_ground());
+  const double before = play().simulation().player().position().y;
+  test_support::push_key(Key::space, true);
+  test_support::push_key(Key::space, false);
+  const int ticks = play().simulation().ticks();
+  frame();
+  EXPECT_EQ(play().simulation().ticks(), ticks + 1);
+  EXPECT_GT(play().simulation().player().position().y, before + 0.05);
+}
+
+TEST_F(Journey, RebindingIsRememberedAndSteers) {
+  open();
+  tap(Key::down);
+  tap(Key::enter);
+  ASSERT_EQ(screen(), "options");
+  tap(Key::enter);
+  ASSERT_EQ(screen(), "keys and buttons");
+  for (int k = 0; k < static_cast<int>(Action::jump); ++k) tap(Key::down);
+  tap(Key::enter);
+  app_->draw();
+  tap(Key::j);
+  EXPECT_EQ(app_->session().settings.bindings.action_of(Key::j), Action::jump);
+  app_->finish();
+  app_.reset();
+
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  EXPECT_EQ(app_->session().settings.bindings.action_of(Key::j), Action::jump) << "in the next game";
+  for (int k = 0; k < 30; ++k) frame();
+  test_support::push_key(Key::j, true);
+  frame();
+  EXPECT_GT(play().simulation().player().body().GetLinearVelocity().y, 1.0F);
+}
+
+TEST_F(Journey, TheMouseWorksMenusToo) {
+  open();
+  app_->draw();
+  const engine::Canvas& canvas = app_->window().canvas();
+  // Somewhere down a column through the title's card there is each of its lines.
+  for (double y = 0.0; y < canvas.height() && screen() == "title"; y += 8.0) {
+    const ribbon::Vec2 at{200.0, y};
+    test_support::push_button(MouseButton::left, true, at);
+    test_support::push_button(MouseButton::left, false, at);
+    ASSERT_TRUE(frame());
+  }
+  EXPECT_EQ(screen(), "levels");
+  test_support::push_button(MouseButton::right, true, {5.0, 5.0});
+  test_support::push_button(MouseButton::right, false, {5.0, 5.0});
+  frame();
+  EXPECT_EQ(screen(), "title");
+}
+
+TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  const auto ticks_in = [this](int frames) {
+    const int before = play().simulation().ticks();
+    for (int k = 0; k < frames; ++k) frame();
+    return play().simulation().ticks() - before;
+  };
+  EXPECT_EQ(ticks_in(40), 40);
+  EXPECT_FALSE(play().is_assisted());
+  tap(Key::x);
+  EXPECT_EQ(ticks_in(40), 20);
+  EXPECT_TRUE(play().is_assisted());
+  tap(Key::x);
+  EXPECT_EQ(ticks_in(40), 10);
+  tap(Key::x);
+  EXPECT_EQ(ticks_in(40), 40);
+  tap(Key::n);
+  EXPECT_EQ(ticks_in(40), 0);
+  const int before = play().simulation().ticks();
+  tap(Key::n);
+  EXPECT_EQ(play().simulation().ticks(), before + 1);
+  tap(Key::p);
+  EXPECT_EQ(ticks_in(10), 10);
+  app_->session().settings.speed = 50;
+  EXPECT_EQ(ticks_in(40), 20);
+}
+
+TEST_F(Journey, LongerArmsAreDeclaredInTheRecordingWhichVerifies) {
+  open();
+  app_->session().settings.long_reach = true;
+  start_first_swing([this] { tap(Key::down); },
+                    [this] {
+                      test_support::push_key(Key::enter, true);
+                      test_support::push_key(Key::enter, false);
+                      frame();
+                    });
+  test_support::push_key(Key::e, true);
+  test_support::push_key(Key::d, true);
+  for (int k = 0; k < 120; ++k) frame();
+  EXPECT_TRUE(play().is_assisted());
+  EXPECT_EQ(play().simulation().player().tuning().reach, PlayScreen::long_reach);
+  test_support::push_quit();
+  frame();
+  app_->finish();
+  const std::string recording = data() + "/ropeswing/runs/000001-first_swing.replay";
+  const test_support::Ended ended = test_support::ropeswing("--headless --verify --replay " + recording);
+  EXPECT_EQ(ended.status, 0) << ended.output;
+}
+
+TEST_F(Journey, WithoutAFolderToWriteToItSaysSoAndIsPlayed) {
+  setenv("XDG_CONFIG_HOME", "/proc/nowhere", 1);
+  setenv("XDG_DATA_HOME", "/proc/nowhere", 1);
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  EXPECT_NE(app_->session().notice.text().find("not recorded"), std::string::npos);
+  for (int k = 0; k < 60; ++k) frame();
+  EXPECT_GE(play().simulation().ticks(), 60);
+  app_->session().settings.speed = 90;
+  frame();
+  EXPECT_NE(app_->session().notice.text().find("settings cannot be written"), std::string::npos);
+  EXPECT_EQ(app_->finish(), 0);
+}
+
+}  // namespace
+}  // namespace game

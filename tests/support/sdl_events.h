@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/window_input.h"
+
+/// A person at keyboard, mouse and gamepad, by way of SDL's queue of events.
+namespace test_support {
+
+void push_key(engine::Key key, bool down);
+void push_button(engine::MouseButton button, bool down, ribbon::Vec2 at);
+void push_mouse(ribbon::Vec2 at);
+void push_wheel(int notches);
+void push_text(const char* utf8);
+void push_quit();
+
+/// A gamepad that is plugged in until the end of its scope.
+class VirtualPad {
+ public:
+  /// SDL's video has to be open. Throws std::runtime_error if SDL cannot have one.
+  VirtualPad();
+  VirtualPad(const VirtualPad&) = delete;
+  VirtualPad& operator=(const VirtualPad&) = delete;
+  ~VirtualPad();
+
+  /// A trigger, or a stick's direction, goes all the way or to rest.
+  void press(engine::PadButton button, bool down);
+
+ private:
+  int device_;
+  void* joystick_;
+};
+
+}  // namespace test_support
