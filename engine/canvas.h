@@ -83,6 +83,15 @@ class Canvas {
   /// number not finite.
   void mesh(const Mesh& mesh, Color color);
 
+  /// Keeps a copy of the picture as it is, the only one, for recall: for what is the same in every frame and takes
+  /// long.
+  virtual void remember(int key) { static_cast<void>(key); }
+  /// Puts the picture back that was remembered under this key. False if there is none, or none of this size: draw it.
+  virtual bool recall(int key) {
+    static_cast<void>(key);
+    return false;
+  }
+
   /// A filled rectangle with round corners, in pixels; top_left is the corner nearest the origin.
   void panel(ribbon::Vec2 top_left, ribbon::Vec2 size, double corner_radius, Color color);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@ class Raster {
   int height() const { return height_; }
   /// Row by row from the top, without padding; 0x00RRGGBB each.
   const std::vector<std::uint32_t>& pixels() const { return pixels_; }
+
+  /// Takes all pixels from a copy of pixels().
+  void put(const std::vector<std::uint32_t>& pixels) { std::copy(pixels.begin(), pixels.end(), pixels_.begin()); }
 
   /// Fills the row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);

@@ -215,6 +215,9 @@ class Coupling {
   /// one with a number that no coupling can have, and a world that is locked.
   void restore(const State& state, b2World& world);
 
+  /// m, the box in which the last gather looked for what the cord may meet.
+  const ribbon::Box& reach(CordIndex index) const { return cords_[at(index)].reach; }
+
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
   /// The same between the points too, of all cords but `except`; of a cord of the thesis's solver points only.

@@ -33,8 +33,9 @@ Image::Level halved(const Image::Level& whole) {
   half.width = std::max(whole.width / 2, 1);
   half.height = std::max(whole.height / 2, 1);
   const auto at = [&whole](int x, int y) {
-    return whole
-        .pixels[static_cast<std::size_t>(std::min(y, whole.height - 1) * whole.width + std::min(x, whole.width - 1))];
+    const auto row = static_cast<std::size_t>(std::min(y, whole.height - 1));
+    const auto column = static_cast<std::size_t>(std::min(x, whole.width - 1));
+    return whole.pixels[row * static_cast<std::size_t>(whole.width) + column];
   };
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x)

@@ -28,6 +28,15 @@ constexpr std::uint32_t over(Lanes color, std::uint32_t below) {
   return packed(color + ((spread(below) * under + lanes_half) >> 8U & lanes_mask)) & 0xffffffU;
 }
 
+/// All channels times scale / 256, 0 … 256.
+constexpr Lanes scaled(Lanes color, Lanes scale) { return color * scale >> 8U & lanes_mask; }
+
+/// The same, but the alpha stays.
+constexpr Lanes darkened(Lanes color, Lanes scale) {
+  constexpr Lanes alpha = 0x00ff000000000000U;
+  return (scaled(color, scale) & ~alpha) | (color & alpha);
+}
+
 /// The colour times another, whose channels are given in 1/65536, 0 … 255.
 constexpr Lanes tinted(Lanes color, std::int64_t b, std::int64_t r, std::int64_t g, std::int64_t a) {
   const auto lane = [color, a](unsigned shift, std::int64_t by) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include "engine/canvas_raster.h"
@@ -64,6 +65,10 @@ class Planes {
   }
   double low(std::size_t k) const { return low_[k]; }
   bool flat(std::size_t k) const { return low_[k] == high_[k]; }
+  /// Whether all colours stay the same along rows, as those of a vertical gradient do.
+  bool even() const {
+    return std::all_of(per_x_.begin() + 2, per_x_.end(), [](double slope) { return std::abs(slope) < 1e-7; });
+  }
   /// How far the place in the image goes for a pixel: the side of the square that a pixel covers of it on average.
   double texels_a_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
 
@@ -78,38 +83,22 @@ struct Ramp {
   std::int64_t step = 0;
 };
 
+std::int64_t fixed(double x) { return static_cast<std::int64_t>(std::floor(x * 65536.0 + 0.5)); }
+
 Ramp ramp_of(double first, double last, int pixels) {
-  constexpr double one = 65536.0;
-  const auto fixed = [](double x) { return static_cast<std::int64_t>(std::floor(x * one)); };
   return {fixed(first), pixels > 1 ? (fixed(last) - fixed(first)) / (pixels - 1) : 0};
 }
 
-/// The colour of an image at a place of 1/65536 texels.
-template <Filter filter>
-class Sampler {
+/// Which texels of an image lie around a place, in texels.
+class Texels {
  public:
-  Sampler(const Image::Level& level, const Texture& texture)
+  Texels(const Image::Level& level, const Texture& texture)
       : texels_(level.pixels.data()),
         width_(level.width),
         height_(level.height),
         repeat_u_(texture.along_u == Wrap::repeat),
         repeat_v_(texture.along_v == Wrap::repeat) {}
 
-  Lanes operator()(std::int64_t u, std::int64_t v) const {
-    if constexpr (filter == Filter::nearest) return spread(row(v >> 16)[column(u >> 16)]);
-    const std::int64_t x = u - 32768;  // between the middles of texels
-    const std::int64_t y = v - 32768;
-    const std::uint32_t* const upper = row(y >> 16);
-    const std::uint32_t* const lower = row((y >> 16) + 1);
-    const std::ptrdiff_t left = column(x >> 16);
-    const std::ptrdiff_t right = column((x >> 16) + 1);
-    const auto fx = static_cast<Lanes>((x & 0xffff) >> 8);
-    const auto fy = static_cast<Lanes>((y & 0xffff) >> 8);
-    return mixed(mixed(spread(upper[left]), spread(upper[right]), fx),
-                 mixed(spread(lower[left]), spread(lower[right]), fx), fy);
-  }
-
- private:
   std::ptrdiff_t column(std::int64_t x) const {
     return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
   }
@@ -117,11 +106,70 @@ class Sampler {
     return texels_ + (repeat_v_ ? y & (height_ - 1) : std::clamp<std::int64_t>(y, 0, height_ - 1)) * width_;
   }
 
+ private:
   const std::uint32_t* texels_;
   std::int64_t width_;
   std::int64_t height_;
   bool repeat_u_;
   bool repeat_v_;
+};
+
+// The samplers below give the colour of an image at a place of 1/65536 texels.
+constexpr std::int64_t half_texel = 32768;
+
+struct Nearest {
+  Texels texels;
+  Lanes operator()(std::int64_t u, std::int64_t v) const { return spread(texels.row(v >> 16)[texels.column(u >> 16)]); }
+};
+
+Lanes share_of(std::int64_t x) { return static_cast<Lanes>(x & 0xffff) >> 8U; }
+
+struct Linear {
+  Texels texels;
+  Lanes operator()(std::int64_t u, std::int64_t v) const {
+    const std::int64_t x = u - half_texel;  // between the middles of texels
+    const std::int64_t y = v - half_texel;
+    const std::uint32_t* const upper = texels.row(y >> 16);
+    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
+    const std::ptrdiff_t left = texels.column(x >> 16);
+    const std::ptrdiff_t right = texels.column((x >> 16) + 1);
+    return mixed(mixed(spread(upper[left]), spread(upper[right]), share_of(x)),
+                 mixed(spread(lower[left]), spread(lower[right]), share_of(x)), share_of(y));
+  }
+};
+
+/// Along a row of the image: what two rows mix to in a column serves for the pixels on both sides of it.
+class LinearRow {
+ public:
+  LinearRow(const Texels& texels, std::int64_t v)
+      : texels_(texels),
+        upper_(texels.row((v - half_texel) >> 16)),
+        lower_(texels.row(((v - half_texel) >> 16) + 1)),
+        share_(share_of(v - half_texel)) {}
+
+  Lanes operator()(std::int64_t u, std::int64_t) {
+    const std::int64_t x = u - half_texel;
+    if (const std::int64_t left = x >> 16; left != left_of_) {
+      left_ = left == left_of_ + 1 ? right_ : column(left);
+      right_ = column(left + 1);
+      left_of_ = left;
+    }
+    return left_ == right_ ? left_ : mixed(left_, right_, share_of(x));
+  }
+
+ private:
+  Lanes column(std::int64_t x) const {
+    const std::ptrdiff_t at = texels_.column(x);
+    return upper_[at] == lower_[at] ? spread(upper_[at]) : mixed(spread(upper_[at]), spread(lower_[at]), share_);
+  }
+
+  const Texels& texels_;
+  const std::uint32_t* upper_;
+  const std::uint32_t* lower_;
+  Lanes share_;
+  std::int64_t left_of_ = std::numeric_limits<std::int64_t>::min() / 2;  // nowhere
+  Lanes left_ = 0;
+  Lanes right_ = 0;
 };
 
 /// No image: white everywhere.
@@ -136,24 +184,54 @@ struct Span {
   std::array<Ramp, quantities> ramp;
 };
 
-/// All of one colour and opaque: most of what is textured.
-template <typename Sample>
-void paint_untinted(Span span, const Sample& sample) {
+void blend(std::uint32_t& pixel, Lanes color) {
+  if (color >= 0x00ff000000000000U) {
+    pixel = packed(color) & 0xffffffU;
+  } else if (color != 0) {
+    pixel = over(color, pixel);
+  }
+}
+
+/// The image as `change` makes its colours, the same all along the row.
+template <typename Sample, typename Change>
+void paint_evenly(Span span, Sample sample, Change change) {
   auto [u, v] = std::array{span.ramp[0], span.ramp[1]};
   for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel) {
-    *span.pixel = over(sample(u.here, v.here), *span.pixel);
+    blend(*span.pixel, change(sample(u.here, v.here)));
     u.here += u.step;
     v.here += v.step;
   }
 }
 
 template <typename Sample>
-void paint_tinted(Span span, const Sample& sample) {
+void paint_tinted(Span span, Sample sample) {
   auto& [u, v, b, r, g, a] = span.ramp;
   for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel) {
-    *span.pixel = over(tinted(sample(u.here, v.here), b.here, r.here, g.here, a.here), *span.pixel);
+    if (const Lanes color = sample(u.here, v.here); color != 0)
+      blend(*span.pixel, tinted(color, b.here, r.here, g.here, a.here));
     for (Ramp& ramp : span.ramp) ramp.here += ramp.step;
   }
+}
+
+/// In the cheapest way that the row allows.
+template <typename Sample>
+void paint_image(const Span& span, const Sample& sample, bool flat) {
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  if (!flat) return paint_tinted(span, sample);
+  constexpr std::int64_t white = 255 << 16;
+  const bool grey = b.here == r.here && b.here == g.here;
+  if (grey && b.here == a.here) {
+    if (a.here == white) return paint_evenly(span, sample, [](Lanes color) { return color; });
+    const auto scale = static_cast<Lanes>(a.here * 257 >> 24U);
+    return paint_evenly(span, sample, [scale](Lanes color) { return scaled(color, scale); });
+  }
+  if (grey && a.here == white) {
+    const auto scale = static_cast<Lanes>(b.here * 257 >> 24U);
+    return paint_evenly(span, sample, [scale](Lanes color) { return darkened(color, scale); });
+  }
+  paint_evenly(span, sample, [b = b.here, r = r.here, g = g.here, a = a.here](Lanes color) {
+    return color != 0 ? tinted(color, b, r, g, a) : color;
+  });
 }
 
 void paint_flat(Span span, Lanes color) {
@@ -165,11 +243,9 @@ void paint_flat(Span span, Lanes color) {
     *span.pixel = over(color, *span.pixel);
 }
 
-Lanes flat_color(const Planes& planes) {
-  const auto lane = [&planes](std::size_t k) {
-    return static_cast<Lanes>(std::lround(std::min(planes.low(k), planes.low(5))));
-  };
-  return lane(2) | lane(3) << 16U | lane(4) << 32U | lane(5) << 48U;
+Lanes first_color(const Span& span) {
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  return tinted(white_lanes, b.here, r.here, g.here, a.here);
 }
 
 }  // namespace
@@ -202,10 +278,11 @@ class Raster::Painter {
     const Image::Level& level = image->level(planes.texels_a_pixel());
     const double u_scale = level.width / width;
     const double v_scale = level.height / height;
+    const Texels texels(level, texture_);
     if (texture_.filter == Filter::linear) {
-      paint(v, planes, u_scale, v_scale, Sampler<Filter::linear>(level, texture_));
+      paint(v, planes, u_scale, v_scale, Linear{texels});
     } else {
-      paint(v, planes, u_scale, v_scale, Sampler<Filter::nearest>(level, texture_));
+      paint(v, planes, u_scale, v_scale, Nearest{texels});
     }
   }
 
@@ -220,8 +297,10 @@ class Raster::Painter {
   void paint(const std::array<Corner, 3>& v, const Planes& planes, double u_scale, double v_scale,
              const Sample& sample) {
     const bool flat = planes.flat(2) && planes.flat(3) && planes.flat(4) && planes.flat(5);
-    const Lanes color = flat ? flat_color(planes) : 0;
-    if (flat && color == 0) return;
+    if (flat && planes.low(5) == 0.0) return;
+    std::array<Ramp, 4> colors;
+    for (std::size_t k = 0; k < colors.size(); ++k) colors[k].here = fixed(planes.low(k + 2));
+    const bool even = flat || planes.even();
     const int last = first_pixel(v[2].at.y, top_, bottom_);
     for (int y = first_pixel(v[0].at.y, top_, bottom_); y < last; ++y) {
       const double middle = y + 0.5;
@@ -234,21 +313,28 @@ class Raster::Painter {
       const auto ramp = [&](std::size_t k, double scale) {
         return ramp_of(scale * planes.at(k, begin + 0.5, middle), scale * planes.at(k, end - 0.5, middle), span.count);
       };
+      if (flat) {
+        std::copy(colors.begin(), colors.end(), span.ramp.begin() + 2);
+      } else if (even) {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k].here = fixed(planes.at(k, begin + 0.5, middle));
+      } else {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
+      }
       if constexpr (std::is_same_v<Sample, Plain>) {
-        if (flat) {
-          paint_flat(span, color);
-          continue;
+        if (even) {
+          paint_flat(span, first_color(span));
+        } else {
+          paint_tinted(span, sample);
         }
       } else {
         span.ramp[0] = ramp(0, u_scale);
         span.ramp[1] = ramp(1, v_scale);
+        if (std::is_same_v<Sample, Linear> && span.ramp[1].step == 0) {
+          paint_image(span, LinearRow(sample.texels, span.ramp[1].here), even);
+        } else {
+          paint_image(span, sample, even);
+        }
       }
-      if (flat && color == white_lanes) {
-        paint_untinted(span, sample);
-        continue;
-      }
-      for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
-      paint_tinted(span, sample);
     }
   }
 

@@ -125,7 +125,21 @@ std::string HeadlessCanvas::default_font() { return WINDOW_FONT; }
 
 HeadlessCanvas::~HeadlessCanvas() = default;
 
-void HeadlessCanvas::resize(int width, int height) { raster_ = make_raster(width, height); }
+void HeadlessCanvas::resize(int width, int height) {
+  raster_ = make_raster(width, height);
+  remembered_key_.reset();
+}
+
+void HeadlessCanvas::remember(int key) {
+  remembered_ = raster_.pixels();
+  remembered_key_ = key;
+}
+
+bool HeadlessCanvas::recall(int key) {
+  if (remembered_key_ != key) return false;
+  raster_.put(remembered_);
+  return true;
+}
 
 double HeadlessCanvas::text_width(std::string_view utf8, double size) const {
   if (utf8.empty() || !std::isfinite(size) || size <= 0.0) return 0.0;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/canvas.h"
 #include "engine/canvas_raster.h"
@@ -21,6 +24,9 @@ class HeadlessCanvas : public Canvas {
   int height() const override { return raster_.height(); }
   double text_width(std::string_view utf8, double size) const override;
   double line_height(double size) const override;
+
+  void remember(int key) override;
+  bool recall(int key) override;
 
   /// Black again, in another size. Throws as the constructor does, and then changes nothing.
   void resize(int width, int height);
@@ -43,6 +49,8 @@ class HeadlessCanvas : public Canvas {
 
   Raster raster_;
   std::unique_ptr<Typesetter> typesetter_;
+  std::optional<int> remembered_key_;
+  std::vector<std::uint32_t> remembered_;
 };
 
 }  // namespace engine

@@ -1,17 +1,13 @@
 #include "game/ghost.h"
 
-#include <array>
 #include <utility>
+
+#include "engine/convert.h"
 
 namespace game {
 
-using ribbon::Vec2;
-
 Ghost::Ghost(engine::Replay replay, Level level)
-    : replay_(std::move(replay)),
-      level_(std::move(level)),
-      simulation_(level_),
-      track_{simulation_.player().position()} {}
+    : replay_(std::move(replay)), level_(std::move(level)), simulation_(level_), track_{pose()} {}
 
 std::unique_ptr<Ghost> Ghost::load(const std::string& path, const Level& level) {
   if (path.empty()) return nullptr;
@@ -35,19 +31,22 @@ bool Ghost::advance(int run_tick) {
     replay_.ticks.resize(done);
     return false;
   }
-  track_.push_back(simulation_.player().position());
+  track_.push_back(pose());
   return true;
 }
 
-std::optional<Vec2> Ghost::at(int run_tick) const {
-  if (run_tick < 0 || static_cast<std::size_t>(run_tick) >= track_.size()) return std::nullopt;
-  return track_[static_cast<std::size_t>(run_tick)];
+GhostPose Ghost::pose() const {
+  const Player& player = simulation_.player();
+  const engine::Coupling& coupling = simulation_.scene().coupling();
+  GhostPose pose{player.position(), engine::to_double(player.body().GetLinearVelocity()), player.faces_left(),
+                 player.is_on_ground()};
+  if (const auto held = coupling.held_by(player.body())) pose.held = coupling.position(*held);
+  return pose;
 }
 
-void draw_ghost(engine::Canvas& canvas, Vec2 at) {
-  constexpr engine::Color pale{255, 255, 255, 110};
-  canvas.polyline(std::array{at + Vec2{0.0, -0.6}, at + Vec2{0.0, 0.15}}, 0.42, pale);
-  canvas.circle(at + Vec2{0.0, 0.52}, 0.27, pale);
+std::optional<GhostPose> Ghost::at(int run_tick) const {
+  if (run_tick < 0 || static_cast<std::size_t>(run_tick) >= track_.size()) return std::nullopt;
+  return track_[static_cast<std::size_t>(run_tick)];
 }
 
 }  // namespace game

@@ -5,11 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "engine/canvas.h"
 #include "engine/replay.h"
 #include "game/simulation.h"
 
 namespace game {
+
+/// Somebody who ran here before, at this moment of the run.
+struct GhostPose {
+  ribbon::Vec2 at;        ///< m, the middle of the body
+  ribbon::Vec2 velocity;  ///< m/s
+  bool faces_left = false;
+  bool on_ground = true;
+  std::optional<ribbon::Vec2> held{};  ///< m, the place of a cord that the hands hold
+};
 
 /// Where the player of an earlier run was in each of its ticks: the run is simulated again, a little in every frame.
 class Ghost {
@@ -23,19 +31,17 @@ class Ghost {
   /// One tick further, unless it is `ahead` of the run's tick already, has come to the end, or is no longer what was
   /// recorded. True if it went on.
   bool advance(int run_tick);
-  /// m, the middle of the body; none where there is none (any more), or not yet.
-  std::optional<ribbon::Vec2> at(int run_tick) const;
+  /// None where there is none (any more), or not yet.
+  std::optional<GhostPose> at(int run_tick) const;
 
  private:
   Ghost(engine::Replay replay, Level level);
+  GhostPose pose() const;
 
   engine::Replay replay_;
   Level level_;
   Simulation simulation_;
-  std::vector<ribbon::Vec2> track_;  // after so many ticks
+  std::vector<GhostPose> track_;  // after so many ticks
 };
-
-/// Draws a translucent player there.
-void draw_ghost(engine::Canvas& canvas, ribbon::Vec2 at);
 
 }  // namespace game

@@ -130,7 +130,9 @@ std::vector<double> column_edges(const Canvas& canvas, const Table& table, doubl
 /// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
 void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
   const engine::Coupling& coupling = simulation.scene().coupling();
-  std::vector<std::string> legend = {"points: blue free, yellow dragged, red constrained"};
+  std::vector<std::string> legend = {
+      "points: blue free, yellow dragged, red constrained; pink: contacts; boxes: what a cord may reach",
+      "ropes: tension, from violet (1 N) to yellow (10 kN); red cells are inside out"};
   if (meter != nullptr) legend.push_back(cost_in_words(*meter));
   const double size = 14.0 * scale;
   const double margin = 14.0 * scale;

@@ -63,6 +63,12 @@ class Island {
     bool turns;         // its moment of inertia is finite
     Vec2 acceleration;  // m/s², free motion
   };
+  /// A substep that is taken by halves.
+  struct Halving {
+    double start;          // s, since the step began
+    int begun;             // Newton steps of the report before it
+    bool gave_up = false;  // some of it is not solved
+  };
   using Energy = Cord::Energy;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -141,7 +147,7 @@ class Island {
   bool bdf2_stage(double start, double dt, double gamma, CordReport& report);
   bool implicit_euler(double start, double dt, CordReport& report);
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
-  bool halves(double start, double dt, int depth, int most_iterations, CordReport& report);
+  void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
   bool will_touch(double start, double dt);
   bool is_good(bool converged, const Energy& before, CordReport& report);
 

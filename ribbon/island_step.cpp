@@ -8,8 +8,13 @@ namespace ribbon {
 namespace {
 
 constexpr int sharper_tries = 3;  // of a substep of implicit Euler that gained energy
-constexpr int most_work = 4000;   // Newton steps in the halves of a substep
-constexpr int most_halves = 10;   // times a substep of implicit Euler is halved
+// Newton steps in the halves of a substep, as long as all of them are solved, and once one was given up. (5,000 slack
+// links on a load of 10⁶ kg turn about so much in steps of a second that they take 4,200.)
+constexpr int most_work = 16000;
+constexpr int most_vain_work = 4000;
+// Times it is halved; and its beginning, for who was thrown apart finds his way back at once.
+constexpr int most_halves = 10;
+constexpr int most_first_halves = 20;
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
@@ -97,7 +102,9 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
       x_start_ = x0_;
       v_start_ = v0_;
       tension_start_ = tension0_;
-      converged = halves(start, dt, 1, report.iterations + most_work, report);
+      Halving halving{start, report.iterations};
+      halves(start, dt, 1, halving, report);
+      converged = !halving.gave_up;
       x0_ = x_start_;
       v0_ = v_start_;
       tension0_ = tension_start_;
@@ -365,22 +372,21 @@ bool Island::implicit_euler(double start, double dt, CordReport& report) {
   return converged;
 }
 
-/// Implicit Euler by two halves, each of them halved again where it does not converge, until so many Newton steps are
-/// spent.
-bool Island::halves(double start, double dt, int depth, int most_iterations, CordReport& report) {
-  bool all = true;
+/// Implicit Euler by two halves, each of them halved again where it does not converge, until it is given up.
+void Island::halves(double start, double dt, int depth, Halving& halving, CordReport& report) {
   for (const double from : {start, start + 0.5 * dt}) {
     begin_substep(from, 0.5 * dt);
     if (implicit_euler(from, 0.5 * dt, report)) continue;
-    if (depth == most_halves || report.iterations > most_iterations) {
-      all = false;
+    const int work = report.iterations - halving.begun;
+    if (depth >= (from == halving.start ? most_first_halves : most_halves) ||
+        work > (halving.gave_up ? most_vain_work : most_work)) {
+      halving.gave_up = true;
       continue;
     }
     return_to_start();
     ++report.halvings;
-    all = halves(from, 0.5 * dt, depth + 1, most_iterations, report) && all;
+    halves(from, 0.5 * dt, depth + 1, halving, report);
   }
-  return all;
 }
 
 }  // namespace ribbon

@@ -121,7 +121,8 @@ TEST(ReplayFaults, WhenTheDisplayIsLostTheGameEndsWithItsRecordingComplete) {
     // The libraries of a display are not ours to hold to account for what they leave behind.
     std::ostringstream command;
     command << "ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
-            << " DISPLAY=" << server.display() << " exec " TEST_ROPESWING " --record " << path << " >" << said << " 2>&1";
+            << " DISPLAY=" << server.display() << " exec " TEST_ROPESWING " --record " << path << " >" << said
+            << " 2>&1";
     Process game(command.str());
     ASSERT_TRUE(is_recording(game, path)) << bytes_of(said);
     server.send(SIGKILL);

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "engine/sdl_canvas.h"
+#include "game/buttons.h"
 #include "tests/support/mixed_level.h"
 
 namespace game {
@@ -32,6 +35,15 @@ class RecordingCanvas : public engine::Canvas {
   void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
   void paint_text(ribbon::Vec2, std::string_view utf8, double, engine::Color) override { texts.emplace_back(utf8); }
 };
+
+int contacts_of(const Simulation& simulation) {
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  int count = 0;
+  for (int c = 0; c < coupling.size(); ++c)
+    if (coupling.solver(c) == engine::Solver::direct)
+      count += static_cast<int>(coupling.direct_cord(c).touches().size());
+  return count;
+}
 
 void draw(RecordingCanvas& canvas, const Level& level, bool debug) {
   Simulation simulation(level);
@@ -69,20 +81,109 @@ TEST(View, ShowsANotice) {
   EXPECT_TRUE(canvas.shows("The recording has ended"));
 }
 
-/// Each point, and each bar between two of them.
+/// Each point, each bar between two of them, the box of each cord, and a line and a dot for each contact.
 TEST(View, TheDebugViewDrawsThePointsAndBarsOfEitherSolver) {
   const auto more_in_debug = [](const Level& level) {
     RecordingCanvas playing;
     RecordingCanvas debug;
     draw(playing, level, false);
     draw(debug, level, true);
-    return debug.shapes - playing.shapes;
+    Simulation simulation(level);
+    for (int k = 0; k < 3; ++k) simulation.tick({});
+    return debug.shapes - playing.shapes - 2 * contacts_of(simulation);
   };
   constexpr int counts_panel = 1;
+  constexpr int boxes = 4;
   const int thesis_cord = 41 * 2 + (41 + 40 * 2 + 40 * 2);  // points; bars across, along and the other way
   const int rope = 41 + 40;
-  EXPECT_EQ(more_in_debug(load_level("first_swing")), counts_panel + 4 * rope);
-  EXPECT_EQ(more_in_debug(test_support::mixed_swing()), counts_panel + rope + 3 * thesis_cord);
+  EXPECT_EQ(more_in_debug(load_level("first_swing")), counts_panel + boxes + 4 * rope);
+  EXPECT_EQ(more_in_debug(test_support::mixed_swing()), counts_panel + boxes + rope + 3 * thesis_cord);
+}
+
+TEST(View, TheDebugViewShowsContacts) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  while (contacts_of(simulation) == 0 && simulation.ticks() < 600) simulation.tick({});
+  const int contacts = contacts_of(simulation);
+  ASSERT_GT(contacts, 0);
+  RecordingCanvas playing;
+  RecordingCanvas debug;
+  ViewOptions options;
+  View(simulation).draw(playing, 1.0, options);
+  options.debug = true;
+  View(simulation).draw(debug, 1.0, options);
+  EXPECT_EQ(debug.shapes - playing.shapes, 1 + 4 + 4 * (41 + 40) + 2 * contacts);
+}
+
+std::vector<std::uint32_t> picture(const ViewOptions& options, int ticks, int frames_apart) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  View view(simulation);
+  engine::HeadlessCanvas canvas(320, 180);
+  for (int k = 0; k < ticks; ++k) {
+    engine::TickInput input;
+    input.buttons = button_right;
+    simulation.tick(input);
+    if (simulation.ticks() % frames_apart == 0) view.draw(canvas, 1.0, options);
+  }
+  view.draw(canvas, 1.0, options);
+  return canvas.raster().pixels();
+}
+
+TEST(View, TwoRunsGiveTheSamePictures) {
+  for (const bool calm : {false, true}) {
+    ViewOptions options;
+    options.reduced_motion = calm;
+    options.strain_tint = calm;
+    EXPECT_EQ(picture(options, 120, 2), picture(options, 120, 2));
+  }
+}
+
+TEST(View, EachOptionChangesThePicture) {
+  const ViewOptions usual;
+  const auto plain = picture(usual, 60, 1);
+  ViewOptions options;
+  options.strain_tint = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.colour_safe = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.ghost = Ghost{{3.0, 6.0}, {}};
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.reduced_motion = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+}
+
+TEST(View, LookingChangesNothingOfARun) {
+  const Level level = load_level("first_swing");
+  Simulation seen(level);
+  Simulation unseen(level);
+  View view(seen);
+  engine::HeadlessCanvas canvas(160, 90);
+  ViewOptions options;
+  options.debug = true;
+  for (int k = 0; k < 200; ++k) {
+    engine::TickInput input;
+    input.buttons = k % 50 < 30 ? button_right : button_grab | button_jump;
+    seen.tick(input);
+    unseen.tick(input);
+    view.draw(canvas, 0.5, options);
+    ASSERT_EQ(seen.hash(), unseen.hash()) << k;
+  }
+}
+
+TEST(View, TheStrainLegendIsThereOnRequest) {
+  const Level level = load_level("first_swing");
+  const Simulation simulation(level);
+  for (const bool wanted : {false, true}) {
+    RecordingCanvas canvas;
+    ViewOptions options;
+    options.strain_tint = wanted;
+    View(simulation).draw(canvas, 1.0, options);
+    EXPECT_EQ(canvas.shows("stretched by"), wanted);
+  }
 }
 
 }  // namespace

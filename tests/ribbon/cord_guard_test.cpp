@@ -213,6 +213,43 @@ INSTANTIATE_TEST_SUITE_P(Ribbons, LongSnap,
                          testing::Values(Snap{25, 2, 1e6, 1.0}, Snap{25, 2, 1e6, 1e-3}, Snap{25, 2, 1e4, 0.0},
                                          Snap{10, 5, 1e6, 1.0}, Snap{10, 5, 1e6, 1e-2}));
 
+/// Pieces of it thrown apart, each by up to so many m/s either way: its links turn about more than once in a step.
+struct Dashed {
+  int points;
+  int piece;     // links
+  double speed;  // m/s
+  unsigned seed;
+};
+
+class LongDashed : public testing::TestWithParam<Dashed> {};
+
+/// Shorter pieces take more than ten halvings in the beginning, the long cord more than 4,000 Newton steps.
+TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
+  const auto [points, piece, speed, seed] = GetParam();
+  Dice dice(seed);
+  CordDef def;
+  def.points = points;
+  def.pins = {0};
+  def.accuracy.max_iterations = 12;
+  def.accuracy.tolerance = 1e-4;
+  Cord cord(def);
+  Vec2 thrown;
+  for (int p = 1; p < points; ++p) {
+    if ((p - 1) % piece == 0) thrown = {dice(-speed, speed), dice(-speed, speed)};
+    cord.set_velocity(p, thrown);
+  }
+  const double start = cord.energy(gravity).total();
+  EXPECT_EQ(cord.step(1.0, gravity).unconverged, 0);
+  EXPECT_LE(cord.energy(gravity).total(), start);
+  for (int p = 1; p < points; ++p) {
+    EXPECT_NEAR(length(cord.positions()[slot(p)] - cord.positions()[slot(p - 1)]), cord.rest_length(p - 1), 1e-6);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LongDashed,
+                         testing::Values(Dashed{1000, 20, 100.0, 1}, Dashed{1000, 20, 100.0, 3},
+                                         Dashed{1000, 20, 100.0, 8}, Dashed{5000, 300, 60.0, 5}));
+
 // --- every load on every stiffness -----------------------------------------------------------------------------------
 
 class LongMassRatios : public testing::TestWithParam<int> {};

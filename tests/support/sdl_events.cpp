@@ -58,12 +58,20 @@ std::optional<Axis> axis_of(PadButton button) {
 }
 
 SDL_GameControllerButton pad_code_of(PadButton button) {
-  constexpr std::array codes = {
-      SDL_CONTROLLER_BUTTON_A,            SDL_CONTROLLER_BUTTON_B,         SDL_CONTROLLER_BUTTON_X,
-      SDL_CONTROLLER_BUTTON_Y,            SDL_CONTROLLER_BUTTON_BACK,      SDL_CONTROLLER_BUTTON_START,
-      SDL_CONTROLLER_BUTTON_LEFTSTICK,    SDL_CONTROLLER_BUTTON_RIGHTSTICK, SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
-      SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, SDL_CONTROLLER_BUTTON_DPAD_UP,  SDL_CONTROLLER_BUTTON_DPAD_DOWN,
-      SDL_CONTROLLER_BUTTON_DPAD_LEFT,    SDL_CONTROLLER_BUTTON_DPAD_RIGHT};
+  constexpr std::array codes = {SDL_CONTROLLER_BUTTON_A,
+                                SDL_CONTROLLER_BUTTON_B,
+                                SDL_CONTROLLER_BUTTON_X,
+                                SDL_CONTROLLER_BUTTON_Y,
+                                SDL_CONTROLLER_BUTTON_BACK,
+                                SDL_CONTROLLER_BUTTON_START,
+                                SDL_CONTROLLER_BUTTON_LEFTSTICK,
+                                SDL_CONTROLLER_BUTTON_RIGHTSTICK,
+                                SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
+                                SDL_CONTROLLER_BUTTON_RIGHTSHOULDER,
+                                SDL_CONTROLLER_BUTTON_DPAD_UP,
+                                SDL_CONTROLLER_BUTTON_DPAD_DOWN,
+                                SDL_CONTROLLER_BUTTON_DPAD_LEFT,
+                                SDL_CONTROLLER_BUTTON_DPAD_RIGHT};
   return codes.at(static_cast<std::size_t>(button));
 }
 

@@ -27,10 +27,12 @@ std::vector<Move> round_the_pegs() {
 
 std::vector<Move> rolling_bridge() { return {run_past(29.0), run_past(42.0), until_goal(right)}; }
 
-std::vector<Move> trampoline() { return {run_past(6.2), jump(right, 20), bounce(12.0, 13.2), until_goal(right)}; }
+std::vector<Move> trampoline() {
+  return {run_past(6.2), jump(right, 20), bounce(12.0, 13.2), run_past(24.2), jump(right), until_goal(right)};
+}
 
 std::vector<Move> curtains() {
-  return {run_past(23.5), jump_and_catch(right), climb(game::button_up, 200), pump_and_let_go(right, 0.5),
+  return {run_past(23.5), jump_and_catch(right), climb(game::button_up, 110), pump_and_let_go(right, 0.6),
           until_goal(right)};
 }
 

@@ -1,0 +1,119 @@
+#include "game/view/cloth.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "game/view/spline.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+using ribbon::Vec2;
+
+/// The rows of points as smooth curves in pixels, one after the other.
+struct Rails {
+  std::vector<std::vector<Vec2>> rows;
+  int columns() const { return static_cast<int>(rows.front().size()); }
+  Vec2 at(int i, int j) const { return rows[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)]; }
+};
+
+Rails rails_of(const Pen& pen, const DrawnCord& cord, int steps) {
+  Rails rails;
+  std::vector<Vec2> row;
+  for (int j = 0; j < cord.shape.rows; ++j) {
+    row.clear();
+    for (int i = 0; i < cord.shape.columns; ++i) row.push_back(pen.canvas.to_pixels(cord.at(cord.point(i, j))));
+    smooth_curve(row, steps, rails.rows.emplace_back());
+  }
+  return rails;
+}
+
+Vec2 unit(Vec2 v) { return length(v) > 1e-9 ? (1.0 / length(v)) * v : Vec2{}; }
+
+/// Moves the outer rows outwards, and the ends, by so many pixels.
+void grow(Rails& rails, double pixels) {
+  const std::size_t last = rails.rows.size() - 1;
+  for (std::size_t i = 0; i < rails.rows.front().size(); ++i) {
+    const Vec2 across = pixels * unit(rails.rows[last][i] - rails.rows[0][i]);
+    rails.rows[0][i] -= across;
+    rails.rows[last][i] += across;
+  }
+  for (std::vector<Vec2>& row : rails.rows) {
+    if (row.size() < 2) continue;
+    row.front() -= pixels * unit(row[1] - row[0]);
+    row.back() += pixels * unit(row[row.size() - 1] - row[row.size() - 2]);
+  }
+}
+
+/// A grid of vertices with a border along which the cover falls to 0, u along it in widths and v across from the last
+/// row, the upper one at first, to the first.
+class ClothMesh {
+ public:
+  ClothMesh(engine::TexturedMesh& mesh, const Rails& inner, const Rails& outer)
+      : mesh_(mesh), inner_(inner), outer_(outer) {}
+
+  template <typename ColorOf>
+  void build(double u_step, ColorOf color_of) {
+    const int columns = inner_.columns();
+    const int rows = static_cast<int>(inner_.rows.size());
+    for (int i = -1; i <= columns; ++i)
+      for (int j = -1; j <= rows; ++j) add_vertex(i, j, u_step, color_of(std::clamp(i, 0, columns - 1)));
+    const int stride = rows + 2;
+    for (int i = 0; i <= columns; ++i)
+      for (int j = 0; j <= rows; ++j) {
+        const int v = i * stride + j;
+        mesh_.indices.insert(mesh_.indices.end(), {v, v + stride, v + stride + 1, v, v + stride + 1, v + 1});
+      }
+  }
+
+ private:
+  void add_vertex(int i, int j, double u_step, Color color) {
+    const int rows = static_cast<int>(inner_.rows.size());
+    const int column = std::clamp(i, 0, inner_.columns() - 1);
+    const int row = std::clamp(j, 0, rows - 1);
+    const bool border = column != i || row != j;
+    const double v = 1.0 - static_cast<double>(row) / std::max(rows - 1, 1);
+    mesh_.vertices.push_back(
+        {(border ? outer_ : inner_).at(column, row), {u_step * column, v}, color, border ? 0.0 : 1.0});
+  }
+
+  engine::TexturedMesh& mesh_;
+  const Rails& inner_;
+  const Rails& outer_;
+};
+
+}  // namespace
+
+void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const std::vector<Color>& colors) {
+  const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
+  const double radius = direct ? cord.coupling.direct_cord(cord.index).def().radius : 0.0;
+  const Rails rails = rails_of(pen, cord, steps);
+  Rails inner = rails;
+  Rails outer = rails;
+  grow(inner, radius * pen.scale() - 0.5);
+  grow(outer, radius * pen.scale() + 0.5);
+  const double spacing =
+      direct ? cord.coupling.direct_cord(cord.index).rest_length(0) : cord.coupling.cord(cord.index).def().spacing;
+  const auto color_of = [&](int i) {
+    if (colors.empty()) return color;
+    const auto column = static_cast<std::size_t>(i / steps);
+    const Color next = colors[std::min(column + 1, colors.size() - 1)];
+    return mix(colors[column], next, static_cast<double>(i % steps) / steps);
+  };
+  pen.mesh.clear();
+  ClothMesh(pen.mesh, inner, outer).build(spacing / (steps * cord.shape.thickness), color_of);
+  pen.canvas.textured(pen.mesh, {&pen.images.cloth, engine::Filter::linear, engine::Wrap::repeat, engine::Wrap::clamp});
+  // The edge, so that the silhouette is clear against what is behind.
+  for (const auto& row : {outer.rows.front(), outer.rows.back()}) {
+    pen.mesh.clear();
+    engine::BandLook look;
+    look.width = 0.03 * pen.scale();
+    look.color = with_alpha(mix(pen.colors.ink, color, 0.2), 230);
+    add_band(pen.mesh, row, look);
+    pen.canvas.textured(pen.mesh, {});
+  }
+}
+
+}  // namespace game

@@ -1,0 +1,148 @@
+#include "game/view/cords.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/view/cloth.h"
+#include "game/view/spline.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+using ribbon::PointKind;
+using ribbon::Vec2;
+
+constexpr double least_width = 0.07;  // m; a thinner rope could not be seen
+constexpr double outline = 0.05;      // m, of which half shows on either side
+constexpr double piece = 5.0;         // px, of a curve that is drawn straight
+
+const Color& own_color(const Pen& pen, const DrawnCord& cord) {
+  if (cord.is_line) return pen.colors.line;
+  const auto number = static_cast<std::size_t>(cord.index);
+  return cord.shape.rows > 1 ? pen.colors.ribbons[number % pen.colors.ribbons.size()]
+                             : pen.colors.ropes[number % pen.colors.ropes.size()];
+}
+
+/// Of the spline between two columns.
+int steps_between(const Pen& pen, const DrawnCord& cord) {
+  double longest = 0.0;
+  for (int i = 1; i < cord.shape.columns; ++i)
+    longest = std::max(longest, length(cord.at(cord.point(i, 0)) - cord.at(cord.point(i - 1, 0))));
+  return static_cast<int>(std::clamp(std::ceil(longest * pen.scale() / piece), 1.0, 16.0));
+}
+
+std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
+  std::vector<Color> all;
+  for (std::size_t i = 0; i + 1 < colors.size(); ++i)
+    for (int k = 0; k < steps; ++k) all.push_back(mix(colors[i], colors[i + 1], static_cast<double>(k) / steps));
+  if (!colors.empty()) all.push_back(colors.back());
+  return all;
+}
+
+double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness, least_width); }
+
+void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
+  const double width = drawn_width(cord);
+  const int steps = steps_between(pen, cord);
+  std::vector<Vec2> curve;
+  smooth_curve(cord.points, steps, curve);
+  const Color color = own_color(pen, cord);
+  engine::StripLook look;
+  look.width = width + outline;
+  look.color = mix(pen.colors.ink, color, 0.25);
+  pen.canvas.strip(curve, look);
+  look.image = width < 0.12 ? &pen.images.cord : &pen.images.rope;
+  look.width = width;
+  look.image_length = 4.0 * width;
+  look.color = color;
+  const std::vector<Color> tints = spread_colors(colors, steps);
+  look.colors = tints;
+  pen.canvas.strip(curve, look);
+}
+
+/// A turn of thread round a loose end.
+void draw_whipping(Pen& pen, const DrawnCord& cord, int end, int inner) {
+  if (cord.kind(end) == PointKind::constrained || cord.is_line) return;
+  const Vec2 way = cord.at(inner) - cord.at(end);
+  if (length(way) <= 0.0) return;
+  const double width = drawn_width(cord);
+  const Vec2 in = (1.3 * width / length(way)) * way;
+  const Vec2 tip = cord.at(end) - 0.25 * in;
+  pen.canvas.polyline(std::array{tip, tip + 0.2 * in}, 1.15 * width, own_color(pen, cord));
+  pen.canvas.strip(std::array{cord.at(end) + 0.25 * in, cord.at(end) + in},
+                   {nullptr, 1.3 * width, 1.0, 0.0, pen.colors.ink});
+  pen.canvas.strip(std::array{cord.at(end) + 0.45 * in, cord.at(end) + 0.8 * in},
+                   {nullptr, 1.3 * width, 1.0, 0.0, pen.colors.ribbons[0]});
+}
+
+/// An iron ring with a bolt.
+void draw_pin(Pen& pen, Vec2 at, double radius) {
+  pen.canvas.circle(at, radius + 0.035, pen.colors.ink);
+  pen.disc(pen.images.iron, at, radius, pen.colors.iron);
+  pen.disc(pen.images.shade, at, radius, {255, 255, 255});
+  pen.canvas.circle(at, 0.34 * radius, pen.colors.ink);
+  pen.canvas.circle(at + Vec2{-0.02, 0.02}, 0.2 * radius, mix(pen.colors.iron, {255, 255, 255}, 0.5));
+}
+
+/// A rod along the fixed points of a column, or a ring where there is one alone.
+void draw_fixing(Pen& pen, const DrawnCord& cord, int column) {
+  std::vector<Vec2> fixed;
+  for (int j = 0; j < cord.shape.rows; ++j)
+    if (cord.kind(cord.point(column, j)) == PointKind::constrained) fixed.push_back(cord.at(cord.point(column, j)));
+  if (fixed.empty()) return;
+  if (fixed.size() == 1) {
+    draw_pin(pen, fixed.front(), cord.shape.rows > 1 ? 0.11 : 0.6 * cord.shape.thickness + 0.06);
+    return;
+  }
+  const std::array rod = {fixed.front(), fixed.back()};
+  pen.canvas.polyline(rod, 0.2, pen.colors.ink);
+  pen.canvas.polyline(rod, 0.13, pen.colors.iron);
+  for (const Vec2 end : rod) draw_pin(pen, end, 0.1);
+}
+
+bool is_seen(const Pen& pen, const DrawnCord& cord) {
+  if (cord.points.empty()) return false;
+  Vec2 low = cord.points.front();
+  Vec2 high = low;
+  for (const Vec2 p : cord.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return pen.sees(0.5 * (low + high), 0.5 * length(high - low) + 0.5);
+}
+
+}  // namespace
+
+double strain(const DrawnCord& cord, int column) {
+  const int i = std::clamp(column, 0, cord.shape.columns - 2);
+  double sum = 0.0;
+  for (int j = 0; j < cord.shape.rows; ++j)
+    sum += length(cord.at(cord.point(i + 1, j)) - cord.at(cord.point(i, j))) / cord.shape.rows;
+  const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
+  const double rest =
+      direct ? cord.coupling.direct_cord(cord.index).rest_length(i) : cord.coupling.cord(cord.index).def().spacing;
+  return sum / rest - 1.0;
+}
+
+Color strain_color(double strain) {
+  // Lighter than the ramp, for the rope's own shading makes it darker again.
+  const Color color = ramp_color(std::sqrt(std::clamp(strain / most_strain, 0.0, 1.0)));
+  return mix(color, {255, 255, 255}, 0.25);
+}
+
+void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
+  if (!is_seen(pen, cord)) return;
+  if (cord.shape.rows > 1) {
+    draw_cloth(pen, cord, steps_between(pen, cord), own_color(pen, cord), colors);
+  } else {
+    draw_rope(pen, cord, colors);
+    draw_whipping(pen, cord, 0, std::min(1, cord.shape.columns - 1));
+    draw_whipping(pen, cord, cord.shape.columns - 1, std::max(cord.shape.columns - 2, 0));
+  }
+  if (cord.is_line) return;  // it is hooked, and the hook is drawn
+  for (int i = 0; i < cord.shape.columns; ++i) draw_fixing(pen, cord, i);
+}
+
+}  // namespace game

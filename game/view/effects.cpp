@@ -1,0 +1,120 @@
+#include "game/view/effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/convert.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+using ribbon::Vec2;
+
+constexpr double tick_dt = 1.0 / ticks_per_second;  // s
+constexpr int longest_gap = 30;                     // ticks
+constexpr int leaf_ticks = 45;
+constexpr int step_ticks = 9;
+constexpr double least_thud = 2.5;  // m/s
+constexpr Vec2 breeze{1.3, 0.0};    // m/s
+
+}  // namespace
+
+Effects::Effects(const Simulation& simulation) : simulation_(&simulation), camera_(simulation.level().map.size) {}
+
+CameraSubject Effects::subject() const {
+  const Player& player = simulation_->player();
+  CameraSubject now;
+  now.at = player.position();
+  now.velocity = engine::to_double(player.body().GetLinearVelocity());
+  now.faces_left = player.faces_left();
+  return now;
+}
+
+void Effects::follow(const Palette& palette, bool calm) {
+  const int gap = simulation_->ticks() - seen_ticks_;
+  CameraSubject now = subject();
+  const bool set_back = simulation_->run_ticks() < seen_run_ticks_;
+  if (seen_ticks_ < 0 || gap < 0 || gap > longest_gap || set_back) {
+    camera_.jump_to(now);
+    particles_.clear();
+    was_on_ground_ = true;
+    had_goal_ = simulation_->goal_ticks().has_value();
+    checkpoint_ = simulation_->checkpoint();
+  } else if (gap > 0) {
+    const bool on_ground = simulation_->player().is_on_ground();
+    now.impact = std::max(-before_.velocity.y, 0.0);
+    now.lands = on_ground && !was_on_ground_;
+    for (int k = 1; k <= gap; ++k) {
+      CameraSubject between = now;
+      between.at = before_.at + (1.0 * k / gap) * (now.at - before_.at);
+      between.lands = now.lands && k == gap;
+      camera_.tick(between);
+      particles_.tick(tick_dt, breeze);
+    }
+    if (!calm) watch(now, palette);
+    was_on_ground_ = on_ground;
+  }
+  before_ = now;
+  seen_ticks_ = simulation_->ticks();
+  seen_run_ticks_ = simulation_->run_ticks();
+}
+
+void Effects::watch(const CameraSubject& now, const Palette& palette) {
+  const Player& player = simulation_->player();
+  const Vec2 feet = now.at - Vec2{0.0, 0.5 * player.tuning().height};
+  const Color dust = mix(palette.soil, {255, 255, 255}, 0.45);
+  if (now.lands && now.impact > least_thud) add_dust(particles_, feet, now.impact / 10.0, dust);
+  const bool runs = player.is_on_ground() && std::abs(now.velocity.x) > 3.0;
+  if (runs && simulation_->ticks() / step_ticks != seen_ticks_ / step_ticks) add_dust(particles_, feet, 0.0, dust);
+  if (simulation_->ticks() / leaf_ticks != seen_ticks_ / leaf_ticks) {
+    const Vec2 from = now.at + Vec2{-12.0 + 9.0 * particles_.random(), 5.0 + 4.0 * particles_.random()};
+    add_leaf(particles_, from, mix(palette.grass, palette.goal, 0.5 + 0.5 * particles_.random()));
+  }
+  const bool has_goal = simulation_->goal_ticks().has_value();
+  if (has_goal && !had_goal_) {
+    const Level& level = simulation_->level();
+    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.goal);
+    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.sun);
+  }
+  had_goal_ = has_goal;
+  const auto checkpoint = simulation_->checkpoint();
+  if (checkpoint && checkpoint != checkpoint_) {
+    const Area& area = simulation_->level().checkpoints[*checkpoint];
+    add_sparkle(particles_, area.center + Vec2{0.4, 1.4 - 0.5 * area.size.y}, palette.banner_up);
+  }
+  checkpoint_ = checkpoint;
+}
+
+void Effects::draw(Pen& pen, double alpha) const {
+  for (const Particle& p : particles_.all()) {
+    const Vec2 at = p.at + ((alpha - 1.0) * tick_dt) * p.velocity;
+    if (!pen.sees(at, p.size)) continue;
+    const double left = 1.0 - p.age / p.life;
+    const Vec2 pixel = pen.canvas.to_pixels(at);
+    const double size = 2.0 * p.size * pen.scale();
+    switch (p.kind) {
+      case Particle::Kind::dust: {
+        const double grown = size * (1.0 + 1.6 * (1.0 - left));
+        pen.sprite(pen.images.glow, pixel, {1.6 * grown, 1.6 * grown},
+                   with_alpha(p.color, static_cast<int>(220.0 * left)));
+        break;
+      }
+      case Particle::Kind::leaf: {
+        const double fade = std::min({1.0, 4.0 * left, 2.0 * p.age});
+        const Vec2 tip = 0.5 * p.size * Vec2{std::cos(p.turn), std::sin(p.turn)};
+        pen.canvas.polyline(std::array{at - tip, at + tip},
+                            0.5 * p.size * (0.35 + 0.65 * std::abs(std::sin(2.0 * p.turn))),
+                            with_alpha(p.color, static_cast<int>(255.0 * fade)));
+        break;
+      }
+      case Particle::Kind::spark:
+        pen.sprite(pen.images.glow, pixel, {3.0 * size, 3.0 * size},
+                   with_alpha(p.color, static_cast<int>(200.0 * left)));
+        pen.canvas.circle(at, 0.45 * p.size * left, with_alpha({255, 255, 255}, static_cast<int>(255.0 * left)));
+        break;
+    }
+  }
+}
+
+}  // namespace game

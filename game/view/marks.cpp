@@ -1,0 +1,174 @@
+#include "game/view/marks.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace game {
+namespace {
+
+using engine::Color;
+using ribbon::Vec2;
+
+constexpr Color white{255, 255, 255};
+
+void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
+  pen.canvas.polyline(std::array{foot, top}, width + 0.05, pen.colors.ink);
+  pen.canvas.strip(std::array{foot, top}, {&pen.images.wood, width, 6.0 * width, 0.0, pen.colors.wood});
+  pen.canvas.circle(top, 0.8 * width, pen.colors.ink);
+  pen.canvas.circle(top, 0.8 * width - 0.03, pen.colors.goal);
+}
+
+/// A piece of cloth that flies from a pole: `size` along and across, waving by `swing` (m) at its free end, and hanging
+/// down by `droop` (m) there.
+struct Flag {
+  Vec2 top;
+  Vec2 size;
+  double swing;
+  double droop;
+  double narrowing;  // of the free end, 0 … 1
+};
+
+void draw_flag(Pen& pen, const Flag& flag, Color color) {
+  constexpr int columns = 14;
+  std::vector<Vec2> upper;
+  std::vector<Vec2> lower;
+  std::vector<double> light;
+  for (int i = 0; i <= columns; ++i) {
+    const double s = static_cast<double>(i) / columns;
+    const double phase = 5.5 * s - 5.0 * (pen.calm ? 0.0 : pen.time);
+    const Vec2 middle =
+        flag.top + Vec2{flag.size.x * s, -0.5 * flag.size.y - flag.droop * s * s + flag.swing * s * std::sin(phase)};
+    const double half = 0.5 * flag.size.y * (1.0 - flag.narrowing * s);
+    upper.push_back(pen.canvas.to_pixels(middle + Vec2{0.0, half}));
+    lower.push_back(pen.canvas.to_pixels(middle - Vec2{0.0, half}));
+    light.push_back(0.5 + 0.5 * std::cos(phase) * s);
+  }
+  std::vector<Vec2> outline = upper;
+  outline.insert(outline.end(), lower.rbegin(), lower.rend());
+  outline.push_back(outline.front());
+  pen.shape.clear();
+  engine::add_polyline(pen.shape, outline, 0.07 * pen.scale());
+  pen.canvas.mesh(pen.shape, pen.colors.ink);
+  pen.mesh.clear();
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    const Color shaded = mix(mix(color, pen.colors.ink, 0.18), mix(color, white, 0.3), light[i]);
+    const double u = 0.12 * static_cast<double>(i);
+    pen.mesh.vertices.push_back({upper[i], {u, 0.0}, shaded});
+    pen.mesh.vertices.push_back({lower[i], {u, 1.0}, shaded});
+    const int v = static_cast<int>(pen.mesh.vertices.size()) - 4;
+    if (v >= 0) pen.mesh.indices.insert(pen.mesh.indices.end(), {v, v + 2, v + 3, v, v + 3, v + 1});
+  }
+  pen.canvas.textured(pen.mesh, {&pen.images.cloth});
+}
+
+}  // namespace
+
+void draw_goal(Pen& pen, Vec2 center, Vec2 size, bool reached) {
+  const Vec2 foot = center - Vec2{0.0, 0.5 * size.y};
+  if (!pen.sees(center, 4.0)) return;
+  const Vec2 top = foot + Vec2{0.0, std::max(size.y, 1.2) + 0.9};
+  pen.sprite(pen.images.glow, pen.canvas.to_pixels(top + Vec2{0.5, -0.5}), pen.scale() * Vec2{4.0, 4.0},
+             with_alpha(pen.colors.sun, reached ? 190 : 110));
+  draw_flag(pen, {top - Vec2{0.0, 0.06}, {1.45, 0.9}, reached ? 0.16 : 0.09, reached ? 0.0 : 0.12, 0.25},
+            pen.colors.goal);
+  draw_pole(pen, foot, top, 0.13);
+}
+
+void draw_checkpoint(Pen& pen, Vec2 center, Vec2 size, bool reached) {
+  const Vec2 foot = center - Vec2{0.0, 0.5 * size.y};
+  if (!pen.sees(center, 3.0)) return;
+  const Vec2 top = foot + Vec2{0.0, 1.7};
+  const double height = reached ? 0.06 : 0.95;
+  draw_flag(pen, {top - Vec2{0.0, height}, {0.75, 0.5}, reached ? 0.07 : 0.02, reached ? 0.03 : 0.16, 0.8},
+            reached ? pen.colors.banner_up : pen.colors.banner_down);
+  draw_pole(pen, foot, top, 0.09);
+}
+
+void draw_hook(Pen& pen, Vec2 at, bool in_reach) {
+  if (!pen.sees(at, 1.0)) return;
+  const double beat = pen.calm ? 0.5 : 0.5 + 0.5 * std::sin(5.0 * pen.time);
+  if (in_reach) {
+    pen.sprite(pen.images.glow, pen.canvas.to_pixels(at), pen.scale() * Vec2{1.7 + 0.3 * beat, 1.7 + 0.3 * beat},
+               with_alpha(pen.colors.hook_in_reach, 200));
+    pen.canvas.ring(at, 0.42 + 0.05 * beat, 0.04, with_alpha(pen.colors.hook_in_reach, 220));
+  }
+  const Color color = in_reach ? pen.colors.hook_in_reach : mix(pen.colors.hook, white, 0.35);
+  pen.canvas.ring(at, 0.21, 0.15, pen.colors.ink);
+  pen.canvas.ring(at, 0.21, 0.085, color);
+  pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.11, pen.colors.ink);
+  pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
+}
+
+void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
+  if (text.empty() || !pen.sees(foot, 8.0)) return;
+  std::vector<std::string_view> lines;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find('\n', from), text.size());
+    lines.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  const double size = height * pen.scale();
+  const double step = pen.canvas.line_height(size);
+  double width = 0.0;
+  for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
+  const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, 0.7});
+  const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
+  for (const double x : {0.2, 0.8}) {
+    const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});
+    draw_pole(pen, {top.x, foot.y}, top, 0.1);
+  }
+  pen.canvas.panel(corner - Vec2{2.5, 2.5}, board + Vec2{5.0, 5.0}, 0.25 * size, pen.colors.ink);
+  pen.shape.clear();
+  pen.mesh.clear();
+  engine::add_rounded_rectangle(pen.shape, corner, board, 0.2 * size);
+  const double plank = 0.5 * board.y;  // two planks, one above the other
+  add_shape(pen.mesh, pen.shape, {corner, {0.25 / plank, 0.0}, {0.0, 1.0 / plank}}, pen.colors.wood);
+  pen.canvas.textured(pen.mesh, {&pen.images.wood});
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const Vec2 at = corner + Vec2{0.5 * board.x, 0.45 * size + step * static_cast<double>(k)};
+    pen.canvas.text(at + Vec2{0.0, 1.5}, lines[k], size, mix(pen.colors.wood, white, 0.45), engine::Align::center);
+    pen.canvas.text(at, lines[k], size, pen.colors.ink, engine::Align::center);
+  }
+}
+
+void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass) {
+  if (!pen.sees(center, radius)) return;
+  pen.canvas.circle(center, radius, pen.colors.ink);
+  pen.disc(pen.images.iron, center, radius - 0.03, mix(pen.colors.iron, white, 0.12), angle);
+  pen.disc(pen.images.shade, center, radius - 0.03, white);
+  draw_mass(pen, center, radius, mass);
+}
+
+void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
+  std::array<char, 32> text{};
+  if (mass >= 1000.0) {
+    std::snprintf(text.data(), text.size(), "%.3g t", mass / 1000.0);
+  } else {
+    std::snprintf(text.data(), text.size(), "%.3g kg", mass);
+  }
+  const double size = 0.52 * radius * pen.scale();
+  if (size < 6.0) return;
+  const Vec2 at = pen.canvas.to_pixels(center) - Vec2{0.0, 0.5 * pen.canvas.line_height(size)};
+  pen.canvas.text(at + Vec2{1.0, 1.0}, text.data(), size, pen.colors.ink, engine::Align::center);
+  pen.canvas.text(at, text.data(), size, {250, 240, 220}, engine::Align::center);
+}
+
+void draw_thrown_line(Pen& pen, Vec2 hand, Vec2 tip, double slack) {
+  constexpr int pieces = 24;
+  const double sag = 0.25 * slack * length(tip - hand);
+  std::vector<Vec2> curve;
+  for (int k = 0; k <= pieces; ++k) {
+    const double s = static_cast<double>(k) / pieces;
+    curve.push_back(hand + s * (tip - hand) - Vec2{0.0, 4.0 * sag * s * (1.0 - s)});
+  }
+  pen.canvas.strip(curve, {nullptr, 0.09, 1.0, 0.0, pen.colors.ink});
+  pen.canvas.strip(curve, {&pen.images.cord, 0.055, 0.2, 0.0, pen.colors.line});
+  pen.canvas.circle(tip, 0.1, pen.colors.ink);
+  pen.canvas.circle(tip, 0.065, pen.colors.hook_in_reach);
+}
+
+}  // namespace game
