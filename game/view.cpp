@@ -83,8 +83,16 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
   state.on_ground = player.is_on_ground();
   state.time = time;
   if (player.is_climbing()) state.climbing = state.velocity.y;
-  if (const auto held = simulation.scene().coupling().held_by(player.body()))
-    state.held = now.cords[static_cast<std::size_t>(held->cord)][static_cast<std::size_t>(held->point)];
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  if (const auto held = coupling.held_by(player.body())) {
+    const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
+    const Vec2 point = x[static_cast<std::size_t>(held->point)];
+    state.held = point;
+    if (held->along > 0.0) {
+      const Vec2 next = x[static_cast<std::size_t>(held->point + coupling.shape(held->cord).rows)];
+      *state.held += held->along * (next - point);
+    }
+  }
   return state;
 }
 
