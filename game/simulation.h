@@ -40,6 +40,7 @@ class Simulation {
   /// another method that is compared with the cords. Such a run is neither recorded nor drawn: its hash and snapshots
   /// stay those of the start.
   explicit Simulation(const Level& level, MakeMover make_mover = {});
+  explicit Simulation(Level&& level, MakeMover make_mover = {}) = delete;
 
   /// One tick of 1/60 s.
   void tick(const engine::TickInput& input);
