@@ -125,7 +125,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
   pen.shape.clear();
   pen.mesh.clear();
   engine::add_rounded_rectangle(pen.shape, corner, board, 0.2 * size);
-  const double plank = 0.5 * board.y;  // two planks, one above the other
+  const double plank = board.y;  // one, for a seam would strike the words through
   add_shape(pen.mesh, pen.shape, {corner, {0.25 / plank, 0.0}, {0.0, 1.0 / plank}}, pen.colors.wood);
   pen.canvas.textured(pen.mesh, {&pen.images.wood});
   for (std::size_t k = 0; k < lines.size(); ++k) {

@@ -37,7 +37,7 @@ TEST_P(EveryLevel, HasAPlaceATitleAHintAndMedalsThatItsWinningRunCanEarn) {
   EXPECT_GT(level.number, 0);
   EXPECT_NE(level.title, level.name);
   EXPECT_FALSE(level.hint.empty());
-  EXPECT_TRUE(std::filesystem::exists(assets_folder() + "/pictures/" + GetParam() + ".png"));
+  EXPECT_TRUE(std::filesystem::exists(assets_folder() + "/pictures/" + GetParam() + ".jpg"));
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   EXPECT_LT(static_cast<double>(replay.ticks.size()) / ticks_per_second, level.medals.bronze);
 }

@@ -149,7 +149,7 @@ TEST(View, EachOptionChangesThePicture) {
   options.colour_safe = true;
   EXPECT_NE(picture(options, 60, 1), plain);
   options = usual;
-  options.ghost = Ghost{{3.0, 6.0}, {}};
+  options.ghost = GhostPose{{3.0, 6.0}, {}};
   EXPECT_NE(picture(options, 60, 1), plain);
   options = usual;
   options.reduced_motion = true;
