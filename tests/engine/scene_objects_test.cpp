@@ -128,6 +128,7 @@ TEST(SceneRibbon, IsACordOfThreeRowsUnlessGiven) {
   MapObject cloth = cord(7);
   cloth.kind = "ribbon";
   cloth.properties.insert("stretch_stiffness", 5000.0);
+  cloth.properties.insert("bending_stiffness", 1.0);
   EXPECT_EQ(Scene(map_of({cloth})).coupling().shape(0).rows, 3);
   EXPECT_EQ(Scene(map_of({cloth})).cord_object(0), 7);
   EXPECT_EQ(Scene(map_of({cloth})).cord_object(5), 0);

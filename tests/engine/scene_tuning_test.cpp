@@ -23,7 +23,7 @@ const std::vector<std::string> others = {"player", "goal"};
 struct Tuned {
   std::string text = test_support::mixed_swing_map();
   TiledMap map = engine::parse_tiled_map(text, "mixed.tmj");
-  Scene scene{map, others};
+  Scene scene{map, others, {}, {"title", "hint", "number", "gold", "silver", "bronze"}};
 
   engine::CordIndex first(engine::Solver solver) const {
     for (int c = 0; c < scene.coupling().size(); ++c) {

@@ -120,7 +120,7 @@ TEST(ReplayFaults, WhenTheDisplayIsLostTheGameEndsWithItsRecordingComplete) {
     ASSERT_TRUE(server.starts());
     // The libraries of a display are not ours to hold to account for what they leave behind.
     std::ostringstream command;
-    command << "ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
+    command << "ASAN_OPTIONS=detect_leaks=0 SDL_AUDIODRIVER=dummy SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
             << " DISPLAY=" << server.display() << " exec " TEST_ROPESWING " --record " << path << " >" << said
             << " 2>&1";
     Process game(command.str());
