@@ -226,9 +226,8 @@ TEST(Checkpoint, IsWhereAFallAndARetryEnd) {
                     test_support::pump_and_let_go(button_right, 0.55), test_support::jump(button_right),
                     test_support::run_past(21.0), test_support::stand()});
   ASSERT_EQ(simulation.checkpoint(), 0U);
-  tick(simulation, button_right, 200);  // over the edge
+  while (simulation.falls() == 0) tick(simulation, button_right);  // over the edge
   const Area& area = level.checkpoints[0];
-  while (simulation.falls() == 0) tick(simulation, 0);
   EXPECT_NEAR(simulation.player().position().x, area.center.x, 0.2);
   EXPECT_GT(simulation.player().position().y, area.center.y - 0.5 * area.size.y);
 }
