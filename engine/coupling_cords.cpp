@@ -82,7 +82,8 @@ Vec2 Coupling::position(const CordPoint& place) const {
 }
 
 double Coupling::arc(const CordPoint& place) const {
-  return arc_at(place.cord, place.point / shape(place.cord).rows + place.along);
+  const int column = place.point / shape(place.cord).rows;
+  return arc_at(place.cord, column + place.along);
 }
 
 void Coupling::operate(CordIndex index, int point, Vec2 target) {

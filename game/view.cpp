@@ -89,7 +89,8 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
     const Vec2 point = x[static_cast<std::size_t>(held->point)];
     state.held = point;
     if (held->along > 0.0) {
-      const Vec2 next = x[static_cast<std::size_t>(held->point + coupling.shape(held->cord).rows)];
+      const int after = held->point + coupling.shape(held->cord).rows;
+      const Vec2 next = x[static_cast<std::size_t>(after)];
       *state.held += held->along * (next - point);
     }
   }

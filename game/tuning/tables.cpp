@@ -84,11 +84,11 @@ void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter&
 int inverted_cells(const Coupling& coupling, engine::CordIndex cord) {
   const engine::CordShape shape = coupling.shape(cord);
   const auto x = coupling.positions(cord);
+  const auto rows = static_cast<std::size_t>(shape.rows);
   int count = 0;
-  for (int i = 0; i + 1 < shape.columns; ++i) {
-    for (int j = 0; j + 1 < shape.rows; ++j) {
-      const auto point = static_cast<std::size_t>(i * shape.rows + j);
-      const auto next = point + static_cast<std::size_t>(shape.rows);
+  for (std::size_t column = 0; column + rows < x.size(); column += rows) {
+    for (std::size_t point = column; point + 1 < column + rows; ++point) {
+      const std::size_t next = point + rows;
       count += cross(x[next + 1] - x[point], x[point + 1] - x[next]) < 0.0;  // its diagonals
     }
   }
