@@ -1,5 +1,7 @@
 #include "game/screens/controls_screen.h"
 
+#include <utility>
+
 #include "game/screens/style.h"
 
 namespace game {
@@ -15,10 +17,11 @@ void ControlsScreen::fill_menu() {
   const Bindings& bindings = session_->settings.bindings;
   std::vector<MenuItem> items;
   for (const Action action : all_actions()) {
-    const std::string keys = codes_in_words(bindings, action, false, shown_codes);
+    std::string codes = codes_in_words(bindings, action, false, shown_codes);
     const std::string pad = codes_in_words(bindings, action, true, shown_codes);
-    const bool waits = rebinding_ && rebinding_->action() == action;
-    items.push_back({std::string(action_title(action)), waits ? "…" : pad == "none" ? keys : keys + "   |   " + pad});
+    if (pad != "none") codes.append("   |   ").append(pad);
+    if (rebinding_ && rebinding_->action() == action) codes = "…";
+    items.push_back({std::string(action_title(action)), std::move(codes)});
   }
   items.push_back({"All as at first"});
   items.push_back({"Back"});
