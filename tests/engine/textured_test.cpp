@@ -31,7 +31,8 @@ TexturedMesh rectangle(Vec2 from, Vec2 to, Color color = white) {
 }
 
 std::uint32_t pixel(const Raster& raster, int x, int y) {
-  return raster.pixels()[static_cast<std::size_t>(y * raster.width() + x)];
+  return raster
+      .pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width()) + static_cast<std::size_t>(x)];
 }
 
 int blue(const Raster& raster, int x, int y) { return static_cast<int>(pixel(raster, x, y) & 0xffU); }

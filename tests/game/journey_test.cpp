@@ -41,7 +41,7 @@ class Journey : public testing::Test {
     setenv("XDG_DATA_HOME", data().c_str(), 1);
   }
   ~Journey() override {
-    app_.reset();
+    app.reset();
     unsetenv("SDL_VIDEODRIVER");
     unsetenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS");
   }
@@ -50,12 +50,12 @@ class Journey : public testing::Test {
   static std::string data() { return scratch("journey_data"); }
 
   void open(const RunOptions& options = {}) {
-    app_.emplace(options);
+    app.emplace(options);
     if (!options.level) frame();
   }
-  bool frame() { return app_->update(app_->window().poll(), tick_ns); }
-  std::string screen() const { return app_->screens().top().title(); }
-  const PlayScreen& play() const { return dynamic_cast<const PlayScreen&>(app_->screens().top()); }
+  bool frame() { return app->update(app->window().poll(), tick_ns); }
+  std::string screen() const { return app->screens().top().title(); }
+  const PlayScreen& play() const { return dynamic_cast<const PlayScreen&>(app->screens().top()); }
 
   /// Pressed in one frame, let go in the next. False where the game ended.
   bool tap(Key key) {
@@ -83,7 +83,7 @@ class Journey : public testing::Test {
     ASSERT_EQ(screen(), "first_swing");
   }
 
-  std::optional<App> app_;
+  std::optional<App> app;
 };
 
 struct KeyOf {
@@ -143,21 +143,21 @@ TEST_F(Journey, KeysFromTheTitleToTheGoalAndBack) {
   change_buttons(before, 0, [](const KeyOf& key, bool down) { test_support::push_key(key.key, down); });
   for (int k = 0; k < 60 && screen() == "first_swing"; ++k) frame();
   ASSERT_EQ(screen(), "results");
-  app_->draw();
+  app->draw();
   const std::string recording = data() + "/ropeswing/runs/000001-first_swing.replay";
   expect_same_run(recording, 300);
   EXPECT_TRUE(engine::load_replay(recording).complete);
   const Level level = load_level("first_swing");
   const LevelKey key{level.name, level.map.content_hash};
-  ASSERT_TRUE(app_->session().records.best(key));
-  EXPECT_TRUE(std::filesystem::exists(app_->session().records.replay_path(key)));
+  ASSERT_TRUE(app->session().records.best(key));
+  EXPECT_TRUE(std::filesystem::exists(app->session().records.replay_path(key)));
 
   press(Key::r);  // once more: beside the ghost
   EXPECT_EQ(screen(), "first_swing");
   EXPECT_EQ(play().simulation().ticks(), 0);
   press(Key::escape);
   EXPECT_EQ(screen(), "paused");
-  app_->draw();
+  app->draw();
   press(Key::up);
   press(Key::up);
   press(Key::enter);
@@ -166,7 +166,7 @@ TEST_F(Journey, KeysFromTheTitleToTheGoalAndBack) {
   EXPECT_EQ(screen(), "title");
   test_support::push_quit();
   EXPECT_FALSE(frame());
-  EXPECT_EQ(app_->finish(), 0);
+  EXPECT_EQ(app->finish(), 0);
 }
 
 TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
@@ -189,7 +189,7 @@ TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
   const PlayScreen& watched = play();
   for (int k = 0; k < 5000 && !watched.is_over(); ++k) frame();
   EXPECT_EQ(watched.run().closing_line().rfind("verified ", 0), 0U) << watched.run().closing_line();
-  app_->draw();
+  app->draw();
   tap(Key::escape);
   EXPECT_EQ(screen(), "results");
 }
@@ -198,14 +198,14 @@ TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) {
   open();
   auto pad = std::make_unique<VirtualPad>();
   frame();
-  EXPECT_EQ(app_->session().notice.text(), "A gamepad is plugged in");
+  EXPECT_EQ(app->session().notice.text(), "A gamepad is plugged in");
   const auto press = [&](PadButton button) {
     pad->press(button, true);
     frame();
     pad->press(button, false);  // seen in the next frame, whichever screen has it
   };
   start_first_swing([&] { press(PadButton::dpad_down), frame(); }, [&] { press(PadButton::a); });
-  EXPECT_TRUE(app_->session().uses_pad);
+  EXPECT_TRUE(app->session().uses_pad);
   const engine::Replay wanted = engine::load_replay(golden());
   const auto to_pad = [&](const KeyOf& key, bool down) { pad->press(key.pad, down); };
   constexpr std::array<std::size_t, 4> unplugged_after = {60, 131, 200, 302};
@@ -216,7 +216,7 @@ TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) {
       pad.reset();
       frame();
       EXPECT_EQ(screen(), "paused");
-      EXPECT_EQ(app_->session().notice.text(), "The gamepad was unplugged");
+      EXPECT_EQ(app->session().notice.text(), "The gamepad was unplugged");
       for (int idle = 0; idle < 10; ++idle) frame();
       pad = std::make_unique<VirtualPad>();
       frame();
@@ -262,16 +262,16 @@ TEST_F(Journey, RebindingIsRememberedAndSteers) {
   ASSERT_EQ(screen(), "keys and buttons");
   for (int k = 0; k < static_cast<int>(Action::jump); ++k) tap(Key::down);
   tap(Key::enter);
-  app_->draw();
+  app->draw();
   tap(Key::j);
-  EXPECT_EQ(app_->session().settings.bindings.action_of(Key::j), Action::jump);
-  app_->finish();
-  app_.reset();
+  EXPECT_EQ(app->session().settings.bindings.action_of(Key::j), Action::jump);
+  app->finish();
+  app.reset();
 
   RunOptions options;
   options.level = "first_swing";
   open(options);
-  EXPECT_EQ(app_->session().settings.bindings.action_of(Key::j), Action::jump) << "in the next game";
+  EXPECT_EQ(app->session().settings.bindings.action_of(Key::j), Action::jump) << "in the next game";
   for (int k = 0; k < 30; ++k) frame();
   test_support::push_key(Key::j, true);
   frame();
@@ -280,8 +280,8 @@ TEST_F(Journey, RebindingIsRememberedAndSteers) {
 
 TEST_F(Journey, TheMouseWorksMenusToo) {
   open();
-  app_->draw();
-  const engine::Canvas& canvas = app_->window().canvas();
+  app->draw();
+  const engine::Canvas& canvas = app->window().canvas();
   // Somewhere down a column through the title's card there is each of its lines.
   for (double y = 0.0; y < canvas.height() && screen() == "title"; y += 8.0) {
     const ribbon::Vec2 at{200.0, y};
@@ -321,13 +321,13 @@ TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
   EXPECT_EQ(play().simulation().ticks(), before + 1);
   tap(Key::p);
   EXPECT_EQ(ticks_in(10), 10);
-  app_->session().settings.speed = 50;
+  app->session().settings.speed = 50;
   EXPECT_EQ(ticks_in(40), 20);
 }
 
 TEST_F(Journey, LongerArmsAreDeclaredInTheRecordingWhichVerifies) {
   open();
-  app_->session().settings.long_reach = true;
+  app->session().settings.long_reach = true;
   start_first_swing([this] { tap(Key::down); },
                     [this] {
                       test_support::push_key(Key::enter, true);
@@ -341,7 +341,7 @@ TEST_F(Journey, LongerArmsAreDeclaredInTheRecordingWhichVerifies) {
   EXPECT_EQ(play().simulation().player().tuning().reach, PlayScreen::long_reach);
   test_support::push_quit();
   frame();
-  app_->finish();
+  app->finish();
   const std::string recording = data() + "/ropeswing/runs/000001-first_swing.replay";
   const test_support::Ended ended = test_support::ropeswing("--headless --verify --replay " + recording);
   EXPECT_EQ(ended.status, 0) << ended.output;
@@ -353,13 +353,13 @@ TEST_F(Journey, WithoutAFolderToWriteToItSaysSoAndIsPlayed) {
   RunOptions options;
   options.level = "first_swing";
   open(options);
-  EXPECT_NE(app_->session().notice.text().find("not recorded"), std::string::npos);
+  EXPECT_NE(app->session().notice.text().find("not recorded"), std::string::npos);
   for (int k = 0; k < 60; ++k) frame();
   EXPECT_GE(play().simulation().ticks(), 60);
-  app_->session().settings.speed = 90;
+  app->session().settings.speed = 90;
   frame();
-  EXPECT_NE(app_->session().notice.text().find("settings cannot be written"), std::string::npos);
-  EXPECT_EQ(app_->finish(), 0);
+  EXPECT_NE(app->session().notice.text().find("settings cannot be written"), std::string::npos);
+  EXPECT_EQ(app->finish(), 0);
 }
 
 }  // namespace
