@@ -23,7 +23,7 @@ using test_support::write_bytes;
 
 /// A level of this test's own, with cords of both solvers.
 std::string own_level() {
-  const std::string path = scratch("tuned.tmj");
+  std::string path = scratch("tuned.tmj");
   write_bytes(path, test_support::mixed_swing_map());
   return path;
 }
