@@ -11,6 +11,7 @@ namespace ribbon {
 /// entry and those to the right of it: row(r)[k] is the entry (r, r + k), 0 ≤ k ≤ half_bandwidth.
 class BandedMatrix {
  public:
+  /// Of zeros. n ≥ 1, half_bandwidth ≥ 0.
   BandedMatrix(int n, int half_bandwidth)
       : n_(n),
         half_bandwidth_(half_bandwidth),
@@ -18,11 +19,14 @@ class BandedMatrix {
         entries_((static_cast<std::size_t>(n) + static_cast<std::size_t>(half_bandwidth)) *
                  (static_cast<std::size_t>(half_bandwidth) + 1)) {}
 
-  int size() const { return n_; }
+  int size() const { return n_; }  ///< n, rows and columns
+  /// How far from the diagonal entries may be.
   int half_bandwidth() const { return half_bandwidth_; }
   /// From a row to the next.
   int stride() const { return half_bandwidth_ + 1; }
+  /// The entries (r, r), (r, r + 1), …, half_bandwidth + 1 of them; 0 ≤ r < n. What lies past column n is 0.
   double* row(int r) { return entries_.data() + offset(r); }
+  /// The same to read.
   const double* row(int r) const { return entries_.data() + offset(r); }
   /// The entry (r, c); c within the band on either side.
   double at(int r, int c) const { return r <= c ? row(r)[c - r] : row(c)[r - c]; }
@@ -30,6 +34,7 @@ class BandedMatrix {
   void hold(int k);
   /// Becomes factor times a matrix of the same size.
   void set_scaled(const BandedMatrix& a, double factor);
+  /// Makes all entries 0.
   void set_zero() { std::fill(entries_.begin(), entries_.end(), 0.0); }
 
  private:

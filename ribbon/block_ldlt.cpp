@@ -52,6 +52,7 @@ void BlockLdlt::end_pattern() {
   coupling_first_.assign(n + 1, 0);
   for (const auto& coupling : couplings_) ++coupling_first_[at(coupling[0]) + 1];
   for (std::size_t k = 0; k < n; ++k) coupling_first_[k + 1] += coupling_first_[k];
+  coupled_.reserve(couplings_.capacity());
   coupled_.resize(couplings_.size());
   for (const auto& coupling : couplings_) coupled_[coupling_first_[at(coupling[0])]++] = coupling[1];
   for (std::size_t k = n; k > 0; --k) coupling_first_[k] = coupling_first_[k - 1];
@@ -81,6 +82,7 @@ void BlockLdlt::end_pattern() {
     next_child_[k] = first_child_[parent];
     first_child_[parent] = row;
   }
+  blocks_.reserve(columns_.capacity());
   blocks_.resize(columns_.size());
   diagonals_.resize(n);
   held_.resize(n);
@@ -194,30 +196,35 @@ inline bool BlockLdlt::eliminate(std::size_t row) {
   const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
   d = inverse;
   const Vec2 r = right_side_[row];
+  // By pointers of its own, which the compiler knows that no store below changes.
+  const int* const columns = columns_.data();
+  const char* const held = held_.data();
+  Block* const blocks = blocks_.data();
   for (std::size_t i = first_[row]; i < end; ++i) {
-    if (held_[at(columns_[i])] != 0) {
-      blocks_[i] = {};
+    const std::size_t target = at(columns[i]);
+    Block& block = blocks[i];
+    if (held[target] != 0) {
+      block = {};
       continue;
     }
-    const Pair b_x = pair_at(&blocks_[i].xx);
-    const Pair b_y = pair_at(&blocks_[i].yx);
+    const Pair b_x = pair_at(&block.xx);
+    const Pair b_y = pair_at(&block.yx);
     const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
     const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
-    const std::size_t target = at(columns_[i]);
+    put(l_x, &block.xx);
+    put(l_y, &block.yx);
     subtract(l_x * r.x + l_y * r.y, &right_side_[target].x);
     Diagonal& diagonal = diagonals_[target];
     subtract(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
-    diagonal.yy -= l_x[1] * b_x[1] + l_y[1] * b_y[1];
+    diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
     std::size_t place = first_[target];
     for (std::size_t j = i + 1; j < end; ++j) {
-      while (columns_[place] != columns_[j]) ++place;
-      const Pair c_x = pair_at(&blocks_[j].xx);
-      const Pair c_y = pair_at(&blocks_[j].yx);
-      subtract(l_x[0] * c_x + l_y[0] * c_y, &blocks_[place].xx);
-      subtract(l_x[1] * c_x + l_y[1] * c_y, &blocks_[place].yx);
+      while (columns[place] != columns[j]) ++place;
+      const Pair c_x = pair_at(&blocks[j].xx);
+      const Pair c_y = pair_at(&blocks[j].yx);
+      subtract(l_x[0] * c_x + l_y[0] * c_y, &blocks[place].xx);
+      subtract(l_x[1] * c_x + l_y[1] * c_y, &blocks[place].yx);
     }
-    put(l_x, &blocks_[i].xx);
-    put(l_y, &blocks_[i].yx);
   }
   return true;
 }

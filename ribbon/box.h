@@ -8,10 +8,11 @@ namespace ribbon {
 
 /// An axis-aligned box, m.
 struct Box {
-  Vec2 low;
-  Vec2 high;
+  Vec2 low;   ///< its lower left corner
+  Vec2 high;  ///< its upper right corner, with x and y not below those of `low`
 };
 
+/// True if they have a point in common, be it of their edges.
 inline bool overlap(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
@@ -28,6 +29,7 @@ inline Box joined(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
+/// The box with `margin` metres more on each side.
 inline Box widened(const Box& box, double margin) {
   return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
 }

@@ -18,6 +18,7 @@ bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> befo
   evaluated_ = false;
   active_.clear();
   rebounds_.clear();
+  rebounds_.reserve(pairs_.capacity());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactPair& pair = pairs_[k];
     if (hit_[k] == 0) continue;
@@ -76,6 +77,7 @@ void Contacts::remember_hits(double weight) {
 }
 
 void Contacts::scale_impulses(double factor) {
+  impulses_.reserve(pairs_.capacity());
   impulses_.resize(pairs_.size());
   for (double& impulse : impulses_) impulse = factor == 0.0 ? 0.0 : factor * impulse;
 }

@@ -24,6 +24,13 @@ constexpr int most_advances = 32;
 void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
   const bool first = watched_from_.size() != from.size();
   if (first) {
+    const std::size_t room = points_ + spots_.capacity();
+    watched_from_.reserve(room);
+    slacks_.reserve(room);
+    left_.reserve(room);
+    watched_.reserve(pairs_.capacity());
+    near_.reserve(pairs_.capacity());
+    paired_.reserve(room);
     watched_from_.assign(from.begin(), from.end());
     slacks_.assign(from.size(), 0.0);
     left_.assign(from.size(), 1);

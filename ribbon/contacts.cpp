@@ -17,6 +17,17 @@ constexpr double slack_share = 0.1;
 constexpr double shallow_share = 0.01;
 constexpr double stuck_share = 0.99;  // of the limit, below which friction begins as it ended the last step: stuck
 constexpr int most_turns = 3;         // of who slides, before it is braked instead
+// Room that there is from the first on, so that what comes near in a game seldom takes memory.
+constexpr std::size_t usual_pairs = 64;
+constexpr std::size_t usual_spots = 16;
+
+/// A value for each pair, in memory that grows as seldom as that of the pairs: twice as much each time, while an
+/// assignment alone would take it anew with each pair more than there ever were.
+template <typename T>
+void assign_each(std::vector<T>& all, const std::vector<ContactPair>& pairs, T value) {
+  all.reserve(pairs.capacity());
+  all.assign(pairs.size(), value);
+}
 
 }  // namespace
 
@@ -50,6 +61,7 @@ void Contacts::clear(std::size_t points) {
 }
 
 int Contacts::add(const Spot& spot) {
+  if (spots_.empty()) spots_.reserve(usual_spots);
   spots_.push_back(spot);
   return static_cast<int>(points_ + spots_.size()) - 1;
 }
@@ -57,44 +69,59 @@ int Contacts::add(const Spot& spot) {
 void Contacts::add(const ContactPair& pair) {
   const double slack = slack_share * pair.reach;
   if (pairs_.empty() || slack < least_slack_) least_slack_ = slack;
+  if (pairs_.empty()) pairs_.reserve(usual_pairs);
   pairs_.push_back(pair);
+  corners_.reserve(pairs_.capacity());
   corners_.push_back({pair.disc, pair.a, pair.b, pair.reach, pair.in});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
+  anchors.reserve(points_ + spots_.capacity());
   anchors.resize(points_ + spots_.size());
   std::copy(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(points_), anchors.begin());
+  int turned_by = -1;  // the slot of the angle that `turn` is of: a body's spots follow each other
+  Vec2 turn;
   for (std::size_t k = 0; k < spots_.size(); ++k) {
     const Spot& spot = spots_[k];
     Vec2& anchor = anchors[points_ + k];
     if (spot.center < 0) {
       anchor = led ? spot.goal : spot.here;
-    } else {
-      anchor = x[at(spot.center)];
-      if (!(spot.arm == Vec2{})) anchor += times(rotation(x[at(spot.center) + 1].x), spot.arm);
+      continue;
     }
+    anchor = x[at(spot.center)];
+    if (spot.arm == Vec2{}) continue;
+    if (turned_by != spot.center + 1) {
+      turned_by = spot.center + 1;
+      turn = rotation(x[at(turned_by)].x);
+    }
+    anchor += times(turn, spot.arm);
   }
 }
 
 void Contacts::begin(std::span<const Vec2> x, double share) {
   emerged_ = share;
   evaluated_ = false;
+  active_.reserve(pairs_.capacity());
+  rows_.reserve(pairs_.capacity());
+  frictions_.reserve(pairs_.capacity());
   place(x, false, starts_);
   slots_then_.assign(x.begin(), x.end());
+  turned_then_.reserve(spots_.capacity());
   turned_then_.resize(spots_.size());
   for (std::size_t k = 0; k < spots_.size(); ++k) turned_then_[k] = spots_[k].turned;
-  forces_.resize(pairs_.size());
-  presses_.assign(pairs_.size(), 0.0);
-  rubs_.assign(pairs_.size(), 0.0);
-  holds_.assign(pairs_.size(), 0);
+  assign_each(forces_, pairs_, 0.0);
+  assign_each(presses_, pairs_, 0.0);
+  assign_each(rubs_, pairs_, 0.0);
+  assign_each(holds_, pairs_, '\0');
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     forces_[k] = pairs_[k].touch.force;
     const double pull = friction_share * pairs_[k].stiffness * std::abs(pairs_[k].touch.stuck);
     holds_[k] = pull < stuck_share * pairs_[k].friction * forces_[k] ? 1 : 0;
   }
   evaluate(x);
+  first_.reserve(pairs_.capacity());
   first_ = touching_;
-  hit_.assign(pairs_.size(), 0);
+  assign_each(hit_, pairs_, '\0');
 }
 
 bool Contacts::evaluate(std::span<const Vec2> x) {
@@ -105,8 +132,8 @@ bool Contacts::evaluate(std::span<const Vec2> x) {
 }
 
 void Contacts::begin_stage() {
-  slid_.assign(pairs_.size(), 0.0);
-  turns_.assign(pairs_.size(), 0);
+  assign_each(slid_, pairs_, 0.0);
+  assign_each(turns_, pairs_, 0);
 }
 
 void Contacts::prepare(std::span<const Vec2> x, bool strict) {
@@ -166,7 +193,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   watch(anchors_, anchors_);
   evaluated_ = kept == 0.0;
   active_.clear();
-  touching_.assign(pairs_.size(), 0);
+  assign_each(touching_, pairs_, '\0');
   for (const std::size_t k : near_) {
     const Corner& corner = corners_[k];
     const double reach = reach_now(corner.reach, corner.in) + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);

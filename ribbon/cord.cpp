@@ -77,7 +77,8 @@ Cord::Cord(const CordDef& def)
       rest_(slot(def.points) - 1, def.length / (def.points - 1)),
       outline_(outline_of(def)),
       alone_(std::make_unique<Island>()) {
-  for (std::size_t p = 0; p < positions_.size(); ++p) masses_.push_back(own_mass(p));
+  for (std::size_t p = 0; p < positions_.size(); ++p) own_masses_.push_back(own_mass(p));
+  masses_ = own_masses_;
   for (const int pin : def_.pins) kinds_[slot(pin)] = PointKind::constrained;
   elasticity_->set_rest_lengths(rest_);
   elasticity_->find_tensions(positions_, tensions_);
@@ -136,7 +137,7 @@ void Cord::check_point(int point) const { check_range("point", point, 0, size() 
 void Cord::attach_mass(int point, double mass) {
   check_point(point);
   check_range("attached mass", mass, 0.0, 1e12);
-  masses_[slot(point)] = own_mass(slot(point)) + mass;
+  masses_[slot(point)] = own_masses_[slot(point)] + mass;
   restart_ = true;
 }
 
@@ -214,8 +215,13 @@ void Cord::reserve(std::size_t grips) {
 }
 
 Cord::State Cord::save() const {
-  const std::span<const char> unlocked = elasticity_->unlocked();
   State state;
+  save(state);
+  return state;
+}
+
+void Cord::save(State& state) const {
+  const std::span<const char> unlocked = elasticity_->unlocked();
   state.positions = positions_;
   state.velocities = velocities_;
   state.accelerations = accelerations_;
@@ -227,15 +233,15 @@ Cord::State Cord::save() const {
   state.rest = rest_;
   state.rest_targets = rest_targets_;
   state.rest_speeds = rest_speeds_;
-  state.unlocked = {unlocked.begin(), unlocked.end()};
+  state.unlocked.assign(unlocked.begin(), unlocked.end());
   state.holders = holders_;
+  state.touches.reserve(touches_.capacity());
   state.touches = touches_;
   state.touch_changed = touch_changed_;
   state.ledger = ledger_;
   state.balance = balance_;
   state.damping_apart = damping_apart_;
   state.restart = restart_;
-  return state;
 }
 
 void Cord::check_state(const State& state) const {

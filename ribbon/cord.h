@@ -1,19 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "ribbon/cord_def.h"
 #include "ribbon/definition.h"
-#include "ribbon/elasticity.h"
-#include "ribbon/held_body.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/touch.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
 
+class Elasticity;
 class Island;
 
 /// What happened in one step, summed over its substeps. All but the first two count what went wrong and was mended,
@@ -31,6 +31,7 @@ struct CordReport {
   int unconverged = 0;   ///< substeps left as they are after all that
 
   bool operator==(const CordReport&) const = default;
+  /// Adds the counts of another step.
   CordReport& operator+=(const CordReport& other);
 };
 
@@ -45,7 +46,9 @@ class Cord {
   Cord& operator=(Cord&& other) noexcept;
   ~Cord();
 
+  /// What it was made of; its accuracy is that of set_accuracy.
   const CordDef& def() const { return def_; }
+  /// How many points it has.
   int size() const { return def_.points * def_.rows; }
   /// The point i = 0 … points − 1 along the cord, j = 0 … rows − 1 across it, upwards in the initial layout.
   int index(int i, int j) const { return i * def_.rows + j; }
@@ -63,10 +66,12 @@ class Cord {
   double mass(int point) const { return masses_[slot(point)]; }
   /// The rest length of the link from column i to i + 1, m.
   double rest_length(int i) const { return rest_[slot(i)]; }
+  /// Of the cord, its loads and what is attached to it.
   struct Energy {
     double kinetic = 0.0;    ///< J, as the others
     double elastic = 0.0;    ///< of stretched bars and cells by their tensions
     double potential = 0.0;  ///< in gravity and under the loads
+    /// J, of all three.
     double total() const { return kinetic + elastic + potential; }
   };
   /// J, in this gravity [m/s²].
@@ -109,14 +114,14 @@ class Cord {
 
   /// What is remembered of a body that held the cord in the last step.
   struct Holder {
-    int point = 0;
-    Vec2 velocity;
-    double turning = 0.0;  // rad/s
-    Vec2 acceleration;
-    double angular_acceleration = 0.0;
-    int grip = 0;       ///< which of the step's grips
-    Vec2 pull{};        ///< N, on the body
-    double slid = 0.0;  ///< columns, by which the grip slipped along the cord
+    int point = 0;                      ///< the cord's, by index
+    Vec2 velocity;                      ///< m/s, of its centre of mass at the end of the step
+    double turning = 0.0;               ///< rad/s, at the same time
+    Vec2 acceleration;                  ///< m/s²
+    double angular_acceleration = 0.0;  ///< rad/s²
+    int grip = 0;                       ///< which of the step's grips
+    Vec2 pull{};                        ///< N, on the body
+    double slid = 0.0;                  ///< columns, by which the grip slipped along the cord
     bool operator==(const Holder&) const = default;
   };
   /// Those of bodies that are pushed, in the last step, by the point that they hold.
@@ -124,28 +129,31 @@ class Cord {
 
   /// All that a later step depends on but for the definition.
   struct State {
-    std::vector<Vec2> positions;
-    std::vector<Vec2> velocities;
-    std::vector<Vec2> accelerations;
-    std::vector<Vec2> targets;
-    std::vector<PointKind> kinds;
-    std::vector<double> masses;
-    std::vector<Vec2> loads;  // empty as long as there never was one
-    std::vector<double> tensions;
-    std::vector<double> rest;
-    std::vector<double> rest_targets;  // these two empty as long as nothing was ever reeled
-    std::vector<double> rest_speeds;
-    std::vector<char> unlocked;  // by cell, if the cord declares area stiffness
-    std::vector<Holder> holders;
-    std::vector<Touch> touches;
-    bool touch_changed = false;  ///< in the last step
-    double ledger = 0.0;         ///< J, see CordReport::energy_gains
-    double balance = 0.0;        ///< J, lost since it was made, or gained if negative
-    bool damping_apart = false;  ///< the tensions are without damping
-    bool restart = true;         ///< the accelerations are not those of this state
+    std::vector<Vec2> positions;       ///< m, by point
+    std::vector<Vec2> velocities;      ///< m/s, by point
+    std::vector<Vec2> accelerations;   ///< m/s², by point
+    std::vector<Vec2> targets;         ///< m, by point: of those that are driven
+    std::vector<PointKind> kinds;      ///< by point
+    std::vector<double> masses;        ///< kg, by point, with what is attached
+    std::vector<Vec2> loads;           ///< N, by point; empty as long as there never was one
+    std::vector<double> tensions;      ///< see Cord::tensions
+    std::vector<double> rest;          ///< m, rest lengths by link
+    std::vector<double> rest_targets;  ///< m, by link, where a reel takes it; empty as long as nothing was ever reeled
+    std::vector<double> rest_speeds;   ///< m/s, by link, how fast; the same
+    std::vector<char> unlocked;   ///< by cell, if the cord declares area stiffness: 1 while it is being turned back
+    std::vector<Holder> holders;  ///< see Cord::holders
+    std::vector<Touch> touches;   ///< see Cord::touches
+    bool touch_changed = false;   ///< in the last step
+    double ledger = 0.0;          ///< J, see CordReport::energy_gains
+    double balance = 0.0;         ///< J, lost since it was made, or gained if negative
+    bool damping_apart = false;   ///< the tensions are without damping
+    bool restart = true;          ///< the accelerations are not those of this state
     bool operator==(const State&) const = default;
   };
+  /// What to go on from later.
   State save() const;
+  /// The same into a state that is there already: one that has held this cord's before takes no memory.
+  void save(State& state) const;
   /// Continues from a saved state, to the same bits. Throws DefinitionError where check_state does, and then changes
   /// nothing.
   void restore(const State& state);
@@ -171,7 +179,8 @@ class Cord {
   std::vector<Vec2> accelerations_;
   std::vector<Vec2> targets_;
   std::vector<PointKind> kinds_;
-  std::vector<double> masses_;
+  std::vector<double> own_masses_;  // kg, without what was attached
+  std::vector<double> masses_;      // kg
   std::vector<Vec2> loads_;
   std::vector<double> tensions_;
   std::vector<double> rest_;          // m, of each link

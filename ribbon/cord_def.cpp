@@ -45,9 +45,13 @@ void check(const Accuracy& accuracy) {
   check_range("accuracy.tolerance", accuracy.tolerance, 1e-12, 1.0);
 }
 
-void check(const CordDef& def) {
+void check_size(const CordDef& def) {
   check_range("rows", def.rows, 1, 64);
   check_range("points", def.points, 2, std::floor(1e6 / def.rows));
+}
+
+void check(const CordDef& def) {
+  check_size(def);
   check_range("length", def.length, 1e-6, 1e6);
   check_range("radius", def.radius, 0.0, 1e6);
   check_range("mass_per_length", def.mass_per_length, 1e-12, 1e12);

@@ -8,6 +8,7 @@
 
 namespace ribbon {
 
+/// How time is integrated.
 enum class Integrator : unsigned char {
   tr_bdf2,         ///< second order, L-stable (Hosea & Shampine 1996): two solves a substep
   implicit_euler,  ///< first order, one solve: cheap, and damps what moves
@@ -15,7 +16,7 @@ enum class Integrator : unsigned char {
 
 /// What accuracy may cost. `README.md` has the measured cost and error of the presets.
 struct Accuracy {
-  Integrator integrator = Integrator::tr_bdf2;
+  Integrator integrator = Integrator::tr_bdf2;  ///< second order, unless it is scenery
   int substeps = 1;        ///< a step, 1 … 4096: the error falls with their square, with implicit Euler in proportion
   int max_iterations = 8;  ///< full Newton steps a solve, 1 … 1000, before it starts again with a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
@@ -62,8 +63,8 @@ struct CordDef {
   double restitution = 0.0;   ///< 0 … 1; with another's the greater holds, as in Box2D
   bool self_contact = false;  ///< it does not pass through itself
   bool cord_contact = false;  ///< nor through others that declare it too
-  Elements elements = Elements::cells;
-  Accuracy accuracy;
+  Elements elements = Elements::cells;  ///< of two rows and more
+  Accuracy accuracy;                    ///< what exactness may cost
 
   /// Initial positions, points·rows of them, P(i, j) at i·rows + j; empty lays the cord out from the origin along +x.
   std::vector<Vec2> positions;
@@ -75,14 +76,18 @@ struct CordDef {
 
 /// Throws DefinitionError at the first field that is out of its range, or that the other fields exclude.
 void check(const CordDef& def);
+/// The same of an accuracy alone.
 void check(const Accuracy& accuracy);
+/// Of the fields, `points` and `rows` alone.
+void check_size(const CordDef& def);
 
 /// Stiffnesses of a ribbon; `apply_to` sets them in a definition.
 struct RibbonMaterial {
   double stretch_stiffness;  ///< EA, N
   double bending_stiffness;  ///< EI, N·m²
-  double poisson_ratio;
+  double poisson_ratio;      ///< how much it narrows as it is stretched, −0.9 … 0.9
 
+  /// Sets the three in a definition, and nothing else.
   void apply_to(CordDef& def) const;
 };
 

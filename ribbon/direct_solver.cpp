@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/island.h"
+
 namespace ribbon {
+
+DirectSolver::DirectSolver() : island_(std::make_unique<Island>()) {}
+DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
+DirectSolver& DirectSolver::operator=(DirectSolver&&) noexcept = default;
+DirectSolver::~DirectSolver() = default;
 
 void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
                         std::span<CordReport> reports) {
@@ -25,7 +32,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     for (std::size_t k = first; k < cords.size(); ++k) {
       if (root(k) == first) members_.push_back(cords[k]);
     }
-    const CordReport report = island_.step(members_, bodies, dt, gravity);
+    const CordReport report = island_->step(members_, bodies, dt, gravity);
     for (std::size_t k = first; k < cords.size(); ++k) {
       if (root(k) == first) reports[k] = report;
     }

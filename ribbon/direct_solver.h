@@ -1,9 +1,15 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "ribbon/island.h"
+#include "ribbon/box.h"
+#include "ribbon/cord.h"
+#include "ribbon/island_cord.h"
+#include "ribbon/rigid_circle.h"
+#include "ribbon/vec2.h"
 
 namespace ribbon {
 
@@ -11,6 +17,11 @@ namespace ribbon {
 /// once; the others are solved one by one. It keeps memory only.
 class DirectSolver {
  public:
+  DirectSolver();
+  DirectSolver(DirectSolver&&) noexcept;
+  DirectSolver& operator=(DirectSolver&&) noexcept;
+  ~DirectSolver();
+
   /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first
   /// cords; all meet the same `bodies`. reports[k] is what happened in the island of cords[k]. Throws DefinitionError,
   /// and moves none, where check_step, check_bodies or check_met do.
@@ -34,7 +45,7 @@ class DirectSolver {
   std::vector<std::size_t> first_links_;
   std::vector<int> first_cords_;  // by body: the first cord that it is near, −1 if none
   std::vector<IslandCord> members_;
-  Island island_;
+  std::unique_ptr<Island> island_;
 };
 
 }  // namespace ribbon

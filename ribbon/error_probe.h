@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
+#include "ribbon/island_cord.h"
+#include "ribbon/rigid_circle.h"
+#include "ribbon/vec2.h"
 
 namespace ribbon {
 
@@ -13,7 +18,7 @@ namespace ribbon {
 /// stays the same to the bit; it costs `finer` further steps, and memory anew for cords that were not there before.
 class ErrorProbe {
  public:
-  static constexpr int finer = 4;
+  static constexpr int finer = 4;  ///< substeps of a copy in place of one
 
   /// Before the step of these cords among these bodies: see DirectSolver::step.
   void foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);

@@ -9,18 +9,13 @@
 #include "ribbon/block_ldlt.h"
 #include "ribbon/contacts.h"
 #include "ribbon/cord.h"
+#include "ribbon/elasticity.h"
 #include "ribbon/held_body.h"
+#include "ribbon/island_cord.h"
 #include "ribbon/quadtree.h"
 #include "ribbon/stage.h"
 
 namespace ribbon {
-
-/// A cord in an island, and what it alone meets.
-struct IslandCord {
-  Cord* cord = nullptr;
-  Surroundings met;      ///< its circles, segments and grips; the bodies are those of all
-  std::uint64_t id = 0;  ///< the same from step to step, and of no circle or segment
-};
 
 /// Cords that are solved together, for they hold the same bodies or touch each other: the step of the direct solver. It
 /// keeps memory only, nothing of one step is needed in the next.

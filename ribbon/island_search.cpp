@@ -13,6 +13,7 @@ constexpr double large_circle = 10.0;  // links, that the reach of a circle is w
 constexpr double deep_share = 0.01;
 constexpr double emerging_share = 0.1;     // and comes out of so much of its depth in a step,
 constexpr double fastest_emergence = 1.0;  // m/s, but no faster than this
+constexpr std::size_t usual_touches = 16;  // of a cord that meets somebody, for which it has room
 
 }  // namespace
 
@@ -195,7 +196,7 @@ Vec2 Island::place_of(int anchor) const {
 void Island::remember_contacts(const Member& member) {
   Cord& cord = *member.cord;
   cord.touches_.clear();
-  cord.touches_.reserve(contacts_.pairs().size());
+  if (!contacts_.empty()) cord.touches_.reserve(usual_touches);
   cord.touch_changed_ = touch_changed_;
   const auto index = static_cast<std::size_t>(&member - members_.data());
   for (const ContactPair& pair : contacts_.pairs()) {

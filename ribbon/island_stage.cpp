@@ -82,7 +82,7 @@ void Island::load_member(const Member& member, double time, double q) {
 void Island::add_drag(const Member& member, double q) {
   for (std::size_t i = 0; i < member.count; ++i) {
     const std::size_t p = member.first + i;
-    const double c = member.cord->def_.drag * member.cord->own_mass(i);
+    const double c = member.cord->def_.drag * member.cord->own_masses_[i];
     inertia_[p] += c / q;
     force_[p] -= c * velocity_[p];
   }
@@ -99,12 +99,14 @@ bool Island::free_steps(Stage& stage, CordReport& report) {
   return searched_steps(stage, report);
 }
 
-/// How far the point that moves most goes, m.
+/// How far the point that moves most goes, m; not finite if any of it is not.
 double Island::furthest() const {
   double most2 = 0.0;
-  const auto take = [&most2](Vec2 step) {
+  double all2 = 0.0;
+  const auto take = [&](Vec2 step) {
     const double size2 = dot(step, step);
-    if (!(size2 <= most2)) most2 = size2;  // NaN stays
+    most2 = std::max(most2, size2);
+    all2 += size2;
   };
   for (const Vec2 step : std::span(direction_).first(count_)) take(step);
   for (const HeldBody& held : held_)
@@ -112,7 +114,7 @@ double Island::furthest() const {
   if (together_) {
     for (std::size_t k = 0; k < bodies_.size(); ++k) take(direction_[center(k)]);
   }
-  return std::sqrt(most2);
+  return std::isfinite(all2) ? std::sqrt(most2) : all2;
 }
 
 /// Where a body is follows from its point and its angle.

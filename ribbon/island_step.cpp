@@ -306,6 +306,7 @@ bool Island::tr_bdf2(double start, double dt, CordReport& report) {
     predicted_[p] = x0_[p] + q * (v0_[p] + velocity_[p]);
     positions_[p] = predicted_[p] + (q * q) * accelerations_[p];
   }
+  stage_weight_ = q / (gamma * (2.0 - gamma));  // as bdf2_stage takes this stage's velocity
   return solve_stage(start + gamma * dt, q, x0_, report) && bdf2_stage(start, dt, gamma, report);
 }
 

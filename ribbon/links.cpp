@@ -86,6 +86,10 @@ inline Links::Linearised Links::linearise(const Shape& shape, const Link& link, 
 }
 
 void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
+  if (links_.size() + 1 == system.x.size()) {
+    load_rope(system, tensions);
+    return;
+  }
   for (std::size_t e = 0; e < links_.size(); ++e) {
     const Link& link = links_[e];
     const Linearised at = linearised_[e] = linearise(system, link, tensions[e]);
@@ -94,6 +98,36 @@ void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
     system.force[static_cast<std::size_t>(link.b)] -= pull;
     system.add_between(link.a, link.b, directed(at.d, at.stiffness, at.across));
   }
+}
+
+/// The same of links one behind the other: what two of them add to their point is stored when both have.
+void Links::load_rope(const NewtonSystem& system, std::span<const double> tensions) {
+  const int stride = system.matrix.stride();
+  double* upper = system.matrix.row(0);
+  Block here{upper[0], upper[1], upper[stride]};
+  Vec2 force = system.force[0];
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    const Linearised at = linearised_[e] = linearise(system, links_[e], tensions[e]);
+    const Block block = directed(at.d, at.stiffness, at.across);
+    const Vec2 pull = at.force * at.d;
+    double* lower = upper + stride;
+    here = here + block;
+    upper[0] = here.xx;
+    upper[1] = here.xy;
+    lower[0] = here.yy;
+    upper[2] -= block.xx;
+    upper[3] -= block.xy;
+    lower[1] -= block.xy;
+    lower[2] -= block.yy;
+    system.force[e] = force + pull;
+    upper = lower + stride;
+    here = Block{upper[0], upper[1], upper[stride]} + block;
+    force = system.force[e + 1] - pull;
+  }
+  upper[0] = here.xx;
+  upper[1] = here.xy;
+  upper[stride] = here.yy;
+  system.force[links_.size()] = force;
 }
 
 void Links::update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,

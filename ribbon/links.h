@@ -46,6 +46,7 @@ class Links final : public Term {
     return 1.0 / shape.stage.inertia[static_cast<std::size_t>(link.a)];
   }
   Linearised linearise(const Shape& shape, const Link& link, double tension) const;
+  void load_rope(const NewtonSystem& system, std::span<const double> tensions);
   double compliance(const Link& link) const { return link.rest * inverse_stiffness_; }
 
   double inverse_stiffness_;  // 1/N, 0 where inextensible

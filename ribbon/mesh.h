@@ -9,16 +9,16 @@ namespace ribbon {
 
 /// A two-node connection between neighbouring points, a < b.
 struct Connection {
-  int a;
-  int b;
+  int a;               ///< index of a point
+  int b;               ///< of the other
   double rest_length;  ///< m
 };
 
 /// Three points, counter-clockwise in the rest shape.
 struct Triangle {
-  int a;
-  int b;
-  int c;
+  int a;             ///< index of a point
+  int b;             ///< of the next
+  int c;             ///< of the last
   double rest_area;  ///< m²
 };
 
@@ -26,17 +26,17 @@ struct Triangle {
 /// Point P(i, j), 0 ≤ i < w, 0 ≤ j < h, has the index i·h + j, so that neighbours differ by at most h + 1 and the
 /// stiffness matrix is a band. Everything here is fixed for the life of a cord.
 struct Mesh {
-  int w = 0;
-  int h = 0;
+  int w = 0;                            ///< points along the cord
+  int h = 0;                            ///< points across it
   double spacing = 0.0;                 ///< m, between neighbours along and across
   std::vector<Connection> connections;  ///< each pair of the up to 8 neighbours once, ordered by a, then b
   std::vector<Triangle> triangles;      ///< two a cell, cut along the same diagonal in every cell
   std::vector<int> boundary;            ///< the outer boundary, counter-clockwise; the last point joins the first
 
-  int size() const { return w * h; }
-  int index(int i, int j) const { return i * h + j; }
-  int column(int point) const { return point / h; }
-  int row(int point) const { return point % h; }
+  int size() const { return w * h; }                   ///< how many points
+  int index(int i, int j) const { return i * h + j; }  ///< of P(i, j)
+  int column(int point) const { return point / h; }    ///< i of a point
+  int row(int point) const { return point % h; }       ///< j of a point
 };
 
 /// Builds the model. w, h ≥ 2 and spacing > 0 are the caller's to ensure (ThesisDef checks them).

@@ -38,13 +38,13 @@ struct RigidCircle {
 
 /// A straight edge fixed to a body, without its ends: give those as circles of the same radius.
 struct RigidSegment {
-  int body = 0;         ///< index into the step's bodies
-  Vec2 a;               ///< m, from the body's centre of mass, world directions
-  Vec2 b;               ///< m
-  double radius = 0.0;  ///< m, 0 or more
-  double friction = 0.0;
-  double restitution = 0.0;
-  std::uint64_t id = 0;
+  int body = 0;              ///< index into the step's bodies
+  Vec2 a;                    ///< m, from the body's centre of mass, world directions
+  Vec2 b;                    ///< m
+  double radius = 0.0;       ///< m, 0 or more
+  double friction = 0.0;     ///< of its surface, 0 … 10
+  double restitution = 0.0;  ///< 0 … 1
+  std::uint64_t id = 0;      ///< as a circle's; no circle has the same
 };
 
 /// A body that holds a cord at a point, or between two.
@@ -62,16 +62,17 @@ struct Grip {
 
 /// What a cord meets in one step.
 struct Surroundings {
-  std::span<RigidBody> bodies = {};
-  std::span<const RigidCircle> circles = {};
-  std::span<const Grip> grips = {};
-  std::span<const RigidSegment> segments = {};  ///< met by the direct solver only
+  std::span<RigidBody> bodies = {};             ///< that the others refer to by index; they get their impulses
+  std::span<const RigidCircle> circles = {};    ///< that it may touch
+  std::span<const Grip> grips = {};             ///< of bodies that hold it
+  std::span<const RigidSegment> segments = {};  ///< that it may touch; met by the direct solver only
 };
 
 /// Throw DefinitionError unless all numbers of the bodies of a step, and of what else a cord of so many points meets in
 /// it, are in their ranges: lengths and velocities within ±1e10, accelerations within ±1e20, and every body and point
 /// that something refers to there.
 void check_bodies(std::span<const RigidBody> bodies);
+/// See check_bodies.
 void check_met(const Surroundings& met, std::size_t bodies, int points);
 
 /// Throws DefinitionError unless a step can be taken: 1e-9 ≤ dt ≤ 1 [s], gravity [m/s²] within ±1e9.

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "ribbon/broad_phase.h"
+
 namespace ribbon {
 namespace {
 
@@ -57,6 +59,9 @@ ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solve
   }
   for (const int pin : def_.pins) constrain(pin, positions_[index(pin)]);
 }
+ThesisCord::ThesisCord(ThesisCord&&) noexcept = default;
+ThesisCord& ThesisCord::operator=(ThesisCord&&) noexcept = default;
+ThesisCord::~ThesisCord() = default;
 
 void ThesisCord::check_point(int point) const {
   if (point < 0 || point >= mesh_->size()) {
@@ -124,6 +129,13 @@ void ThesisCord::check_state(const State& state) const {
     for (const Vec2 value : *values) check_coordinates("state", value);
   }
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
+}
+
+void ThesisCord::save(State& state) const {
+  state.positions = positions_;
+  state.velocities = velocities_;
+  state.targets = targets_;
+  state.kinds = kinds_;
 }
 
 void ThesisCord::restore(const State& state) {

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "ribbon/banded_ldlt.h"
-#include "ribbon/broad_phase.h"
 #include "ribbon/definition.h"
 #include "ribbon/mesh.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_def.h"
 
 namespace ribbon {
+
+class BroadPhase;
 
 /// What happened in one step, summed over its substeps; the last three, at its end.
 struct StepReport {
@@ -27,6 +29,7 @@ struct StepReport {
                          ///< looked for while a point, a hand or a body that nothing pushes is moving
 
   bool operator==(const StepReport&) const = default;
+  /// Adds the counts of another step.
   StepReport& operator+=(const StepReport& other);
 };
 
@@ -38,11 +41,17 @@ class ThesisCord {
   /// Builds the cord at rest. Throws DefinitionError where check(def) does. `solver` solves the FEM's system; the
   /// default is the banded LDLᵀ.
   explicit ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solver = std::make_unique<BandedLdlt>());
+  ThesisCord(ThesisCord&&) noexcept;
+  ThesisCord& operator=(ThesisCord&&) noexcept;
+  ~ThesisCord();
 
+  /// Its points, connections and triangles; for its life.
   const Mesh& mesh() const { return *mesh_; }
+  /// What it was made of.
   const ThesisDef& def() const { return def_; }
   std::span<const Vec2> positions() const { return positions_; }    ///< m, by point index
   std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by point index
+  /// The caller sees to it that there is such a point, here and in target.
   PointKind kind(int point) const { return kinds_[index(point)]; }
   /// Where a constrained or operated point is going, m.
   Vec2 target(int point) const { return targets_[index(point)]; }
@@ -74,13 +83,16 @@ class ThesisCord {
 
   /// What a replay or a saved game has to keep; the rest follows from the definition.
   struct State {
-    std::vector<Vec2> positions;
-    std::vector<Vec2> velocities;
-    std::vector<Vec2> targets;
-    std::vector<PointKind> kinds;
+    std::vector<Vec2> positions;   ///< m, by point
+    std::vector<Vec2> velocities;  ///< m/s, by point
+    std::vector<Vec2> targets;     ///< m, by point: of those that are driven
+    std::vector<PointKind> kinds;  ///< by point
     bool operator==(const State&) const = default;
   };
+  /// What to go on from later.
   State save() const { return {positions_, velocities_, targets_, kinds_}; }
+  /// The same into a state that is there already: one that has held this cord's before takes no memory.
+  void save(State& state) const;
   /// Continues from a saved state, to the same bits. Throws DefinitionError where check_state does, and then changes
   /// nothing.
   void restore(const State& state);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ribbon/bar.h"
+#include "ribbon/broad_phase.h"
 #include "ribbon/contact.h"
 #include "ribbon/corrections.h"
 #include "ribbon/tangle.h"
