@@ -106,13 +106,15 @@ void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& prof
   add_sector(mesh, at, profile, std::atan2(outside.y, outside.x), turn);
 }
 
-/// The points without those that stand where the one before does.
-std::vector<Vec2> distinct(std::span<const Vec2> points) {
-  std::vector<Vec2> kept;
-  kept.reserve(points.size());
+/// The points without those that stand where the one before does. They are copied only where there are such: most lines
+/// have none, and there are hundreds in a frame.
+std::span<const Vec2> distinct(std::span<const Vec2> points, std::vector<Vec2>& copy) {
+  const auto is_same = [](Vec2 a, Vec2 b) { return !(length(b - a) > same_place); };
+  if (std::adjacent_find(points.begin(), points.end(), is_same) == points.end()) return points;
+  copy.reserve(points.size());
   for (const Vec2 p : points)
-    if (kept.empty() || length(p - kept.back()) > same_place) kept.push_back(p);
-  return kept;
+    if (copy.empty() || !is_same(copy.back(), p)) copy.push_back(p);
+  return copy;
 }
 
 double signed_area(std::span<const Vec2> corners) {
@@ -189,7 +191,8 @@ void add_ring(Mesh& mesh, Vec2 center, double radius, double width) {
 
 void add_polyline(Mesh& mesh, std::span<const Vec2> points, double width) {
   if (!drawable(points) || !drawable(width) || width <= 0.0) return;
-  const std::vector<Vec2> p = distinct(points);
+  std::vector<Vec2> copy;
+  const std::span<const Vec2> p = distinct(points, copy);
   if (p.size() < 2) return;
   const Profile profile = line_profile(width);
   for (std::size_t i = 1; i < p.size(); ++i) add_bar(mesh, p[i - 1], p[i], profile);
@@ -204,8 +207,9 @@ void add_polyline(Mesh& mesh, std::span<const Vec2> points, double width) {
 
 void add_convex(Mesh& mesh, std::span<const Vec2> corners) {
   if (!drawable(corners)) return;
-  std::vector<Vec2> p = distinct(corners);
-  while (p.size() > 1 && length(p.front() - p.back()) <= same_place) p.pop_back();
+  std::vector<Vec2> copy;
+  std::span<const Vec2> p = distinct(corners, copy);
+  while (p.size() > 1 && length(p.front() - p.back()) <= same_place) p = p.first(p.size() - 1);
   const double area = signed_area(p);
   if (p.size() < 3 || std::abs(area) < smallest_area) return;
   // Area over perimeter is never more than the inscribed circle's radius, so the core cannot turn inside out; for a
@@ -258,6 +262,7 @@ void add_rounded_rectangle(Mesh& mesh, Vec2 corner, Vec2 size, double corner_rad
                                      {corner.x + size.x - r, corner.y + r}}};
   const int steps = r > 0.0 ? arc_steps(r, quarter) : 0;
   std::vector<Vec2> outline;
+  outline.reserve(middles.size() * static_cast<std::size_t>(steps + 1));
   for (std::size_t i = 0; i < middles.size(); ++i)
     for (int k = 0; k <= steps; ++k)
       outline.push_back(middles[i] + r * direction_of(quarter * (static_cast<double>(i) +

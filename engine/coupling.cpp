@@ -20,6 +20,7 @@ using ribbon::Vec2;
 // Room that every cord has from the start, so that the first circle to come near takes no memory.
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_grips = 8;
+constexpr std::size_t usual_touches = 16;
 constexpr double direct_reach = 4.0;  // times the way that a cord goes in a tick
 constexpr double snap = 2.0;          // times the speed that all of the elastic energy gives all of a cord
 
@@ -140,6 +141,8 @@ void Coupling::make_room(CoupledCord& coupled) {
   coupled.circles.reserve(usual_bodies);
   coupled.segments.reserve(usual_bodies);
   coupled.grips.reserve(usual_grips);
+  coupled.touching.reserve(usual_touches);
+  coupled.touched.reserve(usual_touches);
 }
 
 CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
@@ -157,6 +160,7 @@ CordIndex Coupling::add(CoupledCord coupled) {
   cords_.push_back(std::move(coupled));
   gathered_.reserve(usual_bodies);
   rigid_.reserve(usual_bodies);
+  touch_events_.reserve(usual_touches);
   return size() - 1;
 }
 

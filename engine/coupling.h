@@ -18,6 +18,7 @@
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_cord.h"
 
+/// What any game would reuse; of it, what is installed puts cords into a Box2D world.
 namespace engine {
 
 /// A cord's place in its coupling, in the order of adding.
@@ -41,8 +42,8 @@ struct CordShape {
 
 /// A place on a cord.
 struct CordPoint {
-  CordIndex cord = 0;
-  int point = 0;
+  CordIndex cord = 0;     ///< which one
+  int point = 0;          ///< its point, by index
   double distance = 0.0;  ///< m, from where it was looked for
   double along = 0.0;     ///< share of the way from there to the point of the next column, below 1
 };
@@ -52,7 +53,7 @@ using GripId = int;
 
 /// How a body holds a cord of the direct solver.
 struct GripDef {
-  CordIndex cord = 0;
+  CordIndex cord = 0;             ///< which one
   double arc = 0.0;               ///< m at rest along the cord from its first point, 0 … its length
   int row = 0;                    ///< of a ribbon
   b2Vec2 local_hand{0.0F, 0.0F};  ///< in the body's own frame
@@ -63,7 +64,7 @@ struct GripDef {
 
 /// What has become of a grip.
 struct GripState {
-  CordIndex cord = 0;
+  CordIndex cord = 0;  ///< which one
   double arc = 0.0;    ///< m at rest along the cord
   ribbon::Vec2 place;  ///< m, of the cord there
   ribbon::Vec2 pull;   ///< N, on the body in the last tick; of one that is pushed
@@ -72,8 +73,8 @@ struct GripState {
 
 /// A cord and a fixture that began or ceased to touch in the last tick.
 struct TouchEvent {
-  CordIndex cord = 0;
-  bool begins = false;
+  CordIndex cord = 0;                  ///< which one
+  bool begins = false;                 ///< or ceased
   const b2Fixture* fixture = nullptr;  ///< null if it ceased by being destroyed
   double impulse = 0.0;                ///< N·s, normal, in the tick
   ribbon::Vec2 point;                  ///< m, where most of it is
@@ -82,7 +83,7 @@ struct TouchEvent {
 
 /// Cords in somebody's Box2D world. A tick is
 ///
-///     coupling.gather(world, dt);   // circle fixtures near a cord become the cord's rigid circles
+///     coupling.gather(world, dt);   // the cords look at the world: who holds them, what is near them
 ///     coupling.step();              // the cords move and push
 ///     coupling.apply();             // the bodies get the impulses
 ///     world.Step(dt, …);
@@ -108,6 +109,7 @@ class Coupling {
   /// `filter` decides as between two Box2D fixtures which circles the cord meets.
   CordIndex add(ribbon::ThesisCord cord, const b2Filter& filter = {});
 
+  /// The same for one of the direct solver, whose filter decides on edges and polygons too.
   CordIndex add(ribbon::Cord cord, const b2Filter& filter = {});
 
   /// Puts another cord in the place of one of the direct solver, between ticks: who held that has let go, and what it
@@ -115,17 +117,23 @@ class Coupling {
   /// not exist or is the thesis's.
   void replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter = {});
 
+  /// How many cords it has.
   int size() const { return static_cast<int>(cords_.size()); }
-  /// A cord of the thesis's solver; std::bad_variant_access for one of the direct solver, and the other way round.
-  ribbon::ThesisCord& cord(CordIndex index) { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
-  const ribbon::ThesisCord& cord(CordIndex index) const { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
-  ribbon::Cord& direct_cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
-  const ribbon::Cord& direct_cord(CordIndex index) const { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
+  /// A cord of the direct solver; std::bad_variant_access for one of the thesis's.
+  ribbon::Cord& cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
+  /// The same to read.
+  const ribbon::Cord& cord(CordIndex index) const { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
+  /// One of the thesis's; std::bad_variant_access for one of the direct solver.
+  ribbon::ThesisCord& thesis_cord(CordIndex index) { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
+  /// The same to read.
+  const ribbon::ThesisCord& thesis_cord(CordIndex index) const {
+    return std::get<ribbon::ThesisCord>(cords_[at(index)].cord);
+  }
   // Of a cord of either solver, for who does not care which (coupling_cords.cpp):
-  Solver solver(CordIndex index) const;
-  CordShape shape(CordIndex index) const;
+  Solver solver(CordIndex index) const;                            ///< which moves it
+  CordShape shape(CordIndex index) const;                          ///< how its points lie
   std::span<const ribbon::Vec2> positions(CordIndex index) const;  ///< m, by point
-  ribbon::PointKind kind(CordIndex index, int point) const;
+  ribbon::PointKind kind(CordIndex index, int point) const;        ///< who moves a point
   /// Drags a point to `target` [m] in the next tick: call it again to drag on. Throws ribbon::DefinitionError for an
   /// unknown cord or point or a coordinate beyond ±1e9, and so does release.
   void operate(CordIndex index, int point, ribbon::Vec2 target);
@@ -135,24 +143,25 @@ class Coupling {
   void release(CordIndex index, int point);
 
   /// What happened in the last step of a cord of the direct solver.
-  const ribbon::CordReport& direct_report(CordIndex index) const { return cords_[at(index)].direct_report; }
+  const ribbon::CordReport& report(CordIndex index) const { return cords_[at(index)].direct_report; }
   /// What has happened to it since it was added, summed up.
-  const ribbon::CordReport& direct_total(CordIndex index) const { return cords_[at(index)].direct_total; }
+  const ribbon::CordReport& total(CordIndex index) const { return cords_[at(index)].direct_total; }
   /// Estimates the error of each tick of the cords of the direct solver from now on, or no longer: see
   /// ribbon::ErrorProbe. It costs four ticks more and changes nothing of what the cords do.
   void estimate_errors(bool wanted);
+  /// Whether it does.
   bool estimates_errors() const { return probe_.has_value(); }
   /// m, estimated, of the last tick: what its length costs, as if the one before had been exact. 0 unless it is asked
   /// for.
-  double direct_error(CordIndex index) const { return cords_[at(index)].direct_error; }
+  double error(CordIndex index) const { return cords_[at(index)].direct_error; }
   /// How many islands the cords of the direct solver made in the last step.
-  int direct_islands() const { return direct_solver_.islands(); }
+  int islands() const { return direct_solver_.islands(); }
   /// How many circles and edges were gathered for a cord in the last tick, because they may touch it.
   int gathered_near(CordIndex index) const;
-  /// What happened in the cord's last step.
-  const ribbon::StepReport& report(CordIndex index) const { return cords_[at(index)].report; }
-  /// What has happened to the cord since it was added, summed up.
-  const ribbon::StepReport& total(CordIndex index) const { return cords_[at(index)].total; }
+  /// What happened in the last step of a cord of the thesis's solver.
+  const ribbon::StepReport& thesis_report(CordIndex index) const { return cords_[at(index)].report; }
+  /// What has happened to it since it was added, summed up.
+  const ribbon::StepReport& thesis_total(CordIndex index) const { return cords_[at(index)].total; }
 
   /// Reads the world as it is before a tick of dt seconds: for each cord the fixtures of enabled bodies that it may
   /// reach in that time, several a body, static, kinematic and dynamic. Sensors are ignored, and so are dynamic bodies
@@ -160,6 +169,8 @@ class Coupling {
   /// for a world that is locked, a dt [s] below 1e-9 or above 1, and a gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
+  /// Throws nothing, and neither does apply: what has numbers that no cord can meet was left out by gather. Until both
+  /// are done the world stays as it was gathered.
   void step();
   /// Gives each dynamic body its impulse. What single precision cannot carry of it stays with the cord.
   void apply();
@@ -203,6 +214,7 @@ class Coupling {
   /// same address, which would inherit the grip. Bodies that only touch a cord need nothing.)
   void destroy(b2World& world, b2Body& body);
 
+  /// What save gives and restore takes.
   using State = CouplingState;
   /// What to go on from later, between an apply and the next gather of a world in which `world` is that of the
   /// coupling; grips of bodies that are not in it any more are left out, as the next gather would. Box2D's world has no

@@ -25,7 +25,7 @@ void Coupling::check_cord(CordIndex cord) const {
 
 /// A length that links sum up to may round to a little less than what they were made with.
 void Coupling::check_arc(CordIndex cord, double arc) const {
-  const double whole = arc_at(cord, direct_cord(cord).def().points - 1.0);
+  const double whole = arc_at(cord, this->cord(cord).def().points - 1.0);
   if (!(arc <= whole * (1.0 + 1e-9))) ribbon::check_range("arc", arc, 0.0, whole);
   ribbon::check_range("arc", arc, 0.0, whole * (1.0 + 1e-9));
 }
@@ -56,7 +56,7 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   if (body.GetWorld()->IsLocked()) {
     throw ribbon::DefinitionError("world is locked; accepted is one that is not inside its Step");
   }
-  const ribbon::Cord& cord = direct_cord(def.cord);
+  const ribbon::Cord& cord = this->cord(def.cord);
   ribbon::check_range("row", def.row, 0, cord.def().rows - 1);
   check_arc(def.cord, def.arc);
   ribbon::check_coordinates("local_hand", to_double(def.local_hand));
@@ -85,7 +85,7 @@ Coupling::Holder& Coupling::grip_of_direct(GripId grip) {
 
 void Coupling::climb(GripId grip, double arc, double speed) {
   Holder& held = grip_of_direct(grip);
-  const ribbon::Cord& cord = direct_cord(held.cord);
+  const ribbon::Cord& cord = this->cord(held.cord);
   check_arc(held.cord, arc);
   if (!(speed > 0.0)) ribbon::refuse("speed", speed, "above 0, up to 1e+06");
   ribbon::check_range("speed", speed, 0.0, 1e6);
@@ -163,7 +163,7 @@ void Coupling::set_column(Holder& holder, double column) const {
 
 /// m at rest, to columns and back.
 double Coupling::column_at(CordIndex cord, double arc) const {
-  const ribbon::Cord& direct = direct_cord(cord);
+  const ribbon::Cord& direct = this->cord(cord);
   int column = 0;
   while (column + 2 < direct.def().points && arc > direct.rest_length(column)) arc -= direct.rest_length(column++);
   return column + std::min(1.0, arc / direct.rest_length(column));
@@ -171,7 +171,7 @@ double Coupling::column_at(CordIndex cord, double arc) const {
 
 double Coupling::arc_at(CordIndex cord, double column) const {
   if (solver(cord) != Solver::direct) return 0.0;
-  const ribbon::Cord& direct = direct_cord(cord);
+  const ribbon::Cord& direct = this->cord(cord);
   double arc = 0.0;
   int whole = 0;
   for (; whole + 1 <= column && whole + 1 < direct.def().points; ++whole) arc += direct.rest_length(whole);
@@ -215,7 +215,7 @@ void Coupling::follow_grips() {
       Holder& held = holders_[index];
       held.pull = {};
       double slid = 0.0;
-      for (const ribbon::Cord::Holder& solved : direct_cord(c).holders()) {
+      for (const ribbon::Cord::Holder& solved : cord(c).holders()) {
         if (solved.grip != static_cast<int>(k)) continue;
         held.pull = solved.pull;
         slid = solved.slid;

@@ -165,9 +165,9 @@ void Coupling::check_state(const State& state, const std::vector<b2Body*>& bodie
                             std::string(solver_name(solver(c))));
     }
     if (solver(c) == Solver::direct) {
-      direct_cord(c).check_state(std::get<ribbon::Cord::State>(cord.state));
+      this->cord(c).check_state(std::get<ribbon::Cord::State>(cord.state));
     } else {
-      this->cord(c).check_state(std::get<ribbon::ThesisCord::State>(cord.state));
+      thesis_cord(c).check_state(std::get<ribbon::ThesisCord::State>(cord.state));
     }
     ribbon::check_range("state.cords.direct_error", cord.direct_error, 0.0, most);
     check_touches(cord.touching, state.next_fixture);

@@ -33,7 +33,7 @@ void Coupling::find_touch_events() {
     if (solver(c) != Solver::direct) continue;
     CoupledCord& coupled = cords_[at(c)];
     coupled.touched.swap(coupled.touching);
-    add_touches(direct_cord(c), coupled.touching);
+    add_touches(cord(c), coupled.touching);
     const auto tell_missing = [&](const std::vector<FixtureTouch>& all, const std::vector<FixtureTouch>& in,
                                   bool begins) {
       for (const FixtureTouch& touch : all) {

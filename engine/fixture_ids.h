@@ -13,14 +13,16 @@ class FixtureIds {
  public:
   /// Forgets fixtures that were not asked for since the last call.
   void begin_tick();
+  /// The fixture's number, a new one if it was not asked for since the tick before the last.
   std::uint64_t of(const b2Fixture& fixture);
   /// The fixture of that number, null if nobody has asked for it since the tick before the last.
   const b2Fixture* fixture(std::uint64_t id) const;
 
+  /// A fixture and its number.
   struct Known {
-    const b2Fixture* fixture;
-    std::uint64_t id;
-    bool seen;  ///< since begin_tick
+    const b2Fixture* fixture;  ///< its address, which is looked at and never through
+    std::uint64_t id;          ///< its number, from 1
+    bool seen;                 ///< since begin_tick
   };
   /// Null for one that nobody has asked for lately. Looks at the address alone.
   const Known* find(const b2Fixture& fixture) const;

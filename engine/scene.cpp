@@ -58,16 +58,6 @@ void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
   hash.add(Subsystem::body, index, hasher);
 }
 
-void hash_cord(StateHash& hash, std::uint16_t index, const Coupling& coupling) {
-  Hasher hasher;
-  if (coupling.solver(index) == Solver::direct) {
-    add_to(hasher, coupling.direct_cord(index).save());
-  } else {
-    add_to(hasher, coupling.cord(index).save());
-  }
-  hash.add(Subsystem::cord, index, hasher);
-}
-
 }  // namespace
 
 Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter,
@@ -179,8 +169,20 @@ void Scene::tick(double dt) {
   world_.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
 }
 
-void Scene::add_to(StateHash& hash) const {
-  for (CordIndex c = 0; c < coupling_.size(); ++c) hash_cord(hash, static_cast<std::uint16_t>(c), coupling_);
+void Scene::add_cord_to(StateHash& hash, CordIndex cord) {
+  Hasher hasher;
+  if (coupling_.solver(cord) == Solver::direct) {
+    coupling_.cord(cord).save(hashed_);
+    engine::add_to(hasher, hashed_);
+  } else {
+    coupling_.thesis_cord(cord).save(hashed_thesis_);
+    engine::add_to(hasher, hashed_thesis_);
+  }
+  hash.add(Subsystem::cord, static_cast<std::uint16_t>(cord), hasher);
+}
+
+void Scene::add_to(StateHash& hash) {
+  for (CordIndex c = 0; c < coupling_.size(); ++c) add_cord_to(hash, c);
   // Box2D lists the newest body first.
   int index = world_.GetBodyCount();
   for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {

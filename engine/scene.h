@@ -65,8 +65,9 @@ class Scene {
   /// One tick: the cords take from the world what is near them, move, push, and then the world moves.
   void tick(double dt);
 
-  /// Adds every cord and every body, bodies in the order they were made, to a state hash.
-  void add_to(StateHash& hash) const;
+  /// Adds every cord and every body, bodies in the order they were made, to a state hash. Cords are
+  /// copied on the way, into memory that is kept: after the first time it takes none.
+  void add_to(StateHash& hash);
 
   /// Of cords that do not ask for one.
   static constexpr Solver default_solver = Solver::direct;
@@ -75,6 +76,7 @@ class Scene {
 
  private:
   void build(const MapObject& object, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter);
+  void add_cord_to(StateHash& hash, CordIndex cord);
   void build_cord(const MapObject& object, const b2Filter& filter);
   void fix_anchor(const MapObject& object, const TiledMap& map);
   void hang_load(const MapObject& object, const TiledMap& map);
@@ -85,6 +87,8 @@ class Scene {
   Coupling coupling_;
   std::vector<SceneBody> bodies_;
   std::vector<int> cord_objects_;  // by cord
+  ribbon::Cord::State hashed_;     // of the cord that was hashed last
+  ribbon::ThesisCord::State hashed_thesis_;
 };
 
 }  // namespace engine

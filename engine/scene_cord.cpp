@@ -1,19 +1,17 @@
 #include "engine/scene_cord.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/scene.h"
+#include "ribbon/layout.h"
 #include "ribbon/mesh.h"
 
 namespace engine {
 namespace {
-
-using ribbon::Vec2;
 
 const Choices thesis_properties = {"solver",      "columns",  "rows",           "mass",           "spring_stiffness",
                                    "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
@@ -46,17 +44,20 @@ Solver solver_of(const MapObject& object) {
   return name == solver_name(Solver::direct) ? Solver::direct : Solver::thesis;
 }
 
-/// m, along the polyline.
-double path_length(const MapObject& object) {
-  double sum = 0.0;
+void check_corners(const MapObject& object) {
   for (std::size_t k = 1; k < object.points.size(); ++k) {
-    const double segment = length(object.points[k] - object.points[k - 1]);
-    if (!(segment >= 1e-3)) {
+    if (!(length(object.points[k] - object.points[k - 1]) >= 1e-3)) {
       throw object.error("corners " + std::to_string(k) + " and " + std::to_string(k + 1) +
                          " of the polyline are in the same place; accepted are corners a millimetre apart or more");
     }
-    sum += segment;
   }
+}
+
+/// m, along the polyline.
+double path_length(const MapObject& object) {
+  check_corners(object);
+  double sum = 0.0;
+  for (std::size_t k = 1; k < object.points.size(); ++k) sum += length(object.points[k] - object.points[k - 1]);
   return sum;
 }
 
@@ -102,65 +103,13 @@ ribbon::ThesisDef thesis_def(const MapObject& object) {
   return def;
 }
 
-struct PathPoint {
-  Vec2 at;
-  std::size_t segment;
-};
-
-/// The first point of the path after `from` that is `link` away from it; the last segment goes on straight.
-PathPoint next_point(const std::vector<Vec2>& path, const PathPoint& from, double link) {
-  std::size_t k = from.segment;
-  while (k + 2 < path.size() && length(path[k + 1] - from.at) < link) ++k;
-  // |o + t·d| = link, where the segment leaves the circle.
-  const Vec2 d = (1.0 / length(path[k + 1] - path[k])) * (path[k + 1] - path[k]);
-  const Vec2 o = path[k] - from.at;
-  const double b = dot(o, d);
-  const double t = std::sqrt(std::max(0.0, b * b - dot(o, o) + link * link)) - b;
-  return {path[k] + t * d, k};
-}
-
-struct Steps {
-  std::vector<Vec2> points;
-  bool arrive;  // at the path's end, or behind it
-};
-
-/// So many points along the path, each `link` from the next.
-Steps step_along(const std::vector<Vec2>& path, double link, int columns) {
-  PathPoint here{path[0], 0};
-  std::vector<Vec2> points{here.at};
-  for (int i = 1; i < columns; ++i) {
-    here = next_point(path, here, link);
-    points.push_back(here.at);
+void lay_along_polyline(ribbon::CordDef& def, const MapObject& object) {
+  check_corners(object);
+  try {
+    ribbon::lay_along(def, object.points);
+  } catch (const ribbon::DefinitionError& error) {
+    throw object.error(error.what());
   }
-  const Vec2 last = path.back() - path[path.size() - 2];
-  return {std::move(points), here.segment + 2 == path.size() && dot(here.at - path.back(), last) >= 0.0};
-}
-
-/// Points from the path's start to its end, each as far from the next as the crow flies. A cord that does not stretch
-/// would otherwise begin with a jerk: a link that cuts a corner is too short, and has to be right after the first tick.
-/// (Where the path folds back on itself there may be no such points; then they stop up to two links before its end.)
-std::vector<Vec2> lay_in_equal_links(const std::vector<Vec2>& path, double path_length, int columns) {
-  double falls_short = 0.0;
-  double arrives = path_length / (columns - 1);  // as long as the path is straight
-  for (int halving = 0; halving < 60; ++halving) {
-    const double link = 0.5 * (falls_short + arrives);
-    (step_along(path, link, columns).arrive ? arrives : falls_short) = link;
-  }
-  return step_along(path, falls_short, columns).points;
-}
-
-/// The rows of a cord whose middle line this is, the first to its right. They lie across the line from the column
-/// before to the one after, which at a corner keeps the cells from crossing as long as they can.
-std::vector<Vec2> lay_across(const std::vector<Vec2>& middle, int rows, double width) {
-  if (rows == 1) return middle;
-  std::vector<Vec2> positions;
-  for (std::size_t i = 0; i < middle.size(); ++i) {
-    const Vec2 along = middle[std::min(i + 1, middle.size() - 1)] - middle[i > 0 ? i - 1 : 0];
-    const double distance = length(along);
-    const Vec2 across = distance > 0.0 ? (1.0 / distance) * perp(along) : Vec2{0.0, 1.0};
-    for (int j = 0; j < rows; ++j) positions.push_back(middle[i] + (width * (1.0 * j / (rows - 1) - 0.5)) * across);
-  }
-  return positions;
 }
 
 ribbon::Accuracy accuracy_of(const Properties& p) {
@@ -184,11 +133,8 @@ ribbon::CordDef direct_def(const MapObject& object) {
   ribbon::CordDef def;
   def.points = columns_of(p);
   def.rows = rows_of(object, Solver::direct);
-  const std::vector<Vec2> middle = lay_in_equal_links(object.points, path_length(object), def.points);
-  def.length = 0.0;
-  for (std::size_t i = 1; i < middle.size(); ++i) def.length += length(middle[i] - middle[i - 1]);
-  const double squares = (def.rows - 1) * def.length / (def.points - 1);
-  def.width = p.number_or("width", squares, {0.0, 1e3});
+  def.width = p.number_or("width", 0.0, {0.0, 1e3});
+  lay_along_polyline(def, object);
   def.radius = p.number_or("radius", def.radius, {0.0, 10.0});
   def.mass_per_length = mass_of(p) / def.length;
   const bool stretches = def.rows > 1 || p.has("stretch_stiffness");  // a rope does not unless it is told to
@@ -204,7 +150,6 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.self_contact = p.boolean_or("self_contact", false);
   def.cord_contact = p.boolean_or("cord_contact", false);
   def.accuracy = accuracy_of(p);
-  def.positions = lay_across(middle, def.rows, def.width);
   def.pins = pins_of(p, def.points, def.rows);
   return def;
 }

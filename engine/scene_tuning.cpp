@@ -58,9 +58,9 @@ void retune(Coupling& coupling, CordIndex cord, const MapObject& object) {
   }
   try {
     if (is_direct) {
-      retune(coupling.direct_cord(cord), std::get<ribbon::CordDef>(wanted));
+      retune(coupling.cord(cord), std::get<ribbon::CordDef>(wanted));
     } else {
-      retune(coupling.cord(cord), std::get<ribbon::ThesisDef>(wanted));
+      retune(coupling.thesis_cord(cord), std::get<ribbon::ThesisDef>(wanted));
     }
   } catch (const ribbon::DefinitionError& error) {
     throw object.error(error.what());

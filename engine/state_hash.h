@@ -21,6 +21,8 @@ namespace engine {
 /// differ in exactly one word never have the same value().
 class Hasher {
  public:
+  /// Feeds a number; a Vec2 counts as two.
+  /// @{
   void add(std::integral auto value) { mix(static_cast<std::uint64_t>(value)); }
   void add(double value) { mix(std::bit_cast<std::uint64_t>(value)); }
   void add(float value) { mix(std::bit_cast<std::uint32_t>(value)); }
@@ -28,7 +30,9 @@ class Hasher {
     add(v.x);
     add(v.y);
   }
+  /// @}
 
+  /// The hash of all that was added so far.
   std::uint64_t value() const;
 
  private:
@@ -46,16 +50,16 @@ class Hasher {
 
 /// What a part of the state belongs to. The numbers are written in replays: add at the end, never renumber.
 enum class Subsystem : std::uint8_t { game = 0, cord = 1, body = 2 };
-inline constexpr int subsystem_count = 3;
+inline constexpr int subsystem_count = 3;  ///< how many there are
 
 /// "game", "cord" or "body".
 std::string_view subsystem_name(Subsystem subsystem);
 
 /// The hash of one cord, one body, …: enough to name what differs.
 struct StatePart {
-  Subsystem subsystem = Subsystem::game;
-  std::uint16_t index = 0;  ///< Which cord, which body.
-  std::uint32_t hash = 0;
+  Subsystem subsystem = Subsystem::game;  ///< What it is.
+  std::uint16_t index = 0;                ///< Which cord, which body.
+  std::uint32_t hash = 0;                 ///< The lower half of its Hasher's value.
 
   bool operator==(const StatePart&) const = default;
 };
@@ -69,12 +73,13 @@ class StateHash {
   /// As read back from a recording.
   StateHash(std::vector<StatePart> parts, std::uint64_t combined) : parts_(std::move(parts)), combined_(combined) {}
 
+  /// Takes all parts out and keeps their memory.
   void clear();
   /// Adds a part after those already there; the same parts in another order are another state.
   void add(Subsystem subsystem, std::uint16_t index, const Hasher& hasher);
 
-  std::span<const StatePart> parts() const { return parts_; }
-  std::uint64_t combined() const { return combined_; }
+  std::span<const StatePart> parts() const { return parts_; }  ///< in the order of adding
+  std::uint64_t combined() const { return combined_; }         ///< over all parts
 
   bool operator==(const StateHash&) const = default;
 
@@ -85,17 +90,18 @@ class StateHash {
 
 /// The first thing in which two states differ.
 struct Divergence {
+  /// In what way.
   enum class Kind {
     differs,   ///< The part is in both, with different hashes.
     missing,   ///< The part was recorded and is not there now.
     extra,     ///< The part is there now (or comes earlier now) and was not recorded.
     combined,  ///< All 32-bit hashes agree and the 64-bit one does not; subsystem and index say nothing.
   };
-  Kind kind = Kind::differs;
-  Subsystem subsystem = Subsystem::game;
-  std::uint16_t index = 0;
+  Kind kind = Kind::differs;              ///< In what way.
+  Subsystem subsystem = Subsystem::game;  ///< Of what.
+  std::uint16_t index = 0;                ///< Which cord, which body.
   std::uint64_t recorded = 0;  ///< 32-bit hashes of the part, or both combined hashes; 0 where there is none.
-  std::uint64_t computed = 0;
+  std::uint64_t computed = 0;  ///< The same of the other state.
 };
 
 /// The first part, in recorded order, in which `computed` differs from `recorded`; nothing if they are equal.
@@ -109,6 +115,7 @@ std::uint64_t hash_bytes(std::string_view bytes);
 
 /// Lower-case hexadecimal with leading zeros: 16 digits, or 8 for 32 bits.
 std::string to_hex(std::uint64_t value);
+/// The same of 32 bits.
 std::string to_hex(std::uint32_t value);
 
 }  // namespace engine

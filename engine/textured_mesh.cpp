@@ -134,6 +134,7 @@ void add_band(TexturedMesh& mesh, std::span<const Vec2> points, const BandLook& 
     return;
   if (!look.colors.empty() && look.colors.size() != points.size()) return;
   std::vector<std::size_t> kept;
+  kept.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (kept.empty() || length(points[i] - points[kept.back()]) > same_place) kept.push_back(i);
   if (kept.size() < 2) return;

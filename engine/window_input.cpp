@@ -46,6 +46,7 @@ void InputState::button_up(MouseButton button) {
 }
 
 void InputState::focus_lost() {
+  input_.focus_lost = true;
   input_.keys_released |= input_.keys_held;
   input_.keys_held.reset();
   input_.buttons_released |= input_.buttons_held;
@@ -113,6 +114,7 @@ void InputState::stick_y(PadStick stick, double y) {
 WindowInput InputState::take() {
   WindowInput taken = input_;
   input_.quit = false;
+  input_.focus_lost = false;
   input_.mouse_moved = false;
   input_.wheel = {};
   input_.text.clear();

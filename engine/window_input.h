@@ -134,8 +134,9 @@ using InputCode = std::variant<Key, MouseButton, WheelTurn, PadButton>;
 /// What the user did up to one poll. `held` is the state at the poll; `pressed` and `released` are what happened since
 /// the poll before, so a key tapped between two polls is pressed and released without being held.
 struct WindowInput {
-  bool quit = false;     ///< the window was asked to close
-  ribbon::Vec2 mouse{};  ///< canvas pixels, y down
+  bool quit = false;        ///< the window was asked to close
+  bool focus_lost = false;  ///< another window has the keyboard now: what was held is released
+  ribbon::Vec2 mouse{};     ///< canvas pixels, y down
   bool mouse_moved = false;
   ribbon::Vec2 wheel{};  ///< notches: to the right, and upwards (away from the user)
   std::string text;      ///< what was typed, UTF-8
@@ -195,7 +196,8 @@ class InputState {
   void stick_x(PadStick stick, double x);
   void stick_y(PadStick stick, double y);
 
-  /// What happened since the last take. Presses, releases and quit are then forgotten; what is held stays held.
+  /// What happened since the last take. Presses, releases, quit and a lost focus are then forgotten; what is held stays
+  /// held.
   WindowInput take();
 
  private:

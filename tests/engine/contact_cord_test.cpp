@@ -174,7 +174,7 @@ TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
     for (const Vec2 x : scene.cord().positions()) {
       worst = std::max(worst, std::abs(x.y - def.radius - static_cast<double>(shape.m_radius)));
     }
-    EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
+    EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
     return worst;
   };
   const std::array<b2Vec2, 4> line = {b2Vec2{-3.0F, 0.0F}, {0.5F, 0.0F}, {1.2F, 0.0F}, {5.0F, 0.0F}};
@@ -589,7 +589,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
   body->SetAngularVelocity(turning);
   scene.tick(2);
   scene.coupling.destroy(scene.world, *body);
-  const int before = scene.coupling.direct_total(0).unconverged;
+  const int before = scene.coupling.total(0).unconverged;
   const std::vector<Vec2> shape = copy(scene.cord().positions());
   for (int k = 0; k < 60; ++k) {
     scene.tick();
@@ -597,7 +597,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     for (const Vec2 v : scene.cord().velocities()) result.finite = result.finite && is_finite(v);
     result.alive = result.alive || furthest(shape, scene.cord().positions()) > 1e-3;
   }
-  result.unconverged = scene.coupling.direct_total(0).unconverged - before;
+  result.unconverged = scene.coupling.total(0).unconverged - before;
   return result;
 }
 

@@ -82,7 +82,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
   body->SetAngularVelocity(turning);
   scene.tick(2);
   scene.coupling.destroy(scene.world, *body);
-  const int before = scene.coupling.direct_total(0).unconverged;
+  const int before = scene.coupling.total(0).unconverged;
   const std::vector<Vec2> shape = copy(scene.cord().positions());
   for (int k = 0; k < 60; ++k) {
     scene.tick();
@@ -90,7 +90,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     for (const Vec2 v : scene.cord().velocities()) result.finite = result.finite && is_finite(v);
     result.alive = result.alive || furthest(shape, scene.cord().positions()) > 1e-3;
   }
-  result.unconverged = scene.coupling.direct_total(0).unconverged - before;
+  result.unconverged = scene.coupling.total(0).unconverged - before;
   return result;
 }
 
@@ -190,7 +190,7 @@ TEST(ContactCordLimits, FrictionTakesFewNewtonSteps) {
     ribbon::CordReport total;
     for (int k = 0; k < 600; ++k) {
       world.tick();
-      total += world.coupling.direct_report(0);
+      total += world.coupling.report(0);
     }
     EXPECT_LE(total.iterations, 4 * total.stages);
     EXPECT_EQ(total.halvings, 0);

@@ -84,11 +84,11 @@ TEST(CouplingCords, SumsUpTheReportsOfADirectCord) {
   for (int k = 0; k < 5; ++k) {
     each.coupling.operate(1, 9, each.coupling.positions(1)[9] + Vec2{0.0, 0.05});
     each.tick();
-    sum += each.coupling.direct_report(1);
+    sum += each.coupling.report(1);
   }
   EXPECT_GT(sum.iterations, 5);
-  EXPECT_EQ(each.coupling.direct_total(1), sum);
-  EXPECT_EQ(each.coupling.direct_total(0), ribbon::CordReport{});
+  EXPECT_EQ(each.coupling.total(1), sum);
+  EXPECT_EQ(each.coupling.total(0), ribbon::CordReport{});
 }
 
 }  // namespace

@@ -234,15 +234,15 @@ TEST(CouplingState, WhatItTellsGoesBackToo) {
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   const b2Fixture* fixture = scene.coupling.touch_events()[0].fixture;
   EXPECT_EQ(fixture, scene.ball->GetFixtureList());
-  const ribbon::CordReport total = scene.coupling.direct_total(0);
+  const ribbon::CordReport total = scene.coupling.total(0);
   scene.coupling.restore(start, scene.world);
   EXPECT_TRUE(scene.coupling.touch_events().empty());
-  EXPECT_EQ(scene.coupling.direct_total(0).stages, 0);
+  EXPECT_EQ(scene.coupling.total(0).stages, 0);
   EXPECT_EQ(scene.coupling.grip(*scene.ball, {.cord = 0, .arc = 0.5}), 2);
   scene.coupling.restore(touched, scene.world);
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   EXPECT_EQ(scene.coupling.touch_events()[0].fixture, fixture);
-  EXPECT_EQ(scene.coupling.direct_total(0), total);
+  EXPECT_EQ(scene.coupling.total(0), total);
   EXPECT_FALSE(scene.coupling.state(2));
 }
 

@@ -78,17 +78,19 @@ TEST(Coupling, CordAndCirclesKeepTheirLinearMomentum) {
   light->SetLinearVelocity({0.37F, -2.0F});
   heavy->SetLinearVelocity({-0.21F, 1.3F});
   heavy->SetAngularVelocity(3.0F);
-  const auto total = [&] { return test_support::momentum(coupling.cord(0)) + momentum(light) + momentum(heavy); };
+  const auto total = [&] {
+    return test_support::momentum(coupling.thesis_cord(0)) + momentum(light) + momentum(heavy);
+  };
   const Vec2 before = total();
   int contacts = 0;
   for (int k = 0; k < 600; ++k) {
     tick(coupling, world);
-    contacts += coupling.report(0).circle_contacts;
-    ASSERT_EQ(coupling.report(0).motion_limited, 0);
+    contacts += coupling.thesis_report(0).circle_contacts;
+    ASSERT_EQ(coupling.thesis_report(0).motion_limited, 0);
     EXPECT_NEAR(length(total() - before), 0.0, 1e-9 * length(before)) << "tick " << k;
   }
   EXPECT_GT(contacts, 20);
-  EXPECT_GT(length(test_support::momentum(coupling.cord(0))), 0.1);  // it was hit
+  EXPECT_GT(length(test_support::momentum(coupling.thesis_cord(0))), 0.1);  // it was hit
 }
 
 TEST(Coupling, ACircleFallsOntoACordAndIsCarried) {
@@ -101,7 +103,7 @@ TEST(Coupling, ACircleFallsOntoACordAndIsCarried) {
   for (int k = 0; k < 1200; ++k) tick(coupling, world);
   EXPECT_GT(y_of(ball), -1.0);
   EXPECT_LT(static_cast<double>(ball->GetLinearVelocity().Length()), 0.02);
-  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_report(0).circle_contacts, 0);
 }
 
 TEST(Coupling, AFixtureOffItsBodysCentreIsMetWhereItIs) {
@@ -124,7 +126,7 @@ TEST(Coupling, AFixtureOffItsBodysCentreIsMetWhereItIs) {
   int contacts = 0;
   for (int k = 0; k < 30; ++k) {
     tick(coupling, world);
-    contacts += coupling.report(0).circle_contacts;
+    contacts += coupling.thesis_report(0).circle_contacts;
   }
   EXPECT_GT(contacts, 0);
   EXPECT_GT(static_cast<double>(body->GetLinearVelocity().y), -0.95);
@@ -160,11 +162,11 @@ TEST(Coupling, StaticAndKinematicCirclesMoveTheCordAndAreNotMoved) {
   EXPECT_EQ(y_of(resting), static_cast<double>(0.35F));
   EXPECT_NEAR(y_of(rising), 0.5, 1e-5);
   EXPECT_EQ(rising->GetLinearVelocity(), b2Vec2(0.0F, 1.0F));
-  for (const Vec2 p : coupling.cord(0).positions()) {
+  for (const Vec2 p : coupling.thesis_cord(0).positions()) {
     EXPECT_GT(length(p - Vec2{0.5, 0.35}), 0.3 - 2e-3);
     EXPECT_GT(length(p - Vec2{3.0, y_of(rising)}), 0.3 - 2e-2);
   }
-  EXPECT_GT(coupling.cord(0).positions()[30].y, 0.1);  // carried up
+  EXPECT_GT(coupling.thesis_cord(0).positions()[30].y, 0.1);  // carried up
 }
 
 struct FilterCase {
@@ -197,7 +199,7 @@ TEST(Coupling, FilterBitsDecideAsBetweenTwoFixtures) {
     coupling.add(ThesisCord(cord_def()), c.cord);
     add_circle(world, {2.0, 0.3}, 0.3, b2_staticBody, 1.0, c.circle);
     tick(coupling, world);
-    EXPECT_EQ(coupling.report(0).circle_contacts > 0, c.meet) << c.name;
+    EXPECT_EQ(coupling.thesis_report(0).circle_contacts > 0, c.meet) << c.name;
   }
 }
 
@@ -209,10 +211,10 @@ TEST(Coupling, SensorsAndDisabledBodiesAreIgnored) {
   b2Body* disabled = add_circle(world, {3.0, 0.3}, 0.3, b2_staticBody);
   disabled->SetEnabled(false);
   tick(coupling, world);
-  EXPECT_EQ(coupling.report(0).circle_contacts, 0);
+  EXPECT_EQ(coupling.thesis_report(0).circle_contacts, 0);
   disabled->SetEnabled(true);
   tick(coupling, world);
-  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_report(0).circle_contacts, 0);
 }
 
 TEST(Coupling, ABodyThatNothingTouchesIsLeftToBox2D) {
@@ -248,14 +250,14 @@ TEST(Coupling, BodiesComeAndGoBetweenTicks) {
   coupling.add(ThesisCord(pinned_at_both_ends()));
   b2Body* ball = add_circle(world, {2.0, 0.4}, 0.3);
   for (int k = 0; k < 30; ++k) tick(coupling, world);
-  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_report(0).circle_contacts, 0);
   world.DestroyBody(ball);  // while it touches
   tick(coupling, world);
-  EXPECT_EQ(coupling.report(0).circle_contacts, 0);
+  EXPECT_EQ(coupling.thesis_report(0).circle_contacts, 0);
   ball = add_circle(world, {2.0, 0.4}, 0.3);
   ball->DestroyFixture(ball->GetFixtureList());
   for (int k = 0; k < 10; ++k) tick(coupling, world);
-  EXPECT_TRUE(test_support::all_finite(coupling.cord(0)));
+  EXPECT_TRUE(test_support::all_finite(coupling.thesis_cord(0)));
 }
 
 // --- holding ---------------------------------------------------------------------------------------------------------
@@ -268,15 +270,16 @@ TEST(Coupling, TwoCordsAndABallBetweenThemKeepTheirMomentum) {
   b2Body* ball = add_circle(world, {2.0, 0.5}, 0.42);  // 2 cm into either
   ball->SetLinearVelocity({0.1F, 3.0F});
   const auto total = [&] {
-    return test_support::momentum(coupling.cord(0)) + test_support::momentum(coupling.cord(1)) + momentum(ball);
+    return test_support::momentum(coupling.thesis_cord(0)) + test_support::momentum(coupling.thesis_cord(1)) +
+           momentum(ball);
   };
   const Vec2 before = total();
   for (int k = 0; k < 300; ++k) {
     tick(coupling, world);
     ASSERT_NEAR(length(total() - before), 0.0, 1e-9 * length(before)) << "tick " << k;
   }
-  EXPECT_GT(coupling.total(0).circle_contacts, 0);
-  EXPECT_GT(coupling.total(1).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_total(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_total(1).circle_contacts, 0);
 }
 
 TEST(Coupling, ADynamicBodyWithoutMassIsLeftOut) {
@@ -286,8 +289,8 @@ TEST(Coupling, ADynamicBodyWithoutMassIsLeftOut) {
   b2Body* empty = add_circle(world, {2.0, 0.3}, 0.3, b2_dynamicBody, 0.0);
   coupling.hold(0, 20, *empty, {0.0F, 0.0F});
   for (int k = 0; k < 30; ++k) tick(coupling, world);
-  EXPECT_EQ(coupling.total(0).circle_contacts, 0);
-  EXPECT_TRUE(test_support::all_finite(coupling.cord(0)));
+  EXPECT_EQ(coupling.thesis_total(0).circle_contacts, 0);
+  EXPECT_TRUE(test_support::all_finite(coupling.thesis_cord(0)));
 }
 
 TEST(Coupling, ABodyThatGravityDoesNotPullDoesNotPress) {
@@ -299,7 +302,7 @@ TEST(Coupling, ABodyThatGravityDoesNotPullDoesNotPress) {
     b2Body* ball = add_circle(world, {0.1, 0.1 + 0.3 + 5e-4}, 0.3);
     ball->SetGravityScale(scale);
     tick(coupling, world);
-    EXPECT_EQ(coupling.report(0).circle_contacts > 0, scale > 0.0F);
+    EXPECT_EQ(coupling.thesis_report(0).circle_contacts > 0, scale > 0.0F);
   }
 }
 
@@ -308,9 +311,9 @@ TEST(Coupling, ADrivenPointMeetsWhatItIsDrivenInto) {
   Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
   add_circle(world, {4.0, 2.0}, 0.3, b2_staticBody);
-  coupling.cord(0).operate(41, {4.0, 1.9});
+  coupling.thesis_cord(0).operate(41, {4.0, 1.9});
   tick(coupling, world);
-  EXPECT_GT(coupling.report(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_report(0).circle_contacts, 0);
 }
 
 TEST(Coupling, TakesNoHeapMemoryWhenTheFirstCircleComesNear) {
@@ -329,7 +332,7 @@ TEST(Coupling, TakesNoHeapMemoryWhenTheFirstCircleComesNear) {
     taken += count.so_far();
     world.Step(static_cast<float>(dt), 8, 3);
   }
-  EXPECT_GT(coupling.total(0).circle_contacts, 0);
+  EXPECT_GT(coupling.thesis_total(0).circle_contacts, 0);
   EXPECT_EQ(taken, 0);
 }
 
@@ -385,7 +388,7 @@ struct Hanging {
     body = add_circle(world, end(), 0.1, b2_dynamicBody, mass / (std::numbers::pi * 0.01));
     coupling.hold(held, 40, *body, {0.0F, 0.0F});
   }
-  Vec2 end() const { return coupling.cord(held).positions()[40]; }
+  Vec2 end() const { return coupling.thesis_cord(held).positions()[40]; }
   void run(int ticks) {
     for (int k = 0; k < ticks; ++k) tick(coupling, world);
   }
@@ -457,7 +460,7 @@ TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
     }
     EXPECT_LT(fastest, 8.6) << wall;
     EXPECT_LT(highest, start + 72.0 / (2.0 * 9.81) + 0.2) << wall;
-    EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0)));
+    EXPECT_TRUE(test_support::all_finite(hanging.coupling.thesis_cord(0)));
   }
 }
 
@@ -505,13 +508,14 @@ TEST(CouplingHold, KeepsTheMomentumOfCordAndHolder) {
   body->SetAngularVelocity(2.0F);
   coupling.hold(0, 41, *body, {-0.5F, -0.2F});  // where the cord's last point is
   const auto total = [&] {
-    return test_support::momentum(coupling.cord(0)) + static_cast<double>(body->GetMass()) * coupling.velocity(*body);
+    return test_support::momentum(coupling.thesis_cord(0)) +
+           static_cast<double>(body->GetMass()) * coupling.velocity(*body);
   };
   const Vec2 before = total();
   for (int k = 0; k < 600; ++k) {
     tick(coupling, world);
     const Vec2 now = total();
-    ASSERT_EQ(coupling.report(0).motion_limited, 0);
+    ASSERT_EQ(coupling.thesis_report(0).motion_limited, 0);
     ASSERT_NEAR(length(now - before), 0.0, 1e-9 * length(before)) << "tick " << k;
   }
 }
@@ -521,7 +525,7 @@ TEST(CouplingHold, AHolderThatIsDestroyedLetsGo) {
   hanging.run(10);
   hanging.world.DestroyBody(hanging.body);  // without telling the coupling
   hanging.run(10);
-  EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0)));
+  EXPECT_TRUE(test_support::all_finite(hanging.coupling.thesis_cord(0)));
 
   Hanging told(2.0);
   told.run(10);
@@ -543,7 +547,7 @@ TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
   }
   EXPECT_LT(fastest, 60.0);
   EXPECT_LT(length(hanging.end() - to_double(hanging.body->GetPosition())), 0.05);
-  EXPECT_EQ(test_support::inverted_triangles(hanging.coupling.cord(0)), 0);
+  EXPECT_EQ(test_support::inverted_triangles(hanging.coupling.thesis_cord(0)), 0);
 }
 
 TEST(CouplingHold, RefusesWhatDoesNotExist) {
@@ -583,14 +587,14 @@ TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
   Coupling coupling;
   coupling.add(ribbon::Cord(ribbon::CordDef{}));
   EXPECT_THROW(coupling.step(), ribbon::DefinitionError);  // none was gathered for
-  const ribbon::Cord::State before = coupling.direct_cord(0).save();
+  const ribbon::Cord::State before = coupling.cord(0).save();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {nan, 0.0, -dt, 1e-10, 1.1}) {
     EXPECT_THROW(coupling.gather(world, bad), ribbon::DefinitionError) << bad;
   }
   world.SetGravity({0.0F, -std::numeric_limits<float>::infinity()});
   EXPECT_THROW(coupling.gather(world, dt), ribbon::DefinitionError);
-  EXPECT_EQ(coupling.direct_cord(0).save(), before);
+  EXPECT_EQ(coupling.cord(0).save(), before);
 }
 
 /// Two cords pinned in the same place lie in each other, with an energy that no number tells.
@@ -611,7 +615,7 @@ TEST(Coupling, CordsThatLieInEachOtherCanBeSavedAndRestored) {
   for (int k = 0; k < 3; ++k) {
     tick(coupling, world);
     for (const int cord : {0, 1}) {
-      ASSERT_NO_THROW(coupling.direct_cord(cord).restore(coupling.direct_cord(cord).save())) << "tick " << k;
+      ASSERT_NO_THROW(coupling.cord(cord).restore(coupling.cord(cord).save())) << "tick " << k;
     }
   }
 }

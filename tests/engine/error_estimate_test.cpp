@@ -64,7 +64,7 @@ Outcome run(const Accuracy& accuracy) {
   for (int k = 0; k < 40; ++k) {
     world.tick();
     exact.tick();
-    outcome.estimated += world.coupling.direct_error(0);
+    outcome.estimated += world.coupling.error(0);
   }
   for (std::size_t p = 0; p < 21; ++p) {
     outcome.actual = std::max(outcome.actual, length(world.coupling.positions(0)[p] - exact.coupling.positions(0)[p]));
@@ -91,12 +91,12 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
     watched.coupling.estimate_errors(k % 3 == 0);
     watched.tick();
     alone.tick();
-    EXPECT_EQ(watched.coupling.direct_error(0) > 0.0, k % 3 == 0);
-    EXPECT_EQ(alone.coupling.direct_error(0), 0.0);
+    EXPECT_EQ(watched.coupling.error(0) > 0.0, k % 3 == 0);
+    EXPECT_EQ(alone.coupling.error(0), 0.0);
   }
-  EXPECT_TRUE(watched.coupling.direct_cord(0).save() == alone.coupling.direct_cord(0).save());
+  EXPECT_TRUE(watched.coupling.cord(0).save() == alone.coupling.cord(0).save());
   EXPECT_EQ(watched.load->GetPosition().x, alone.load->GetPosition().x);
-  EXPECT_TRUE(watched.coupling.direct_report(0) == alone.coupling.direct_report(0));
+  EXPECT_TRUE(watched.coupling.report(0) == alone.coupling.report(0));
 }
 
 /// It copies each cord's state anew in every tick, and keeps no more of them for that.
@@ -130,9 +130,9 @@ TEST(ErrorEstimate, FollowsTheCordsThatThereAre) {
   const CordIndex other = world.coupling.add(ribbon::ThesisCord(thesis));
   const CordIndex third = world.coupling.add(ribbon::Cord(swinging(Accuracy::fast())));
   world.tick();
-  EXPECT_EQ(world.coupling.direct_error(other), 0.0);
-  EXPECT_GT(world.coupling.direct_error(third), world.coupling.direct_error(0));
-  EXPECT_GT(world.coupling.direct_error(0), 0.0);
+  EXPECT_EQ(world.coupling.error(other), 0.0);
+  EXPECT_GT(world.coupling.error(third), world.coupling.error(0));
+  EXPECT_GT(world.coupling.error(0), 0.0);
 }
 
 }  // namespace

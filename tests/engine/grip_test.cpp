@@ -46,7 +46,7 @@ struct World {
     return body;
   }
   Vec2 place(CordIndex cord, double arc) const {
-    const Cord& direct = coupling.direct_cord(cord);
+    const Cord& direct = coupling.cord(cord);
     const double link = direct.rest_length(0);
     const auto i = static_cast<std::size_t>(std::min(arc / link, direct.def().points - 2.0));
     const double share = arc / link - static_cast<double>(i);
@@ -127,7 +127,7 @@ TEST(Grip, ClimbsUnderLoad) {
 TEST(Grip, SlipsAgainstItsStrength) {
   World scene;
   scene.coupling.add(Cord(hanging()));
-  scene.coupling.direct_cord(0).attach_mass(50, 20.0);  // keeps the cord straight
+  scene.coupling.cord(0).attach_mass(50, 20.0);  // keeps the cord straight
   b2Body* body = scene.add_body({0.0, -3.0}, 70.0);
   const double mass = static_cast<double>(body->GetMass());
   const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 3.0, .strength = 500.0});
@@ -148,15 +148,15 @@ TEST(Grip, SlipsTheSameByTheLineSearch) {
       CordDef def = hanging(x);
       def.accuracy.max_iterations = max_iterations;
       scene.coupling.add(Cord(def));
-      scene.coupling.direct_cord(scene.coupling.size() - 1).attach_mass(50, 20.0);
+      scene.coupling.cord(scene.coupling.size() - 1).attach_mass(50, 20.0);
     }
     b2Body* body = scene.add_body({0.0, -3.0}, 70.0);
     scene.coupling.grip(*body, {.cord = 0, .arc = 3.0, .local_hand = {-0.5F, 0.0F}, .strength = 200.0});
     const GripId other =
         scene.coupling.grip(*body, {.cord = 1, .arc = 3.0, .local_hand = {0.5F, 0.0F}, .strength = 200.0});
     scene.tick(30);
-    searches = scene.coupling.direct_total(0).searches;
-    EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
+    searches = scene.coupling.total(0).searches;
+    EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
     EXPECT_TRUE(scene.coupling.state(other)->slips);
     return scene.coupling.state(other)->arc;
   };
@@ -186,7 +186,7 @@ TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
   const double half_a_tick = 0.5 * g * dt;  // in the tick of the throw the cords begin taut and end slack
   EXPECT_NEAR(bar->GetLinearVelocity().y, 3.0 - g * 0.3, 1.1 * half_a_tick);
   EXPECT_NEAR(bar->GetPosition().y, -10.0 + 3.0 * 0.3 - 0.5 * g * 0.3 * 0.3, 0.05);
-  EXPECT_EQ(scene.coupling.direct_total(0).unconverged, 0);
+  EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
 }
 
 TEST(Grip, LetsGoAboveItsStrength) {
@@ -257,7 +257,7 @@ TEST(Grip, ReelsAHangingBodyIn) {
   b2Body* body = scene.add_body({0.0, -10.0}, 70.0);
   scene.coupling.grip(*body, {.cord = 0, .arc = 10.0});
   scene.tick(5);
-  scene.coupling.direct_cord(0).reel(0, 50, 6.0, 2.0);
+  scene.coupling.cord(0).reel(0, 50, 6.0, 2.0);
   scene.tick(180);
   EXPECT_NEAR(body->GetPosition().y, -6.0, 0.01);
 }

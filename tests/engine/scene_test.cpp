@@ -54,7 +54,7 @@ TEST(Scene, BuildsWhatTheMapDeclares) {
   const Scene scene(map_with(object("cord", line, cord_properties + "," + whole("rows", "3") + "," + yes("pin_first"))),
                     {});
   ASSERT_EQ(scene.coupling().size(), 1);
-  const ribbon::ThesisCord& cord = scene.coupling().cord(0);
+  const ribbon::ThesisCord& cord = scene.coupling().thesis_cord(0);
   EXPECT_EQ(cord.mesh().w, 9);
   EXPECT_EQ(cord.mesh().h, 3);
   EXPECT_DOUBLE_EQ(cord.mesh().spacing, 0.5);
@@ -78,7 +78,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       yes("self_contact") + "," + yes("cord_contact") + "," + text("accuracy", "accurate") + "," +
       number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
-  const ribbon::Cord& cord = scene.coupling().direct_cord(0);
+  const ribbon::Cord& cord = scene.coupling().cord(0);
   const ribbon::CordDef& def = cord.def();
   EXPECT_EQ(def.points, 9);
   EXPECT_EQ(def.rows, 3);
@@ -108,7 +108,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
 /// A term that is not declared is not there; each preset and `tension_only` arrive.
 TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   const auto def_of = [](const std::string& more) {
-    return Scene(map_with(object("cord", line, direct_properties + more))).coupling().direct_cord(0).def();
+    return Scene(map_with(object("cord", line, direct_properties + more))).coupling().cord(0).def();
   };
   ribbon::CordDef plain;
   const ribbon::CordDef def = def_of("");
@@ -148,7 +148,7 @@ TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
     map.properties.insert("gravity_y", 0.0);
     Scene scene(map);
     scene.tick(1.0 / 60.0);
-    for (const ribbon::Vec2 v : scene.coupling().direct_cord(0).velocities()) EXPECT_LT(length(v), 1e-9) << path;
+    for (const ribbon::Vec2 v : scene.coupling().cord(0).velocities()) EXPECT_LT(length(v), 1e-9) << path;
   }
 }
 
@@ -262,7 +262,7 @@ TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
 
 using State = ribbon::Cord::State;
 
-std::uint64_t hash_of(const Scene& scene) {
+std::uint64_t hash_of(Scene& scene) {
   StateHash hash;
   scene.add_to(hash);
   return hash.combined();
@@ -286,7 +286,7 @@ struct SwingingRibbon {
     scene.coupling().hold(0, 12, *scene.world().GetBodyList(), {-0.4F, 0.0F});
     for (int k = 0; k < 5; ++k) tick();
   }
-  ribbon::Cord& cord() { return scene.coupling().direct_cord(0); }
+  ribbon::Cord& cord() { return scene.coupling().cord(0); }
   void tick() { scene.tick(1.0 / 60.0); }
 };
 

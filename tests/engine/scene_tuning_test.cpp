@@ -73,7 +73,7 @@ TEST(SceneTuning, WhatIsSetToWhatItWasMovesOnAsBefore) {
   tuned.run(90);
   plain.run(90);
   tuned.set(cord, "friction", 0.25);
-  tuned.set(cord, "friction", plain.scene.coupling().direct_cord(cord).def().friction);
+  tuned.set(cord, "friction", plain.scene.coupling().cord(cord).def().friction);
   tuned.run(30);
   plain.run(30);
   const auto now = tuned.scene.coupling().positions(cord);
@@ -84,7 +84,7 @@ TEST(SceneTuning, WhatIsSetToWhatItWasMovesOnAsBefore) {
 TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
   Tuned tuned;
   const engine::CordIndex cord = tuned.first(engine::Solver::direct);
-  ribbon::Cord& before = tuned.scene.coupling().direct_cord(cord);
+  ribbon::Cord& before = tuned.scene.coupling().cord(cord);
   const int last = before.size() - 1;
   before.attach_mass(last, 12.0);
   const double own = before.mass(last) - 12.0;
@@ -100,7 +100,7 @@ TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
   tuned.run(5);
   const double mass = before.def().mass_per_length * before.def().length;
   tuned.set(cord, "mass", 3.0 * mass);
-  EXPECT_NEAR(tuned.scene.coupling().direct_cord(cord).mass(last), 12.0 + 3.0 * own, 1e-9);
+  EXPECT_NEAR(tuned.scene.coupling().cord(cord).mass(last), 12.0 + 3.0 * own, 1e-9);
   tuned.run(30);
   const auto held = tuned.scene.coupling().held_by(*body);
   ASSERT_TRUE(held);
@@ -111,10 +111,10 @@ TEST(SceneTuning, WhatNeedsANewSceneIsRefusedAndChangesNothing) {
   Tuned tuned;
   const engine::CordIndex cord = tuned.first(engine::Solver::direct);
   tuned.run(10);
-  const auto before = tuned.scene.coupling().direct_cord(cord).save();
+  const auto before = tuned.scene.coupling().cord(cord).save();
   EXPECT_THROW(tuned.set(cord, "columns", std::int64_t{7}), engine::MapError);
   EXPECT_THROW(tuned.set(cord, "friction", -1.0), engine::MapError);
-  EXPECT_TRUE(tuned.scene.coupling().direct_cord(cord).save() == before);
+  EXPECT_TRUE(tuned.scene.coupling().cord(cord).save() == before);
 }
 
 }  // namespace
