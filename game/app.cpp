@@ -22,7 +22,7 @@ std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& op
   if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
   RunOptions asked = options;
   const bool by_hand = options.replay.empty() && !options.ticks;
-  if (by_hand && session.settings.long_reach) asked.player_reach = PlayScreen::long_reach;
+  if (by_hand) asked.assists = session.settings.assists();
   return std::make_unique<PlayScreen>(session, asked, true);
 }
 

@@ -27,7 +27,7 @@ constexpr double hearing = 9.0;           // m, at which a sound is half as loud
 /// N, the greater of the links at the point; of a ribbon it is not known.
 double tension_at(const engine::Coupling& coupling, const engine::CordPoint& held) {
   if (coupling.solver(held.cord) != engine::Solver::direct || coupling.shape(held.cord).rows != 1) return 0.0;
-  const auto tensions = coupling.direct_cord(held.cord).tensions();
+  const auto tensions = coupling.cord(held.cord).tensions();
   const auto point = static_cast<std::size_t>(held.point);
   double most = 0.0;
   for (const std::size_t link : {point - 1, point}) {  // the first point has none before it: out of range

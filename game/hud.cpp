@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <initializer_list>
 #include <string>
@@ -71,8 +72,8 @@ Table thesis_counts(const engine::Coupling& coupling) {
       {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::thesis) continue;
-    const ribbon::StepReport& report = coupling.report(c);
-    const ribbon::StepReport& total = coupling.total(c);
+    const ribbon::StepReport& report = coupling.thesis_report(c);
+    const ribbon::StepReport& total = coupling.thesis_total(c);
     table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
                               report.tangled_columns, total.fem_skipped, total.motion_limited, report.strained_bars}));
   }
@@ -107,9 +108,9 @@ Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
   if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) != engine::Solver::direct) continue;
-    const ribbon::CordReport& total = coupling.direct_total(c);
-    const auto touches = static_cast<int>(coupling.direct_cord(c).touches().size());
-    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.direct_report(c).iterations, total.impacts,
+    const ribbon::CordReport& total = coupling.total(c);
+    const auto touches = static_cast<int>(coupling.cord(c).touches().size());
+    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.report(c).iterations, total.impacts,
                               total.fallbacks, total.unconverged}));
     if (meter == nullptr) continue;
     table.back().push_back(per_cent(meter->peak_stretch(c)));
@@ -164,14 +165,34 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* mete
   }
 }
 
-/// At the bottom, in the middle.
-void draw_line(Canvas& canvas, const std::string& line, double scale) {
+/// In the middle at the bottom; where the debug view's figures are, below the time.
+void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_top) {
   if (line.empty()) return;
   const double size = 21.0 * scale;
   const Vec2 box{canvas.text_width(line, size) + 1.6 * size, canvas.line_height(size) + 0.6 * size};
-  const Vec2 corner{0.5 * (canvas.width() - box.x), canvas.height() - box.y - 60.0 * scale};
+  const double y = at_top ? 60.0 * scale : canvas.height() - box.y - 60.0 * scale;
+  const Vec2 corner{at_top ? canvas.width() - box.x - 14.0 * scale : 0.5 * (canvas.width() - box.x), y};
   canvas.panel(corner, box, 0.5 * size, paper);
   canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
+}
+
+/// At the edge beyond which the goal is, how far there it is.
+void draw_way_to_goal(Canvas& canvas, const Simulation& simulation, double scale) {
+  const Vec2 goal = simulation.level().goal.center;
+  const Vec2 there = canvas.to_pixels(goal);
+  const double width = canvas.width();
+  if (there.x >= 0.0 && there.x <= width) return;
+  const bool right = there.x > width;
+  const int metres = static_cast<int>(std::lround(std::abs(goal.x - simulation.player().position().x)));
+  const std::string far = std::to_string(metres) + " m";
+  const std::string words = right ? "flag " + far + " →" : "← flag " + far;
+  const double size = 18.0 * scale;
+  const double margin = 14.0 * scale;
+  const Vec2 box{canvas.text_width(words, size) + 1.2 * size, canvas.line_height(size) + 0.4 * size};
+  const double y = std::clamp(there.y, 0.35 * canvas.height(), 0.65 * canvas.height());
+  const Vec2 corner{right ? width - margin - box.x : margin, y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{0.6 * size, 0.2 * size}, words, size, gold);
 }
 
 }  // namespace
@@ -202,11 +223,12 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
+  if (!goal) draw_way_to_goal(canvas, simulation, scale);
   if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
   if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
   if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
   if (options.headline.empty()) {
-    draw_line(canvas, options.below, scale);
+    draw_line(canvas, options.below, scale, options.debug);
   } else {
     draw_banner(canvas, options.headline, options.below, scale);
   }

@@ -8,6 +8,7 @@
 
 #include "engine/scene.h"
 #include "engine/tiled_map.h"
+#include "game/assists.h"
 
 namespace game {
 
@@ -44,8 +45,7 @@ struct Level {
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
-  /// m; none: that of PlayerTuning. Not of the map: an assist, which replays declare.
-  std::optional<double> player_reach{};
+  Assists assists;
   Area goal;
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches
@@ -64,9 +64,9 @@ std::string assets_folder();
 /// - `checkpoint`: rectangle; who falls comes back to the foot of the last one that he entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text, what it says
-/// and properties of its own: title, hint, number, sandbox, gold, silver, bronze [s].
-/// Throws engine::MapError if there is no such file, if the map has anything else or these otherwise, or if the scene
-/// cannot be built.
+/// and properties of its own: title, hint (which may name keys, see hint_in_words), number, sandbox, gold, silver,
+/// bronze [s]. Throws engine::MapError if there is no such file, if the map has anything else or these otherwise, or if
+/// the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// The level that a map is. Throws as load_level does.

@@ -17,8 +17,7 @@ using ribbon::Vec2;
 constexpr double rope_friction = 0.5;
 constexpr double air_drag = 0.3;  // 1/s
 
-/// Straight from the hook to the hand, and as fast as the hand where that is.
-ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, double length, Vec2 velocity) {
+ribbon::CordDef line_def(const LineTuning& tuning, double length) {
   ribbon::CordDef def;
   def.points = tuning.points;
   def.length = length;
@@ -30,11 +29,28 @@ ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, doubl
   def.tension_only = true;
   def.friction = rope_friction;
   def.pins = {0};
+  return def;
+}
+
+/// Straight from the hook to the hand, and as fast as the hand where that is.
+ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, double length, Vec2 velocity) {
+  ribbon::CordDef def = line_def(tuning, length);
   const double last = tuning.points - 1.0;
   for (int p = 0; p < tuning.points; ++p) def.positions.push_back(hook + (p / last) * (hand - hook));
   ribbon::Cord cord(def);
   for (int p = 1; p < tuning.points; ++p) cord.set_velocity(p, (p / last) * velocity);
   return cord;
+}
+
+/// As it is, but that its links push too. Nobody feels that of a line that nobody holds; it flings back slack at a
+/// hundred metres a second, and where links neither push nor bend there is no telling how they fold.
+ribbon::Cord left_cord(const LineTuning& tuning, double length, const ribbon::Cord& held) {
+  ribbon::CordDef def = line_def(tuning, length);
+  def.tension_only = false;
+  def.positions.assign(held.positions().begin(), held.positions().end());
+  ribbon::Cord left(def);
+  for (int p = 1; p < tuning.points; ++p) left.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
+  return left;
 }
 
 b2Filter line_filter() {
@@ -87,21 +103,24 @@ void Line::reel(int direction, engine::Coupling& coupling, double dt) {
   if (state_ != State::held || direction == 0) return;
   const double speed = direction < 0 ? tuning_.reel_in_speed : tuning_.reel_out_speed;
   length_ = std::clamp(length_ + direction * speed * dt, tuning_.shortest, tuning_.longest);
-  coupling.direct_cord(*cord_).reel(0, tuning_.points - 1, length_, speed);
+  coupling.cord(*cord_).reel(0, tuning_.points - 1, length_, speed);
 }
 
 bool Line::let_go(engine::Coupling& coupling) {
   if (state_ != State::held && state_ != State::flying) return false;
   if (grip_) coupling.let_go(*grip_);
-  grip_.reset();
-  state_ = cord_ ? State::left : State::stowed;
+  leave(coupling);
   return true;
 }
 
-void Line::follow(const engine::Coupling& coupling) {
-  if (state_ != State::held || coupling.state(*grip_)) return;
+void Line::follow(engine::Coupling& coupling) {
+  if (state_ == State::held && !coupling.state(*grip_)) leave(coupling);
+}
+
+void Line::leave(engine::Coupling& coupling) {
+  if (grip_) coupling.replace(*cord_, left_cord(tuning_, length_, coupling.cord(*cord_)), line_filter());
   grip_.reset();
-  state_ = State::left;
+  state_ = cord_ ? State::left : State::stowed;
 }
 
 void Line::add_to(engine::Hasher& hasher) const {

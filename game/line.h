@@ -56,11 +56,13 @@ class Line {
   /// Lets go of it, or calls it back; false if it was out of hand already.
   bool let_go(engine::Coupling& coupling);
   /// Notices where the line has been taken from the hand. Before all else in a tick.
-  void follow(const engine::Coupling& coupling);
+  void follow(engine::Coupling& coupling);
 
   void add_to(engine::Hasher& hasher) const;
 
  private:
+  void leave(engine::Coupling& coupling);
+
   LineTuning tuning_;
   State state_ = State::stowed;
   ribbon::Vec2 hook_;

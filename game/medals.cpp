@@ -6,6 +6,13 @@
 
 namespace game {
 
+Medals medals_by_rule(int winning_ticks, const MedalRule& rule) {
+  const auto of = [&](double share) {
+    return rule.step * std::ceil(share * winning_ticks / (ticks_per_second * rule.step));
+  };
+  return {of(rule.gold), of(rule.silver), of(rule.bronze)};
+}
+
 Medal medal_for(int ticks, const Medals& medals) {
   const double seconds = static_cast<double>(ticks) / ticks_per_second;
   // One that the level does not have is for 0 s.

@@ -18,10 +18,10 @@ double length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
 /// m, the same as it was made.
 double rest_length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
   if (coupling.solver(cord) == engine::Solver::thesis) {
-    const ribbon::ThesisDef& def = coupling.cord(cord).def();
+    const ribbon::ThesisDef& def = coupling.thesis_cord(cord).def();
     return def.spacing * (def.w - 1);
   }
-  return coupling.direct_cord(cord).def().length;
+  return coupling.cord(cord).def().length;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
   for (int c = 0; c < coupling.size(); ++c) {
     OfCord& cord = cords_[static_cast<std::size_t>(c)];
     cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
-    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.direct_error(c);
+    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.error(c);
   }
   if (coupling.estimates_errors()) {
     ++estimated_;

@@ -14,6 +14,7 @@ using engine::to_float;
 using ribbon::Vec2;
 
 constexpr int long_ago = 1'000'000;  // ticks
+constexpr double firm_slope = 0.95;  // least upward part of the normal of what one does not slide off
 
 b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
   const auto radius = static_cast<float>(tuning.radius);
@@ -162,6 +163,7 @@ void Player::handle_line(const Wish& wish, std::optional<Vec2> aim, engine::Coup
 
 void Player::feel_ground(const engine::Coupling& coupling) {
   bool on_ground = false;
+  on_firm_ground_ = false;
   for (const b2ContactEdge* edge = body_->GetContactList(); edge != nullptr; edge = edge->next) {
     if (!edge->contact->IsTouching() || edge->contact->GetFixtureA()->IsSensor() ||
         edge->contact->GetFixtureB()->IsSensor()) {
@@ -172,6 +174,8 @@ void Player::feel_ground(const engine::Coupling& coupling) {
     const bool is_b = edge->contact->GetFixtureB()->GetBody() == body_;
     const double up = static_cast<double>(is_b ? manifold.normal.y : -manifold.normal.y);
     on_ground = on_ground || up > tuning_.ground_slope;
+    const b2Body* other = (is_b ? edge->contact->GetFixtureA() : edge->contact->GetFixtureB())->GetBody();
+    on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
   }
   feels_ground_ = on_ground || stands_on_cord(coupling);
 }

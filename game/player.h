@@ -64,6 +64,8 @@ class Player {
   ribbon::Vec2 grip() const { return grip_; }  ///< m, the held point as seen from the middle of the body
   const Line& line() const { return line_; }
   bool is_on_ground() const { return ticks_off_ground_ == 0; }
+  /// On what does not move, and level, since the last step.
+  bool is_on_firm_ground() const { return on_firm_ground_; }
   bool is_climbing() const { return climbs_; }
   bool faces_left() const { return faces_left_; }
   const PlayerTuning& tuning() const { return tuning_; }
@@ -93,6 +95,7 @@ class Player {
   Line line_;
   std::optional<engine::GripId> grip_id_;  // of a cord of the direct solver
   std::optional<bool> feels_ground_;       // since the last apply
+  bool on_firm_ground_ = false;
   int ticks_off_ground_ = 0;
   int ticks_since_jump_wanted_;
   int ticks_since_let_go_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "game/assists.h"
 #include "game/bindings.h"
 
 namespace game {
@@ -19,6 +20,7 @@ struct Settings {
   bool toggle_grab = false;     ///< one press holds on, the next lets go
   int speed = 100;              ///< % of real time, `slowest` … 100
   bool long_reach = false;      ///< the hand catches cords from further away
+  bool no_fall = false;         ///< who falls goes on where he last stood
   bool reduced_motion = false;  ///< less shake and movement of the picture
   bool colour_safe = false;     ///< colours that differ in brightness too
   bool strain_tint = false;     ///< cords are tinted by how much they are stretched
@@ -26,6 +28,9 @@ struct Settings {
   bool help = true;             ///< the keys are shown
   bool fullscreen = false;
   SoundSettings sound;
+
+  /// Of runs that begin from now on.
+  Assists assists() const { return {long_reach ? std::optional(Assists::long_reach) : std::nullopt, no_fall}; }
 
   bool operator==(const Settings&) const = default;
 };

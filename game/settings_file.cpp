@@ -20,6 +20,7 @@ template <typename AnySettings, typename Visit>
 void each_switch(AnySettings& settings, Visit visit) {
   visit("toggle_grab", settings.toggle_grab);
   visit("long_reach", settings.long_reach);
+  visit("no_fall", settings.no_fall);
   visit("reduced_motion", settings.reduced_motion);
   visit("colour_safe", settings.colour_safe);
   visit("strain_tint", settings.strain_tint);

@@ -1,7 +1,5 @@
 #include "game/simulation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "engine/convert.h"
@@ -11,52 +9,20 @@ namespace game {
 namespace {
 
 using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
 
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
-constexpr double drag_reach = 1.0;                  // m, from the pointer to a cord point it can take
-constexpr double drag_speed = 15.0;                 // m/s, at which it takes the point along at the most
 constexpr double longest_reach = 10.0;              // m, that a replay may declare
 constexpr const char* reach_setting = "player_reach";
+constexpr const char* no_fall_setting = "no_fall";
+constexpr double no_fall_value = 1.0;  // where a replay declares it
+constexpr int firm_ticks = 15;         // of standing, after which a place is one to come back to
 constexpr double abyss = 3.0;          // m below the level, where the player is put back
 constexpr double pointer_reach = 1.5;  // m, from the pointer to a hook that it is at
 constexpr double look_ahead = 3.0;     // m, from the hand to where a hook is looked for without pointing
 constexpr double look_up = 5.0;        // m
 
-/// m, along the cord from one point to another.
-double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {
-  const int rows = coupling.shape(cord).rows;
-  const auto x = coupling.positions(cord);
-  const auto row = static_cast<std::size_t>(from % rows);
-  const auto step = static_cast<std::size_t>(rows);
-  double way = 0.0;
-  for (std::size_t p = static_cast<std::size_t>(std::min(from, to) / rows) * step + row;
-       p < static_cast<std::size_t>(std::max(from, to) / rows) * step + row; p += step) {
-    way += length(x[p + step] - x[p]);
-  }
-  return way;
-}
-
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-Vec2 no_further(Vec2 from, Vec2 to, double most) {
-  const double way = length(to - from);
-  return way > most ? from + (most / way) * (to - from) : to;
-}
-
-/// Where a point can be dragged to in this tick: towards `pointer` as fast as may be, and no further from what the cord
-/// is fixed to than it is long. One that does not stretch would be torn about otherwise.
-Vec2 within_reach(const engine::Coupling& coupling, const engine::CordPoint& dragged, Vec2 pointer) {
-  const auto x = coupling.positions(dragged.cord);
-  Vec2 target = no_further(x[static_cast<std::size_t>(dragged.point)], pointer, drag_speed * tick_dt);
-  for (int p = 0; p < static_cast<int>(x.size()); ++p) {
-    if (coupling.kind(dragged.cord, p) != ribbon::PointKind::constrained) continue;
-    const double way = way_between(coupling, dragged.cord, dragged.point, p);
-    target = no_further(x[static_cast<std::size_t>(p)], target, way);
-  }
-  return target;
-}
 
 }  // namespace
 
@@ -103,7 +69,7 @@ void Simulation::skip(const engine::TickInput& input) {
   if ((pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
   const auto hook = aimed_hook_ ? std::optional(level_->hooks[*aimed_hook_]) : std::nullopt;
   player_->apply(buttons, hook, scene_->coupling(), tick_dt);
-  drag(input);
+  drag_.apply(input, *scene_, player_->body(), tick_dt);
   move_(tick_dt);
   ++ticks_;
   ++run_ticks_;
@@ -116,35 +82,19 @@ void Simulation::restart() {
   scene_ = level_->make_scene();
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
-  tuning.reach = level_->player_reach.value_or(tuning.reach);
+  tuning.reach = level_->assists.player_reach.value_or(tuning.reach);
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
-  dragged_.reset();
+  drag_.forget();
   checkpoint_.reset();
   aimed_hook_.reset();
+  stood_at_ = level_->player_start;
+  standing_ticks_ = 0;
   run_ticks_ = 0;
   falls_ = 0;
   goal_ticks_.reset();
   take_snapshot(previous_);
   take_snapshot(current_);
-}
-
-/// The pointer takes the cord point nearest to it and keeps it, as far as the cord reaches, until it lets go.
-/// Constrained points stay.
-void Simulation::drag(const engine::TickInput& input) {
-  engine::Coupling& coupling = scene_->coupling();
-  if ((input.buttons & button_drag) == 0) {
-    if (dragged_) coupling.release(dragged_->cord, dragged_->point);
-    dragged_.reset();
-    return;
-  }
-  const Vec2 pointer = engine::pointer(input);
-  if (!dragged_) {
-    const auto nearest = coupling.nearest_point(pointer, drag_reach);
-    if (!nearest || coupling.kind(nearest->cord, nearest->point) != ribbon::PointKind::free) return;
-    dragged_ = nearest;
-  }
-  coupling.operate(dragged_->cord, dragged_->point, within_reach(coupling, *dragged_, pointer));
 }
 
 /// The hook that the pointer is at; if it is at none within reach, the one that is best ahead and above.
@@ -193,9 +143,24 @@ void Simulation::watch_the_player() {
   for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
     if (level_->checkpoints[k].holds(at)) checkpoint_ = k;
   }
+  if (level_->assists.no_fall) remember_where_he_stands();
   if (at.y > -abyss) return;
+  if (level_->assists.no_fall) return player_->put(stood_at_, scene_->coupling());
   ++falls_;
   put_player_back();
+}
+
+/// Not the last place itself, which is the edge that he fell from: he has stood on for some time since.
+void Simulation::remember_where_he_stands() {
+  if (!player_->is_on_firm_ground()) {
+    standing_ticks_ = 0;
+    return;
+  }
+  if (standing_ticks_ % firm_ticks == 0) {
+    if (standing_ticks_ > 0) stood_at_ = stands_at_;
+    stands_at_ = player_->position() - Vec2{0.0, 0.5 * player_->tuning().height};
+  }
+  ++standing_ticks_;
 }
 
 void Simulation::take_snapshot(Snapshot& snapshot) const {
@@ -219,14 +184,17 @@ void Simulation::compute_hash() {
   game.add(falls_);
   game.add(goal_ticks_.value_or(-1));
   game.add(checkpoint_ ? static_cast<int>(*checkpoint_) : -1);
-  game.add(dragged_ ? dragged_->cord : -1);
-  game.add(dragged_ ? dragged_->point : -1);
+  drag_.add_to(game);
   const auto held = scene_->coupling().held_by(player_->body());
   game.add(held ? held->cord : -1);
   game.add(held ? held->point : -1);
   game.add(held ? held->along : 0.0);
   game.add(scene_->coupling().velocity(player_->body()));
   player_->add_to(game);
+  if (level_->assists.no_fall) {
+    game.add(stood_at_);
+    game.add(standing_ticks_);
+  }
 
   hash_.clear();
   hash_.add(engine::Subsystem::game, 0, game);
@@ -241,15 +209,20 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
   header.settings["cord_method"] = std::string(engine::solver_name(engine::Scene::default_solver));
-  if (level.player_reach) header.settings[reach_setting] = *level.player_reach;
+  if (level.assists.player_reach) header.settings[reach_setting] = *level.assists.player_reach;
+  if (level.assists.no_fall) header.settings[no_fall_setting] = no_fall_value;
   return header;
 }
 
 void Simulation::take_assists(Level& level, const engine::ReplayHeader& header) {
-  const auto found = header.settings.find(reach_setting);
-  const double* reach = found == header.settings.end() ? nullptr : std::get_if<double>(&found->second);
-  level.player_reach =
-      reach != nullptr && *reach > 0.0 && *reach <= longest_reach ? std::optional(*reach) : std::nullopt;
+  const auto declared = [&header](const char* setting) {
+    const auto found = header.settings.find(setting);
+    const double* value = found == header.settings.end() ? nullptr : std::get_if<double>(&found->second);
+    return value != nullptr ? std::optional(*value) : std::nullopt;
+  };
+  const auto reach = declared(reach_setting);
+  level.assists.player_reach = reach && *reach > 0.0 && *reach <= longest_reach ? reach : std::nullopt;
+  level.assists.no_fall = declared(no_fall_setting) == no_fall_value;
 }
 
 }  // namespace game

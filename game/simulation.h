@@ -8,6 +8,7 @@
 #include "engine/input.h"
 #include "engine/replay.h"
 #include "engine/state_hash.h"
+#include "game/drag.h"
 #include "game/level.h"
 #include "game/player.h"
 
@@ -63,6 +64,7 @@ class Simulation {
   std::optional<int> goal_ticks() const { return goal_ticks_; }  ///< of this run when the goal was reached
   /// Of the level's, the last one entered; a fall ends there.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
+  const Drag& drag() const { return drag_; }
   /// Of the level's hooks, the one that a line thrown now goes for.
   std::optional<std::size_t> aimed_hook() const { return aimed_hook_; }
 
@@ -73,11 +75,11 @@ class Simulation {
 
  private:
   void restart();
-  void drag(const engine::TickInput& input);
   void aim(ribbon::Vec2 pointer);
   bool drop_load();
   void put_player_back();
   void watch_the_player();
+  void remember_where_he_stands();
   void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
 
@@ -89,9 +91,12 @@ class Simulation {
   Snapshot previous_;
   Snapshot current_;
   engine::StateHash hash_;
-  std::optional<engine::CordPoint> dragged_;
+  Drag drag_;
   std::optional<std::size_t> checkpoint_;
   std::optional<std::size_t> aimed_hook_;
+  ribbon::Vec2 stood_at_;   // m, feet: where a fall ends, with that assist
+  ribbon::Vec2 stands_at_;  // m, feet: where it will, if he stands on
+  int standing_ticks_ = 0;  // on firm ground
   std::uint16_t buttons_before_ = 0;
   int ticks_ = 0;
   int run_ticks_ = 0;

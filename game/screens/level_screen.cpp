@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "game/help.h"
 #include "game/hud.h"
 #include "game/level_facts.h"
 #include "game/screens/play_screen.h"
@@ -62,7 +63,7 @@ void LevelScreen::show_focused(std::int64_t elapsed_ns) {
 void LevelScreen::draw_facts(engine::Canvas& canvas, double text_scale) const {
   const Level& level = focused();
   std::vector<std::string> lines;
-  if (!level.hint.empty()) lines.push_back(level.hint);
+  if (!level.hint.empty()) lines.push_back(hint_in_words(level.hint, session_->settings, session_->uses_pad));
   const auto best = session_->records.best(level_key(level));
   lines.push_back(best ? "Your best: " + best_in_words(level, best) : "Not made yet");
   if (const std::string medals = medals_in_words(level); !medals.empty()) lines.push_back(medals);
@@ -103,7 +104,7 @@ Next to_levels(Session& session) {
 Next start_level(Session& session, const std::string& name) {
   RunOptions options;
   options.level = name;
-  if (session.settings.long_reach) options.player_reach = PlayScreen::long_reach;
+  options.assists = session.settings.assists();
   try {
     auto play = std::make_unique<PlayScreen>(session, options, false);
     Next next = to_levels(session);

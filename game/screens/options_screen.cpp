@@ -33,6 +33,7 @@ const std::vector<Option>& options() {
          settings.speed = std::clamp(settings.speed + 10 * step, Settings::slowest, 100);
        }},
       choice("Longer arms", &Settings::long_reach, "off", "on, from the next level"),
+      choice("Who falls", &Settings::no_fall, "starts or checkpoint", "goes on from where he stood"),
       choice("Ghost of the best run", &Settings::ghost, "hidden", "shown"),
       choice("Picture", &Settings::reduced_motion, "lively", "calm: no shake"),
       choice("Colours", &Settings::colour_safe, "usual", "safe for all eyes"),
@@ -50,7 +51,7 @@ const std::vector<Option>& options() {
 }
 
 const Card card{.headline = "Options",
-                .lines = {"Times with less speed or longer arms are kept too, just without a medal."},
+                .lines = {"Times with less speed, longer arms or without falls are kept too, just without a medal."},
                 .width = 660.0,
                 .text_size = 20.0,
                 .line_size = 16.0};

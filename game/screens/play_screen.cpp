@@ -88,7 +88,7 @@ void PlayScreen::follow_file(std::int64_t elapsed_ns) {
   try {
     Level level = load_level(level_file_->path());
     if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote
-    level.player_reach = run_.level().player_reach;
+    level.assists = run_.level().assists;
     run_.set_level(std::move(level), false);
     session_->notice.show("The level was loaded anew");
     restart();
@@ -124,6 +124,7 @@ bool PlayScreen::wants_pause(const Frame& frame) const {
   if (is_plain()) return false;
   const bool lost = frame.input.pad_lost && session_->uses_pad;
   const bool fixed = frame.input.pressed(engine::Key::escape);  // whatever is bound to what
+  if (frame.input.focus_lost && !stopped_) return true;         // nobody's hands are on the keys
   return lost || fixed || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
 }
 
@@ -171,7 +172,7 @@ void PlayScreen::tick() {
     input.buttons |= button_restart;
     assisted_ = false;
   }
-  const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.player_reach;
+  const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t begun = engine::now_ns();
@@ -219,7 +220,7 @@ void PlayScreen::choose_message() {
   if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
   if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));
   if (run_.has_replay()) return say("", "");
-  const std::string& hint = run_.level().hint;
+  const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
     return say("", hint);
   }

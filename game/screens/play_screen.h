@@ -22,7 +22,6 @@ namespace game {
 class PlayScreen : public Screen {
  public:
   static constexpr int status_recording_failed = 2;
-  static constexpr double long_reach = 1.6;  ///< m, of the assist
 
   /// `direct`: the command line asked for this run, and the program ends with it. Throws as RecordedRun does.
   PlayScreen(Session& session, const RunOptions& options, bool direct);

@@ -10,10 +10,10 @@ using engine::Coupling;
 
 /// What reads a field of a cord of the direct solver.
 auto direct(auto read) {
-  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.direct_cord(cord).def()); };
+  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.cord(cord).def()); };
 }
 auto thesis(auto read) {
-  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.cord(cord).def()); };
+  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.thesis_cord(cord).def()); };
 }
 
 std::vector<Dial> direct_dials(bool is_ribbon) {

@@ -39,8 +39,7 @@ void show_solving(const Simulation& simulation) {
   const b2World& world = simulation.scene().world();
   int near = 0;
   for (int c = 0; c < coupling.size(); ++c) near += coupling.gathered_near(c);
-  ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.direct_islands(),
-              near);
+  ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.islands(), near);
   ImGui::Text("Box2D: %d bodies, %d contacts, %d proxies in a tree %d high", world.GetBodyCount(),
               world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
 }
@@ -58,9 +57,9 @@ void cell(double value, const char* unit) {
 }
 
 void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
-  const ribbon::CordReport& last = coupling.direct_report(c);
-  const ribbon::CordReport& total = coupling.direct_total(c);
-  cell(static_cast<int>(coupling.direct_cord(c).touches().size()));
+  const ribbon::CordReport& last = coupling.report(c);
+  const ribbon::CordReport& total = coupling.total(c);
+  cell(static_cast<int>(coupling.cord(c).touches().size()));
   cell(greatest_tension(coupling, c), "");
   cell(inverted_cells(coupling, c));
   cell(std::to_string(last.iterations) + "/" + std::to_string(last.stages));
@@ -71,7 +70,7 @@ void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter&
 }
 
 void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
-  const ribbon::StepReport& last = coupling.report(c);
+  const ribbon::StepReport& last = coupling.thesis_report(c);
   cell(last.self_contacts + last.circle_contacts);
   cell("");
   cell(inverted_cells(coupling, c));
@@ -97,7 +96,7 @@ int inverted_cells(const Coupling& coupling, engine::CordIndex cord) {
 
 double greatest_tension(const Coupling& coupling, engine::CordIndex cord) {
   if (coupling.solver(cord) != engine::Solver::direct || coupling.shape(cord).rows != 1) return 0.0;
-  const auto tensions = coupling.direct_cord(cord).tensions();
+  const auto tensions = coupling.cord(cord).tensions();
   return tensions.empty() ? 0.0 : *std::max_element(tensions.begin(), tensions.end());
 }
 

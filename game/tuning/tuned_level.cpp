@@ -54,7 +54,7 @@ void TunedLevel::remove(int object, std::string_view property, engine::Scene& sc
 
 void TunedLevel::take(std::string text, int object, engine::Scene& scene) {
   Level level = level_of(engine::parse_tiled_map(text, level_.map.file));
-  level.player_reach = level_.player_reach;
+  level.assists = level_.assists;
   if (object == engine::map_itself) {
     set_gravity(scene.world(), level.map.properties);
   } else if (const engine::CordIndex cord = cord_of(scene, object); cord >= 0) {

@@ -134,7 +134,7 @@ void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) 
   }
   if (scene.coupling().solver(cord) == engine::Solver::direct) {
     constexpr std::array names = {"tr_bdf2", "implicit_euler"};
-    int chosen = static_cast<int>(scene.coupling().direct_cord(cord).def().accuracy.integrator);
+    int chosen = static_cast<int>(scene.coupling().cord(cord).def().accuracy.integrator);
     if (ImGui::Combo("integrator", &chosen, names.data(), static_cast<int>(names.size()))) {
       wish_ = Wish{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
     }

@@ -26,6 +26,7 @@ constexpr double darkest_below = 5.0;  // m
 /// Counter-clockwise.
 std::vector<Vec2> corners_of(const b2PolygonShape& shape, const Snapshot::Body& pose) {
   std::vector<Vec2> corners;
+  corners.reserve(static_cast<std::size_t>(shape.m_count));
   for (int k = 0; k < shape.m_count; ++k) corners.push_back(placed(pose, to_double(shape.m_vertices[k])));
   return corners;
 }
@@ -51,6 +52,7 @@ Extent extent_of(const std::vector<Vec2>& corners) {
 
 void add_polygon(Pen& pen, const std::vector<Vec2>& corners, const engine::UvMap& map, Color color) {
   std::vector<Vec2> pixels;
+  pixels.reserve(corners.size());
   for (const Vec2 p : corners) pixels.push_back(pen.canvas.to_pixels(p));
   pen.shape.clear();
   pen.mesh.clear();
@@ -60,6 +62,7 @@ void add_polygon(Pen& pen, const std::vector<Vec2>& corners, const engine::UvMap
 
 void draw_outline(Pen& pen, const std::vector<Vec2>& corners, double width, Color color) {
   std::vector<Vec2> closed;
+  closed.reserve(corners.size() + 1);
   for (std::size_t k = 0; k <= corners.size(); ++k) closed.push_back(corners[k % corners.size()]);
   pen.canvas.polyline(closed, width, color);
 }

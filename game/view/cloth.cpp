@@ -21,7 +21,9 @@ struct Rails {
 
 Rails rails_of(const Pen& pen, const DrawnCord& cord, int steps) {
   Rails rails;
+  rails.rows.reserve(static_cast<std::size_t>(cord.shape.rows));
   std::vector<Vec2> row;
+  row.reserve(static_cast<std::size_t>(cord.shape.columns));
   for (int j = 0; j < cord.shape.rows; ++j) {
     row.clear();
     for (int i = 0; i < cord.shape.columns; ++i) row.push_back(pen.canvas.to_pixels(cord.at(cord.point(i, j))));
@@ -88,14 +90,14 @@ class ClothMesh {
 
 void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const std::vector<Color>& colors) {
   const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
-  const double radius = direct ? cord.coupling.direct_cord(cord.index).def().radius : 0.0;
+  const double radius = direct ? cord.coupling.cord(cord.index).def().radius : 0.0;
   const Rails rails = rails_of(pen, cord, steps);
   Rails inner = rails;
   Rails outer = rails;
   grow(inner, radius * pen.scale() - 0.5);
   grow(outer, radius * pen.scale() + 0.5);
   const double spacing =
-      direct ? cord.coupling.direct_cord(cord.index).rest_length(0) : cord.coupling.cord(cord.index).def().spacing;
+      direct ? cord.coupling.cord(cord.index).rest_length(0) : cord.coupling.thesis_cord(cord.index).def().spacing;
   const auto color_of = [&](int i) {
     if (colors.empty()) return color;
     const auto column = static_cast<std::size_t>(i / steps);
@@ -105,13 +107,14 @@ void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const s
   pen.mesh.clear();
   ClothMesh(pen.mesh, inner, outer).build(spacing / (steps * cord.shape.thickness), color_of);
   pen.canvas.textured(pen.mesh, {&pen.images.cloth, engine::Filter::linear, engine::Wrap::repeat, engine::Wrap::clamp});
-  // The edge, so that the silhouette is clear against what is behind.
-  for (const auto& row : {outer.rows.front(), outer.rows.back()}) {
+  // The edge, so that the silhouette is clear against what is behind. It covers: where the cloth bends more tightly
+  // than the edge is wide it lies on itself, and what shines through would show that.
+  for (const auto* row : {&outer.rows.front(), &outer.rows.back()}) {
     pen.mesh.clear();
     engine::BandLook look;
     look.width = 0.03 * pen.scale();
-    look.color = with_alpha(mix(pen.colors.ink, color, 0.2), 230);
-    add_band(pen.mesh, row, look);
+    look.color = mix(pen.colors.ink, color, 0.27);
+    add_band(pen.mesh, *row, look);
     pen.canvas.textured(pen.mesh, {});
   }
 }

@@ -35,6 +35,7 @@ int steps_between(const Pen& pen, const DrawnCord& cord) {
 
 std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
   std::vector<Color> all;
+  all.reserve(colors.size() * static_cast<std::size_t>(steps));
   for (std::size_t i = 0; i + 1 < colors.size(); ++i)
     for (int k = 0; k < steps; ++k) all.push_back(mix(colors[i], colors[i + 1], static_cast<double>(k) / steps));
   if (!colors.empty()) all.push_back(colors.back());
@@ -122,7 +123,7 @@ double strain(const DrawnCord& cord, int column) {
     sum += length(cord.at(cord.point(i + 1, j)) - cord.at(cord.point(i, j))) / cord.shape.rows;
   const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
   const double rest =
-      direct ? cord.coupling.direct_cord(cord.index).rest_length(i) : cord.coupling.cord(cord.index).def().spacing;
+      direct ? cord.coupling.cord(cord.index).rest_length(i) : cord.coupling.thesis_cord(cord.index).def().spacing;
   return sum / rest - 1.0;
 }
 

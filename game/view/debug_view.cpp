@@ -23,7 +23,7 @@ bool is_direct(const DrawnCord& cord) { return cord.coupling.solver(cord.index) 
 /// White where there is no telling.
 Color bar_color(const DrawnCord& cord, int column) {
   if (cord.shape.rows > 1 || !is_direct(cord)) return {255, 255, 255, 200};
-  return tension_color(cord.coupling.direct_cord(cord.index).tensions()[static_cast<std::size_t>(column)]);
+  return tension_color(cord.coupling.cord(cord.index).tensions()[static_cast<std::size_t>(column)]);
 }
 
 void draw_bars(Pen& pen, const DrawnCord& cord) {
@@ -76,7 +76,7 @@ void draw_reach(Pen& pen, const DrawnCord& cord) {
 /// As long as the impulse is large, by its root.
 void draw_contacts(Pen& pen, const DrawnCord& cord) {
   if (!is_direct(cord)) return;
-  for (const ribbon::Touch& touch : cord.coupling.direct_cord(cord.index).touches()) {
+  for (const ribbon::Touch& touch : cord.coupling.cord(cord.index).touches()) {
     const double long_as = std::clamp(0.25 * std::sqrt(std::abs(touch.impulse)), 0.2, 1.2);
     pen.canvas.polyline(std::array{touch.point, touch.point + long_as * touch.normal}, 0.035, contact_color);
     pen.canvas.circle(touch.point, 0.06, contact_color);

@@ -32,8 +32,9 @@ Vec2 between(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3, double share) {
 void smooth_curve(std::span<const Vec2> points, int steps, std::vector<Vec2>& curve) {
   curve.clear();
   if (points.empty()) return;
-  curve.push_back(points.front());
   const std::size_t last = points.size() - 1;
+  curve.reserve(1 + last * static_cast<std::size_t>(std::max(steps, 1)));
+  curve.push_back(points.front());
   for (std::size_t i = 0; i < last; ++i) {
     const Vec2 p1 = points[i];
     const Vec2 p2 = points[i + 1];

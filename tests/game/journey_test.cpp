@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "game/buttons.h"
 #include "game/level_facts.h"
 #include "game/screens/play_screen.h"
+#include "tests/game/process.h"
 #include "tests/game/program.h"
 #include "tests/support/sdl_events.h"
 
@@ -82,6 +84,8 @@ class Journey : public testing::Test {
     accept();  // in a single frame: the next one is the run's first tick
     ASSERT_EQ(screen(), "first_swing");
   }
+
+  void play_by_gamepad();
 
   std::optional<App> app;
 };
@@ -194,7 +198,8 @@ TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
   EXPECT_EQ(screen(), "results");
 }
 
-TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) {
+/// From the title to the goal and back to the levels by a gamepad, which is unplugged four times on the way.
+void Journey::play_by_gamepad() {
   open();
   auto pad = std::make_unique<VirtualPad>();
   frame();
@@ -234,9 +239,36 @@ TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) {
   for (int k = 0; k < 60 && screen() == "first_swing"; ++k) frame();
   ASSERT_EQ(screen(), "results");
   expect_same_run(data() + "/ropeswing/runs/000001-first_swing.replay", 300);
+  app->draw();
   press(PadButton::b);
   EXPECT_EQ(screen(), "levels");
 }
+
+TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) { play_by_gamepad(); }
+
+/// The same in a window of an X server.
+class RealWindowJourney : public Journey {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v Xvfb >/dev/null") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    ASSERT_TRUE(server_.starts());
+    setenv("DISPLAY", server_.display().c_str(), 1);
+    setenv("SDL_VIDEODRIVER", "x11", 1);
+    setenv("SDL_RENDER_DRIVER", "software", 1);
+    // SDL asks for the session's bus, and libdbus leaks what it finds out.
+    setenv("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere", 1);
+  }
+  void TearDown() override {
+    app.reset();  // before its display goes
+    unsetenv("SDL_RENDER_DRIVER");
+    unsetenv("DBUS_SESSION_BUS_ADDRESS");
+  }
+
+ private:
+  test_support::XServer server_{"1280x720x24"};
+};
+
+TEST_F(RealWindowJourney, AGamepadPlaysIsUnpluggedAndPluggedInAgain) { play_by_gamepad(); }
 
 TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
   RunOptions options;
@@ -251,6 +283,26 @@ TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
   frame();
   EXPECT_EQ(play().simulation().ticks(), ticks + 1);
   EXPECT_GT(play().simulation().player().position().y, before + 0.05);
+}
+
+TEST_F(Journey, AWindowThatLosesTheFocusPausesAndHoldsNothing) {
+  RunOptions options;
+  options.level = "first_swing";
+  open(options);
+  test_support::push_key(Key::d, true);
+  for (int k = 0; k < 20; ++k) frame();
+  const int ticks = play().simulation().ticks();
+  test_support::push_focus_lost();
+  frame();
+  EXPECT_EQ(screen(), "paused");
+  for (int k = 0; k < 10; ++k) frame();
+  tap(Key::escape);
+  ASSERT_EQ(screen(), "first_swing");
+  EXPECT_LE(play().simulation().ticks(), ticks + 1) << "it stood still";
+  for (int k = 0; k < 30; ++k) frame();
+  EXPECT_NEAR(static_cast<double>(play().simulation().player().body().GetLinearVelocity().x), 0.0, 0.01)
+      << "the key went up unseen";
+  EXPECT_FALSE(play().is_assisted()) << "a pause is no help";
 }
 
 TEST_F(Journey, RebindingIsRememberedAndSteers) {
@@ -325,9 +377,9 @@ TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
   EXPECT_EQ(ticks_in(40), 20);
 }
 
-TEST_F(Journey, LongerArmsAreDeclaredInTheRecordingWhichVerifies) {
+TEST_F(Journey, LongerArmsAndNoFallsAreDeclaredInTheRecordingWhichVerifies) {
   open();
-  app->session().settings.long_reach = true;
+  app->session().settings.long_reach = app->session().settings.no_fall = true;
   start_first_swing([this] { tap(Key::down); },
                     [this] {
                       test_support::push_key(Key::enter, true);
@@ -337,8 +389,11 @@ TEST_F(Journey, LongerArmsAreDeclaredInTheRecordingWhichVerifies) {
   test_support::push_key(Key::e, true);
   test_support::push_key(Key::d, true);
   for (int k = 0; k < 120; ++k) frame();
+  test_support::push_key(Key::e, false);
+  for (int k = 0; k < 240; ++k) frame();
   EXPECT_TRUE(play().is_assisted());
-  EXPECT_EQ(play().simulation().player().tuning().reach, PlayScreen::long_reach);
+  EXPECT_TRUE(play().run().level().assists.no_fall);
+  EXPECT_EQ(play().simulation().player().tuning().reach, Assists::long_reach);
   test_support::push_quit();
   frame();
   app->finish();

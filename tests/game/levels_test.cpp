@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/replay.h"
+#include "game/medals.h"
 #include "game/simulation.h"
 #include "tests/support/dice.h"
 #include "tests/support/scripted_player.h"
@@ -32,14 +33,28 @@ TEST_P(EveryLevel, HasAWinningRunThatVerifiesInAllItsTicks) {
   EXPECT_TRUE(simulation.goal_ticks());
 }
 
-TEST_P(EveryLevel, HasAPlaceATitleAHintAndMedalsThatItsWinningRunCanEarn) {
+TEST_P(EveryLevel, HasAPlaceATitleAHintAndAPicture) {
   const Level level = load_level(GetParam());
   EXPECT_GT(level.number, 0);
   EXPECT_NE(level.title, level.name);
   EXPECT_FALSE(level.hint.empty());
   EXPECT_TRUE(std::filesystem::exists(assets_folder() + "/pictures/" + GetParam() + ".jpg"));
+}
+
+TEST_P(EveryLevel, HasTheMedalsThatTheRuleMakesOfItsWinningRun) {
+  const Level level = load_level(GetParam());
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
-  EXPECT_LT(static_cast<double>(replay.ticks.size()) / ticks_per_second, level.medals.bronze);
+  Simulation simulation(level);
+  for (const engine::RecordedTick& tick : replay.ticks) simulation.tick(tick.input);
+  const int winning = simulation.goal_ticks().value_or(0);
+  ASSERT_GT(winning, 0);
+  const Medals wanted = medals_by_rule(winning);
+  EXPECT_EQ(level.medals.gold, wanted.gold);
+  EXPECT_EQ(level.medals.silver, wanted.silver);
+  EXPECT_EQ(level.medals.bronze, wanted.bronze);
+  EXPECT_EQ(medal_for(winning, level.medals), Medal::gold) << "gold can be reached";
+  EXPECT_EQ(medal_for(2 * winning, level.medals), Medal::silver) << "and not by everybody";
+  EXPECT_EQ(medal_for(5 * winning, level.medals), Medal::none);
 }
 
 /// Ticks to the goal of the scripted player that begins after a delay; 0 if it does not get there.

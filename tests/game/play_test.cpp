@@ -178,6 +178,25 @@ TEST_F(ThrownLine, IsDrawnFromWhereItWasMadeOn) {
   EXPECT_EQ(between.cords.back(), anew.current().cords.back());
 }
 
+/// It flings back with all that was stored in it, crumples, falls and comes to rest below its hook.
+TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
+  const Level level = load_level("long_line");
+  Simulation simulation(level);
+  ScriptedPlayer player(test_support::winning_script(level.name));
+  while (simulation.player().line().state() != Line::State::left) {
+    ASSERT_LT(simulation.ticks(), 600);
+    simulation.tick(player.input(simulation));
+  }
+  const engine::CordIndex cord = *simulation.player().line().cord();
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  tick(simulation, 0, 1200);
+  EXPECT_EQ(coupling.total(cord).unconverged, 0);
+  const Vec2 hook = coupling.positions(cord).front();
+  const Vec2 end = coupling.positions(cord).back();
+  EXPECT_NEAR(hook.y - end.y, simulation.player().line().length(), 0.2);
+  EXPECT_NEAR(end.x, hook.x, 0.5);
+}
+
 TEST(Aim, GoesForTheRingThatThePointerIsAtAndElseForOneAhead) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
@@ -213,7 +232,7 @@ TEST(Load, OfAThousandTimesItsCordsWeightDoesNotStretchIt) {
   const auto x = simulation.scene().coupling().positions(0);
   double way = 0.0;
   for (std::size_t p = 1; p < x.size(); ++p) way += length(x[p] - x[p - 1]);
-  EXPECT_NEAR(way, simulation.scene().coupling().direct_cord(0).def().length, 1e-6);
+  EXPECT_NEAR(way, simulation.scene().coupling().cord(0).def().length, 1e-6);
 }
 
 TEST(Checkpoint, IsWhereAFallAndARetryEnd) {

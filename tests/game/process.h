@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ class Process {
   /// `command` is run by sh; the last program in it should be exec'ed, so that signals reach it.
   explicit Process(const std::string& command) : id_(fork()) {
     if (id_ != 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // with a test that crashes it ends, too
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }

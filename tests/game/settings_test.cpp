@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/input_names.h"
+#include "game/help.h"
+#include "game/level_facts.h"
 #include "game/medals.h"
 #include "game/records.h"
 #include "game/run_folder.h"
@@ -26,6 +28,27 @@ using engine::WheelTurn;
 using test_support::bytes_of;
 using test_support::scratch;
 using test_support::write_bytes;
+
+TEST(Bindings, AHintNamesTheKeysThatAreBound) {
+  Settings settings;
+  const std::string hint = "hold {grab}, {jump} and {nothing}, {jump}";
+  EXPECT_EQ(hint_in_words(hint, settings, false), "hold E, Space and {nothing}, Space");
+  settings.bindings.bind(Action::grab, Key::space);
+  settings.bindings.bind(Action::jump, Key::j);
+  EXPECT_EQ(hint_in_words(hint, settings, false), "hold E, J and {nothing}, J");
+  EXPECT_EQ(hint_in_words(hint, settings, true).find("{jump}"), std::string::npos);
+}
+
+/// With the usual keys and with a gamepad: no level asks for what is not there.
+TEST(Bindings, TheHintsOfAllLevelsAreWhole) {
+  for (const Level& level : levels_in_order()) {
+    for (const bool pad : {false, true}) {
+      const std::string words = hint_in_words(level.hint, Settings{}, pad);
+      EXPECT_EQ(words.find_first_of("{}"), std::string::npos) << words;
+      EXPECT_TRUE(level.sandbox || words.find("none") == std::string::npos) << words;
+    }
+  }
+}
 
 TEST(Bindings, ACodeIsOfOneActionOnly) {
   Bindings bindings = Bindings::defaults();
@@ -66,7 +89,7 @@ TEST(Bindings, EveryCodeHasANameOfItsOwn) {
 
 Settings some_settings() {
   Settings settings;
-  settings.toggle_grab = settings.long_reach = settings.reduced_motion = settings.colour_safe = true;
+  settings.toggle_grab = settings.long_reach = settings.no_fall = settings.reduced_motion = settings.colour_safe = true;
   settings.strain_tint = settings.fullscreen = settings.sound.muted = true;
   settings.ghost = settings.help = false;
   settings.speed = 70;

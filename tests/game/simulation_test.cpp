@@ -165,6 +165,57 @@ TEST(Simulation, WhoFallsIsPutBackToTheStart) {
   EXPECT_NEAR(simulation.player().position().x, first_swing().player_start.x, 0.2);
 }
 
+Level first_swing_without_falls() {
+  Level level = first_swing();
+  level.assists.no_fall = true;
+  return level;
+}
+
+TEST(NoFall, WhoFallsGoesOnFromWhereHeStood) {
+  const Level level = first_swing_without_falls();
+  Simulation simulation(level);
+  double edge = 0.0;
+  double back_at = 0.0;
+  for (int k = 0; k < 240 && back_at == 0.0; ++k) {
+    const ribbon::Vec2 before = simulation.player().position();
+    if (simulation.player().is_on_ground()) edge = before.x;
+    simulation.tick(press(button_right));
+    if (simulation.player().position().y > before.y + 2.0) back_at = simulation.player().position().x;
+  }
+  EXPECT_LT(back_at, edge);
+  EXPECT_GT(back_at, edge - 3.5);
+  EXPECT_GT(back_at, level.player_start.x + 1.0) << "not at the start";
+  EXPECT_EQ(simulation.falls(), 0);
+  for (int k = 0; k < 60; ++k) simulation.tick({});
+  EXPECT_NEAR(simulation.player().position().x, back_at, 0.05) << "he stands there";
+  EXPECT_TRUE(simulation.player().is_on_firm_ground());
+}
+
+TEST(NoFall, ARestartForgetsWhereHeStood) {
+  const Level level = first_swing_without_falls();
+  Simulation simulation(level);
+  for (int k = 0; k < 60; ++k) simulation.tick(press(button_right));
+  simulation.tick(press(button_restart));
+  simulation.player().put({-30.0, 0.0}, simulation.scene().coupling());
+  for (int k = 0; k < 120; ++k) simulation.tick({});
+  EXPECT_NEAR(simulation.player().position().x, level.player_start.x, 0.1);
+}
+
+TEST(NoFall, AReplayDeclaresItAndNothingElseTakesIt) {
+  const Level level = first_swing_without_falls();
+  const engine::ReplayHeader header = Simulation::replay_header(level);
+  Level other = first_swing();
+  EXPECT_THROW(engine::check_header(header, Simulation::replay_header(other)), engine::ReplayError);
+  Simulation::take_assists(other, header);
+  EXPECT_TRUE(other.assists.no_fall);
+  EXPECT_NO_THROW(engine::check_header(header, Simulation::replay_header(other)));
+  engine::ReplayHeader strange = header;
+  strange.settings["no_fall"] = 0.5;
+  Simulation::take_assists(other, strange);
+  EXPECT_FALSE(other.assists.no_fall);
+  EXPECT_THROW(engine::check_header(strange, Simulation::replay_header(other)), engine::ReplayError);
+}
+
 TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
   Simulation simulation(level());
   const engine::Coupling& coupling = simulation.scene().coupling();
@@ -189,11 +240,11 @@ TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
   const engine::Coupling& coupling = simulation.scene().coupling();
   const auto fastest = [&] {
     double most = 0.0;
-    for (const ribbon::Vec2 v : coupling.direct_cord(0).velocities()) most = std::max(most, length(v));
+    for (const ribbon::Vec2 v : coupling.cord(0).velocities()) most = std::max(most, length(v));
     return most;
   };
   const ribbon::Vec2 pin = coupling.positions(0).front();
-  const double cord_length = coupling.direct_cord(0).def().length;
+  const double cord_length = coupling.cord(0).def().length;
   engine::TickInput input = press(button_drag);
   engine::set_pointer(input, coupling.positions(0).back());
   simulation.tick(input);
@@ -203,7 +254,7 @@ TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
     EXPECT_LT(length(coupling.positions(0).back() - pin), cord_length * 1.001) << "tick " << k;
     EXPECT_LT(fastest(), 40.0) << "tick " << k;  // m/s
   }
-  EXPECT_EQ(coupling.direct_total(0).unconverged, 0);
+  EXPECT_EQ(coupling.total(0).unconverged, 0);
   simulation.tick({});
   EXPECT_LT(fastest(), 5.0);
 }

@@ -241,10 +241,10 @@ TEST(Tables, CellsTurnedInsideOutAreCounted) {
   for (int c = 0; c < coupling.size(); ++c) {
     EXPECT_EQ(inverted_cells(coupling, c), 0);
     if (coupling.solver(c) != engine::Solver::thesis) continue;
-    ribbon::ThesisCord::State state = coupling.cord(c).save();
+    ribbon::ThesisCord::State state = coupling.thesis_cord(c).save();
     for (std::size_t p = 0; p + 1 < state.positions.size(); p += 2)
       std::swap(state.positions[p], state.positions[p + 1]);
-    coupling.cord(c).restore(state);
+    coupling.thesis_cord(c).restore(state);
     const engine::CordShape shape = coupling.shape(c);
     if (shape.rows == 2) {
       EXPECT_EQ(inverted_cells(coupling, c), shape.columns - 1);

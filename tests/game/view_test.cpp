@@ -40,8 +40,7 @@ int contacts_of(const Simulation& simulation) {
   const engine::Coupling& coupling = simulation.scene().coupling();
   int count = 0;
   for (int c = 0; c < coupling.size(); ++c)
-    if (coupling.solver(c) == engine::Solver::direct)
-      count += static_cast<int>(coupling.direct_cord(c).touches().size());
+    if (coupling.solver(c) == engine::Solver::direct) count += static_cast<int>(coupling.cord(c).touches().size());
   return count;
 }
 

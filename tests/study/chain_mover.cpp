@@ -42,11 +42,11 @@ class ChainMover {
     ground_ = scene.world().CreateBody(&fixed);
     Coupling& coupling = scene.coupling();
     for (int c = 0; c < coupling.size(); ++c) {
-      ribbon::CordDef def = coupling.direct_cord(c).def();
+      ribbon::CordDef def = coupling.cord(c).def();
       def.positions.assign(coupling.positions(c).begin(), coupling.positions(c).end());
       const JointChain& chain = chains_.emplace_back(scene.world(), def, filter_of(def, c));
       for (const int pin : def.pins) chain.hold(pin, *ground_);
-      mirrors_.push_back(coupling.direct_cord(c).save());
+      mirrors_.push_back(coupling.cord(c).save());
     }
   }
 
@@ -68,7 +68,7 @@ class ChainMover {
         const b2Vec2 place = chains_[c].point(static_cast<int>(p));
         positions[p] = place.IsValid() ? to_double(place) : Vec2{lost, lost};
       }
-      scene_->coupling().direct_cord(static_cast<int>(c)).restore(mirrors_[c]);
+      scene_->coupling().cord(static_cast<int>(c)).restore(mirrors_[c]);
     }
   }
 
@@ -105,7 +105,7 @@ class ChainMover {
   }
 
   void keep_near_pins(const engine::CordPoint& held) {
-    const ribbon::CordDef& def = scene_->coupling().direct_cord(held.cord).def();
+    const ribbon::CordDef& def = scene_->coupling().cord(held.cord).def();
     for (const int pin : def.pins) {
       b2DistanceJointDef joint;
       joint.bodyA = &player_->body();

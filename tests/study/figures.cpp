@@ -18,11 +18,11 @@ bool is_direct(const engine::Coupling& coupling, engine::CordIndex cord) {
 }
 
 double mass_of_point(const engine::Coupling& coupling, engine::CordIndex cord, int point) {
-  return is_direct(coupling, cord) ? coupling.direct_cord(cord).mass(point) : coupling.cord(cord).def().point_mass;
+  return is_direct(coupling, cord) ? coupling.cord(cord).mass(point) : coupling.thesis_cord(cord).def().point_mass;
 }
 
 std::span<const Vec2> velocities_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  return is_direct(coupling, cord) ? coupling.direct_cord(cord).velocities() : coupling.cord(cord).velocities();
+  return is_direct(coupling, cord) ? coupling.cord(cord).velocities() : coupling.thesis_cord(cord).velocities();
 }
 
 /// N, of a rope's links, or of a ribbon's bars, which stand behind its cells.
@@ -97,7 +97,7 @@ Figures figures_of(const b2World& world, const engine::Coupling& coupling, const
       figures.energy = lacking;
       continue;
     }
-    const ribbon::Cord& cord = coupling.direct_cord(c);
+    const ribbon::Cord& cord = coupling.cord(c);
     figures.energy += cord.energy(gravity).total();
     figures.tension = greater(figures.tension, tension_of(cord));
     const double radius = cord.def().radius;
@@ -110,7 +110,7 @@ Figures figures_of(const b2World& world, const engine::Coupling& coupling, const
 
 test_support::Outline outline_of(const engine::Coupling& coupling, engine::CordIndex cord) {
   const int rows = coupling.shape(cord).rows;
-  const double radius = is_direct(coupling, cord) ? coupling.direct_cord(cord).def().radius : 0.0;
+  const double radius = is_direct(coupling, cord) ? coupling.cord(cord).def().radius : 0.0;
   return {test_support::outline_of(coupling.positions(cord), rows), rows > 1, radius};
 }
 

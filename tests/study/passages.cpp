@@ -90,7 +90,7 @@ bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::siz
 
 /// What the thesis's cords should not cross is known to others only.
 bool may_declare(const engine::Coupling& coupling, engine::CordIndex cord, bool ribbon::CordDef::*contact) {
-  return coupling.solver(cord) == engine::Solver::thesis || coupling.direct_cord(cord).def().*contact;
+  return coupling.solver(cord) == engine::Solver::thesis || coupling.cord(cord).def().*contact;
 }
 
 void mark(Passages& passages, int cord, Passage kind) {
@@ -162,8 +162,8 @@ Passages declared_contacts(const engine::Coupling& coupling) {
   Passages declared(static_cast<std::size_t>(coupling.size()), through_body);
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.solver(c) == engine::Solver::thesis) continue;
-    if (coupling.direct_cord(c).def().self_contact) mark(declared, c, through_itself);
-    if (coupling.direct_cord(c).def().cord_contact) mark(declared, c, through_cord);
+    if (coupling.cord(c).def().self_contact) mark(declared, c, through_itself);
+    if (coupling.cord(c).def().cord_contact) mark(declared, c, through_cord);
   }
   return declared;
 }

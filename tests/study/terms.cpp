@@ -47,7 +47,7 @@ std::vector<std::vector<Vec2>> lines_of(const engine::Coupling& coupling) {
 
 bool any_pushing(const engine::Coupling& coupling, double gravity) {
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) == engine::Solver::direct && pushes(coupling.direct_cord(c), gravity)) return true;
+    if (coupling.solver(c) == engine::Solver::direct && pushes(coupling.cord(c), gravity)) return true;
   }
   return false;
 }

@@ -102,9 +102,9 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
     most_stretch = std::max(most_stretch, stretch);
     figures.stretch += stretch / coupling.size();
     if (coupling.solver(c) != engine::Solver::direct) continue;
-    trace.work += coupling.direct_report(c);
-    trace.contacts += static_cast<int>(coupling.direct_cord(c).touches().size());
-    unconverged = unconverged || coupling.direct_report(c).unconverged > 0;
+    trace.work += coupling.report(c);
+    trace.contacts += static_cast<int>(coupling.cord(c).touches().size());
+    unconverged = unconverged || coupling.report(c).unconverged > 0;
   }
   trace.unconverged_ticks += unconverged ? 1 : 0;
   trace.player.push_back(simulation.player().position());
@@ -189,7 +189,7 @@ Trace run_from(const game::Level& level, std::span<const engine::TickInput> inpu
   for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
     engine::Coupling& coupling = run.simulation().scene().coupling();
     for (int c = 0; c < coupling.size(); ++c) {
-      if (coupling.solver(c) == engine::Solver::direct) coupling.direct_cord(c).set_accuracy(accuracy);
+      if (coupling.solver(c) == engine::Solver::direct) coupling.cord(c).set_accuracy(accuracy);
     }
     run.tick();
     add_tick(trace, run.simulation(), {});

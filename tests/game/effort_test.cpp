@@ -1,0 +1,86 @@
+// That no tick of the game costs many times what others do: told by the Newton steps that it takes, which are the same
+// on every machine. build/release/bin/frame_cost tells what they cost on this one.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "engine/replay.h"
+#include "game/buttons.h"
+#include "game/simulation.h"
+#include "tests/support/dice.h"
+
+namespace game {
+namespace {
+
+struct Effort {
+  int most_steps = 0;  ///< Newton steps of a tick, of all cords; of cords that are solved together each counts them
+  int tick = 0;        ///< in which that was
+  int unconverged = 0;
+};
+
+void add_tick(Effort& effort, const Simulation& simulation) {
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  int steps = 0;
+  for (int c = 0; c < coupling.size(); ++c) {
+    steps += coupling.report(c).iterations;
+    effort.unconverged += coupling.report(c).unconverged;
+  }
+  if (steps > effort.most_steps) effort.tick = simulation.ticks();
+  effort.most_steps = std::max(effort.most_steps, steps);
+}
+
+class EffortOfEveryLevel : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Effort, EffortOfEveryLevel, testing::ValuesIn(level_names()),
+                         [](const auto& level) { return level.param; });
+
+TEST_P(EffortOfEveryLevel, IsEvenOverItsWinningRun) {
+  constexpr int most_steps = 120;
+  const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
+  const Level level = load_level(GetParam());
+  Simulation simulation(level);
+  Effort effort;
+  for (const auto& recorded : replay.ticks) {
+    simulation.tick(recorded.input);
+    add_tick(effort, simulation);
+  }
+  EXPECT_LE(effort.most_steps, most_steps) << "tick " << effort.tick;
+}
+
+/// To and fro among the curtains, and up.
+std::uint16_t at_random_among_curtains(test_support::Dice& dice, double x) {
+  constexpr double left_end = 9.0;  // m
+  constexpr double right_end = 17.0;
+  const double way = x < left_end ? 0.0 : x > right_end ? 1.0 : dice(0.0, 2.0);
+  const int jump = dice() < 0.3 ? button_jump : 0;
+  return static_cast<std::uint16_t>((way < 1.0 ? button_right : button_left) | jump);
+}
+
+/// Cloth that is soft and rubs gets stuck on itself in ways that no solve finds its way out of: with a quarter of this
+/// bending stiffness, or a friction of 0.2, there are ticks of thousands of steps.
+TEST(Effort, OfCurtainsStaysEvenHoweverTheyArePushed) {
+  constexpr int most_steps = 400;
+  const Level level = load_level("curtains");
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    test_support::Dice dice(seed);
+    Simulation simulation(level);
+    Effort effort;
+    engine::TickInput input;
+    int left = 0;
+    for (int k = 0; k < 600; ++k) {
+      if (left-- == 0) {
+        input.buttons = at_random_among_curtains(dice, simulation.player().position().x);
+        left = static_cast<int>(dice(5.0, 55.0));
+      }
+      simulation.tick(input);
+      add_tick(effort, simulation);
+    }
+    EXPECT_LE(effort.most_steps, most_steps) << "seed " << seed << ", tick " << effort.tick;
+    EXPECT_EQ(effort.unconverged, 0) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace game
