@@ -99,8 +99,8 @@ void build_ropes(BitWorld& scene) {
 }
 
 void drive_ropes(BitWorld& scene, int tick) {
-  if (tick == 20) scene.coupling.direct_cord(0).reel(5, 25, 2.0, 1.5);
-  if (tick == 60) scene.coupling.direct_cord(1).set_load(15, {30.0, 10.0});
+  if (tick == 20) scene.coupling.cord(0).reel(5, 25, 2.0, 1.5);
+  if (tick == 60) scene.coupling.cord(1).set_load(15, {30.0, 10.0});
   if (tick >= 80 && tick < 100) scene.coupling.operate(1, 10, {1.0 + 0.01 * tick, 4.0});
   if (tick == 100) scene.coupling.release(1, 10);
   if (tick == 110) scene.coupling.release(0, 0);
@@ -139,7 +139,7 @@ void build_ribbons(BitWorld& scene) {
   bars.stretch_stiffness = 1e4;
   bars.pins = {0, 1, 2};
   for (const CordDef& def : {crushed, narrow, bars}) scene.coupling.add(Cord(def));
-  scene.coupling.direct_cord(1).attach_mass(41, 2.0);
+  scene.coupling.cord(1).attach_mass(41, 2.0);
 }
 
 /// Balls, a box and a cord's own end on a bridge, posts and ground below it, friction and restitution.
@@ -282,9 +282,9 @@ void drive_rough(BitWorld& scene, int tick) {
   if (tick == 30) coupling.operate(0, 20, {9.0, 0.0});
   if (tick == 40) coupling.release(0, 20);
   if (tick == 60) coupling.release(0, 0);
-  if (tick % 20 == 5) coupling.direct_cord(1).attach_mass(20, tick % 40 == 5 ? 1e4 : 0.0);
+  if (tick % 20 == 5) coupling.cord(1).attach_mass(20, tick % 40 == 5 ? 1e4 : 0.0);
   if (tick < 40) coupling.operate(1, 0, {0.0, 1.0 + 0.5 * back_and_forth});
-  if (tick % 30 == 10) coupling.direct_cord(2).set_velocity(35, {60.0 * back_and_forth, 80.0});
+  if (tick % 30 == 10) coupling.cord(2).set_velocity(35, {60.0 * back_and_forth, 80.0});
 }
 
 constexpr std::array<BitScene, 8> scenes = {{

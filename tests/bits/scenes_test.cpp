@@ -61,8 +61,8 @@ TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
       }
     }
     for (int c = 0; c < world.coupling.size(); ++c) {
-      direct += world.coupling.direct_total(c);
-      thesis += world.coupling.total(c);
+      direct += world.coupling.total(c);
+      thesis += world.coupling.thesis_total(c);
     }
   }
   EXPECT_GT(direct.searches, 0);

@@ -86,9 +86,9 @@ Seen Fuzzed::see() const {
   Seen seen;
   for (int c = 0; c < coupling_.size(); ++c) {
     if (coupling_.solver(c) == engine::Solver::direct) {
-      seen.cords.emplace_back(coupling_.direct_cord(c).save());
-    } else {
       seen.cords.emplace_back(coupling_.cord(c).save());
+    } else {
+      seen.cords.emplace_back(coupling_.thesis_cord(c).save());
     }
   }
   for (const b2Body* body : bodies_) {
@@ -178,7 +178,7 @@ void Fuzzed::drive_a_cord() {
     case 1: accepts([&] { coupling_.release(cord(), p); }); break;
     default: {
       if (coupling_.solver(c) != engine::Solver::direct) return;
-      ribbon::Cord& direct = coupling_.direct_cord(c);
+      ribbon::Cord& direct = coupling_.cord(c);
       if (bytes_.yes()) {
         accepts([&] { direct.reel(bytes_.whole(0, 3), bytes_.whole(1, 4), bytes_.number(0.01, 10.0), 1.0); });
       } else {

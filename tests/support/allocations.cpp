@@ -16,16 +16,20 @@ void release(void* memory) {
 
 }  // namespace
 
-// Replacing these two is enough: the array and nothrow forms call them.
-void* operator new(std::size_t size) {
+// The array forms call these. So does the nothrow form, but for AddressSanitizer's, whose memory is not free()'s.
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
   ++allocations;
-  void* memory = std::malloc(size == 0 ? 1 : size);
+  return std::malloc(size == 0 ? 1 : size);
+}
+void* operator new(std::size_t size) {
+  void* memory = operator new(size, std::nothrow);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t& /*tag*/) noexcept { release(memory); }
 
 namespace test_support {
 

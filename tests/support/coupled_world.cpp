@@ -159,7 +159,7 @@ void CoupledWorld::hold_chain(int cord, int point, b2Body& body) {
 }
 
 void CoupledWorld::pull(int cord, int point, Vec2 force) {
-  if (!method_.chain && !method_.thesis) coupling.direct_cord(cord).set_load(point, force);
+  if (!method_.chain && !method_.thesis) coupling.cord(cord).set_load(point, force);
   for (Pull& pull : pulls_) {
     if (pull.cord != cord || pull.point != point) continue;
     pull.force = force;
@@ -178,7 +178,7 @@ void CoupledWorld::our_share() {
 
 void CoupledWorld::pull_thesis_cords() {
   for (const Pull& pull : pulls_) {
-    ribbon::ThesisCord& cord = coupling.cord(pull.cord);
+    ribbon::ThesisCord& cord = coupling.thesis_cord(pull.cord);
     const int point = index_of(pull.cord, pull.point);
     cord.set_velocity(point, cord.velocities()[at(point)] + (dt / cord.def().point_mass) * pull.force);
   }
@@ -220,7 +220,7 @@ double CoupledWorld::tension(int cord, int point) const {
   const bool first = is_first(cord, point);
   if (method_.thesis) return std::numeric_limits<double>::quiet_NaN();
   if (!method_.chain) {
-    const auto tensions = coupling.direct_cord(cord).tensions();
+    const auto tensions = coupling.cord(cord).tensions();
     return first ? tensions.front() : tensions.back();
   }
   const Chain& chain = chains_[at(cord)];
@@ -233,7 +233,7 @@ double CoupledWorld::energy() const {
   const Vec2 gravity = to_double(world.GetGravity());
   double sum = 0.0;
   for (int c = 0; c < coupling.size(); ++c) {
-    sum += method_.thesis ? energy_of(coupling.cord(c), gravity) : coupling.direct_cord(c).energy(gravity).total();
+    sum += method_.thesis ? energy_of(coupling.thesis_cord(c), gravity) : coupling.cord(c).energy(gravity).total();
   }
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
@@ -272,7 +272,7 @@ void CoupledWorld::calm(int ticks) {
   for (int k = 0; k < ticks; ++k) {
     tick();
     for (int c = 0; c < coupling.size(); ++c) {
-      method_.thesis ? slow_down(coupling.cord(c)) : slow_down(coupling.direct_cord(c));
+      method_.thesis ? slow_down(coupling.thesis_cord(c)) : slow_down(coupling.cord(c));
     }
   }
   damp_bodies(0.0F);

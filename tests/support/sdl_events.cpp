@@ -123,6 +123,13 @@ void push_quit() {
   SDL_PushEvent(&event);
 }
 
+void push_focus_lost() {
+  SDL_Event event{};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
+  SDL_PushEvent(&event);
+}
+
 VirtualPad::VirtualPad() {
   SDL_VirtualJoystickDesc description{};
   description.version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION;

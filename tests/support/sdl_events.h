@@ -11,6 +11,7 @@ void push_mouse(ribbon::Vec2 at);
 void push_wheel(int notches);
 void push_text(const char* utf8);
 void push_quit();
+void push_focus_lost();
 
 /// A gamepad that is plugged in until the end of its scope.
 class VirtualPad {

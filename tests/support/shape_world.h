@@ -21,7 +21,7 @@ struct ShapeWorld {
   b2Body* add_body(ribbon::Vec2 position, b2BodyType type = b2_dynamicBody);
   /// A ball of this mass [kg].
   b2Body* add_ball(ribbon::Vec2 position, double radius, double mass, double friction = 0.5);
-  const ribbon::Cord& cord() const { return coupling.direct_cord(0); }
+  const ribbon::Cord& cord() const { return coupling.cord(0); }
 
   b2World world;
   engine::Coupling coupling{};

@@ -1,11 +1,15 @@
-// What a frame costs, by the processor's time, median and worst over the ticks of a replay:
-//   build/release/bin/frame_cost assets/replays/first_swing.replay
-// ticks (the physics), lists (everything that is drawn, as meshes), and the same rasterised in memory.
+// What a frame costs, by the processor's time, over the ticks of recorded runs: all in assets/replays, or those given:
+//   build/release/bin/frame_cost
+//   build/release/bin/frame_cost assets/replays/curtains.replay --frames
+// tick: the physics; lists: everything that is drawn, as meshes; both: the two of one tick together; first: the lists
+// of the first frame, which makes the textures; frame: drawn and rasterised in memory. Every tick of a run is the same
+// each time, so its cost is the least of a few runs: what else the machine did is not in it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,42 +30,102 @@ class Lists : public engine::HeadlessCanvas {
   void paint_text(ribbon::Vec2, std::string_view, double, engine::Color) override {}
 };
 
+struct Options {
+  std::vector<std::string> replays;
+  int runs = 3;
+  int most_ticks = 1'000'000;
+  int width = 1280;
+  int height = 720;
+  bool debug = false;
+  bool frames = false;
+};
+
+/// ms, of one tick, each the least that was seen.
+struct TickCost {
+  double tick = 1e9;
+  double lists = 1e9;
+  double frame = 1e9;
+  int newton_steps = 0;  // of all cords; those solved together count each
+};
+
 double now_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 template <typename Work>
-void take(std::vector<double>& times, Work work) {
+void take(double& least, Work work) {
   const double begun = now_ms();
   work();
-  times.push_back(now_ms() - begun);
+  least = std::min(least, now_ms() - begun);
 }
 
-void print(const char* name, std::vector<double>& times) {
-  std::sort(times.begin(), times.end());
-  std::printf("%-8s median %6.3f ms, worst %6.3f ms\n", name, times[times.size() / 2], times.back());
+int newton_steps(const engine::Coupling& coupling) {
+  int sum = 0;
+  for (int c = 0; c < coupling.size(); ++c) sum += coupling.report(c).iterations;
+  return sum;
 }
 
-int measure(const std::string& replay, int most, int width, int height, bool debug) {
-  game::RunOptions options;
-  options.replay = replay;
-  game::RecordedRun run(options);
+void measure(const std::string& replay, const Options& options, std::vector<TickCost>& costs) {
+  game::RunOptions asked;
+  asked.replay = replay;
+  game::RecordedRun run(asked);
   game::View view_of_lists(run.simulation());
   game::View view(run.simulation());
-  Lists lists(width, height);
-  engine::HeadlessCanvas canvas(width, height);
+  Lists lists(options.width, options.height);
+  engine::HeadlessCanvas canvas(options.width, options.height);
   game::ViewOptions shown;
-  shown.debug = debug;
-  std::vector<double> ticks;
-  std::vector<double> making;
-  std::vector<double> frames;
-  while (!run.is_over() && run.simulation().ticks() < most) {
-    take(ticks, [&] { run.tick({}); });
-    take(making, [&] { view_of_lists.draw(lists, 1.0, shown); });
-    take(frames, [&] { view.draw(canvas, 1.0, shown); });
+  shown.debug = options.debug;
+  for (std::size_t k = 0; !run.is_over() && run.simulation().ticks() < options.most_ticks; ++k) {
+    if (k == costs.size()) costs.emplace_back();
+    take(costs[k].tick, [&] { run.tick({}); });
+    take(costs[k].lists, [&] { view_of_lists.draw(lists, 1.0, shown); });
+    if (options.frames) take(costs[k].frame, [&] { view.draw(canvas, 1.0, shown); });
+    costs[k].newton_steps = newton_steps(run.simulation().scene().coupling());
   }
-  std::printf("%zu frames of %d x %d\n", frames.size(), width, height);
-  print("tick", ticks);
-  print("lists", making);
-  print("frame", frames);
+}
+
+template <typename Of>
+void print(const std::vector<TickCost>& costs, Of of) {
+  std::vector<double> values;
+  for (const TickCost& cost : costs) values.push_back(of(cost));
+  std::sort(values.begin(), values.end());
+  std::printf("  %6.3f %6.3f", values[values.size() / 2], values.back());
+}
+
+void print_row(const std::string& name, const std::vector<TickCost>& costs, double first, const Options& options) {
+  const auto most = std::max_element(
+      costs.begin(), costs.end(), [](const TickCost& a, const TickCost& b) { return a.newton_steps < b.newton_steps; });
+  std::printf("%-15s %5zu", name.c_str(), costs.size());
+  print(costs, [](const TickCost& cost) { return cost.tick; });
+  print(costs, [](const TickCost& cost) { return cost.lists; });
+  print(costs, [](const TickCost& cost) { return cost.tick + cost.lists; });
+  std::printf("  %7d  %6.1f", most->newton_steps, first);
+  if (options.frames) print(costs, [](const TickCost& cost) { return cost.frame; });
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+std::vector<std::string> all_replays() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(game::assets_folder() + "/replays"))
+    if (entry.path().extension() == ".replay") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+int measure_all(const Options& options) {
+  std::printf("%d x %d, ms, median and worst; each tick the least of %d runs\n", options.width, options.height,
+              options.runs);
+  std::printf("%-15s %5s  %-13s  %-13s  %-13s  %7s  %6s%s\n", "run", "ticks", "tick", "lists", "both", "Newton",
+              "first", options.frames ? "  frame" : "");
+  for (const std::string& replay : options.replays.empty() ? all_replays() : options.replays) {
+    std::vector<TickCost> costs;
+    double first = 0.0;
+    for (int run = 0; run < options.runs; ++run) {
+      measure(replay, options, costs);
+      if (run == 0 && !costs.empty()) first = costs.front().lists;
+    }
+    if (costs.empty()) continue;
+    print_row(std::filesystem::path(replay).stem().string(), costs, first, options);
+  }
   return 0;
 }
 
@@ -69,19 +133,17 @@ int measure(const std::string& replay, int most, int width, int height, bool deb
 
 int main(int argc, char** argv) {
   CLI::App app{"What a frame costs."};
-  std::string replay;
-  int width = 1280;
-  int height = 720;
-  bool debug = false;
-  int most = 1'000'000;
-  app.add_option("replay", replay, "The run to draw")->required();
-  app.add_option("--width", width, "px")->check(CLI::Range(1, 16384));
-  app.add_option("--height", height, "px")->check(CLI::Range(1, 16384));
-  app.add_option("--ticks", most, "Stop after so many")->check(CLI::Range(1, 1'000'000'000));
-  app.add_flag("--debug", debug, "With the debug view");
+  Options options;
+  app.add_option("replays", options.replays, "The runs; all in assets/replays unless given");
+  app.add_option("--runs", options.runs, "How often each is played")->check(CLI::Range(1, 1000));
+  app.add_option("--width", options.width, "px")->check(CLI::Range(1, 16384));
+  app.add_option("--height", options.height, "px")->check(CLI::Range(1, 16384));
+  app.add_option("--ticks", options.most_ticks, "Stop after so many")->check(CLI::Range(1, 1'000'000'000));
+  app.add_flag("--debug", options.debug, "With the debug view");
+  app.add_flag("--frames", options.frames, "Rasterise too");
   CLI11_PARSE(app, argc, argv);
   try {
-    return measure(replay, most, width, height, debug);
+    return measure_all(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "frame_cost: %s\n", error.what());
     return 1;

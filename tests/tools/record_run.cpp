@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "engine/replay.h"
+#include "game/medals.h"
 #include "game/simulation.h"
 #include "tests/support/scripted_player.h"
 
@@ -46,7 +47,9 @@ int record(const std::string& name, const std::string& path, int trace_every) {
                  player.move(), simulation.ticks());
     return 1;
   }
-  std::printf("%s: goal after %d ticks\n", path.c_str(), *simulation.goal_ticks());
+  const game::Medals medals = game::medals_by_rule(*simulation.goal_ticks());
+  std::printf("%s: goal after %d ticks; its level's medals: gold %g, silver %g, bronze %g s\n", path.c_str(),
+              *simulation.goal_ticks(), medals.gold, medals.silver, medals.bronze);
   return 0;
 }
 

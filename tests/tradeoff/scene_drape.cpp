@@ -22,7 +22,7 @@ double fastest(const CoupledWorld& world) {
     return speed;
   }
   const auto velocities =
-      world.method().thesis ? world.coupling.cord(0).velocities() : world.coupling.direct_cord(0).velocities();
+      world.method().thesis ? world.coupling.thesis_cord(0).velocities() : world.coupling.cord(0).velocities();
   for (const ribbon::Vec2 v : velocities) speed = std::max(speed, length(v));
   return speed;
 }

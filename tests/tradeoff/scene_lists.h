@@ -10,6 +10,7 @@ std::vector<Scene> thesis_scenes();     ///< the thesis's step with the banded s
 std::vector<Scene> swing_scenes();      ///< a heavy load on a rope: the direct solver against others' methods
 std::vector<Scene> reference_scenes();  ///< the direct solver against exact solutions
 std::vector<Scene> cost_scenes();       ///< what long cords, ribbons and many of them cost
+std::vector<Scene> guide_scenes();      ///< what each term of the model costs, and what more links bring
 
 /// Cords that touch: the direct solver in a Box2D world against Box2D's own chains.
 Scene thesis_trade_scene();

@@ -37,7 +37,7 @@ class HeldSwing final : public Swing {
       scene_->coupling.gather(scene_->world, heavy::tick);
       scene_->coupling.step();
       scene_->coupling.apply();
-      unconverged_ += scene_->coupling.direct_report(0).unconverged;
+      unconverged_ += scene_->coupling.report(0).unconverged;
     }
     scene_->world.Step(static_cast<float>(heavy::tick), 8, 3);
   }
@@ -55,7 +55,7 @@ class HeldSwing final : public Swing {
   double energy() override {
     const Vec2 position = to_double(scene_->load->GetPosition());
     const double load = energy_of(heavy::load_mass, position, scene_->coupling.velocity(*scene_->load));
-    return load + (accuracy_ ? scene_->coupling.direct_cord(0).energy({0.0, -heavy::gravity}).total() : 0.0);
+    return load + (accuracy_ ? scene_->coupling.cord(0).energy({0.0, -heavy::gravity}).total() : 0.0);
   }
 
   std::optional<int> unconverged() const override { return unconverged_; }
