@@ -170,16 +170,21 @@ void Coupling::replace(CordIndex index, ribbon::Cord cord, const b2Filter& filte
     throw ribbon::DefinitionError("cord " + std::to_string(index) +
                                   " is of the thesis's solver; accepted is one of the direct solver");
   }
-  for (std::size_t k = 0; k < holders_.size();) {
-    if (holders_[k].cord == index) {
-      let_go(holders_[k].id);
-    } else {
-      ++k;
-    }
-  }
+  let_go_of(index);
   cord.reserve(usual_grips);
   CoupledCord& coupled = cords_[at(index)] = CoupledCord{std::move(cord), filter};
   make_room(coupled);
+}
+
+void Coupling::set_enabled(CordIndex index, bool enabled) {
+  check_cord(index);
+  CoupledCord& coupled = cords_[at(index)];
+  coupled.enabled = enabled;
+  if (enabled) return;
+  let_go_of(index);
+  coupled.direct_report = {};
+  coupled.direct_error = 0.0;
+  coupled.report = {};
 }
 
 void Coupling::gather(b2World& world, double dt) {
@@ -190,16 +195,22 @@ void Coupling::gather(b2World& world, double dt) {
   gathered_.clear();
   rigid_.clear();
   for (CoupledCord& coupled : cords_) {
-    coupled.reach = std::visit([&](const auto& cord) { return reach_of(cord, gravity_, dt); }, coupled.cord);
     coupled.circles.clear();
     coupled.segments.clear();
     coupled.grips.clear();
+    coupled.reach = {};
+    if (!coupled.enabled) continue;
+    coupled.reach = std::visit([&](const auto& cord) { return reach_of(cord, gravity_, dt); }, coupled.cord);
   }
   fixture_ids_.begin_tick();
   drop_what_is_gone_from(world);
   // In the world's own order: it depends on when bodies were made, never on where they lie in memory.
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     gather_body(*body, world.GetGravity(), dt);
+  }
+  if (!fixture_ids_.misses_some()) return;
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) fixture_ids_.see(*f);
   }
 }
 
@@ -249,7 +260,7 @@ void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gra
       static_cast<double>(body.GetLinearVelocity().Length() + std::abs(body.GetAngularVelocity()) * extent(fixture));
   const double way = direct_reach * (speed * dt + length(gravity_) * dt * dt);
   for (CoupledCord& coupled : cords_) {
-    if (!should_collide(fixture.GetFilterData(), coupled.filter)) continue;
+    if (!coupled.enabled || !should_collide(fixture.GetFilterData(), coupled.filter)) continue;
     if (std::holds_alternative<ribbon::ThesisCord>(coupled.cord)) {
       if (!is_circle || !overlap(swept, coupled.reach)) continue;
       const auto& circle = static_cast<const b2CircleShape&>(shape);
@@ -284,7 +295,7 @@ void Coupling::step() {
   for (CordIndex c = 0; c < size(); ++c) {
     CoupledCord& coupled = cords_[at(c)];
     auto* thesis = std::get_if<ribbon::ThesisCord>(&coupled.cord);
-    if (thesis == nullptr) continue;
+    if (thesis == nullptr || !coupled.enabled) continue;
     coupled.report = thesis->step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
     coupled.total += coupled.report;
     for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
@@ -295,20 +306,19 @@ void Coupling::step() {
 
 void Coupling::step_direct() {
   direct_cords_.clear();
-  for (CoupledCord& coupled : cords_) {
+  for (CordIndex c = 0; c < size(); ++c) {
+    CoupledCord& coupled = cords_[at(c)];
     auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
-    if (direct != nullptr)
-      direct_cords_.push_back(
-          {direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}, cord_id(direct_cords_.size())});
+    if (direct == nullptr || !coupled.enabled) continue;
+    direct_cords_.push_back({direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}, cord_id(at(c))});
   }
-  if (direct_cords_.empty()) return;
   direct_reports_.resize(direct_cords_.size());
   if (probe_) probe_->foresee(direct_cords_, rigid_, dt_, gravity_);
   direct_solver_.step(direct_cords_, rigid_, dt_, gravity_, direct_reports_);
   std::size_t k = 0;
   for (CoupledCord& coupled : cords_) {
     const auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
-    if (direct == nullptr) continue;
+    if (direct == nullptr || !coupled.enabled) continue;
     if (probe_) coupled.direct_error = probe_->error(k, *direct);
     coupled.direct_report = direct_reports_[k++];
     coupled.direct_total += coupled.direct_report;

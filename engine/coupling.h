@@ -116,8 +116,15 @@ class Coupling {
   /// had counted and touched is forgotten. Throws ribbon::DefinitionError, and changes nothing, for a cord that does
   /// not exist or is the thesis's.
   void replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter = {});
+  /// Switches a cord off or on again, between ticks, as b2Body::SetEnabled does a body: one that is off stays as it is,
+  /// costs nothing, meets nobody and is found by nothing. Who held it has let go, and what touched it ceases to in the
+  /// next step. It keeps its index: a cord that is to go is switched off, and `replace` puts the next one, switched on,
+  /// in its place. Throws ribbon::DefinitionError, and changes nothing, for a cord that does not exist.
+  void set_enabled(CordIndex index, bool enabled);
+  /// Whether it is switched on, as every cord is at first.
+  bool is_enabled(CordIndex index) const { return cords_[at(index)].enabled; }
 
-  /// How many cords it has.
+  /// How many cords it has, switched on or off.
   int size() const { return static_cast<int>(cords_.size()); }
   /// A cord of the direct solver; std::bad_variant_access for one of the thesis's.
   ribbon::Cord& cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
@@ -178,14 +185,14 @@ class Coupling {
   /// Makes `body` hold a point of a cord at `local_hand`, in the body's own frame. One grip a body: a second call moves
   /// the hand evenly over the next tick, so start from where the point is and bring it nearer by and by. (A point that
   /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError, and changes nothing, for
-  /// a cord or point that does not exist and for a hand beyond ±1e9.
+  /// a cord or point that does not exist, a cord that is switched off, and for a hand beyond ±1e9.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
   /// Lets go of everything, with the velocities that both have; false if the body held nothing.
   bool release(b2Body& body);
 
   /// Makes a body hold a cord of the direct solver once more, at any place, beside what it holds already. Throws
-  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist or is the thesis's, an arc outside
-  /// it, a number that is none, a world that is locked, or where the body holds the cord already.
+  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist, is the thesis's or switched off, an
+  /// arc outside it, a number that is none, a world that is locked, or where the body holds the cord already.
   GripId grip(b2Body& body, const GripDef& def);
   /// Moves a grip along its cord to `arc` [m] at `speed` [m/s at rest, above 0], under load: it climbs. Throws
   /// ribbon::DefinitionError for a grip that is none, and numbers out of range.
@@ -227,10 +234,11 @@ class Coupling {
   /// one with a number that no coupling can have, and a world that is locked.
   void restore(const State& state, b2World& world);
 
-  /// m, the box in which the last gather looked for what the cord may meet.
+  /// m, the box in which the last gather looked for what the cord may meet; empty for one that was switched off.
   const ribbon::Box& reach(CordIndex index) const { return cords_[at(index)].reach; }
 
-  /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first.
+  /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first. Of cords that are
+  /// switched on, as below.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
   /// The same between the points too, of all cords but `except`; of a cord of the thesis's solver points only.
   std::optional<CordPoint> nearest_place(ribbon::Vec2 position, double reach,
@@ -244,6 +252,7 @@ class Coupling {
   struct CoupledCord {
     std::variant<ribbon::ThesisCord, ribbon::Cord> cord;
     b2Filter filter;
+    bool enabled = true;
     ribbon::CordReport direct_report{};
     ribbon::CordReport direct_total{};
     double direct_error = 0.0;
@@ -279,6 +288,7 @@ class Coupling {
   int body_index(b2Body& body, b2Vec2 gravity);
   void step_direct();
   void check_cord(CordIndex cord) const;
+  void check_enabled(CordIndex cord) const;
   void check_arc(CordIndex cord, double arc) const;
   void gather_grips(b2Body& body, b2Vec2 gravity);
   double climb_in_tick(Holder& holder) const;
@@ -288,6 +298,7 @@ class Coupling {
   double arc_at(CordIndex cord, double column) const;
   void follow_grips();
   void let_go_who_must();
+  void let_go_of(CordIndex cord);
   void find_touch_events();
   static void add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching);
   Holder& grip_of_direct(GripId grip);

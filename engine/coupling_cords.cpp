@@ -43,6 +43,7 @@ ribbon::PointKind Coupling::kind(CordIndex index, int point) const {
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
   std::optional<CordPoint> nearest;
   for (CordIndex c = 0; c < size(); ++c) {
+    if (!is_enabled(c)) continue;
     const auto positions = this->positions(c);
     for (std::size_t p = 0; p < positions.size(); ++p) {
       const double distance = length(positions[p] - position);
@@ -56,7 +57,7 @@ std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) co
 std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, std::optional<CordIndex> except) const {
   std::optional<CordPoint> nearest;
   for (CordIndex c = 0; c < size(); ++c) {
-    if (c == except) continue;
+    if (c == except || !is_enabled(c)) continue;
     const auto x = positions(c);
     const int rows = shape(c).rows;
     for (int p = 0; p < static_cast<int>(x.size()); ++p) {

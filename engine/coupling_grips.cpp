@@ -23,6 +23,12 @@ void Coupling::check_cord(CordIndex cord) const {
                                 std::to_string(size() - 1));
 }
 
+void Coupling::check_enabled(CordIndex cord) const {
+  check_cord(cord);
+  if (is_enabled(cord)) return;
+  throw ribbon::DefinitionError("cord " + std::to_string(cord) + " is switched off; accepted is one that is enabled");
+}
+
 /// A length that links sum up to may round to a little less than what they were made with.
 void Coupling::check_arc(CordIndex cord, double arc) const {
   const double whole = arc_at(cord, this->cord(cord).def().points - 1.0);
@@ -31,7 +37,7 @@ void Coupling::check_arc(CordIndex cord, double arc) const {
 }
 
 void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) {
-  check_cord(cord);
+  check_enabled(cord);
   std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
   ribbon::check_coordinates("local_hand", to_double(local_hand));
   if (Holder* held = holder(body)) {
@@ -47,7 +53,7 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
 }
 
 GripId Coupling::grip(b2Body& body, const GripDef& def) {
-  check_cord(def.cord);
+  check_enabled(def.cord);
   if (solver(def.cord) != Solver::direct) {
     throw ribbon::DefinitionError(
         "cord " + std::to_string(def.cord) +
@@ -106,6 +112,16 @@ bool Coupling::let_go(GripId grip) {
   holders_.erase(held);
   if (holder(body) == nullptr) let_run(body);
   return true;
+}
+
+void Coupling::let_go_of(CordIndex cord) {
+  for (std::size_t k = 0; k < holders_.size();) {
+    if (holders_[k].cord == cord) {
+      let_go(holders_[k].id);
+    } else {
+      ++k;
+    }
+  }
 }
 
 std::optional<GripState> Coupling::state(GripId grip) const {

@@ -40,9 +40,10 @@ void add(Hasher& hasher, const ribbon::StepReport& report) {
 }
 
 void add(Hasher& hasher, const CouplingState::Cord& cord) {
-  const auto& [state, direct_report, direct_total, direct_error, report, total, touching] = cord;
+  const auto& [state, enabled, direct_report, direct_total, direct_error, report, total, touching] = cord;
   hasher.add(state.index());
   std::visit([&](const auto& of_solver) { add_to(hasher, of_solver); }, state);
+  hasher.add(enabled);
   add(hasher, direct_report);
   add(hasher, direct_total);
   hasher.add(direct_error);

@@ -110,6 +110,7 @@ CouplingState Coupling::save(const b2World& world) const {
   for (const CoupledCord& coupled : cords_) {
     State::Cord cord;
     std::visit([&](const auto& of_solver) { cord.state = of_solver.save(); }, coupled.cord);
+    cord.enabled = coupled.enabled;
     cord.direct_report = coupled.direct_report;
     cord.direct_total = coupled.direct_total;
     cord.direct_error = coupled.direct_error;
@@ -177,6 +178,10 @@ void Coupling::check_state(const State& state, const std::vector<b2Body*>& bodie
   for (const State::Grip& grip : state.grips) {
     check_body("state.grips.body", grip.body, bodies);
     ribbon::check_range("state.grips.cord", grip.memory.cord, 0, size() - 1);
+    if (!state.cords[at(grip.memory.cord)].enabled) {
+      throw DefinitionError("state.grips.cord is " + std::to_string(grip.memory.cord) +
+                            ", which is switched off; accepted is one that is enabled");
+    }
     ribbon::check_range("state.grips.id", grip.memory.id, 1, state.next_grip - 1);
     check_memory(grip.memory, shape(grip.memory.cord), solver(grip.memory.cord) == Solver::direct);
     numbers.push_back(grip.memory.id);
@@ -210,6 +215,7 @@ void Coupling::restore(const State& state, b2World& world) {
     } else {
       std::get<ribbon::ThesisCord>(to.cord).restore(std::get<ribbon::ThesisCord::State>(from.state));
     }
+    to.enabled = from.enabled;
     to.direct_report = from.direct_report;
     to.direct_total = from.direct_total;
     to.direct_error = from.direct_error;

@@ -66,6 +66,7 @@ struct CouplingState {
   /// A cord, and what the coupling knows of it.
   struct Cord {
     std::variant<ribbon::ThesisCord::State, ribbon::Cord::State> state;  ///< of its solver
+    bool enabled = true;                                                 ///< or switched off
     ribbon::CordReport direct_report;    ///< of the last step, of one of the direct solver
     ribbon::CordReport direct_total;     ///< and since it was added
     double direct_error = 0.0;           ///< m

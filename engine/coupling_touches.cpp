@@ -9,7 +9,6 @@ namespace engine {
 
 /// One entry a fixture, by its number.
 void Coupling::add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching) {
-  touching.clear();
   for (const ribbon::Touch& touch : cord.touches()) {
     const std::uint64_t fixture = fixture_of(touch.other);
     if (fixture == 0) continue;
@@ -33,7 +32,8 @@ void Coupling::find_touch_events() {
     if (solver(c) != Solver::direct) continue;
     CoupledCord& coupled = cords_[at(c)];
     coupled.touched.swap(coupled.touching);
-    add_touches(cord(c), coupled.touching);
+    coupled.touching.clear();
+    if (coupled.enabled) add_touches(cord(c), coupled.touching);
     const auto tell_missing = [&](const std::vector<FixtureTouch>& all, const std::vector<FixtureTouch>& in,
                                   bool begins) {
       for (const FixtureTouch& touch : all) {

@@ -9,7 +9,7 @@ namespace engine {
 void FixtureIds::begin_tick() {
   known_.erase(std::remove_if(known_.begin(), known_.end(), [](const Known& known) { return !known.seen; }),
                known_.end());
-  for (Known& known : known_) known.seen = false;
+  for (Known& known : known_) known.seen = known.exists = false;
 }
 
 std::vector<FixtureIds::Known>::const_iterator FixtureIds::place(const b2Fixture& fixture) const {
@@ -26,11 +26,20 @@ const FixtureIds::Known* FixtureIds::find(const b2Fixture& fixture) const {
 std::uint64_t FixtureIds::of(const b2Fixture& fixture) {
   const auto found = known_.begin() + (place(fixture) - known_.cbegin());
   if (found != known_.end() && found->fixture == &fixture) {
-    found->seen = true;
+    found->seen = found->exists = true;
     return found->id;
   }
   known_.insert(found, {&fixture, next_, true});
   return next_++;
+}
+
+bool FixtureIds::misses_some() const {
+  return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return !known.seen; });
+}
+
+void FixtureIds::see(const b2Fixture& fixture) {
+  const auto found = known_.begin() + (place(fixture) - known_.cbegin());
+  if (found != known_.end() && found->fixture == &fixture) found->exists = true;
 }
 
 void FixtureIds::restore(std::vector<Known> known, std::uint64_t next) {
@@ -42,7 +51,7 @@ void FixtureIds::restore(std::vector<Known> known, std::uint64_t next) {
 
 const b2Fixture* FixtureIds::fixture(std::uint64_t id) const {
   const auto place = std::find_if(known_.begin(), known_.end(), [id](const Known& known) { return known.id == id; });
-  return place != known_.end() && place->seen ? place->fixture : nullptr;
+  return place != known_.end() && place->exists ? place->fixture : nullptr;
 }
 
 }  // namespace engine

@@ -15,20 +15,25 @@ class FixtureIds {
   void begin_tick();
   /// The fixture's number, a new one if it was not asked for since the tick before the last.
   std::uint64_t of(const b2Fixture& fixture);
-  /// The fixture of that number, null if nobody has asked for it since the tick before the last.
+  /// Whether some are not forgotten yet that nobody has asked for since begin_tick, and who knows whether they exist.
+  bool misses_some() const;
+  /// Tells that a fixture exists, whether it is known or not.
+  void see(const b2Fixture& fixture);
+  /// The fixture of that number, null if it was neither asked for nor seen since begin_tick.
   const b2Fixture* fixture(std::uint64_t id) const;
 
   /// A fixture and its number.
   struct Known {
     const b2Fixture* fixture;  ///< its address, which is looked at and never through
     std::uint64_t id;          ///< its number, from 1
-    bool seen;                 ///< since begin_tick
+    bool seen;                 ///< asked for since begin_tick
+    bool exists = true;        ///< as far as was told since then
   };
   /// Null for one that nobody has asked for lately. Looks at the address alone.
   const Known* find(const b2Fixture& fixture) const;
   /// The number that the next new one gets.
   std::uint64_t next() const { return next_; }
-  /// Knows these and no others. Their fixtures and ids are all different, and the ids below `next`.
+  /// Knows these and no others, which exist. Their fixtures and ids are all different, and the ids below `next`.
   void restore(std::vector<Known> known, std::uint64_t next);
 
  private:

@@ -17,6 +17,8 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   check_step(dt, gravity);
   check_bodies(bodies);
   for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size());
+  parents_.clear();
+  if (cords.empty()) return;
   reaches_.clear();
   links_.clear();
   first_links_.clear();

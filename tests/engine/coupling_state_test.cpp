@@ -131,6 +131,7 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
       {"state.grips.body", [](State& s) { s.grips[0].body = 2; }},
       {"state.grips.body", [](State& s) { s.grips[0].body = -1; }},
       {"state.grips.cord", [](State& s) { s.grips[0].memory.cord = 2; }},
+      {"state.grips.cord is 0, which is switched off", [](State& s) { s.cords[0].enabled = false; }},
       {"state.grips.point", [](State& s) { s.grips[0].memory.point = 21; }},
       {"state.grips.point", [](State& s) { s.grips[0].memory.point = -1; }},
       {"state.grips.along", [](State& s) { s.grips[0].memory.along = 1.5; }},

@@ -384,6 +384,26 @@ TEST(TouchEvents, TellWhoBeginsAndCeasesToTouch) {
   scene.tick();
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, ball->GetFixtureList()) << "far away it is still there";
+}
+
+/// Of what is destroyed nothing is told but that it ceased to touch.
+TEST(TouchEvents, OfAFixtureThatIsNoMoreHaveNone) {
+  World scene;
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.pins = {0, 20};
+  scene.coupling.add(Cord(def));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  scene.world.DestroyBody(ball);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
 }
 
 }  // namespace

@@ -176,6 +176,7 @@ void Fuzzed::drive_a_cord() {
   switch (bytes_.below(6)) {
     case 0: accepts([&] { coupling_.operate(cord(), p, bytes_.vector(-2.0, 2.0)); }); break;
     case 1: accepts([&] { coupling_.release(cord(), p); }); break;
+    case 2: accepts([&] { coupling_.set_enabled(cord(), bytes_.yes()); }); break;
     default: {
       if (coupling_.solver(c) != engine::Solver::direct) return;
       ribbon::Cord& direct = coupling_.cord(c);
@@ -206,6 +207,7 @@ void Fuzzed::change_bodies() {
 void Fuzzed::ask() {
   const auto nearest = coupling_.nearest_point(bytes_.vector(-2.0, 2.0), bytes_.number(0.0, 2.0));
   demand(!nearest || (nearest->cord < coupling_.size() && nearest->distance >= 0.0), "what is near is a cord's");
+  demand(!nearest || coupling_.is_enabled(nearest->cord), "what is near is of a cord that is on");
   if (bytes_.yes()) coupling_.estimate_errors(bytes_.yes());
   for (const engine::TouchEvent& touch : coupling_.touch_events()) {
     demand(is_finite(touch.point) && is_finite(touch.normal), "a touch is somewhere");

@@ -51,37 +51,43 @@ class Process {
   std::optional<int> status_;
 };
 
-/// An X server on a display of its own.
+/// An X server on a display of its own. The number is taken from this process: left to choose one, a server may take
+/// that of one just ending, which then removes the socket of both.
 class XServer {
  public:
   /// `screen`: 1280x720x24.
-  explicit XServer(const std::string& screen)
-      : process_("exec Xvfb -displayfd 3 -screen 0 " + screen + " 3>" + fresh() + " 2>/dev/null") {}
+  explicit XServer(const std::string& screen) : screen_(screen) {}
 
-  /// Waits until it is there; false if it has ended instead.
+  /// Waits until it is there; false if it has ended instead, on every number tried.
   bool starts() {
-    while (bytes_of(number()).find('\n') == std::string::npos) {
-      if (!process_.runs()) return false;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      if (serves(first_number + (getpid() + attempt * attempts_apart) % number_count)) return true;
+    }
+    return false;
+  }
+  /// ":107", once it is there.
+  const std::string& display() const { return display_; }
+  void send(int signal) const { process_->send(signal); }
+
+ private:
+  static constexpr int first_number = 100;     // those below are a person's
+  static constexpr int number_count = 50'000;  // a display's port, 6000 and its number, is below 65536
+  static constexpr int attempts_apart = 9973;
+
+  bool serves(int number) {
+    const std::string ready = scratch("display");
+    fs::remove(ready);
+    display_ = ":" + std::to_string(number);
+    process_.emplace("exec Xvfb " + display_ + " -displayfd 3 -screen 0 " + screen_ + " 3>" + ready + " 2>/dev/null");
+    while (bytes_of(ready).find('\n') == std::string::npos) {
+      if (!process_->runs()) return false;
     }
     return true;
   }
-  /// ":7", once it is there.
-  std::string display() const {
-    std::string name = ":";
-    name += bytes_of(number());
-    name.pop_back();  // the line's end
-    return name;
-  }
-  void send(int signal) const { process_.send(signal); }
 
- private:
-  static std::string number() { return scratch("display"); }
-  static std::string fresh() {
-    fs::remove(number());
-    return number();
-  }
-
-  Process process_;
+  std::string screen_;
+  std::string display_;
+  std::optional<Process> process_;
 };
 
 }  // namespace test_support

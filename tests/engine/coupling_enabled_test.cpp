@@ -1,0 +1,268 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+
+// Cords that are switched off and on.
+
+namespace engine {
+namespace {
+
+using ribbon::CordDef;
+using ribbon::DefinitionError;
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+
+std::vector<Vec2> level(double left, double y, int points, double length) {
+  std::vector<Vec2> positions;
+  for (int p = 0; p < points; ++p) positions.push_back({left + length * p / (points - 1.0), y});
+  return positions;
+}
+
+/// A rope along y, 2 m long from `left` and fixed at both ends, or at none.
+ribbon::Cord rope(double y = 0.0, double left = 0.0, bool fixed = true) {
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.cord_contact = true;
+  def.positions = level(left, y, 21, 2.0);
+  if (fixed) def.pins = {0, 20};
+  return ribbon::Cord(def);
+}
+
+ribbon::ThesisCord thesis_ribbon() {
+  ribbon::ThesisDef def;
+  def.pins = {0, 1};
+  return ribbon::ThesisCord(def);
+}
+
+struct World {
+  b2Body& add_ball(b2Vec2 position, float radius = 0.1F) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = position;
+    b2CircleShape circle;
+    circle.m_radius = radius;
+    b2Body* body = world.CreateBody(&definition);
+    body->CreateFixture(&circle, 10.0F);
+    return *body;
+  }
+  void tick(int times = 1) {
+    for (int k = 0; k < times; ++k) {
+      coupling.gather(world, dt);
+      coupling.step();
+      coupling.apply();
+      world.Step(static_cast<float>(dt), 8, 3);
+    }
+  }
+  std::vector<Vec2> points(CordIndex cord) const {
+    return {coupling.positions(cord).begin(), coupling.positions(cord).end()};
+  }
+
+  b2World world{b2Vec2(0.0F, -9.81F)};
+  Coupling coupling;
+};
+
+TEST(CouplingEnabled, ACordThatIsOffStaysAsItIsAndIsMetByNobody) {
+  World there;
+  there.coupling.add(rope());
+  there.coupling.add(thesis_ribbon());
+  b2Body& ball = there.add_ball({1.0F, 0.2F});
+  b2Body& other = there.add_ball({0.5F, 0.2F});
+  there.tick(3);
+  const std::array before = {there.points(0), there.points(1)};
+  const int stages = there.coupling.total(0).stages;
+  for (const CordIndex cord : {0, 1}) {
+    EXPECT_TRUE(there.coupling.is_enabled(cord));
+    there.coupling.set_enabled(cord, false);
+    EXPECT_FALSE(there.coupling.is_enabled(cord));
+  }
+  there.tick(60);
+  for (const CordIndex cord : {0, 1}) {
+    EXPECT_EQ(there.points(cord), before.at(static_cast<std::size_t>(cord)));
+    EXPECT_EQ(there.coupling.gathered_near(cord), 0);
+  }
+  EXPECT_EQ(there.coupling.total(0).stages, stages);
+  EXPECT_EQ(there.coupling.report(0).stages, 0);
+  EXPECT_EQ(there.coupling.islands(), 0);
+  for (const b2Body* body : {&ball, &other}) EXPECT_LT(body->GetPosition().y, -4.0F) << "it fell through";
+}
+
+TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
+  for (const bool direct : {true, false}) {
+    SCOPED_TRACE(direct ? "direct" : "thesis");
+    World there;
+    if (direct) {
+      there.coupling.add(rope());
+    } else {
+      there.coupling.add(thesis_ribbon());
+    }
+    b2Body& hand = there.add_ball(to_float(there.coupling.positions(0)[10]), 0.02F);
+    there.coupling.hold(0, 10, hand, {0.0F, 0.0F});
+    there.tick(5);
+    ASSERT_TRUE(there.coupling.held_by(hand));
+    const Vec2 velocity = there.coupling.velocity(hand);
+    there.coupling.set_enabled(0, false);
+    EXPECT_FALSE(there.coupling.held_by(hand));
+    EXPECT_LT(length(to_double(hand.GetLinearVelocity()) - velocity), 1e-6);
+    there.tick(60);
+    EXPECT_NEAR(hand.GetLinearVelocity().y, static_cast<float>(velocity.y) - 9.81F, 1e-3F);
+  }
+}
+
+TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
+  World there;
+  there.coupling.add(rope());
+  there.coupling.set_enabled(0, false);
+  b2Body& hand = there.add_ball({1.0F, -1.0F});
+  const auto refusal = [](auto&& what) -> std::string {
+    try {
+      what();
+    } catch (const DefinitionError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::string said = "cord 0 is switched off; accepted is one that is enabled";
+  EXPECT_EQ(refusal([&] { there.coupling.hold(0, 3, hand, {0.0F, 0.0F}); }), said);
+  EXPECT_EQ(refusal([&] { there.coupling.grip(hand, {.cord = 0, .arc = 0.5}); }), said);
+  EXPECT_FALSE(there.coupling.held_by(hand));
+  for (const CordIndex none : {-1, 1}) {
+    EXPECT_EQ(refusal([&] { there.coupling.set_enabled(none, false); }),
+              "cord is " + std::to_string(none) + "; accepted is an index from 0 to 0");
+  }
+  there.coupling.set_enabled(0, true);
+  EXPECT_EQ(refusal([&] { there.coupling.grip(hand, {.cord = 0, .arc = 0.5}); }), "accepted");
+}
+
+/// Also where no cord is left that is on.
+TEST(CouplingEnabled, WhatTouchedItCeasesToAndBeginsToAgain) {
+  World there;
+  there.coupling.add(rope());
+  b2Body& ball = there.add_ball({1.0F, 0.11F});
+  ball.SetGravityScale(0.0F);
+  ball.SetLinearVelocity({0.0F, -0.1F});
+  for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();
+  ASSERT_EQ(there.coupling.touch_events().size(), 1U);
+  ASSERT_TRUE(there.coupling.touch_events()[0].begins);
+  ball.SetType(b2_staticBody);
+  there.tick();
+  ASSERT_EQ(there.coupling.touching(0).size(), 1U);
+
+  there.coupling.set_enabled(0, false);
+  there.tick();
+  ASSERT_EQ(there.coupling.touch_events().size(), 1U);
+  EXPECT_FALSE(there.coupling.touch_events()[0].begins);
+  EXPECT_EQ(there.coupling.touch_events()[0].fixture, ball.GetFixtureList());
+  EXPECT_TRUE(there.coupling.touching(0).empty());
+  there.tick();
+  EXPECT_TRUE(there.coupling.touch_events().empty()) << "told once";
+
+  there.coupling.set_enabled(0, true);
+  for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();
+  ASSERT_EQ(there.coupling.touch_events().size(), 1U);
+  EXPECT_TRUE(there.coupling.touch_events()[0].begins);
+}
+
+TEST(CouplingEnabled, NothingFindsOneThatIsOff) {
+  World there;
+  there.coupling.add(rope(0.0));
+  there.coupling.add(rope(1.0));
+  there.coupling.set_enabled(0, false);
+  const Vec2 here{1.02, 0.0};
+  EXPECT_FALSE(there.coupling.nearest_point(here, 0.5));
+  EXPECT_FALSE(there.coupling.nearest_place(here, 0.5));
+  ASSERT_TRUE(there.coupling.nearest_place(here, 2.0));
+  EXPECT_EQ(there.coupling.nearest_place(here, 2.0)->cord, 1);
+  EXPECT_EQ(there.coupling.nearest_point(here, 2.0)->cord, 1);
+  there.coupling.set_enabled(0, true);
+  EXPECT_EQ(there.coupling.nearest_place(here, 0.5)->cord, 0);
+}
+
+/// A rope falls on another one, and by index a third is between them: where they are, what they know of each other's
+/// touching and all else has the same bits whether that one is on and far away, or off and in the midst of them.
+TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
+  const auto run = [](bool off) {
+    World there;
+    there.coupling.add(rope(0.0));
+    there.coupling.add(off ? rope(0.02) : rope(50.0, 50.0));
+    there.coupling.add(rope(0.06, 0.2, false));
+    if (off) there.coupling.set_enabled(1, false);
+    there.add_ball({1.0F, 0.3F});
+    there.tick(30);
+    return std::array{there.coupling.cord(0).save(), there.coupling.cord(2).save()};
+  };
+  const auto with = run(false);
+  const auto without = run(true);
+  const auto touches_a_cord = [](const ribbon::Touch& touch) { return touch.other >> 63U != 0; };
+  EXPECT_TRUE(std::any_of(with[1].touches.begin(), with[1].touches.end(), touches_a_cord) ||
+              std::any_of(with[0].touches.begin(), with[0].touches.end(), touches_a_cord));
+  EXPECT_TRUE(with[0] == without[0]);
+  EXPECT_TRUE(with[1] == without[1]);
+}
+
+TEST(CouplingEnabled, SwitchedOnAgainItGoesOnAsIfNoTimeHadPassed) {
+  const auto run = [](int pause) {
+    World there;
+    there.coupling.add(rope());
+    there.coupling.add(thesis_ribbon());
+    there.tick(20);
+    for (const CordIndex cord : {0, 1}) there.coupling.set_enabled(cord, false);
+    there.tick(pause);
+    for (const CordIndex cord : {0, 1}) there.coupling.set_enabled(cord, true);
+    there.tick(20);
+    return std::array{there.points(0), there.points(1)};
+  };
+  EXPECT_EQ(run(0), run(7));
+}
+
+TEST(CouplingEnabled, IsSavedAndRestored) {
+  World there;
+  there.coupling.add(rope());
+  const Coupling::State on = there.coupling.save(there.world);
+  there.coupling.set_enabled(0, false);
+  const Coupling::State off = there.coupling.save(there.world);
+  there.coupling.restore(on, there.world);
+  EXPECT_TRUE(there.coupling.is_enabled(0));
+  there.coupling.restore(off, there.world);
+  EXPECT_FALSE(there.coupling.is_enabled(0));
+}
+
+/// A cord that goes leaves its place to the next.
+TEST(CouplingEnabled, ReplacingOneThatIsOffSwitchesItOn) {
+  World there;
+  there.coupling.add(rope());
+  there.coupling.set_enabled(0, false);
+  there.coupling.replace(0, rope(1.0));
+  EXPECT_TRUE(there.coupling.is_enabled(0));
+  there.tick(5);
+  EXPECT_LT(there.coupling.positions(0)[10].y, 1.0);
+}
+
+/// Between gather and apply, where none should, nothing breaks.
+TEST(CouplingEnabled, InTheMidstOfATickIsBorne) {
+  for (const bool first : {true, false}) {
+    World there;
+    there.coupling.add(rope());
+    there.coupling.set_enabled(0, first);
+    b2Body& ball = there.add_ball({1.0F, 0.11F});
+    if (first) there.coupling.grip(ball, {.cord = 0, .arc = 1.0, .local_hand = {0.0F, -0.1F}});
+    there.coupling.gather(there.world, dt);
+    there.coupling.set_enabled(0, !first);
+    there.coupling.step();
+    there.coupling.apply();
+    there.tick(10);
+    EXPECT_TRUE(ball.GetPosition().IsValid());
+    for (const Vec2 x : there.coupling.positions(0)) EXPECT_LT(length(x), 10.0);
+  }
+}
+
+}  // namespace
+}  // namespace engine
