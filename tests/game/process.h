@@ -77,7 +77,8 @@ class XServer {
   bool serves(int number) {
     const std::string ready = scratch("display");
     fs::remove(ready);
-    display_ = ":" + std::to_string(number);
+    display_ = ":";
+    display_ += std::to_string(number);
     process_.emplace("exec Xvfb " + display_ + " -displayfd 3 -screen 0 " + screen_ + " 3>" + ready + " 2>/dev/null");
     while (bytes_of(ready).find('\n') == std::string::npos) {
       if (!process_->runs()) return false;
