@@ -55,6 +55,7 @@ bool should_collide(const b2Filter& a, const b2Filter& b) {
 /// m²/s², of parts of a cord that lets go what it has been stretched by.
 double elastic_speed2(const ribbon::ThesisCord& /*cord*/) { return 0.0; }
 double elastic_speed2(const ribbon::Cord& cord) {
+  if (cord.is_asleep()) return 0.0;
   return 2.0 * snap * snap * cord.energy({}).elastic / (cord.def().mass_per_length * cord.def().length);
 }
 

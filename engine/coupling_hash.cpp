@@ -126,7 +126,8 @@ void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {
 
 void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart] = state;
+               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested,
+               still_among] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -156,6 +157,8 @@ void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   hasher.add(balance);
   hasher.add(static_cast<int>(damping_apart));
   hasher.add(static_cast<int>(restart));
+  hasher.add(rested);
+  hasher.add(still_among);
 }
 
 }  // namespace engine

@@ -21,7 +21,7 @@ const Choices direct_properties = {
     "poisson_ratio", "area_stiffness", "damping",    "drag",        "tension_only",      "radius",
     "width",         "accuracy",       "integrator", "substeps",    "tolerance",         "max_iterations",
     "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact",
-    "solid"};
+    "allow_sleep",   "solid"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -149,6 +149,7 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.restitution = p.number_or("restitution", 0.0, {0.0, 1.0});
   def.self_contact = p.boolean_or("self_contact", false);
   def.cord_contact = p.boolean_or("cord_contact", false);
+  def.allow_sleep = p.boolean_or("allow_sleep", false);
   def.accuracy = accuracy_of(p);
   def.pins = pins_of(p, def.points, def.rows);
   return def;

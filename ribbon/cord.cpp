@@ -134,11 +134,25 @@ void Cord::put_damping_back() {
 
 void Cord::check_point(int point) const { check_range("point", point, 0, size() - 1); }
 
+/// What changes a cord from outside has it begin anew.
+void Cord::disturb() {
+  restart_ = true;
+  wake();
+}
+
+/// Takes what is left of its motion.
+void Cord::rest() {
+  set_damping_apart();
+  std::fill(velocities_.begin(), velocities_.end(), Vec2{});
+  std::fill(accelerations_.begin(), accelerations_.end(), Vec2{});
+  restart_ = true;
+}
+
 void Cord::attach_mass(int point, double mass) {
   check_point(point);
   check_range("attached mass", mass, 0.0, 1e12);
   masses_[slot(point)] = own_masses_[slot(point)] + mass;
-  restart_ = true;
+  disturb();
 }
 
 void Cord::set_load(int point, Vec2 force) {
@@ -146,7 +160,7 @@ void Cord::set_load(int point, Vec2 force) {
   check_coordinates("load", force);
   loads_.resize(count());
   loads_[slot(point)] = force;
-  restart_ = true;
+  disturb();
 }
 
 void Cord::drive(int point, Vec2 target, PointKind kind) {
@@ -154,7 +168,7 @@ void Cord::drive(int point, Vec2 target, PointKind kind) {
   check_coordinates("target", target);
   targets_[slot(point)] = target;
   kinds_[slot(point)] = kind;
-  restart_ = true;
+  disturb();
 }
 
 void Cord::constrain(int point, Vec2 target) { drive(point, target, PointKind::constrained); }
@@ -164,7 +178,7 @@ void Cord::operate(int point, Vec2 target) { drive(point, target, PointKind::ope
 void Cord::release(int point) {
   check_point(point);
   kinds_[slot(point)] = PointKind::free;
-  restart_ = true;
+  disturb();
 }
 
 void Cord::set_velocity(int point, Vec2 velocity) {
@@ -172,7 +186,7 @@ void Cord::set_velocity(int point, Vec2 velocity) {
   check_coordinates("velocity", velocity);
   set_damping_apart();
   velocities_[slot(point)] = velocity;
-  restart_ = true;
+  disturb();
 }
 
 void Cord::set_accuracy(const Accuracy& accuracy) {
@@ -206,7 +220,7 @@ void Cord::reel(int first, int last, double length, double speed) {
     rest_targets_[e] = rest_[e] * (length / now);
     rest_speeds_[e] = speed * (rest_[e] / now);
   }
-  restart_ = true;
+  disturb();
 }
 
 void Cord::reserve(std::size_t grips) {
@@ -242,6 +256,8 @@ void Cord::save(State& state) const {
   state.balance = balance_;
   state.damping_apart = damping_apart_;
   state.restart = restart_;
+  state.rested = rested_;
+  state.still_among = still_among_;
 }
 
 void Cord::check_state(const State& state) const {
@@ -279,6 +295,7 @@ void Cord::check_state(const State& state) const {
   check_all("state.rest_speeds", state.rest_speeds, 0.0, anything);
   check_range("state.ledger", state.ledger, -anything, anything);
   check_range("state.balance", state.balance, -anything, anything);
+  check_range("state.rested", state.rested, 0.0, def_.allow_sleep ? time_to_sleep : 0.0);
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   for (const Holder& holder : state.holders) {
     check_range("state.holders.point", holder.point, 0, size() - 1);
@@ -315,6 +332,8 @@ void Cord::restore(const State& state) {
   balance_ = state.balance;
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;
+  rested_ = state.rested;
+  still_among_ = state.still_among;
   elasticity_->set_rest_lengths(rest_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -77,6 +78,14 @@ class Cord {
   /// J, in this gravity [m/s²].
   Energy energy(Vec2 gravity) const;
 
+  /// s, for which a cord that is allowed to has to rest before it sleeps, as b2_timeToSleep.
+  static constexpr double time_to_sleep = 0.5;
+  /// Whether it sleeps (CordDef::allow_sleep). The next step wakes it if anything but itself is not as it was, or it
+  /// is in an island with one that is awake; what follows here does, but for set_accuracy.
+  bool is_asleep() const { return rested_ >= time_to_sleep; }
+  /// Has it rest for as long again before it sleeps.
+  void wake() { rested_ = 0.0; }
+
   /// Throws DefinitionError unless the cord has a point of that index.
   void check_point(int point) const;
 
@@ -140,14 +149,16 @@ class Cord {
     std::vector<double> rest;          ///< m, rest lengths by link
     std::vector<double> rest_targets;  ///< m, by link, where a reel takes it; empty as long as nothing was ever reeled
     std::vector<double> rest_speeds;   ///< m/s, by link, how fast; the same
-    std::vector<char> unlocked;   ///< by cell, if the cord declares area stiffness: 1 while it is being turned back
-    std::vector<Holder> holders;  ///< see Cord::holders
-    std::vector<Touch> touches;   ///< see Cord::touches
-    bool touch_changed = false;   ///< in the last step
-    double ledger = 0.0;          ///< J, see CordReport::energy_gains
-    double balance = 0.0;         ///< J, lost since it was made, or gained if negative
-    bool damping_apart = false;   ///< the tensions are without damping
-    bool restart = true;          ///< the accelerations are not those of this state
+    std::vector<char> unlocked;     ///< by cell, if the cord declares area stiffness: 1 while it is being turned back
+    std::vector<Holder> holders;    ///< see Cord::holders
+    std::vector<Touch> touches;     ///< see Cord::touches
+    bool touch_changed = false;     ///< in the last step
+    double ledger = 0.0;            ///< J, see CordReport::energy_gains
+    double balance = 0.0;           ///< J, lost since it was made, or gained if negative
+    bool damping_apart = false;     ///< the tensions are without damping
+    bool restart = true;            ///< the accelerations are not those of this state
+    double rested = 0.0;            ///< s, for which it has rested, up to time_to_sleep
+    std::uint64_t still_among = 0;  ///< a number for what it rested among, 0 if that moved
     bool operator==(const State&) const = default;
   };
   /// What to go on from later.
@@ -169,6 +180,9 @@ class Cord {
   void set_damping_apart();
   void put_damping_back();
   void drive(int point, Vec2 target, PointKind kind);
+  void disturb();
+  void rest();
+  bool is_winding() const { return !rest_targets_.empty() && rest_ != rest_targets_; }
   double own_mass(std::size_t point) const;
 
   CordDef def_;
@@ -190,9 +204,11 @@ class Cord {
   double balance_ = 0.0;              // J, the same since it was made
   std::vector<Holder> holders_;
   std::vector<Touch> touches_;
-  bool touch_changed_ = false;  // in the last step
-  bool damping_apart_ = false;  // tensions_ are the elastic ones alone, for velocities may be changed
-  bool restart_ = true;         // accelerations_ are not those of this state
+  bool touch_changed_ = false;     // in the last step
+  bool damping_apart_ = false;     // tensions_ are the elastic ones alone, for velocities may be changed
+  bool restart_ = true;            // accelerations_ are not those of this state
+  double rested_ = 0.0;            // s, for which it has rested,
+  std::uint64_t still_among_ = 0;  // among what: see State
 
   std::vector<double> rest_start_, rest_end_;  // of this step, while something is reeled
   std::vector<int> outline_;                   // points around which the cord is touched, in order

@@ -75,6 +75,7 @@ class Island {
   }
   void set_sizes(std::size_t slots, std::size_t tensions);
 
+  bool sleep_on(std::span<const IslandCord> cords) const;
   void begin_step(std::span<const IslandCord> cords, double dt);
   void add_member(const IslandCord& cord);
   void take_over(const Member& member);
@@ -94,6 +95,7 @@ class Island {
   void place_bodies();
   void remember_bodies(const Member& member);
   void wind(const Member& member, double dt);
+  void count_rest(double dt, const CordReport& report);
   void finish_step(double dt, CordReport& report);
   void finish_member(const Member& member);
   void remember_contacts(const Member& member);

@@ -75,7 +75,8 @@ std::vector<Switch> switches_of(const Coupling& coupling, CordIndex cord) {
     return {{"self_collision", thesis([](const ribbon::ThesisDef& d) { return d.self_collision; })}};
   }
   std::vector<Switch> switches = {{"self_contact", direct([](const CordDef& d) { return d.self_contact; })},
-                                  {"cord_contact", direct([](const CordDef& d) { return d.cord_contact; })}};
+                                  {"cord_contact", direct([](const CordDef& d) { return d.cord_contact; })},
+                                  {"allow_sleep", direct([](const CordDef& d) { return d.allow_sleep; })}};
   if (coupling.shape(cord).rows == 1) {
     switches.push_back({"tension_only", direct([](const CordDef& d) { return d.tension_only; })});
   }

@@ -75,8 +75,8 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       "," + number("stretch_stiffness", "5000") + "," + number("bending_stiffness", "7") + "," +
       number("poisson_ratio", "0.3") + "," + number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
       number("drag", "0.1") + "," + number("friction", "0.4") + "," + number("restitution", "0.7") + "," +
-      yes("self_contact") + "," + yes("cord_contact") + "," + text("accuracy", "accurate") + "," +
-      number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + yes("pin_last");
+      yes("self_contact") + "," + yes("cord_contact") + "," + yes("allow_sleep") + "," + text("accuracy", "accurate") +
+      "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
   const ribbon::Cord& cord = scene.coupling().cord(0);
   const ribbon::CordDef& def = cord.def();
@@ -96,6 +96,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_EQ(def.restitution, 0.7);
   EXPECT_TRUE(def.self_contact);
   EXPECT_TRUE(def.cord_contact);
+  EXPECT_TRUE(def.allow_sleep);
   EXPECT_EQ(def.accuracy.substeps, ribbon::Accuracy::accurate().substeps);
   EXPECT_EQ(def.accuracy.tolerance, 0.003);
   EXPECT_EQ(def.accuracy.max_iterations, 5);
@@ -118,7 +119,7 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_EQ(def.stretch_stiffness, std::numeric_limits<double>::infinity());
   EXPECT_EQ(def.bending_stiffness + def.area_stiffness + def.damping + def.drag, 0.0);
   EXPECT_EQ(def.friction + def.restitution, 0.0);
-  EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact);
+  EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact || def.allow_sleep);
   EXPECT_EQ(def.accuracy, ribbon::Accuracy::balanced());
   EXPECT_TRUE(def.pins.empty());
   EXPECT_TRUE(def_of("," + yes("tension_only")).tension_only);
@@ -242,6 +243,7 @@ TEST(Scene, RefusesADirectCordThatItCannotBuild) {
   refused(number("friction", "10.5"), "friction");
   refused(number("restitution", "1.1"), "restitution");
   refused(number("self_contact", "1"), "self_contact");
+  refused(number("allow_sleep", "1"), "allow_sleep");
   refused(number("width", "0.1"), "rope");  // what the definition's own check says
   refused(whole("rows", "3") + "," + number("stretch_stiffness", "5000"), "bending_stiffness");
   expect_refused(object("cord", box, direct_properties), "polyline");

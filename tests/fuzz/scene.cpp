@@ -155,6 +155,7 @@ void MapMaker::add_cord() {
   may_be(cord, "tension_only");
   may_be(cord, "self_contact");
   may_be(cord, "cord_contact");
+  may_be(cord, "allow_sleep");
 }
 
 void play(const game::Level& level, Bytes& bytes) {

@@ -67,6 +67,7 @@ ribbon::CordDef some_cord(Bytes& bytes) {
   def.self_contact = (flags & 2) != 0;
   def.cord_contact = (flags & 4) != 0;
   if ((flags & 24) == 24) def.elements = ribbon::Elements::bars;
+  def.allow_sleep = (flags & 64) != 0;
   if ((flags & 32) != 0) def.accuracy = some_accuracy(bytes);
   def.positions = some_positions(bytes, count(def.points, def.rows));
   def.pins = some_pins(bytes, count(def.points, def.rows));

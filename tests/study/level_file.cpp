@@ -142,7 +142,7 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   const double mass = find(cord, "mass")->get<double>();
   for (const char* name : {"stretch_stiffness", "bending_stiffness", "poisson_ratio", "damping", "tension_only",
                            "radius", "width", "accuracy", "integrator", "tolerance", "max_iterations", "friction",
-                           "restitution", "self_contact", "cord_contact", "area_stiffness"}) {
+                           "restitution", "self_contact", "cord_contact", "area_stiffness", "allow_sleep"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);
