@@ -133,6 +133,8 @@ RigidBody rigid_body(const b2Body& body, b2Vec2 gravity) {
   rigid.inverse_mass = 1.0 / mass;
   if (!body.IsFixedRotation() && inertia > 0.0) rigid.inverse_inertia = 1.0 / inertia;
   rigid.acceleration = static_cast<double>(body.GetGravityScale()) * to_double(gravity);
+  rigid.awake = body.IsAwake();
+  rigid.may_sleep = body.IsSleepingAllowed() && body.GetWorld()->GetAllowSleeping();
   return rigid;
 }
 
@@ -171,10 +173,23 @@ void Coupling::replace(CordIndex index, ribbon::Cord cord, const b2Filter& filte
     throw ribbon::DefinitionError("cord " + std::to_string(index) +
                                   " is of the thesis's solver; accepted is one of the direct solver");
   }
-  let_go_of(index);
+  leave(index);
   cord.reserve(usual_grips);
   CoupledCord& coupled = cords_[at(index)] = CoupledCord{std::move(cord), filter};
   make_room(coupled);
+}
+
+/// Before a cord goes: who holds it lets go, and who has fallen asleep on it will wake.
+void Coupling::leave(CordIndex cord) {
+  for (std::size_t k = 0; k < holders_.size();) {
+    if (holders_[k].cord == cord) {
+      let_go(holders_[k].id);
+    } else {
+      ++k;
+    }
+  }
+  const auto* direct = std::get_if<ribbon::Cord>(&cords_[at(cord)].cord);
+  if (direct != nullptr && direct->is_asleep()) left_.push_back(cords_[at(cord)].reach);
 }
 
 void Coupling::set_enabled(CordIndex index, bool enabled) {
@@ -182,7 +197,7 @@ void Coupling::set_enabled(CordIndex index, bool enabled) {
   CoupledCord& coupled = cords_[at(index)];
   coupled.enabled = enabled;
   if (enabled) return;
-  let_go_of(index);
+  leave(index);
   coupled.direct_report = {};
   coupled.direct_error = 0.0;
   coupled.report = {};
@@ -209,6 +224,7 @@ void Coupling::gather(b2World& world, double dt) {
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     gather_body(*body, world.GetGravity(), dt);
   }
+  left_.clear();
   if (!fixture_ids_.misses_some()) return;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) fixture_ids_.see(*f);
@@ -239,12 +255,22 @@ void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
     return;
   }
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
+  if (!left_.empty()) wake_where_left(body);
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
     if (!fixture->IsSensor() && is_sound(*fixture)) gather_fixture(body, *fixture, gravity, dt);
   }
   gather_grips(body, gravity);
   if (LedBody* found = led(body); found != nullptr && (gathered_.empty() || gathered_.back().body != &body))
     let_run(body);
+}
+
+/// A body that is asleep where a cord was is not carried by that any more.
+void Coupling::wake_where_left(b2Body& body) const {
+  for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+    for (const Box& box : left_) {
+      if (is_near(*fixture, box)) body.SetAwake(true);
+    }
+  }
 }
 
 void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt) {
@@ -302,6 +328,9 @@ void Coupling::step() {
     for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
     for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].met = c;
   }
+  for (std::size_t b = 0; b < gathered_.size(); ++b) {
+    if (gathered_[b].met >= 0) rigid_[b].may_sleep = false;  // one of the thesis's does not rest
+  }
   step_direct();
 }
 
@@ -339,7 +368,9 @@ void Coupling::apply() {
   for (std::size_t b = 0; b < gathered_.size(); ++b) {
     if (gathered_[b].body == nullptr || rigid_[b].inverse_mass == 0.0) continue;
     b2Body& body = *gathered_[b].body;
-    if (rigid_[b].met || holder(body) != nullptr) {
+    if (rigid_[b].rests) {
+      lay_to_rest(body);
+    } else if (rigid_[b].met || holder(body) != nullptr) {
       lead(body, rigid_[b]);
     } else {
       let_run(body);

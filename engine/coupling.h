@@ -102,6 +102,9 @@ struct TouchEvent {
 /// One of the direct solver meets circles, edges, chains and polygons, and is solved together with all bodies that hold
 /// or touch it and the cords that these touch too; so what is said of holders above holds for all of them.
 ///
+/// A cord that is allowed to sleeps, and who holds or touches it goes to sleep with it: Box2D's b2Body::SetAwake. What
+/// wakes such a body in Box2D wakes the cord.
+///
 /// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept
 /// but for those that hold a cord, and a held cord is let go when its holder is no longer in the world.
 class Coupling {
@@ -298,7 +301,6 @@ class Coupling {
   double arc_at(CordIndex cord, double column) const;
   void follow_grips();
   void let_go_who_must();
-  void let_go_of(CordIndex cord);
   void find_touch_events();
   static void add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching);
   Holder& grip_of_direct(GripId grip);
@@ -316,12 +318,16 @@ class Coupling {
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
   void lead(b2Body& body, const ribbon::RigidBody& rigid);
   void let_run(b2Body& body);
+  void lay_to_rest(b2Body& body);
+  void leave(CordIndex cord);
+  void wake_where_left(b2Body& body) const;
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
   GripId next_grip_ = 1;
   std::vector<TouchEvent> touch_events_;
-  std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
+  std::vector<LedBody> led_;       // by address, which serves to find one and for nothing else
+  std::vector<ribbon::Box> left_;  // m, where cords were asleep that are gone
   FixtureIds fixture_ids_;
   ribbon::DirectSolver direct_solver_;
   std::optional<ribbon::ErrorProbe> probe_;

@@ -109,19 +109,10 @@ bool Coupling::let_go(GripId grip) {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
   if (held == holders_.end()) return false;
   b2Body& body = *held->body;
+  body.SetAwake(true);
   holders_.erase(held);
   if (holder(body) == nullptr) let_run(body);
   return true;
-}
-
-void Coupling::let_go_of(CordIndex cord) {
-  for (std::size_t k = 0; k < holders_.size();) {
-    if (holders_[k].cord == cord) {
-      let_go(holders_[k].id);
-    } else {
-      ++k;
-    }
-  }
 }
 
 std::optional<GripState> Coupling::state(GripId grip) const {
@@ -133,6 +124,7 @@ std::optional<GripState> Coupling::state(GripId grip) const {
 
 bool Coupling::release(b2Body& body) {
   if (holder(body) == nullptr) return false;
+  body.SetAwake(true);
   let_run(body);
   forget(body);
   return true;

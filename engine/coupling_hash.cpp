@@ -91,6 +91,11 @@ void add(Hasher& hasher, const CouplingState::Event& event) {
   hasher.add(normal);
 }
 
+void add(Hasher& hasher, const ribbon::Box& box) {
+  hasher.add(box.low);
+  hasher.add(box.high);
+}
+
 /// How many there are, and all of them: one empty list more must not look like another one's end.
 template <typename T>
 void add_all(Hasher& hasher, const std::vector<T>& values) {
@@ -107,7 +112,7 @@ void add_all(Hasher& hasher, const std::vector<T>& values) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, cords, grips, next_grip, led, fixtures, next_fixture, events] = state;
+  const auto& [bodies, cords, grips, next_grip, led, fixtures, next_fixture, events, left] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -116,6 +121,7 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   add_all(hasher, fixtures);
   hasher.add(next_fixture);
   add_all(hasher, events);
+  add_all(hasher, left);
 }
 
 void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {
@@ -127,7 +133,7 @@ void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {
 void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
                rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested,
-               still_among] = state;
+               asleep, still_among] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -158,6 +164,7 @@ void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   hasher.add(static_cast<int>(damping_apart));
   hasher.add(static_cast<int>(restart));
   hasher.add(rested);
+  hasher.add(static_cast<int>(asleep));
   hasher.add(still_among);
 }
 

@@ -87,6 +87,18 @@ void Coupling::let_run(b2Body& body) {
   led_.erase(led_place(body));
 }
 
+/// Puts a body to sleep with the cords at it. Where it was led to stays known, and that there is nothing ahead of it.
+void Coupling::lay_to_rest(b2Body& body) {
+  body.SetAwake(false);
+  LedBody* found = led(body);
+  if (found == nullptr) return;
+  LedMemory rest;
+  rest.position = found->position;
+  rest.start = to_double(body.GetWorldCenter());
+  rest.dt = dt_;
+  static_cast<LedMemory&>(*found) = rest;
+}
+
 std::vector<Coupling::LedBody>::iterator Coupling::led_place(const b2Body& body) {
   return std::lower_bound(led_.begin(), led_.end(), &body,
                           [](const LedBody& led, const b2Body* wanted) { return std::less<>()(led.body, wanted); });

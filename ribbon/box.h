@@ -10,6 +10,8 @@ namespace ribbon {
 struct Box {
   Vec2 low;   ///< its lower left corner
   Vec2 high;  ///< its upper right corner, with x and y not below those of `low`
+
+  bool operator==(const Box&) const = default;
 };
 
 /// True if they have a point in common, be it of their edges.

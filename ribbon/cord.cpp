@@ -140,8 +140,15 @@ void Cord::disturb() {
   wake();
 }
 
-/// Takes what is left of its motion.
-void Cord::rest() {
+void Cord::wake() {
+  rested_ = 0.0;
+  asleep_ = false;
+}
+
+/// What is left of its motion is taken.
+void Cord::fall_asleep() {
+  if (asleep_) return;
+  asleep_ = true;
   set_damping_apart();
   std::fill(velocities_.begin(), velocities_.end(), Vec2{});
   std::fill(accelerations_.begin(), accelerations_.end(), Vec2{});
@@ -257,6 +264,7 @@ void Cord::save(State& state) const {
   state.damping_apart = damping_apart_;
   state.restart = restart_;
   state.rested = rested_;
+  state.asleep = asleep_;
   state.still_among = still_among_;
 }
 
@@ -295,7 +303,7 @@ void Cord::check_state(const State& state) const {
   check_all("state.rest_speeds", state.rest_speeds, 0.0, anything);
   check_range("state.ledger", state.ledger, -anything, anything);
   check_range("state.balance", state.balance, -anything, anything);
-  check_range("state.rested", state.rested, 0.0, def_.allow_sleep ? time_to_sleep : 0.0);
+  check_range("state.rested", state.rested, state.asleep ? time_to_sleep : 0.0, def_.allow_sleep ? time_to_sleep : 0.0);
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   for (const Holder& holder : state.holders) {
     check_range("state.holders.point", holder.point, 0, size() - 1);
@@ -333,6 +341,7 @@ void Cord::restore(const State& state) {
   damping_apart_ = state.damping_apart;
   restart_ = state.restart;
   rested_ = state.rested;
+  asleep_ = state.asleep;
   still_among_ = state.still_among;
   elasticity_->set_rest_lengths(rest_);
 }

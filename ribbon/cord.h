@@ -80,11 +80,11 @@ class Cord {
 
   /// s, for which a cord that is allowed to has to rest before it sleeps, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;
-  /// Whether it sleeps (CordDef::allow_sleep). The next step wakes it if anything but itself is not as it was, or it
-  /// is in an island with one that is awake; what follows here does, but for set_accuracy.
-  bool is_asleep() const { return rested_ >= time_to_sleep; }
+  /// Whether it slept through the last step (CordDef::allow_sleep). The next one wakes it if what is near it is not as
+  /// it was, or awake, a cord of its island among them; what follows here wakes it, too, but for set_accuracy.
+  bool is_asleep() const { return asleep_; }
   /// Has it rest for as long again before it sleeps.
-  void wake() { rested_ = 0.0; }
+  void wake();
 
   /// Throws DefinitionError unless the cord has a point of that index.
   void check_point(int point) const;
@@ -158,6 +158,7 @@ class Cord {
     bool damping_apart = false;     ///< the tensions are without damping
     bool restart = true;            ///< the accelerations are not those of this state
     double rested = 0.0;            ///< s, for which it has rested, up to time_to_sleep
+    bool asleep = false;            ///< see Cord::is_asleep
     std::uint64_t still_among = 0;  ///< a number for what it rested among, 0 if that moved
     bool operator==(const State&) const = default;
   };
@@ -181,7 +182,7 @@ class Cord {
   void put_damping_back();
   void drive(int point, Vec2 target, PointKind kind);
   void disturb();
-  void rest();
+  void fall_asleep();
   bool is_winding() const { return !rest_targets_.empty() && rest_ != rest_targets_; }
   double own_mass(std::size_t point) const;
 
@@ -208,6 +209,7 @@ class Cord {
   bool damping_apart_ = false;     // tensions_ are the elastic ones alone, for velocities may be changed
   bool restart_ = true;            // accelerations_ are not those of this state
   double rested_ = 0.0;            // s, for which it has rested,
+  bool asleep_ = false;            // in the last step,
   std::uint64_t still_among_ = 0;  // among what: see State
 
   std::vector<double> rest_start_, rest_end_;  // of this step, while something is reeled

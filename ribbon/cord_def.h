@@ -63,9 +63,9 @@ struct CordDef {
   double restitution = 0.0;   ///< 0 … 1; with another's the greater holds, as in Box2D
   bool self_contact = false;  ///< it does not pass through itself
   bool cord_contact = false;  ///< nor through others that declare it too
-  /// It sleeps, as bodies of Box2D do, once it has moved by less than 1 cm/s for half a second among nothing that moves
-  /// or can be pushed: it stays as it is, and steps cost next to nothing, until it is disturbed. What it gives up is the
-  /// rest of its way to where it would come to rest.
+  /// It sleeps, as bodies of Box2D do and with those that are near it, once all of them have moved by less than 1 cm/s
+  /// for half a second: it stays as it is, and steps cost next to nothing, until it is disturbed. What it gives up is
+  /// the rest of its way to where it would come to rest.
   bool allow_sleep = false;
   Elements elements = Elements::cells;  ///< of two rows and more
   Accuracy accuracy;                    ///< what exactness may cost

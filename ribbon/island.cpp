@@ -30,10 +30,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   step_dt_ = dt;
   rigid_ = bodies;
   CordReport report;
-  if (sleep_on(cords)) {
-    for (const IslandCord& cord : cords) cord.cord->rest();
-    return report;
-  }
+  if (sleep_on(cords)) return report;
   widenings_.assign(cords.size(), 1.0);
   for (;;) {
     begin_step(cords, dt);

@@ -76,6 +76,7 @@ class Island {
   void set_sizes(std::size_t slots, std::size_t tensions);
 
   bool sleep_on(std::span<const IslandCord> cords) const;
+  static bool wake(std::span<const IslandCord> cords);
   void begin_step(std::span<const IslandCord> cords, double dt);
   void add_member(const IslandCord& cord);
   void take_over(const Member& member);

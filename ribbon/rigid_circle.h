@@ -23,6 +23,10 @@ struct RigidBody {
   Vec2 moved;                     ///< m, in the step of the cord that it holds; of no meaning for other bodies
   double turned = 0.0;            ///< rad, in the same step
   bool met = false;               ///< the direct solver has moved it with a cord
+  // Of the direct solver's cords that are allowed to sleep, for one that can be pushed:
+  bool awake = true;       ///< not put to sleep by its owner, who says so at once when somebody wakes it
+  bool may_sleep = false;  ///< its owner puts it to sleep when a step says that it rests
+  bool rests = false;      ///< a cord near it, or held by it, was asleep in the step
 };
 
 /// A circle fixed to a body.

@@ -1,0 +1,245 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+
+// Cords that fall asleep, and the bodies that do so with them: CordDef::allow_sleep.
+
+namespace engine {
+namespace {
+
+using ribbon::CordDef;
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr int long_enough = 3000;  // ticks
+
+struct World {
+  World() = default;
+  b2Body& add_ball(b2Vec2 position, float radius = 0.1F, float density = 10.0F) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = position;
+    definition.angularDamping = 2.0F;
+    b2CircleShape circle;
+    circle.m_radius = radius;
+    b2Body* body = world.CreateBody(&definition);
+    b2FixtureDef fixture;
+    fixture.shape = &circle;
+    fixture.density = density;
+    fixture.friction = 0.5F;
+    body->CreateFixture(&fixture);
+    return *body;
+  }
+  void tick(int times = 1) {
+    for (int k = 0; k < times; ++k) {
+      coupling.gather(world, dt);
+      coupling.step();
+      coupling.apply();
+      world.Step(static_cast<float>(dt), 8, 3);
+    }
+  }
+  bool falls_asleep(CordIndex cord = 0) {
+    for (int k = 0; k < long_enough && !coupling.cord(cord).is_asleep(); ++k) tick();
+    return coupling.cord(cord).is_asleep();
+  }
+
+  b2World world{b2Vec2(0.0F, -9.81F)};
+  Coupling coupling;
+};
+
+CordDef rope_def(bool allow_sleep) {
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.radius = 0.02;
+  def.drag = 1.0;
+  def.damping = 0.05;
+  def.bending_stiffness = 0.05;
+  def.stretch_stiffness = 2000.0;
+  def.friction = 0.5;
+  def.allow_sleep = allow_sleep;
+  return def;
+}
+
+/// A lamp of 1 kg on a rope that hangs down from the origin.
+struct Lamp : World {
+  explicit Lamp(bool allow_sleep = true) {
+    CordDef def = rope_def(allow_sleep);
+    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.0, -0.1 * p});
+    def.pins = {0};
+    coupling.add(ribbon::Cord(def));
+    lamp = &add_ball({0.0F, -2.1F}, 0.1F, 30.0F);
+    grip = coupling.grip(*lamp, {.cord = 0, .arc = 2.0, .local_hand = {0.0F, 0.1F}});
+  }
+  b2Body* lamp;
+  GripId grip;
+};
+
+/// A rope that hangs through between two pins a little nearer to each other than it is long, and a ball in its middle.
+struct Hammock : World {
+  explicit Hammock(bool allow_sleep = true) {
+    CordDef def = rope_def(allow_sleep);
+    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.095 * p, 0.0});
+    def.pins = {0, 20};
+    coupling.add(ribbon::Cord(def));
+    ball = &add_ball({0.95F, 0.1F});
+  }
+  b2Body* ball;
+};
+
+TEST(CouplingSleep, ALampSleepsOnItsRopeAndNothingOfItMoves) {
+  Lamp there;
+  ASSERT_TRUE(there.falls_asleep());
+  EXPECT_FALSE(there.lamp->IsAwake());
+  const b2Vec2 place = there.lamp->GetPosition();
+  const auto& x = there.coupling.positions(0);
+  const std::vector<Vec2> points(x.begin(), x.end());
+  const Vec2 pull = there.coupling.state(there.grip)->pull;
+  for (int k = 0; k < 600; ++k) {
+    there.tick();
+    ASSERT_EQ(there.coupling.report(0).stages, 0);
+  }
+  EXPECT_EQ(there.lamp->GetPosition(), place);
+  EXPECT_EQ(std::vector<Vec2>(x.begin(), x.end()), points);
+  EXPECT_EQ(there.coupling.state(there.grip)->pull, pull);
+  EXPECT_NEAR(pull.y, 9.81 * static_cast<double>(there.lamp->GetMass()), 0.02 * 9.81);
+  EXPECT_LT(length(to_double(there.lamp->GetWorldPoint({0.0F, 0.1F})) - x[20]), 1e-5) << "the hand is where it was";
+}
+
+/// Hit by a ball it swings as one that has not slept.
+TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
+  const auto swing = [](bool allow_sleep) {
+    Lamp there(allow_sleep);
+    for (int k = 0; k < long_enough; ++k) there.tick();
+    EXPECT_EQ(there.lamp->IsAwake(), !allow_sleep);
+    b2Body& ball = there.add_ball({-1.0F, -2.1F});
+    ball.SetGravityScale(0.0F);
+    ball.SetLinearVelocity({5.0F, 0.0F});
+    float furthest = 0.0F;
+    for (int k = 0; k < 60; ++k) {
+      there.tick();
+      furthest = std::max(furthest, there.lamp->GetPosition().x);
+    }
+    EXPECT_FALSE(there.coupling.cord(0).is_asleep());
+    return furthest;
+  };
+  const float awake = swing(false);
+  EXPECT_GT(awake, 0.3F);
+  EXPECT_NEAR(swing(true), awake, 0.02F * awake);
+}
+
+TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
+  Hammock there;
+  ASSERT_TRUE(there.falls_asleep());
+  EXPECT_FALSE(there.ball->IsAwake());
+  for (int k = 0; k < 60; ++k) {
+    there.tick();
+    ASSERT_TRUE(there.coupling.touch_events().empty());
+    ASSERT_EQ(there.coupling.touching(0).size(), 1U);
+    ASSERT_EQ(there.coupling.report(0).stages, 0);
+  }
+  EXPECT_NEAR(there.coupling.touching(0)[0].impulse, 9.81 * dt * static_cast<double>(there.ball->GetMass()),
+              0.05 * 9.81 * dt);
+  there.ball->ApplyLinearImpulseToCenter({0.0F, 1.0F}, true);
+  there.tick(10);
+  EXPECT_GT(there.coupling.report(0).stages, 0);
+  EXPECT_GT(there.ball->GetPosition().y, 0.0F);
+}
+
+/// What falls on a rope that sleeps finds it awake: it goes no deeper than into one that never sleeps.
+TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
+  const auto lowest_gap = [](bool allow_sleep) {
+    World there;
+    CordDef def = rope_def(allow_sleep);
+    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.095 * p, 0.0});
+    def.pins = {0, 20};
+    there.coupling.add(ribbon::Cord(def));
+    there.tick(long_enough);
+    EXPECT_EQ(there.coupling.cord(0).is_asleep(), allow_sleep);
+    b2Body& ball = there.add_ball({0.95F, 4.0F});
+    double least = 1.0;
+    for (int k = 0; k < 120; ++k) {
+      there.tick();
+      const Vec2 center = to_double(ball.GetPosition());
+      if (const auto place = there.coupling.nearest_place(center, 10.0)) {
+        least = std::min(least, place->distance - 0.12);
+      }
+    }
+    EXPECT_GT(ball.GetPosition().y, -2.0F) << "it is carried";
+    return least;
+  };
+  EXPECT_NEAR(lowest_gap(true), lowest_gap(false), 1e-3);
+}
+
+TEST(CouplingSleep, WhoeverLosesHisCordWakes) {
+  const std::vector<std::function<void(World&)>> ways = {
+      [](World& there) { there.coupling.set_enabled(0, false); },
+      [](World& there) {
+        CordDef def = rope_def(true);
+        for (int p = 0; p < def.points; ++p) def.positions.push_back({100.0 + 0.1 * p, 0.0});
+        there.coupling.replace(0, ribbon::Cord(def));
+      },
+  };
+  for (const auto& take_away : ways) {
+    Hammock hammock;
+    ASSERT_TRUE(hammock.falls_asleep());
+    take_away(hammock);
+    const Coupling::State state = hammock.coupling.save(hammock.world);
+    EXPECT_EQ(state.left.size(), 1U);
+    hammock.coupling.restore(state, hammock.world);
+    hammock.tick(60);
+    EXPECT_LT(hammock.ball->GetPosition().y, -4.0F);
+    EXPECT_TRUE(hammock.coupling.save(hammock.world).left.empty());
+
+    Lamp lamp;
+    ASSERT_TRUE(lamp.falls_asleep());
+    take_away(lamp);
+    lamp.tick(60);
+    EXPECT_LT(lamp.lamp->GetPosition().y, -6.0F);
+  }
+  for (const bool by_grip : {true, false}) {
+    Lamp lamp;
+    ASSERT_TRUE(lamp.falls_asleep());
+    by_grip ? lamp.coupling.let_go(lamp.grip) : lamp.coupling.release(*lamp.lamp);
+    lamp.tick(60);
+    EXPECT_LT(lamp.lamp->GetPosition().y, -6.0F);
+  }
+}
+
+TEST(CouplingSleep, WhatChangesTheCordWakesItAndWhoHangsOnIt) {
+  Lamp there;
+  ASSERT_TRUE(there.falls_asleep());
+  const float low = there.lamp->GetPosition().y;
+  there.coupling.cord(0).reel(0, 20, 1.0, 1.0);
+  there.tick(120);
+  EXPECT_NEAR(there.lamp->GetPosition().y, low + 1.0F, 0.05F);
+  ASSERT_TRUE(there.falls_asleep());
+  there.coupling.climb(there.grip, 0.5, 0.5);
+  there.tick(120);
+  EXPECT_GT(there.lamp->GetPosition().y, low + 1.3F);
+}
+
+TEST(CouplingSleep, IsNotForWhoeverMayNot) {
+  Lamp sleepless;
+  sleepless.lamp->SetSleepingAllowed(false);
+  EXPECT_FALSE(sleepless.falls_asleep());
+  Lamp in_a_world_without;
+  in_a_world_without.world.SetAllowSleeping(false);
+  EXPECT_FALSE(in_a_world_without.falls_asleep());
+  Lamp with_thesis_cord;
+  ribbon::ThesisDef thesis;
+  thesis.w = 60;
+  thesis.pins = {0, 1};
+  with_thesis_cord.coupling.add(ribbon::ThesisCord(thesis));
+  EXPECT_FALSE(with_thesis_cord.falls_asleep());
+  EXPECT_GT(with_thesis_cord.coupling.gathered_near(1), 0);
+}
+
+}  // namespace
+}  // namespace engine
