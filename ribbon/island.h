@@ -34,6 +34,12 @@ class Island {
   void reserve(const Cord& cord, std::size_t grips);
 
  private:
+  // Points of an outline no more links apart than that go nearly the same way: no further from each other than this
+  // share of a link, beyond what their own velocities say. So near they are in each other's reach for rooms of their
+  // own.
+  static constexpr int close_links = 6;
+  static constexpr double near_share = 0.25;
+
   struct Member {
     Cord* cord;
     Surroundings met;
@@ -47,6 +53,7 @@ class Island {
     std::uint64_t id;
     double mass = 0.0;          // kg, of the cord and what hangs on it
     double room = 0.0;          // m, how far from its straight way a point of it may go in a step
+    double near_room = 0.0;     // m, and how much further than one near it along the outline
     double longest_link = 0.0;  // m, of its outline
   };
   struct OutlineLink {
@@ -118,9 +125,12 @@ class Island {
   bool is_fixed_in(const ContactPair& link, Vec2 center, double reach) const;
   void meet_segment(const Member& member, const RigidSegment& segment);
   void meet_each_other();
+  void meet_block(const Member& member, std::size_t k, Vec2 drift);
   Vec2 mean_way() const;
   bool may_meet(std::size_t disc, const OutlineLink& link, double distance) const;
   void meet_link(const Member& member, int k, const OutlineLink& link);
+  static bool are_close(const Cord& cord, int k, int link);
+  bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
   bool widen();
   void let_go(double dt);
@@ -241,6 +251,7 @@ class Island {
   std::vector<Vec2> step_start_;
   std::vector<Vec2> ends_;  // of the step, if nothing is in the way
   std::vector<Box> link_boxes_;
+  std::vector<Box> block_boxes_;  // around as many of these as a block has
   std::vector<OutlineLink> outline_links_;
   std::unique_ptr<Quadtree> tree_;
   std::size_t tree_room_ = 0;

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "ribbon/island.h"
 
@@ -10,6 +12,7 @@ namespace {
 
 // Times the radius: parts of a cord that lie nearer than that at rest are not in each other's way.
 constexpr double own_neighbourhood = 3.0;
+constexpr std::size_t block = 8;  // points or links of an outline that are looked for at once
 
 }  // namespace
 
@@ -55,10 +58,12 @@ double Island::longest_link(const Member& member) const {
   return std::sqrt(longest2);
 }
 
-/// Points of cords against links, of the same and of other cords, as far as these declare it.
+/// Points of cords against links, of the same and of other cords, as far as these declare it: by blocks of neighbours,
+/// which mostly are near each other or all of them not.
 void Island::meet_each_other() {
   link_boxes_.clear();
   outline_links_.clear();
+  block_boxes_.clear();
   const Vec2 drift = mean_way();
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const CordDef& def = members_[m].cord->def_;
@@ -67,27 +72,51 @@ void Island::meet_each_other() {
       const ContactPair link = pair_with_link(members_[m], k);
       const std::size_t a = at(link.a);
       const std::size_t b = at(link.b);
-      const Box box =
-          joined(box_around(positions_[a], ends_[a] - drift, 0.0), box_around(positions_[b], ends_[b] - drift, 0.0));
-      link_boxes_.push_back(widened(box, def.radius + members_[m].room));
+      const Box box = widened(
+          joined(box_around(positions_[a], ends_[a] - drift, 0.0), box_around(positions_[b], ends_[b] - drift, 0.0)),
+          def.radius + members_[m].room);
+      if (link_boxes_.size() % block == 0) {
+        block_boxes_.push_back(box);
+      } else {
+        block_boxes_.back() = joined(block_boxes_.back(), box);
+      }
+      link_boxes_.push_back(box);
       outline_links_.push_back({m, k});
     }
   }
   if (link_boxes_.empty()) return;
-  if (!tree_ || tree_room_ < link_boxes_.size()) {
-    tree_room_ = 2 * link_boxes_.size();
+  if (!tree_ || tree_room_ < block_boxes_.size()) {
+    tree_room_ = 2 * block_boxes_.size();
     tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_room_));
   }
-  tree_->build(link_boxes_);
+  tree_->build(block_boxes_);
   for (const Member& member : members_) {
     const Cord& cord = *member.cord;
     if (!cord.def_.self_contact && !cord.def_.cord_contact) continue;
-    for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
-      const std::size_t p = member.first + at(cord.outline_[at(k)]);
-      const Box box = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + member.room);
-      tree_->query(box, [&](int item) { meet_link(member, k, outline_links_[at(item)]); });
-    }
+    for (std::size_t k = 0; k < cord.outline_.size(); k += block) meet_block(member, k, drift);
   }
+}
+
+/// The outline's points from k on, a block of them, against all links.
+void Island::meet_block(const Member& member, std::size_t k, Vec2 drift) {
+  const Cord& cord = *member.cord;
+  std::array<Box, block> boxes;
+  const std::size_t count = std::min(block, cord.outline_.size() - k);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t p = member.first + at(cord.outline_[k + i]);
+    boxes[i] = box_around(positions_[p], ends_[p] - drift, cord.def_.radius + member.room);
+  }
+  const Box all =
+      std::accumulate(boxes.begin() + 1, boxes.begin() + static_cast<std::ptrdiff_t>(count), boxes[0], joined);
+  tree_->query(all, [&](int item) {
+    const std::size_t first = block * at(item);
+    const std::size_t end = std::min(first + block, link_boxes_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t link = first; link < end; ++link) {
+        if (overlap(boxes[i], link_boxes_[link])) meet_link(member, static_cast<int>(k + i), outline_links_[link]);
+      }
+    }
+  });
 }
 
 /// How far all of it goes in the step, on average: what goes together does not meet.
@@ -105,7 +134,8 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def_.cord_contact) return;
   const std::size_t disc = member.first + at(member.cord->outline_[at(k)]);
   const double reach = def.radius + other.cord->def_.radius;
-  if (!may_meet(disc, link, reach + member.room + other.room)) return;
+  const double room = itself && are_close(*member.cord, k, link.link) ? member.near_room : member.room + other.room;
+  if (!may_meet(disc, link, reach + room)) return;
   if (itself && are_neighbours(def, k, link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
@@ -131,6 +161,14 @@ bool Island::may_meet(std::size_t disc, const OutlineLink& link, double distance
   const double most = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   return may_be_within(most, positions_[disc], positions_[a], positions_[b]) &&
          gap_between(positions_[disc], positions_[a], positions_[b]).distance <= most;
+}
+
+/// Whether a point of an outline and both ends of a link of it are no more than `close_links` from each other.
+bool Island::are_close(const Cord& cord, int k, int link) {
+  const int apart = k > link ? k - link : link + 1 - k;
+  if (cord.def_.rows == 1) return apart <= close_links;
+  const int n = static_cast<int>(cord.outline_.size());
+  return std::min(apart, n + 1 - apart) <= close_links;
 }
 
 /// Whether a point and a link of one outline lie so near each other at rest that they could not be kept apart.

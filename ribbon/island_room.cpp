@@ -72,11 +72,33 @@ bool Island::widen() {
       if (dot(off, off) <= surely2) continue;
       left = !(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= member.room);
     }
+    left = left || (member.cord->def_.self_contact && parts_from_neighbours(member));
     if (!left || widenings_[m] > most_widening) continue;
     widenings_[m] *= widening;
     any = true;
   }
   return any;
+}
+
+/// Whether a point of the outline has gone another way than one close to it, by more than their room.
+bool Island::parts_from_neighbours(const Member& member) const {
+  const std::vector<int>& outline = member.cord->outline_;
+  const auto off = [&](std::size_t k) {
+    const std::size_t p = member.first + at(outline[k % outline.size()]);
+    return positions_[p] - ends_[p];
+  };
+  double most2 = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) most2 = std::max(most2, dot(off(k), off(k)));
+  const double room2 = member.near_room * member.near_room;
+  if (4.0 * most2 <= room2) return false;
+  const bool closed = member.cord->def_.rows > 1;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    for (std::size_t other = k + 1; other <= k + at(close_links) && (closed || other < outline.size()); ++other) {
+      const Vec2 apart = off(other) - off(k);
+      if (!(dot(apart, apart) <= room2)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace ribbon
