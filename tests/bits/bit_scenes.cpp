@@ -287,15 +287,46 @@ void drive_rough(BitWorld& scene, int tick) {
   if (tick % 30 == 10) coupling.cord(2).set_velocity(35, {60.0 * back_and_forth, 80.0});
 }
 
-constexpr std::array<BitScene, 8> scenes = {{
-    {"ropes", build_ropes, drive_ropes, 180, 0x786bbfb2f881ae08},
-    {"terms", build_terms, nullptr, 180, 0x0f8bc405ab3ac81f},
-    {"ribbons", build_ribbons, nullptr, 180, 0xf19189874d954cb2},
-    {"contacts", build_contacts, nullptr, 150, 0x034b82f643a7e9de},
-    {"grips", build_grips, drive_grips, 180, 0x24f74d57d456697b},
-    {"self_contact", build_self_contact, nullptr, 80, 0xede8128080363756},
-    {"thesis", build_thesis, drive_thesis, 180, 0x42c584dd49555107},
-    {"rough", build_rough, drive_rough, 120, 0x7ad59cf800b37dc7},
+/// A lamp on a rope and a ball in a hammock, which fall asleep and are woken: by a blow, a reel, a hammock that goes.
+void build_asleep(BitWorld& scene) {
+  CordDef rope = line({0.0, 0.0}, {0.0, -0.1}, 21);
+  rope.pins = {0};
+  rope.stretch_stiffness = 1e4;
+  CordDef hammock = line({2.0, 0.0}, {0.095, 0.0}, 21);
+  hammock.length = 2.0;
+  hammock.pins = {0, 20};
+  hammock.bending_stiffness = 0.05;
+  hammock.stretch_stiffness = 1e4;
+  hammock.friction = 0.5;
+  hammock.cord_contact = true;
+  for (CordDef* def : {&rope, &hammock}) {
+    def->radius = 0.02;
+    def->damping = 0.1;
+    def->drag = 4.0;
+    def->allow_sleep = true;
+    scene.coupling.add(Cord(*def));
+  }
+  scene.coupling.hold(0, 20, add_holder(scene, {0.0, -2.1}, 0.1), {0.0F, 0.1F});
+  add_circle(scene, {2.95, 0.15}, 0.1).SetAngularDamping(5.0F);
+}
+
+void drive_asleep(BitWorld& scene, int tick) {
+  if (tick == 150) body(scene.world, 0).ApplyLinearImpulseToCenter({0.2F, 0.0F}, true);
+  if (tick == 170) scene.coupling.set_enabled(1, false);
+  if (tick == 175) scene.coupling.set_enabled(1, true);
+  if (tick == 190) scene.coupling.cord(0).reel(0, 20, 1.5, 1.0);
+}
+
+constexpr std::array<BitScene, 9> scenes = {{
+    {"ropes", build_ropes, drive_ropes, 180, 0x3951c7a7640bc1b2},
+    {"terms", build_terms, nullptr, 180, 0x64c388dbf4477e27},
+    {"ribbons", build_ribbons, nullptr, 180, 0x712666b5b7a2b555},
+    {"contacts", build_contacts, nullptr, 150, 0xa9fd0a8651447b4f},
+    {"grips", build_grips, drive_grips, 180, 0x899ed7b17d87c70f},
+    {"self_contact", build_self_contact, nullptr, 80, 0x86228a5b57baf97f},
+    {"thesis", build_thesis, drive_thesis, 180, 0xfa055fd9d337cb1e},
+    {"rough", build_rough, drive_rough, 120, 0x63e25046ff36735e},
+    {"asleep", build_asleep, drive_asleep, 220, 0xa2d2284fc8fc9d71},
 }};
 
 }  // namespace

@@ -49,11 +49,23 @@ TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
   ribbon::StepReport thesis;
   std::size_t begun = 0;
   std::size_t slipped = 0;
+  std::size_t slept = 0;
+  std::size_t woken = 0;
+  std::size_t off = 0;
   for (const BitScene& scene : bit_scenes()) {
     BitWorld world;
     scene.build(world);
+    std::vector<bool> was_asleep(static_cast<std::size_t>(world.coupling.size()));
     for (int k = 0; k < scene.ticks; ++k) {
       tick(scene, world, k);
+      for (int c = 0; c < world.coupling.size(); ++c) {
+        off += world.coupling.is_enabled(c) ? 0U : 1U;
+        if (world.coupling.solver(c) != engine::Solver::direct) continue;
+        const bool is_asleep = world.coupling.cord(c).is_asleep();
+        slept += is_asleep ? 1U : 0U;
+        woken += was_asleep[static_cast<std::size_t>(c)] && !is_asleep ? 1U : 0U;
+        was_asleep[static_cast<std::size_t>(c)] = is_asleep;
+      }
       begun += world.coupling.touch_events().size();
       for (int grip = 1; grip < 20; ++grip) {
         const auto state = world.coupling.state(grip);
@@ -76,6 +88,9 @@ TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
   EXPECT_GT(thesis.circle_contacts, 0);
   EXPECT_GT(begun, 20U);
   EXPECT_GT(slipped, 0U);
+  EXPECT_GT(slept, 60U);
+  EXPECT_GT(woken, 1U);
+  EXPECT_GT(off, 0U);
 }
 
 }  // namespace
