@@ -29,16 +29,14 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   first_links_.push_back(links_.size());
   find_islands(cords, bodies);
   for (std::size_t first = 0; first < cords.size(); ++first) {
-    if (root(first) != first) continue;
+    if (parents_[first] != first) continue;
     members_.clear();
     for (std::size_t k = first; k < cords.size(); ++k) {
-      if (root(k) == first) members_.push_back(cords[k]);
+      if (parents_[k] == first) members_.push_back(cords[k]);
     }
-    const CordReport report = island_->step(members_, bodies, dt, gravity);
-    for (std::size_t k = first; k < cords.size(); ++k) {
-      if (root(k) == first) reports[k] = report;
-    }
+    reports[first] = island_->step(members_, bodies, dt, gravity);
   }
+  for (std::size_t k = 0; k < cords.size(); ++k) reports[k] = reports[parents_[k]];
 }
 
 void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies) {
@@ -57,6 +55,7 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
       if (root(a) != root(b) && links_meet(a, b)) join(a, b);
     }
   }
+  for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
 }
 
 /// The box that a cord does not leave in the step unless something hits it, and those of its links.

@@ -39,7 +39,7 @@ class DirectSolver {
   std::size_t root(std::size_t cord) const;
   void join(std::size_t a, std::size_t b);
 
-  std::vector<std::size_t> parents_;  // by cord: another of its island, or itself
+  std::vector<std::size_t> parents_;  // by cord: another of its island, in the end its first one, or itself
   std::vector<Box> reaches_;          // by cord, of those that meet others
   std::vector<Box> links_;            // of their links; and the first of each cord's, and the end of the last's
   std::vector<std::size_t> first_links_;
