@@ -37,8 +37,9 @@ struct SceneBody {
 ///     ribbon needs one], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius
 ///     [m], width [m, that of square cells unless given], friction, restitution, self_contact, cord_contact (with other
 ///     cords that declare it), allow_sleep, accuracy ("fast", "balanced" unless given, "accurate"), and what is to be
-///     otherwise in it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_iterations (of Newton's
-///     a solve). Its links are all straight and equal, so that it is a little shorter than a polyline with corners.
+///     otherwise in it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (of
+///     Newton's a solve). Its links are all straight and equal, so that it is a little shorter than a polyline with
+///     corners.
 /// - `ribbon`: the same, with 3 rows unless given, 2 or more.
 /// At most 2000 objects, and 100,000 points of all cords together. The map's own property gravity_y [m/s²] is −9.81
 /// unless given.

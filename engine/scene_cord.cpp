@@ -21,7 +21,7 @@ const Choices direct_properties = {
     "poisson_ratio", "area_stiffness", "damping",    "drag",        "tension_only",      "radius",
     "width",         "accuracy",       "integrator", "substeps",    "tolerance",         "max_iterations",
     "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact",
-    "allow_sleep",   "solid"};
+    "allow_sleep",   "max_work",       "solid"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -124,6 +124,7 @@ ribbon::Accuracy accuracy_of(const Properties& p) {
   accuracy.substeps = substeps_of(p, accuracy.substeps);
   accuracy.tolerance = p.number_or("tolerance", accuracy.tolerance, {1e-12, 1.0});
   accuracy.max_iterations = static_cast<int>(p.integer_or("max_iterations", accuracy.max_iterations, {1, 1000}));
+  accuracy.max_work = static_cast<int>(p.integer_or("max_work", accuracy.max_work, {1, 1'000'000}));
   return accuracy;
 }
 

@@ -43,6 +43,7 @@ void check(const Accuracy& accuracy) {
   check_range("accuracy.substeps", accuracy.substeps, 1, 4096);
   check_range("accuracy.max_iterations", accuracy.max_iterations, 1, 1000);
   check_range("accuracy.tolerance", accuracy.tolerance, 1e-12, 1.0);
+  check_range("accuracy.max_work", accuracy.max_work, 1, 1e6);
 }
 
 void check_size(const CordDef& def) {

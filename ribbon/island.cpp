@@ -19,7 +19,8 @@ constexpr double noise_share = 0.1;       // of the tolerance, that a point may 
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
   return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator, std::max(a.substeps, b.substeps),
-          std::max(a.max_iterations, b.max_iterations), std::min(a.tolerance, b.tolerance)};
+          std::max(a.max_iterations, b.max_iterations), std::min(a.tolerance, b.tolerance),
+          std::max(a.max_work, b.max_work)};
 }
 
 }  // namespace

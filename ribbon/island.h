@@ -155,6 +155,7 @@ class Island {
   bool bdf2_stage(double start, double dt, double gamma, CordReport& report);
   bool implicit_euler(double start, double dt, CordReport& report);
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
+  bool is_spent(const CordReport& report) const { return report.iterations >= accuracy_.max_work; }
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
   bool will_touch(double start, double dt);
   bool is_good(bool converged, const Energy& before, CordReport& report);

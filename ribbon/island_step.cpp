@@ -112,7 +112,7 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
     }
     if (!gained_energy(before, gross_gain)) break;
     converged = false;
-    if (k == sharper_tries) break;
+    if (k == sharper_tries || is_spent(report)) break;
     ++report.energy_gains;
     return_to_start();
     tolerance_ = std::max(1e-2 * tolerance_, least_tolerance_);
@@ -380,7 +380,7 @@ void Island::halves(double start, double dt, int depth, Halving& halving, CordRe
     if (implicit_euler(from, 0.5 * dt, report)) continue;
     const int work = report.iterations - halving.begun;
     if (depth >= (from == halving.start ? most_first_halves : most_halves) ||
-        work > (halving.gave_up ? most_vain_work : most_work)) {
+        work > (halving.gave_up ? most_vain_work : most_work) || is_spent(report)) {
       halving.gave_up = true;
       continue;
     }

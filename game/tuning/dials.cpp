@@ -42,7 +42,9 @@ std::vector<Dial> direct_dials(bool is_ribbon) {
       {"tolerance", "m", 1e-8, 0.1, true, false, false, 0.0,
        direct([](const CordDef& d) { return d.accuracy.tolerance; })},
       {"max_iterations", "", 1.0, 64.0, false, true, false, 0.0,
-       direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_iterations); })}};
+       direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_iterations); })},
+      {"max_work", "", 10.0, 10000.0, false, true, false, 0.0,
+       direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_work); })}};
   dials.insert(dials.end(), rest.begin(), rest.end());
   return dials;
 }

@@ -82,9 +82,10 @@ const std::string circle = R"("class":"circle","width":10,"height":10,"ellipse":
 const std::vector<Kind> kinds = {
     {polyline,
      {{"columns", "9"}, {"mass", "1.8"}, {"pin_first", "true"}},
-     {"columns", "rows", "mass", "stretch_stiffness", "bending_stiffness", "damping", "drag", "radius", "substeps",
-      "tolerance", "max_iterations", "friction", "restitution", "self_contact", "allow_sleep", "accuracy", "integrator",
-      "solver", "pin_last"}},
+     {"columns",  "rows",        "mass",         "stretch_stiffness", "bending_stiffness", "damping",
+      "drag",     "radius",      "substeps",     "tolerance",         "max_iterations",    "max_work",
+      "friction", "restitution", "self_contact", "allow_sleep",       "accuracy",          "integrator",
+      "solver",   "pin_last"}},
     {polyline,
      {{"columns", "9"},
       {"rows", "3"},

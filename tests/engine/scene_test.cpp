@@ -76,7 +76,8 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       number("poisson_ratio", "0.3") + "," + number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
       number("drag", "0.1") + "," + number("friction", "0.4") + "," + number("restitution", "0.7") + "," +
       yes("self_contact") + "," + yes("cord_contact") + "," + yes("allow_sleep") + "," + text("accuracy", "accurate") +
-      "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + yes("pin_last");
+      "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + whole("max_work", "77") + "," +
+      yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
   const ribbon::Cord& cord = scene.coupling().cord(0);
   const ribbon::CordDef& def = cord.def();
@@ -100,6 +101,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_EQ(def.accuracy.substeps, ribbon::Accuracy::accurate().substeps);
   EXPECT_EQ(def.accuracy.tolerance, 0.003);
   EXPECT_EQ(def.accuracy.max_iterations, 5);
+  EXPECT_EQ(def.accuracy.max_work, 77);
   EXPECT_EQ(def.pins, (std::vector<int>{24, 25, 26}));
   EXPECT_NEAR(cord.positions()[0].x, 1.7, 1e-12);  // down from (2, 7): the first row to its right
   EXPECT_NEAR(cord.positions()[2].x, 2.3, 1e-12);
@@ -235,6 +237,7 @@ TEST(Scene, RefusesADirectCordThatItCannotBuild) {
   refused(number("tolerance", "0"), "tolerance");
   refused(whole("max_iterations", "0"), "max_iterations");
   refused(whole("max_iterations", "1001"), "1 to 1000");
+  refused(whole("max_work", "0"), "max_work");
   refused(whole("substeps", "0"), "substeps");
   refused(whole("rows", "0"), "rows");
   refused(whole("rows", "2"), "stretch_stiffness");  // a ribbon stretches

@@ -152,6 +152,7 @@ void MapMaker::add_cord() {
   may_have(cord, "restitution", 0.0, 1.0);
   may_have(cord, "tolerance", 1e-12, 1.0);
   may_count(cord, "max_iterations", 1, 12);
+  may_count(cord, "max_work", 1, 1000);
   may_be(cord, "tension_only");
   may_be(cord, "self_contact");
   may_be(cord, "cord_contact");

@@ -221,28 +221,51 @@ struct Dashed {
   unsigned seed;
 };
 
+/// A cord in steps of a second.
+Cord dashed(const Dashed& how, int max_work) {
+  Dice dice(how.seed);
+  CordDef def;
+  def.points = how.points;
+  def.pins = {0};
+  def.accuracy.max_iterations = 12;
+  def.accuracy.tolerance = 1e-4;
+  def.accuracy.max_work = max_work;
+  Cord cord(def);
+  Vec2 thrown;
+  for (int p = 1; p < how.points; ++p) {
+    if ((p - 1) % how.piece == 0) thrown = {dice(-how.speed, how.speed), dice(-how.speed, how.speed)};
+    cord.set_velocity(p, thrown);
+  }
+  return cord;
+}
+
 class LongDashed : public testing::TestWithParam<Dashed> {};
 
 /// Shorter pieces take more than ten halvings in the beginning, the long cord more than 4,000 Newton steps.
 TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
-  const auto [points, piece, speed, seed] = GetParam();
-  Dice dice(seed);
-  CordDef def;
-  def.points = points;
-  def.pins = {0};
-  def.accuracy.max_iterations = 12;
-  def.accuracy.tolerance = 1e-4;
-  Cord cord(def);
-  Vec2 thrown;
-  for (int p = 1; p < points; ++p) {
-    if ((p - 1) % piece == 0) thrown = {dice(-speed, speed), dice(-speed, speed)};
-    cord.set_velocity(p, thrown);
-  }
+  Cord cord = dashed(GetParam(), Accuracy().max_work);
   const double start = cord.energy(gravity).total();
   EXPECT_EQ(cord.step(1.0, gravity).unconverged, 0);
   EXPECT_LE(cord.energy(gravity).total(), start);
-  for (int p = 1; p < points; ++p) {
+  for (int p = 1; p < GetParam().points; ++p) {
     EXPECT_NEAR(length(cord.positions()[slot(p)] - cord.positions()[slot(p - 1)]), cord.rest_length(p - 1), 1e-6);
+  }
+}
+
+/// What is left of a step then costs one attempt more, and is finite and without energy from nowhere.
+TEST(LongMaxWork, BoundsWhatAStepCosts) {
+  const Dashed how{1000, 20, 100.0, 1};
+  Cord whole = dashed(how, Accuracy().max_work);
+  const int needed = whole.step(1.0, gravity).iterations;
+  ASSERT_GT(needed, 1000);
+  for (const int max_work : {1, 100, 500}) {
+    Cord cord = dashed(how, max_work);
+    const double start = cord.energy(gravity).total();
+    const CordReport report = cord.step(1.0, gravity);
+    EXPECT_LT(report.iterations, max_work + 250) << max_work;
+    EXPECT_EQ(report.unconverged, 1) << max_work;
+    EXPECT_LE(cord.energy(gravity).total(), start) << max_work;
+    for (const Vec2 x : cord.positions()) ASSERT_LT(length(x), 1e4);
   }
 }
 

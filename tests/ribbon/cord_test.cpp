@@ -304,6 +304,8 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
       {"accuracy.substeps", [](CordDef& d) { d.accuracy.substeps = 0; }},
       {"accuracy.tolerance", [](CordDef& d) { d.accuracy.tolerance = 0.0; }},
       {"accuracy.max_iterations", [](CordDef& d) { d.accuracy.max_iterations = 0; }},
+      {"accuracy.max_work", [](CordDef& d) { d.accuracy.max_work = 0; }},
+      {"accuracy.max_work", [](CordDef& d) { d.accuracy.max_work = 1'000'001; }},
       {"points", [](CordDef& d) { d.points = 1000001; }},
       {"points",
        [](CordDef& d) {
