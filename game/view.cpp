@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,17 @@ using engine::Color;
 using engine::to_double;
 using ribbon::Vec2;
 
+/// m, where a body holds a cord, if it holds one.
+std::optional<Vec2> held_place(const engine::Coupling& coupling, const Snapshot& now, const b2Body& body) {
+  const auto held = coupling.held_by(body);
+  if (!held) return std::nullopt;
+  const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
+  const Vec2 point = x[static_cast<std::size_t>(held->point)];
+  if (held->along == 0.0) return point;
+  const int after = held->point + coupling.shape(held->cord).rows;
+  return point + held->along * (x[static_cast<std::size_t>(after)] - point);
+}
+
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
   const std::span<const engine::SceneBody> made = simulation.scene().bodies();
@@ -34,7 +46,8 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
     const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
       return b.body == body && b.kind == engine::BodyKind::load;
     });
-    bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load});
+    bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load,
+                      is_load ? held_place(simulation.scene().coupling(), now, *body) : std::nullopt});
   }
   return bodies;
 }
@@ -83,17 +96,7 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
   state.on_ground = player.is_on_ground();
   state.time = time;
   if (player.is_climbing()) state.climbing = state.velocity.y;
-  const engine::Coupling& coupling = simulation.scene().coupling();
-  if (const auto held = coupling.held_by(player.body())) {
-    const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
-    const Vec2 point = x[static_cast<std::size_t>(held->point)];
-    state.held = point;
-    if (held->along > 0.0) {
-      const int after = held->point + coupling.shape(held->cord).rows;
-      const Vec2 next = x[static_cast<std::size_t>(after)];
-      *state.held += held->along * (next - point);
-    }
-  }
+  state.held = held_place(simulation.scene().coupling(), now, player.body());
   return state;
 }
 

@@ -130,6 +130,15 @@ bool is_seen(const Pen& pen, const std::vector<Vec2>& corners) {
   return pen.sees(middle, reach + 0.5);
 }
 
+/// A shank from a weight to where it hangs, with a ring. What is in the weight is covered by it.
+void draw_eye(Pen& pen, Vec2 at, Vec2 body) {
+  const std::array shank = {at, body};
+  pen.canvas.polyline(shank, 0.16, pen.colors.ink);
+  pen.canvas.polyline(shank, 0.09, pen.colors.iron);
+  pen.canvas.ring(at, 0.11, 0.11, pen.colors.ink);
+  pen.canvas.ring(at, 0.11, 0.05, pen.colors.iron);
+}
+
 /// A weight with corners.
 void draw_block(Pen& pen, const DrawnBody& drawn, const std::vector<Vec2>& corners) {
   const Extent extent = extent_of(corners);
@@ -207,6 +216,9 @@ void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
     if (is_beam(corners)) draw_beam(pen, corners, extent_of(corners));
   for (const auto& corners : grounds)
     if (!is_beam(corners)) draw_grass(pen, corners);
+  for (const DrawnBody& drawn : bodies)
+    if (drawn.is_load && drawn.eye && !(*drawn.eye == drawn.pose.position))
+      draw_eye(pen, *drawn.eye, drawn.pose.position);
   for (const auto& [drawn, corners] : weights) draw_block(pen, *drawn, corners);
   each_shape<b2CircleShape>(bodies, b2Shape::e_circle, [&](const DrawnBody& drawn, const b2CircleShape& shape) {
     draw_circle(pen, drawn, shape);

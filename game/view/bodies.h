@@ -2,6 +2,7 @@
 
 #include <box2d/box2d.h>
 
+#include <optional>
 #include <span>
 
 #include "game/simulation.h"
@@ -15,6 +16,8 @@ struct DrawnBody {
   Snapshot::Body pose;
   int number;            ///< tells alike ones apart
   bool is_load = false;  ///< a weight, with its mass written on it
+  /// m, where a cord that it holds is: it has an eye there.
+  std::optional<ribbon::Vec2> eye{};
 };
 
 /// Draws ground, with grass on what faces up, beams and posts of wood where it is thin, pegs, what rolls, and

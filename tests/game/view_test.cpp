@@ -173,6 +173,20 @@ TEST(View, LookingChangesNothingOfARun) {
   }
 }
 
+/// A shank with a ring, each twice: outlined.
+TEST(View, AWeightThatHangsHasAnEye) {
+  const Level level = load_level("sandbox");
+  Simulation simulation(level);
+  RecordingCanvas hanging;
+  View(simulation).draw(hanging, 1.0, {});
+  for (const engine::SceneBody& made : simulation.scene().bodies()) {
+    if (made.kind == engine::BodyKind::load) simulation.scene().coupling().release(*made.body);
+  }
+  RecordingCanvas let_go;
+  View(simulation).draw(let_go, 1.0, {});
+  EXPECT_EQ(hanging.shapes, let_go.shapes + 4);
+}
+
 TEST(View, TheStrainLegendIsThereOnRequest) {
   const Level level = load_level("first_swing");
   const Simulation simulation(level);
