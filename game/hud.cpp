@@ -112,6 +112,7 @@ Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
     const auto touches = static_cast<int>(coupling.cord(c).touches().size());
     table.push_back(in_words({c, points_of(coupling, c), touches, coupling.report(c).iterations, total.impacts,
                               total.fallbacks, total.unconverged}));
+    if (coupling.cord(c).is_asleep()) table.back()[3] = "asleep";
     if (meter == nullptr) continue;
     table.back().push_back(per_cent(meter->peak_stretch(c)));
     table.back().push_back(millimetres(meter->error_a_second(c)));
@@ -132,7 +133,7 @@ std::vector<double> column_edges(const Canvas& canvas, const Table& table, doubl
 void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
   const engine::Coupling& coupling = simulation.scene().coupling();
   std::vector<std::string> legend = {
-      "points: blue free, yellow dragged, red constrained; pink: contacts; boxes: what a cord may reach",
+      "points: blue free, grey asleep, yellow dragged, red constrained; pink: contacts; boxes: what a cord may reach",
       "ropes: tension, from violet (1 N) to yellow (10 kN); red cells are inside out"};
   if (meter != nullptr) legend.push_back(cost_in_words(*meter));
   const double size = 14.0 * scale;

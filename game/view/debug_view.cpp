@@ -14,6 +14,7 @@ using ribbon::Vec2;
 
 // Goto 2017, Fig. 4.1.
 constexpr Color free_point{40, 90, 230};
+constexpr Color sleeping_point{150, 150, 165};
 constexpr Color operated_point{250, 220, 40};
 constexpr Color constrained_point{225, 40, 40};
 constexpr Color contact_color{255, 120, 220};
@@ -46,9 +47,10 @@ void draw_bars(Pen& pen, const DrawnCord& cord) {
 }
 
 void draw_points(Pen& pen, const DrawnCord& cord) {
+  const bool sleeps = is_direct(cord) && cord.coupling.cord(cord.index).is_asleep();
   for (int p = 0; p < cord.size(); ++p) {
     const PointKind kind = cord.kind(p);
-    const Color color = kind == PointKind::free       ? free_point
+    const Color color = kind == PointKind::free       ? (sleeps ? sleeping_point : free_point)
                         : kind == PointKind::operated ? operated_point
                                                       : constrained_point;
     pen.canvas.circle(cord.at(p), kind == PointKind::operated ? 0.11 : 0.055, color);

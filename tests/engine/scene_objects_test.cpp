@@ -74,6 +74,27 @@ TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {
   EXPECT_NEAR(static_cast<double>(made.body->GetPosition().y), 6.3, 1e-3);  // a thousand times as heavy: no stretch
 }
 
+/// Its top at the cord's end, and above that: what holds a cord does not collide with it.
+TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
+  for (const double y : {6.5, 6.8}) {
+    SCOPED_TRACE(y);
+    MapObject block = load(8, 7);
+    block.position = {5.0, y};
+    Scene scene(map_of({cord(7), block}));
+    b2Body& body = *scene.bodies()[0].body;
+    body.SetLinearVelocity({2.0F, 0.0F});
+    const auto from_pin = [&] {
+      return (body.GetWorldPoint({0.0F, static_cast<float>(7.0 - y)}) - b2Vec2(5.0F, 9.0F)).Length();
+    };
+    for (int k = 0; k < 600; ++k) {
+      scene.tick(1.0 / 60.0);
+      ASSERT_TRUE(scene.coupling().held_by(body));
+      ASSERT_NEAR(from_pin(), 2.0F, 2e-3F) << k;
+    }
+    EXPECT_EQ(scene.coupling().total(0).unconverged, 0);
+  }
+}
+
 TEST(SceneLoad, WithoutACordFalls) {
   Scene scene(map_of({load(8, 0)}));
   for (int k = 0; k < 60; ++k) scene.tick(1.0 / 60.0);

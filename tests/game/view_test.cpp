@@ -70,6 +70,19 @@ TEST(View, ShowsTheCountsOfEachSolverThatIsThere) {
   EXPECT_FALSE(playing.shows("iterations"));
 }
 
+TEST(View, ShowsWhichCordsAreAsleep) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  ViewOptions options;
+  options.debug = true;
+  for (const bool expected : {false, true}) {
+    RecordingCanvas canvas;
+    View(simulation).draw(canvas, 1.0, options);
+    EXPECT_EQ(canvas.shows("asleep"), expected);
+    for (int k = 0; k < 90; ++k) simulation.tick({});
+  }
+}
+
 TEST(View, ShowsANotice) {
   const Level level = load_level("first_swing");
   const Simulation simulation(level);
