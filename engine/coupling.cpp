@@ -49,23 +49,12 @@ void Coupling::replace(CordIndex index, ribbon::Cord cord, const b2Filter& filte
     throw ribbon::DefinitionError("cord " + std::to_string(index) +
                                   " is of the thesis's solver; accepted is one of the direct solver");
   }
-  leave(index);
+  let_go_of(index);
   cord.reserve(usual_grips);
-  CoupledCord& coupled = cords_[at(index)] = CoupledCord{std::move(cord), filter};
+  CoupledCord coupled{std::move(cord), filter};
   make_room(coupled);
-}
-
-/// Before a cord goes: who holds it lets go, and who has fallen asleep on it will wake.
-void Coupling::leave(CordIndex cord) {
-  for (std::size_t k = 0; k < holders_.size();) {
-    if (holders_[k].cord == cord) {
-      let_go(holders_[k].id);
-    } else {
-      ++k;
-    }
-  }
-  const auto* direct = std::get_if<ribbon::Cord>(&cords_[at(cord)].cord);
-  if (direct != nullptr && direct->is_asleep()) left_.push_back(cords_[at(cord)].reach);
+  coupled.touching = cords_[at(index)].touching;
+  cords_[at(index)] = std::move(coupled);
 }
 
 void Coupling::set_enabled(CordIndex index, bool enabled) {
@@ -73,7 +62,7 @@ void Coupling::set_enabled(CordIndex index, bool enabled) {
   CoupledCord& coupled = cords_[at(index)];
   coupled.enabled = enabled;
   if (enabled) return;
-  leave(index);
+  let_go_of(index);
   coupled.direct_report = {};
   coupled.direct_error = 0.0;
   coupled.report = {};

@@ -115,9 +115,9 @@ class Coupling {
   /// The same for one of the direct solver, whose filter decides on edges and polygons too.
   CordIndex add(ribbon::Cord cord, const b2Filter& filter = {});
 
-  /// Puts another cord in the place of one of the direct solver, between ticks: who held that has let go, and what it
-  /// had counted and touched is forgotten. Throws ribbon::DefinitionError, and changes nothing, for a cord that does
-  /// not exist or is the thesis's.
+  /// Puts another cord in the place of one of the direct solver, between ticks: who held that has let go, what it had
+  /// counted is forgotten, and what touched it ceases to in the next step unless it touches the new one. Throws
+  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist or is the thesis's.
   void replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter = {});
   /// Switches a cord off or on again, between ticks, as b2Body::SetEnabled does a body: one that is off stays as it is,
   /// costs nothing, meets nobody and is found by nothing. Who held it has let go, and what touched it ceases to in the
@@ -319,15 +319,15 @@ class Coupling {
   void lead(b2Body& body, const ribbon::RigidBody& rigid);
   void let_run(b2Body& body);
   void lay_to_rest(b2Body& body);
-  void leave(CordIndex cord);
-  void wake_where_left(b2Body& body) const;
+  void let_go_of(CordIndex cord);
+  void look_for_the_missing(b2World& world);
+  bool is_touching(std::uint64_t fixture) const;
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
   GripId next_grip_ = 1;
   std::vector<TouchEvent> touch_events_;
-  std::vector<LedBody> led_;       // by address, which serves to find one and for nothing else
-  std::vector<ribbon::Box> left_;  // m, where cords were asleep that are gone
+  std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
   FixtureIds fixture_ids_;
   ribbon::DirectSolver direct_solver_;
   std::optional<ribbon::ErrorProbe> probe_;

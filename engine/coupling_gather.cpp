@@ -163,11 +163,26 @@ void Coupling::gather(b2World& world, double dt) {
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     gather_body(*body, world.GetGravity(), dt);
   }
-  left_.clear();
+  look_for_the_missing(world);
+}
+
+/// Fixtures that were near a cord and are not any more. A body that was carried by one and is asleep wakes, as where a
+/// contact of Box2D ends.
+void Coupling::look_for_the_missing(b2World& world) {
   if (!fixture_ids_.misses_some()) return;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) fixture_ids_.see(*f);
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      const std::uint64_t missed = fixture_ids_.find_missed(*fixture);
+      if (missed != 0 && !body->IsAwake() && is_touching(missed)) body->SetAwake(true);
+    }
   }
+}
+
+bool Coupling::is_touching(std::uint64_t fixture) const {
+  return std::any_of(cords_.begin(), cords_.end(), [fixture](const CoupledCord& coupled) {
+    return std::any_of(coupled.touching.begin(), coupled.touching.end(),
+                       [fixture](const FixtureTouch& touch) { return touch.fixture == fixture; });
+  });
 }
 
 void Coupling::drop_what_is_gone_from(const b2World& world) {
@@ -194,22 +209,12 @@ void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
     return;
   }
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;
-  if (!left_.empty()) wake_where_left(body);
   for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
     if (!fixture->IsSensor() && is_sound(*fixture)) gather_fixture(body, *fixture, gravity, dt);
   }
   gather_grips(body, gravity);
   if (LedBody* found = led(body); found != nullptr && (gathered_.empty() || gathered_.back().body != &body))
     let_run(body);
-}
-
-/// A body that is asleep where a cord was is not carried by that any more.
-void Coupling::wake_where_left(b2Body& body) const {
-  for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-    for (const Box& box : left_) {
-      if (is_near(*fixture, box)) body.SetAwake(true);
-    }
-  }
 }
 
 void Coupling::gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt) {

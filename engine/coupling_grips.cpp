@@ -115,6 +115,16 @@ bool Coupling::let_go(GripId grip) {
   return true;
 }
 
+void Coupling::let_go_of(CordIndex cord) {
+  for (std::size_t k = 0; k < holders_.size();) {
+    if (holders_[k].cord == cord) {
+      let_go(holders_[k].id);
+    } else {
+      ++k;
+    }
+  }
+}
+
 std::optional<GripState> Coupling::state(GripId grip) const {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
   if (held == holders_.end()) return std::nullopt;

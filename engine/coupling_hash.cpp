@@ -91,11 +91,6 @@ void add(Hasher& hasher, const CouplingState::Event& event) {
   hasher.add(normal);
 }
 
-void add(Hasher& hasher, const ribbon::Box& box) {
-  hasher.add(box.low);
-  hasher.add(box.high);
-}
-
 /// How many there are, and all of them: one empty list more must not look like another one's end.
 template <typename T>
 void add_all(Hasher& hasher, const std::vector<T>& values) {
@@ -112,7 +107,7 @@ void add_all(Hasher& hasher, const std::vector<T>& values) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, cords, grips, next_grip, led, fixtures, next_fixture, events, left] = state;
+  const auto& [bodies, cords, grips, next_grip, led, fixtures, next_fixture, events] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -121,7 +116,6 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   add_all(hasher, fixtures);
   hasher.add(next_fixture);
   add_all(hasher, events);
-  add_all(hasher, left);
 }
 
 void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {

@@ -105,7 +105,6 @@ void check_memory(const LedMemory& led) {
 CouplingState Coupling::save(const b2World& world) const {
   State state;
   state.bodies = world.GetBodyCount();
-  state.left = left_;
   state.next_grip = next_grip_;
   state.next_fixture = fixture_ids_.next();
   for (const CoupledCord& coupled : cords_) {
@@ -194,7 +193,6 @@ void Coupling::check_state(const State& state, const std::vector<b2Body*>& bodie
     check_body("state.led.body", led.body, bodies);
     check_memory(led.memory);
   }
-  for (const ribbon::Box& box : state.left) check_vectors("state.left", {box.low, box.high}, most);
   for (const State::Event& event : state.events) {
     ribbon::check_range("state.events.cord", event.cord, 0, size() - 1);
     ribbon::check_range("state.events.fixture", static_cast<double>(event.fixture), 0,
@@ -230,7 +228,6 @@ void Coupling::restore(const State& state, b2World& world) {
   }
   gathered_.clear();
   rigid_.clear();
-  left_ = state.left;
 
   holders_.clear();
   for (const State::Grip& grip : state.grips) holders_.push_back({grip.memory, bodies[at(grip.body)]});

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "ribbon/box.h"
 #include "ribbon/cord.h"
 #include "ribbon/thesis_cord.h"
 #include "ribbon/vec2.h"
@@ -115,7 +114,6 @@ struct CouplingState {
   std::vector<Fixture> fixtures;   ///< by number
   std::uint64_t next_fixture = 1;  ///< the number that the next one gets
   std::vector<Event> events;       ///< of the last tick, by cord and fixture
-  std::vector<ribbon::Box> left;   ///< m, where cords slept that were taken away since
 
   bool operator==(const CouplingState&) const = default;
 };

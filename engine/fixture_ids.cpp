@@ -37,9 +37,11 @@ bool FixtureIds::misses_some() const {
   return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return !known.seen; });
 }
 
-void FixtureIds::see(const b2Fixture& fixture) {
+std::uint64_t FixtureIds::find_missed(const b2Fixture& fixture) {
   const auto found = known_.begin() + (place(fixture) - known_.cbegin());
-  if (found != known_.end() && found->fixture == &fixture) found->exists = true;
+  if (found == known_.end() || found->fixture != &fixture || found->seen) return 0;
+  found->exists = true;
+  return found->id;
 }
 
 void FixtureIds::restore(std::vector<Known> known, std::uint64_t next) {

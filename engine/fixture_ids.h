@@ -17,8 +17,8 @@ class FixtureIds {
   std::uint64_t of(const b2Fixture& fixture);
   /// Whether some are not forgotten yet that nobody has asked for since begin_tick, and who knows whether they exist.
   bool misses_some() const;
-  /// Tells that a fixture exists, whether it is known or not.
-  void see(const b2Fixture& fixture);
+  /// The number of a fixture of these, which exists then; 0 of any other.
+  std::uint64_t find_missed(const b2Fixture& fixture);
   /// The fixture of that number, null if it was neither asked for nor seen since begin_tick.
   const b2Fixture* fixture(std::uint64_t id) const;
 

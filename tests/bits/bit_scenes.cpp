@@ -318,15 +318,15 @@ void drive_asleep(BitWorld& scene, int tick) {
 }
 
 constexpr std::array<BitScene, 9> scenes = {{
-    {"ropes", build_ropes, drive_ropes, 180, 0x3951c7a7640bc1b2},
-    {"terms", build_terms, nullptr, 180, 0x64c388dbf4477e27},
-    {"ribbons", build_ribbons, nullptr, 180, 0x712666b5b7a2b555},
-    {"contacts", build_contacts, nullptr, 150, 0xa9fd0a8651447b4f},
-    {"grips", build_grips, drive_grips, 180, 0x899ed7b17d87c70f},
-    {"self_contact", build_self_contact, nullptr, 80, 0x86228a5b57baf97f},
-    {"thesis", build_thesis, drive_thesis, 180, 0xfa055fd9d337cb1e},
-    {"rough", build_rough, drive_rough, 120, 0x63e25046ff36735e},
-    {"asleep", build_asleep, drive_asleep, 220, 0xa2d2284fc8fc9d71},
+    {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
+    {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
+    {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
+    {"contacts", build_contacts, nullptr, 150, 0x893af873643bfeee},
+    {"grips", build_grips, drive_grips, 180, 0x7d2795b2d5b731b0},
+    {"self_contact", build_self_contact, nullptr, 80, 0xa111e212466e7f25},
+    {"thesis", build_thesis, drive_thesis, 180, 0xb6cafa87d5a848b4},
+    {"rough", build_rough, drive_rough, 120, 0x69566cedb83c09da},
+    {"asleep", build_asleep, drive_asleep, 220, 0xdb8342b035e1421b},
 }};
 
 }  // namespace
