@@ -8,6 +8,7 @@
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "tests/support/shape_world.h"
 
 // Cords that are switched off and on.
 
@@ -17,8 +18,6 @@ namespace {
 using ribbon::CordDef;
 using ribbon::DefinitionError;
 using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;
 
 std::vector<Vec2> level(double left, double y, int points, double length) {
   std::vector<Vec2> positions;
@@ -43,39 +42,19 @@ ribbon::ThesisCord thesis_ribbon() {
   return ribbon::ThesisCord(def);
 }
 
-struct World {
-  b2Body& add_ball(b2Vec2 position, float radius = 0.1F) {
-    b2BodyDef definition;
-    definition.type = b2_dynamicBody;
-    definition.position = position;
-    b2CircleShape circle;
-    circle.m_radius = radius;
-    b2Body* body = world.CreateBody(&definition);
-    body->CreateFixture(&circle, 10.0F);
-    return *body;
-  }
-  void tick(int times = 1) {
-    for (int k = 0; k < times; ++k) {
-      coupling.gather(world, dt);
-      coupling.step();
-      coupling.apply();
-      world.Step(static_cast<float>(dt), 8, 3);
-    }
-  }
+struct World : test_support::ShapeWorld {
+  b2Body& ball(Vec2 position, double radius = 0.1) { return *add_ball(position, radius, 0.3); }
   std::vector<Vec2> points(CordIndex cord) const {
     return {coupling.positions(cord).begin(), coupling.positions(cord).end()};
   }
-
-  b2World world{b2Vec2(0.0F, -9.81F)};
-  Coupling coupling;
 };
 
 TEST(CouplingEnabled, ACordThatIsOffStaysAsItIsAndIsMetByNobody) {
   World there;
   there.coupling.add(rope());
   there.coupling.add(thesis_ribbon());
-  b2Body& ball = there.add_ball({1.0F, 0.2F});
-  b2Body& other = there.add_ball({0.5F, 0.2F});
+  b2Body& ball = there.ball({1.0, 0.2});
+  b2Body& other = there.ball({0.5, 0.2});
   there.tick(3);
   const std::array before = {there.points(0), there.points(1)};
   const int stages = there.coupling.total(0).stages;
@@ -104,7 +83,7 @@ TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
     } else {
       there.coupling.add(thesis_ribbon());
     }
-    b2Body& hand = there.add_ball(to_float(there.coupling.positions(0)[10]), 0.02F);
+    b2Body& hand = there.ball(there.coupling.positions(0)[10], 0.02);
     there.coupling.hold(0, 10, hand, {0.0F, 0.0F});
     there.tick(5);
     ASSERT_TRUE(there.coupling.held_by(hand));
@@ -121,7 +100,7 @@ TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
   World there;
   there.coupling.add(rope());
   there.coupling.set_enabled(0, false);
-  b2Body& hand = there.add_ball({1.0F, -1.0F});
+  b2Body& hand = there.ball({1.0, -1.0});
   const auto refusal = [](auto&& what) -> std::string {
     try {
       what();
@@ -146,7 +125,7 @@ TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
 TEST(CouplingEnabled, WhatTouchedItCeasesToAndBeginsToAgain) {
   World there;
   there.coupling.add(rope());
-  b2Body& ball = there.add_ball({1.0F, 0.11F});
+  b2Body& ball = there.ball({1.0, 0.11});
   ball.SetGravityScale(0.0F);
   ball.SetLinearVelocity({0.0F, -0.1F});
   for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();
@@ -195,7 +174,7 @@ TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
     there.coupling.add(off ? rope(0.02) : rope(50.0, 50.0));
     there.coupling.add(rope(0.06, 0.2, false));
     if (off) there.coupling.set_enabled(1, false);
-    there.add_ball({1.0F, 0.3F});
+    there.ball({1.0, 0.3});
     there.tick(30);
     return std::array{there.coupling.cord(0).save(), there.coupling.cord(2).save()};
   };
@@ -252,9 +231,9 @@ TEST(CouplingEnabled, InTheMidstOfATickIsBorne) {
     World there;
     there.coupling.add(rope());
     there.coupling.set_enabled(0, first);
-    b2Body& ball = there.add_ball({1.0F, 0.11F});
+    b2Body& ball = there.ball({1.0, 0.11});
     if (first) there.coupling.grip(ball, {.cord = 0, .arc = 1.0, .local_hand = {0.0F, -0.1F}});
-    there.coupling.gather(there.world, dt);
+    there.coupling.gather(there.world, World::dt);
     there.coupling.set_enabled(0, !first);
     there.coupling.step();
     there.coupling.apply();

@@ -7,6 +7,7 @@
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "tests/support/shape_world.h"
 
 // Cords that fall asleep, and the bodies that do so with them: CordDef::allow_sleep.
 
@@ -16,41 +17,20 @@ namespace {
 using ribbon::CordDef;
 using ribbon::Vec2;
 
-constexpr double dt = 1.0 / 60.0;
 constexpr int long_enough = 3000;  // ticks
 
-struct World {
-  World() = default;
-  b2Body& add_ball(b2Vec2 position, float radius = 0.1F, float density = 10.0F) {
-    b2BodyDef definition;
-    definition.type = b2_dynamicBody;
-    definition.position = position;
-    definition.angularDamping = 2.0F;
-    b2CircleShape circle;
-    circle.m_radius = radius;
-    b2Body* body = world.CreateBody(&definition);
-    b2FixtureDef fixture;
-    fixture.shape = &circle;
-    fixture.density = density;
-    fixture.friction = 0.5F;
-    body->CreateFixture(&fixture);
-    return *body;
+struct World : test_support::ShapeWorld {
+  /// One that may sleep.
+  b2Body& ball_of(double mass, Vec2 position) {
+    b2Body& body = *add_ball(position, 0.1, mass);
+    body.SetSleepingAllowed(true);
+    body.SetAngularDamping(2.0F);
+    return body;
   }
-  void tick(int times = 1) {
-    for (int k = 0; k < times; ++k) {
-      coupling.gather(world, dt);
-      coupling.step();
-      coupling.apply();
-      world.Step(static_cast<float>(dt), 8, 3);
-    }
+  bool falls_asleep(CordIndex index = 0) {
+    for (int k = 0; k < long_enough && !coupling.cord(index).is_asleep(); ++k) tick();
+    return coupling.cord(index).is_asleep();
   }
-  bool falls_asleep(CordIndex cord = 0) {
-    for (int k = 0; k < long_enough && !coupling.cord(cord).is_asleep(); ++k) tick();
-    return coupling.cord(cord).is_asleep();
-  }
-
-  b2World world{b2Vec2(0.0F, -9.81F)};
-  Coupling coupling;
 };
 
 CordDef rope_def(bool allow_sleep) {
@@ -74,7 +54,7 @@ struct Lamp : World {
     for (int p = 0; p < def.points; ++p) def.positions.push_back({0.0, -0.1 * p});
     def.pins = {0};
     coupling.add(ribbon::Cord(def));
-    lamp = &add_ball({0.0F, -2.1F}, 0.1F, 30.0F);
+    lamp = &ball_of(1.0, {0.0, -2.1});
     grip = coupling.grip(*lamp, {.cord = 0, .arc = 2.0, .local_hand = {0.0F, 0.1F}});
   }
   b2Body* lamp;
@@ -88,7 +68,7 @@ struct Hammock : World {
     for (int p = 0; p < def.points; ++p) def.positions.push_back({0.095 * p, 0.0});
     def.pins = {0, 20};
     coupling.add(ribbon::Cord(def));
-    ball = &add_ball({0.95F, 0.1F});
+    ball = &ball_of(0.3, {0.95, 0.1});
   }
   b2Body* ball;
 };
@@ -118,7 +98,7 @@ TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
     Lamp there(allow_sleep);
     for (int k = 0; k < long_enough; ++k) there.tick();
     EXPECT_EQ(there.lamp->IsAwake(), !allow_sleep);
-    b2Body& ball = there.add_ball({-1.0F, -2.1F});
+    b2Body& ball = there.ball_of(0.3, {-1.0, -2.1});
     ball.SetGravityScale(0.0F);
     ball.SetLinearVelocity({5.0F, 0.0F});
     float furthest = 0.0F;
@@ -144,8 +124,8 @@ TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
     ASSERT_EQ(there.coupling.touching(0).size(), 1U);
     ASSERT_EQ(there.coupling.report(0).stages, 0);
   }
-  EXPECT_NEAR(there.coupling.touching(0)[0].impulse, 9.81 * dt * static_cast<double>(there.ball->GetMass()),
-              0.05 * 9.81 * dt);
+  EXPECT_NEAR(there.coupling.touching(0)[0].impulse, 9.81 * World::dt * static_cast<double>(there.ball->GetMass()),
+              0.05 * 9.81 * World::dt);
   there.ball->ApplyLinearImpulseToCenter({0.0F, 1.0F}, true);
   there.tick(10);
   EXPECT_GT(there.coupling.report(0).stages, 0);
@@ -162,7 +142,7 @@ TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
     there.coupling.add(ribbon::Cord(def));
     there.tick(long_enough);
     EXPECT_EQ(there.coupling.cord(0).is_asleep(), allow_sleep);
-    b2Body& ball = there.add_ball({0.95F, 4.0F});
+    b2Body& ball = there.ball_of(0.3, {0.95, 4.0});
     double least = 1.0;
     for (int k = 0; k < 120; ++k) {
       there.tick();

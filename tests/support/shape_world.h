@@ -8,7 +8,8 @@
 
 namespace test_support {
 
-/// A Box2D world of 60 ticks a second with cords in it, to put bodies of any shape into. Nothing in it sleeps.
+/// A Box2D world of 60 ticks a second with cords in it, to put bodies of any shape into, which do not
+/// sleep.
 struct ShapeWorld {
   explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(engine::to_float(gravity)) {}
 
