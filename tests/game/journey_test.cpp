@@ -255,12 +255,14 @@ class RealWindowJourney : public Journey {
     setenv("DISPLAY", server_.display().c_str(), 1);
     setenv("SDL_VIDEODRIVER", "x11", 1);
     setenv("SDL_RENDER_DRIVER", "software", 1);
+    setenv("SDL_FRAMEBUFFER_ACCELERATION", "0", 1);  // nor by OpenGL from there on: Mesa's library leaks
     // SDL asks for the session's bus, and libdbus leaks what it finds out.
     setenv("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere", 1);
   }
   void TearDown() override {
     app.reset();  // before its display goes
     unsetenv("SDL_RENDER_DRIVER");
+    unsetenv("SDL_FRAMEBUFFER_ACCELERATION");
     unsetenv("DBUS_SESSION_BUS_ADDRESS");
   }
 
