@@ -1,0 +1,185 @@
+#include "tests/extremes/any_scene/generate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/extremes/any_scene/lay.h"
+#include "tests/extremes/any_scene/wild.h"
+
+namespace any_scene {
+
+using ribbon::CordDef;
+using ribbon::Vec2;
+
+namespace {
+
+constexpr Vec2 cords_low{-5.0, 0.0};  // m, where cords begin
+constexpr Vec2 cords_high{5.0, 6.0};
+constexpr Vec2 scenery_low{-6.0, -3.0};
+constexpr Vec2 scenery_high{6.0, 2.0};
+constexpr Vec2 bodies_low{-6.0, -2.5};
+constexpr Vec2 bodies_high{6.0, 7.0};
+constexpr double ground = -4.0;  // m
+
+/// What a family declares; the rest is thrown.
+struct Recipe {
+  int min_cords = 1;
+  int max_cords = 1;
+  bool ribbons = false;
+  bool self_contact = false;
+  bool cord_contact = false;
+  int min_bodies = 0;
+  int max_bodies = 3;
+  int holders = 0;
+  bool between = false;
+  bool slips = false;
+};
+
+Recipe recipe_of(Family family, Dice& dice) {
+  switch (family) {
+    case Family::rope_falls: return {};
+    case Family::rope_self: return {1, 1, false, true};
+    case Family::ropes_mutual: return {3, 3, false, false, true};
+    case Family::ropes_both: return {3, 3, false, true, true};
+    case Family::hold_points: return {1, 1, false, false, false, 5, 5, 2};
+    case Family::hold_between: return {1, 1, false, false, false, 5, 5, 2, true};
+    case Family::grips_slip: return {1, 1, false, false, false, 2, 5, 2, true, true};
+    case Family::ribbon_falls: return {1, 1, true};
+    case Family::ribbons_both: return {1, 3, true, true, true};
+    default: break;
+  }
+  return {1, 4, false, dice.coin(), dice.coin(), 0, 8, whole(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
+}
+
+void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
+  def.rows = whole(dice, 2, 4);
+  def.points = whole(dice, 9, 31);
+  const double link = def.length / (def.points - 1);
+  const double across = link * dice(0.3, 1.0);
+  def.width = across * (def.rows - 1);
+  def.radius = std::min(def.radius, 0.45 * across);
+  def.stretch_stiffness = log_uniform(dice, 1e3, 1e6);
+  def.bending_stiffness = 0.0;
+  def.tension_only = false;
+  if (may_be_bars && chance(dice, 0.15)) {
+    def.elements = ribbon::Elements::bars;
+    return;
+  }
+  const double solid = def.stretch_stiffness * def.width * def.width / 12.0;
+  const double most = std::min(10.0, solid);
+  if (def.rows > 2 || dice.coin()) def.bending_stiffness = log_uniform(dice, std::min(1e-2, 0.1 * most), most);
+  if (dice.coin()) def.poisson_ratio = dice(0.0, 0.4);
+  if (dice.coin()) def.area_stiffness = 1.0;
+}
+
+CordDef some_cord(Dice& dice, const Recipe& recipe, bool mixed) {
+  CordDef def;
+  def.points = whole(dice, 9, 61);
+  def.length = dice(2.0, 8.0);
+  const double link = def.length / (def.points - 1);
+  def.radius = dice(0.01, std::min(0.06, 0.45 * link));
+  def.mass_per_length = log_uniform(dice, 0.03, 10.0);
+  if (dice.coin()) def.stretch_stiffness = log_uniform(dice, 316.0, 1e6);
+  if (dice.coin()) def.bending_stiffness = log_uniform(dice, 1e-2, 10.0);
+  def.tension_only = chance(dice, 0.2);
+  if (dice.coin()) def.friction = dice();
+  if (chance(dice, 0.25)) def.restitution = dice(0.1, 0.9);
+  if (chance(dice, 0.3)) def.damping = log_uniform(dice, 1e-3, 0.1);
+  if (chance(dice, 0.2)) def.drag = dice(0.1, 2.0);
+  def.self_contact = mixed ? dice.coin() : recipe.self_contact;
+  def.cord_contact = mixed ? chance(dice, 0.7) : recipe.cord_contact;
+  def.allow_sleep = mixed && chance(dice, 0.2);
+  if (recipe.ribbons || (mixed && chance(dice, 0.25))) set_ribbon(dice, def, mixed);
+  if (chance(dice, 0.4)) {
+    for (int j = 0; j < def.rows; ++j) def.pins.push_back(j);
+    const bool both = chance(dice, 0.4);
+    for (int j = 0; both && j < def.rows; ++j) def.pins.push_back((def.points - 1) * def.rows + j);
+  }
+  return def;
+}
+
+Solid some_solid(Dice& dice, Motion motion) {
+  Solid solid;
+  solid.motion = motion;
+  solid.shape = dice.coin() ? Shape::circle : Shape::box;
+  solid.half = {dice(0.1, 0.6), dice(0.1, 0.6)};
+  if (solid.shape == Shape::box) solid.angle = dice(-1.5, 1.5);
+  if (motion == Motion::dynamic) solid.density = log_uniform(dice, 1.0, 1000.0);
+  solid.friction = dice();
+  if (chance(dice, 0.2)) solid.restitution = dice(0.1, 0.8);
+  return solid;
+}
+
+Solid some_ground(Dice& dice) {
+  Solid solid;
+  solid.shape = dice.coin() ? Shape::edge : Shape::box;
+  solid.half = {40.0, solid.shape == Shape::box ? 0.5 : 0.0};
+  solid.position = {0.0, ground - solid.half.y};
+  solid.friction = dice();
+  return solid;
+}
+
+/// Brings the last bodies to cords, to hold them.
+void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
+  Room room(scene);
+  std::vector<int> free;
+  for (int k = 0; k < static_cast<int>(scene.solids.size()); ++k) {
+    if (scene.solids[static_cast<std::size_t>(k)].motion == Motion::dynamic) free.push_back(k);
+  }
+  for (int held = 0; held < recipe.holders && !free.empty(); ++held) {
+    for (int k = 0; k < 60; ++k) {
+      const int cord = whole(dice, 0, static_cast<int>(scene.cords.size()) - 1);
+      const CordDef& def = scene.cords[static_cast<std::size_t>(cord)].def;
+      double column = whole(dice, 0, def.points - 1);
+      if (recipe.between) column = dice(0.0, def.points - 1.0);
+      Hold hold;
+      if (recipe.slips) hold.strength = log_uniform(dice, 1.0, 300.0);
+      hold.lets_go = recipe.slips && chance(dice, 0.2);
+      if (!room.bring(dice, free.back(), cord, column * def.length / (def.points - 1), hold)) continue;
+      scene.holds.push_back(hold);
+      free.pop_back();
+      break;
+    }
+  }
+}
+
+void add_scenery(Dice& dice, Room& room, Scene& scene) {
+  if (chance(dice, 0.7)) scene.solids.push_back(some_ground(dice));
+  for (int k = whole(dice, 1, 6); k > 0; --k) {
+    room.add_solid(dice, some_solid(dice, Motion::fixed), scenery_low, scenery_high);
+  }
+}
+
+}  // namespace
+
+std::string_view name(Family family) {
+  constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
+                                        "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed"};
+  return names[static_cast<std::size_t>(family)];
+}
+
+std::string_view name(Mood mood) { return mood == Mood::gentle ? "gentle" : "wild"; }
+
+Scene generate(const Which& which) {
+  Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.mood) + 12345U);
+  const bool mixed = which.family == Family::mixed;
+  const Recipe recipe = recipe_of(which.family, dice);
+  Scene scene;
+  scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
+  scene.sleeping = mixed && dice.coin();
+  Room room(scene);
+  add_scenery(dice, room, scene);
+  for (int k = whole(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
+    const CordDef def = some_cord(dice, recipe, mixed);
+    // Where there is no place in a hundred tries, there is one higher up.
+    if (!room.add_cord(dice, def, cords_low, cords_high)) room.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
+  }
+  for (int k = whole(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
+    room.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
+  }
+  add_holders(dice, recipe, scene);
+  if (which.mood == Mood::wild) make_wild(dice, scene);
+  return scene;
+}
+
+}  // namespace any_scene

@@ -1,0 +1,243 @@
+#include "tests/extremes/any_scene/oracles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace any_scene {
+
+using ribbon::Vec2;
+
+namespace {
+
+constexpr int same_crossing = 4;  // links by which a crossing may slide in a tick and be the same one
+
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+struct Pair {
+  int i;
+  int j;
+};
+
+int apart(int i, int j, const Outline& line) {
+  const int d = std::abs(i - j);
+  return line.closed ? std::min(d, line.links() - d) : d;
+}
+
+/// Pairs of links that cross; of one line with itself each pair once.
+std::vector<Pair> crossing_pairs(const Outline& a, const Outline& b, bool itself) {
+  std::vector<Pair> found;
+  for (int i = 0; i < a.links(); ++i) {
+    for (int j = itself ? i + 2 : 0; j < b.links(); ++j) {
+      if (crosses(a.start(i), a.end(i), b.start(j), b.end(j))) found.push_back({i, j});
+    }
+  }
+  return found;
+}
+
+Swept swept(const Outline& before, const Outline& after, int point) {
+  const std::size_t k = slot(point) % before.points.size();
+  return {before.points[k], after.points[k]};
+}
+
+/// Whether the place s of a link is within `margin` of a free end of its line: what comes round it passes nothing.
+bool is_at_end(const Outline& line, int link, double s, double margin) {
+  if (line.closed) return false;
+  const double size = length(line.end(link) - line.start(link));
+  return (link == 0 && s * size < margin) || (link == line.links() - 1 && (1.0 - s) * size < margin);
+}
+
+/// Whether a point passes through a link of a line, but at its ends.
+template <typename Skip>
+bool passes_line(Swept p, const Outline& before, const Outline& after, double margin, Skip&& skip) {
+  for (int j = 0; j < before.links(); ++j) {
+    if (skip(j)) continue;
+    const auto where = passes(p, swept(before, after, j), swept(before, after, j + 1));
+    if (where && !is_at_end(after, j, *where, margin)) return true;
+  }
+  return false;
+}
+
+Outline in_frame(const Outline& line, const Pose& pose) {
+  Outline local = line;
+  for (Vec2& p : local.points) p = pose.to_local(p);
+  return local;
+}
+
+}  // namespace
+
+Oracles::Oracles(const Scene& scene) : scene_(scene) {
+  for (const SceneCord& cord : scene.cords) near_.push_back(neighbours(cord.def));
+}
+
+bool Oracles::meet(int a, int b) const {
+  const ribbon::CordDef& first = scene_.cords[slot(a)].def;
+  if (a == b) return first.self_contact;
+  return first.cord_contact && scene_.cords[slot(b)].def.cord_contact;
+}
+
+int Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
+  int count = 0;
+  const int cords = static_cast<int>(scene_.cords.size());
+  for (int a = 0; a < cords; ++a) {
+    for (int b = a; b < cords; ++b) {
+      if (meet(a, b) && cords_crossed(a, b, before, after)) ++count;
+    }
+    for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
+      if (holds(scene_, s, a)) continue;
+      const bool is_edge = scene_.solids[slot(s)].shape == Shape::edge;
+      if (is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after)) ++count;
+    }
+  }
+  return count;
+}
+
+/// New is a crossing that was not near there before, if they are more than before.
+bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const {
+  const Outline& a0 = before.cords[slot(a)];
+  const Outline& b0 = before.cords[slot(b)];
+  const Outline& a1 = after.cords[slot(a)];
+  const Outline& b1 = after.cords[slot(b)];
+  const int links = b1.links();
+  const auto close = [&](int i, int j) { return a == b && near_[slot(a)][slot(i * links + j)] != 0; };
+  const std::vector<Pair> was = crossing_pairs(a0, b0, a == b);
+  const std::vector<Pair> is = crossing_pairs(a1, b1, a == b);
+  if (is.size() > was.size()) {
+    for (const Pair& now : is) {
+      const bool same = std::any_of(was.begin(), was.end(), [&](const Pair& then) {
+        return apart(now.i, then.i, a1) <= same_crossing && apart(now.j, then.j, b1) <= same_crossing;
+      });
+      if (!same && !close(now.i, now.j)) return true;
+    }
+  }
+  if (!was.empty()) return false;
+  const double margin = scene_.cords[slot(a)].def.radius + scene_.cords[slot(b)].def.radius;
+  const auto a_passes_b = [&](const Outline& p0, const Outline& p1, const Outline& q0, const Outline& q1) {
+    for (int k = 0; k < static_cast<int>(p0.points.size()); ++k) {
+      const auto skip = [&](int j) {
+        const int n = static_cast<int>(p0.points.size());
+        const int last = p0.closed ? k : std::min(k, n - 2);
+        const int first = p0.closed ? (k + n - 1) % n : std::max(k - 1, 0);
+        return close(first, j) || close(last, j);
+      };
+      if (passes_line(swept(p0, p1, k), q0, q1, margin, skip)) return true;
+    }
+    return false;
+  };
+  return a_passes_b(a0, a1, b0, b1) || (a != b && a_passes_b(b0, b1, a0, a1));
+}
+
+/// m, of the deepest link.
+double Oracles::depth_of(int cord, int solid, const Snapshot& now) const {
+  const Outline& line = now.cords[slot(cord)];
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < line.links(); ++k) {
+    deepest = std::max(deepest, depth(scene_.solids[slot(solid)], now.solids[slot(solid)], line.start(k), line.end(k)));
+  }
+  return deepest;
+}
+
+bool Oracles::solid_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const {
+  const Solid& what = scene_.solids[slot(solid)];
+  const double radius = scene_.cords[slot(cord)].def.radius;
+  const double least = std::min(what.half.x, what.half.y);
+  const double deep = what.shape == Shape::circle ? what.half.x - 0.5 * (what.half.x + radius)
+                                                  : std::min(radius + 0.2 * least, 0.9 * least);
+  const bool was_in = depth_of(cord, solid, before) > deep;
+  if (was_in) return false;
+  if (depth_of(cord, solid, after) > deep) return true;
+  const Swept center{before.solids[slot(solid)].position, after.solids[slot(solid)].position};
+  return passes_line(center, before.cords[slot(cord)], after.cords[slot(cord)], radius, [](int) { return false; });
+}
+
+/// In the edge's own frame.
+bool Oracles::edge_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const {
+  const double half = scene_.solids[slot(solid)].half.x;
+  const Outline edge{{{-half, 0.0}, {half, 0.0}}};
+  const Outline line0 = in_frame(before.cords[slot(cord)], before.solids[slot(solid)]);
+  const Outline line1 = in_frame(after.cords[slot(cord)], after.solids[slot(solid)]);
+  const std::size_t was = crossing_pairs(line0, edge, false).size();
+  if (crossing_pairs(line1, edge, false).size() > was) return true;
+  if (was > 0) return false;
+  const double margin = scene_.cords[slot(cord)].def.radius;
+  for (int k = 0; k < static_cast<int>(line0.points.size()); ++k) {
+    if (passes_line(swept(line0, line1, k), edge, edge, margin, [](int) { return false; })) return true;
+  }
+  return false;
+}
+
+/// m, between the lines of two cords or of one with itself; `within` if they are further.
+double Oracles::nearest(int a, int b, const Snapshot& now, double within) const {
+  const Outline& first = now.cords[slot(a)];
+  const Outline& second = now.cords[slot(b)];
+  double least = within;
+  for (int i = 0; i < first.links(); ++i) {
+    const Vec2 middle = 0.5 * (first.start(i) + first.end(i));
+    const double size = 0.5 * length(first.end(i) - first.start(i));
+    for (int j = a == b ? i + 2 : 0; j < second.links(); ++j) {
+      const double far = size + 0.5 * length(second.end(j) - second.start(j)) + least;
+      if (length(0.5 * (second.start(j) + second.end(j)) - middle) > far) continue;
+      if (a == b && near_[slot(a)][slot(i * second.links() + j)] != 0) continue;
+      least = std::min(least, distance(first.start(i), first.end(i), second.start(j), second.end(j)));
+    }
+  }
+  return least;
+}
+
+double Oracles::penetration(const Snapshot& now) const {
+  double deepest = 0.0;
+  const int cords = static_cast<int>(scene_.cords.size());
+  for (int a = 0; a < cords; ++a) {
+    const double radius = scene_.cords[slot(a)].def.radius;
+    for (int b = a; b < cords; ++b) {
+      const double contact_distance = radius + scene_.cords[slot(b)].def.radius;
+      if (!meet(a, b) || contact_distance == 0.0) continue;
+      deepest = std::max(deepest, 1.0 - nearest(a, b, now, contact_distance) / contact_distance);
+    }
+    for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
+      const double contact_distance = radius + skin(scene_.solids[slot(s)]);
+      if (holds(scene_, s, a) || contact_distance == 0.0) continue;
+      deepest = std::max(deepest, 1.0 + depth_of(a, s, now) / contact_distance);
+    }
+  }
+  return deepest;
+}
+
+Lengths lengths(const engine::Coupling& coupling) {
+  Lengths worst;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const ribbon::Cord& cord = coupling.cord(c);
+    const ribbon::CordDef& def = cord.def();
+    for (int i = 0; i + 1 < def.points; ++i) {
+      for (int j = 0; j < def.rows; ++j) {
+        const Vec2 link = cord.positions()[slot(cord.index(i + 1, j))] - cord.positions()[slot(cord.index(i, j))];
+        const double strain = length(link) / cord.rest_length(i) - 1.0;
+        const double counted = def.tension_only ? strain : std::abs(strain);
+        double& most = std::isinf(def.stretch_stiffness) ? worst.stretch : worst.strain;
+        if (!(counted <= most)) most = counted;
+      }
+    }
+  }
+  return worst;
+}
+
+int inverted(const engine::Coupling& coupling) {
+  int count = 0;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const ribbon::Cord& cord = coupling.cord(c);
+    const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };
+    for (int i = 0; i + 1 < cord.def().points; ++i) {
+      for (int j = 0; j + 1 < cord.def().rows; ++j) {
+        const std::array<Vec2, 4> x = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Vec2 corner = x[(k + 1) % 4];
+          count += cross(corner - x[k], x[(k + 2) % 4] - corner) <= 0.0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace any_scene

@@ -1,0 +1,37 @@
+#include "tests/extremes/any_scene/scene.h"
+
+#include <algorithm>
+
+namespace any_scene {
+
+std::string_view name(Preset preset) {
+  constexpr std::string_view names[] = {"fast", "balanced", "accurate"};
+  return names[static_cast<std::size_t>(preset)];
+}
+
+ribbon::Accuracy accuracy_of(Preset preset) {
+  if (preset == Preset::fast) return ribbon::Accuracy::fast();
+  return preset == Preset::accurate ? ribbon::Accuracy::accurate() : ribbon::Accuracy::balanced();
+}
+
+bool is_driven(const Scene& scene) {
+  const bool climbs =
+      std::any_of(scene.holds.begin(), scene.holds.end(), [](const Hold& hold) { return hold.climb_to >= 0.0; });
+  const bool moves = std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) {
+    return solid.motion == Motion::kinematic && (solid.velocity != ribbon::Vec2{} || solid.angular_velocity != 0.0);
+  });
+  return climbs || moves || !scene.drags.empty() || !scene.reels.empty();
+}
+
+bool holds(const Scene& scene, int solid, int cord) {
+  return std::any_of(scene.holds.begin(), scene.holds.end(),
+                     [&](const Hold& hold) { return hold.solid == solid && hold.cord == cord; });
+}
+
+int points(const Scene& scene) {
+  int sum = 0;
+  for (const SceneCord& cord : scene.cords) sum += cord.def.points * cord.def.rows;
+  return sum;
+}
+
+}  // namespace any_scene

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ribbon/cord_def.h"
+#include "ribbon/vec2.h"
+
+/// Scenes made at random: what a scene is, how one is made, played, judged, made smaller and printed.
+namespace any_scene {
+
+enum class Preset : unsigned char { fast, balanced, accurate };
+enum class Motion : unsigned char { fixed, dynamic, kinematic };
+enum class Shape : unsigned char { circle, box, edge };
+
+/// "fast", "balanced" or "accurate".
+std::string_view name(Preset preset);
+ribbon::Accuracy accuracy_of(Preset preset);
+
+/// A rigid body with one fixture around its origin.
+struct Solid {
+  Motion motion = Motion::fixed;
+  Shape shape = Shape::circle;
+  ribbon::Vec2 position;          ///< m
+  double angle = 0.0;             ///< rad
+  ribbon::Vec2 half{0.2, 0.2};    ///< m: x is a circle's radius or half an edge's length; half the sides of a box
+  double density = 1.0;           ///< kg/m²
+  double friction = 0.0;          ///< 0 … 1
+  double restitution = 0.0;       ///< 0 … 1
+  ribbon::Vec2 velocity;          ///< m/s
+  double angular_velocity = 0.0;  ///< rad/s
+
+  bool operator==(const Solid&) const = default;
+};
+
+/// A cord with the velocity that all of it has at the start.
+struct SceneCord {
+  ribbon::CordDef def;    ///< with its positions; its accuracy is that of the scene's preset
+  ribbon::Vec2 velocity;  ///< m/s
+
+  bool operator==(const SceneCord&) const = default;
+};
+
+/// A solid that holds a cord.
+struct Hold {
+  int solid = 0;                                              ///< which one
+  int cord = 0;                                               ///< which one
+  double arc = 0.0;                                           ///< m at rest from the cord's first point
+  int row = 0;                                                ///< of a ribbon
+  ribbon::Vec2 local_hand;                                    ///< m, in the solid's own frame
+  double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
+  bool lets_go = false;                                       ///< in place of slipping
+  double climb_to = -1.0;                                     ///< m at rest, where it climbs to; below 0: it stays
+  double climb_speed = 1.0;                                   ///< m/s
+
+  bool operator==(const Hold&) const = default;
+};
+
+/// A point that is dragged along a path, from corner to corner, and then let go.
+struct Drag {
+  int cord = 0;                    ///< which one
+  int point = 0;                   ///< its point
+  int from_tick = 0;               ///< in which it begins
+  double speed = 1.0;              ///< m/s
+  std::vector<ribbon::Vec2> path;  ///< m, from where the point is then
+
+  bool operator==(const Drag&) const = default;
+};
+
+/// Links that are reeled from a tick on: ribbon::Cord::reel.
+struct Reel {
+  int cord = 0;
+  int first = 0;
+  int last = 0;
+  int from_tick = 0;
+  double length = 1.0;  ///< m
+  double speed = 1.0;   ///< m/s
+
+  bool operator==(const Reel&) const = default;
+};
+
+/// All that a run depends on.
+struct Scene {
+  ribbon::Vec2 gravity{0.0, -9.81};  ///< m/s²
+  Preset preset = Preset::balanced;
+  int ticks = 300;        ///< of 1/60 s
+  bool sleeping = false;  ///< b2World::SetAllowSleeping
+  std::vector<SceneCord> cords;
+  std::vector<Solid> solids;
+  std::vector<Hold> holds;
+  std::vector<Drag> drags;
+  std::vector<Reel> reels;
+
+  bool operator==(const Scene&) const = default;
+};
+
+constexpr double dt = 1.0 / 60.0;  // s, of every scene
+
+/// Whether something adds energy: kinematic bodies that move, drags, reels and climbers.
+bool is_driven(const Scene& scene);
+/// Whether the solid ever holds the cord.
+bool holds(const Scene& scene, int solid, int cord);
+/// Points of all cords.
+int points(const Scene& scene);
+
+}  // namespace any_scene

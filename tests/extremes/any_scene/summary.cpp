@@ -1,0 +1,105 @@
+#include "tests/extremes/any_scene/summary.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace any_scene {
+namespace {
+
+/// The value whose name this is.
+template <typename Value, std::size_t Size>
+Value named(const std::string& word, const std::array<Value, Size>& values) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](Value value) { return name(value) == word; });
+  if (found == values.end()) throw std::invalid_argument("'" + word + "' is not accepted in a line of results");
+  return *found;
+}
+
+constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accurate};
+constexpr std::array all_moods = {Mood::gentle, Mood::wild};
+constexpr std::array all_ends = {End::whole, End::cut, End::broken, End::refused, End::crashed};
+
+void add(Summary& sum, const Sample& tick, int number) {
+  ++sum.work[tick.work];
+  sum.total_work += tick.work;
+  if (tick.work > sum.max_work) sum.worst_tick = number;
+  sum.max_work = std::max(sum.max_work, tick.work);
+  sum.unconverged += tick.unconverged;
+  sum.stretch = std::max(sum.stretch, tick.stretch);
+  sum.strain = std::max(sum.strain, tick.strain);
+  sum.speed = std::max(sum.speed, tick.speed);
+  sum.gain = std::max(sum.gain, tick.gain);
+  sum.rise = std::max(sum.rise, tick.rise);
+  sum.gap = std::max(sum.gap, tick.gap);
+  sum.penetration = std::max(sum.penetration, tick.penetration);
+  sum.crossings += tick.crossings;
+  sum.inverted += tick.inverted;
+  sum.worst_ms = std::max(sum.worst_ms, tick.milliseconds);
+  sum.seconds += 1e-3 * tick.milliseconds;
+  const bool bad = tick.unconverged > 0 || tick.crossings > 0 || tick.inverted > 0 || !tick.finite;
+  if (bad && sum.first_bad < 0) sum.first_bad = number;
+}
+
+}  // namespace
+
+Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome) {
+  Summary sum;
+  sum.which = which;
+  sum.preset = scene.preset;
+  sum.end = outcome.end;
+  sum.ticks = static_cast<int>(outcome.ticks.size());
+  sum.points = points(scene);
+  for (int k = 0; k < sum.ticks; ++k) add(sum, outcome.ticks[static_cast<std::size_t>(k)], k);
+  return sum;
+}
+
+std::string csv_header() {
+  return "family,mood,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,rise,gap,"
+         "penetration,crossings,inverted,worst_ms,seconds,worst_tick,first_bad,work";
+}
+
+std::string to_csv(const Summary& sum) {
+  std::ostringstream line;
+  line << std::setprecision(6) << name(sum.which.family) << ',' << name(sum.which.mood) << ',' << name(sum.preset)
+       << ',' << sum.which.seed << ',' << name(sum.end) << ',' << sum.ticks << ',' << sum.points << ','
+       << sum.unconverged << ',' << sum.max_work << ',' << sum.total_work << ',' << sum.stretch << ',' << sum.strain
+       << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.penetration << ','
+       << sum.crossings << ',' << sum.inverted << ',' << sum.worst_ms << ',' << sum.seconds << ',' << sum.worst_tick
+       << ',' << sum.first_bad << ',';
+  const char* blank = "";
+  for (const auto& [work, count] : sum.work) {
+    line << blank << work << ':' << count;
+    blank = " ";
+  }
+  return line.str();
+}
+
+Summary from_csv(std::string_view text) {
+  std::string line(text);
+  std::replace(line.begin(), line.end(), ',', ' ');
+  std::istringstream in(line);
+  Summary sum;
+  std::string family;
+  std::string mood;
+  std::string preset;
+  std::string end;
+  in >> family >> mood >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
+      sum.max_work >> sum.total_work >> sum.stretch >> sum.strain >> sum.speed >> sum.gain >> sum.rise >> sum.gap >>
+      sum.penetration >> sum.crossings >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >>
+      sum.first_bad;
+  if (!in) throw std::invalid_argument("a line of results is not as they are written: " + line);
+  sum.which.family = named(family, all_families);
+  sum.which.mood = named(mood, all_moods);
+  sum.preset = named(preset, all_presets);
+  sum.which.preset = sum.preset;
+  sum.end = named(end, all_ends);
+  int work = 0;
+  int count = 0;
+  char colon = ':';
+  while (in >> work >> colon >> count) sum.work[work] += count;
+  return sum;
+}
+
+}  // namespace any_scene

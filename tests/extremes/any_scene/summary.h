@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "tests/extremes/any_scene/generate.h"
+#include "tests/extremes/any_scene/play.h"
+
+namespace any_scene {
+
+/// A run in one line.
+struct Summary {
+  Which which;
+  Preset preset = Preset::balanced;
+  End end = End::whole;
+  int ticks = 0;         ///< that were played
+  int points = 0;        ///< of all cords
+  int unconverged = 0;   ///< substeps in all
+  int max_work = 0;      ///< in a tick
+  long total_work = 0;   ///< in all
+  double stretch = 0.0;  ///< the greatest, as those below: see Sample
+  double strain = 0.0;
+  double speed = 0.0;
+  double gain = 0.0;
+  double rise = 0.0;
+  double gap = 0.0;
+  double penetration = 0.0;
+  int crossings = 0;      ///< in all
+  int inverted = 0;       ///< in all
+  double worst_ms = 0.0;  ///< of a tick
+  double seconds = 0.0;   ///< of Coupling::step in all
+  int worst_tick = 0;     ///< that of max_work
+  int first_bad = -1;     ///< the first tick with an unconverged substep, a crossing, an inversion or no finite number
+  std::map<int, int> work;  ///< how many ticks took so many Newton steps
+};
+
+Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome);
+/// The columns of a line of CSV, by name.
+std::string csv_header();
+/// The same runs have the same lines but for the times.
+std::string to_csv(const Summary& summary);
+/// Throws std::invalid_argument for what to_csv has not written.
+Summary from_csv(std::string_view line);
+
+}  // namespace any_scene

@@ -1,0 +1,245 @@
+#include "tests/extremes/any_scene/world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/convert.h"
+
+namespace any_scene {
+
+using engine::to_double;
+using engine::to_float;
+using ribbon::Vec2;
+
+namespace {
+
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+b2BodyType type_of(Motion motion) {
+  constexpr b2BodyType types[] = {b2_staticBody, b2_dynamicBody, b2_kinematicBody};
+  return types[static_cast<std::size_t>(motion)];
+}
+
+/// The place at an arc of a path, its last corner beyond its end; `arrived` says that it is there.
+Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived) {
+  arrived = false;
+  Vec2 from = start;
+  for (const Vec2 corner : path) {
+    const double way = length(corner - from);
+    if (way > 0.0 && arc <= way) return from + (arc / way) * (corner - from);
+    arc -= way;
+    from = corner;
+  }
+  arrived = true;
+  return from;
+}
+
+}  // namespace
+
+World::World(const Scene& scene) : scene_(scene), world_(to_float(scene.gravity)) {
+  world_.SetAllowSleeping(scene.sleeping);
+  for (const Solid& solid : scene.solids) add(solid);
+  for (const SceneCord& cord : scene.cords) add(cord, scene.preset);
+  for (const Hold& hold : scene.holds) add(hold);
+  drag_starts_.resize(scene.drags.size());
+}
+
+void World::add(const Solid& solid) {
+  b2BodyDef def;
+  def.type = type_of(solid.motion);
+  def.position = to_float(solid.position);
+  def.angle = static_cast<float>(solid.angle);
+  def.linearVelocity = to_float(solid.velocity);
+  def.angularVelocity = static_cast<float>(solid.angular_velocity);
+  b2Body* body = world_.CreateBody(&def);
+  b2CircleShape circle;
+  b2PolygonShape box;
+  b2EdgeShape edge;
+  circle.m_radius = static_cast<float>(solid.half.x);
+  box.SetAsBox(static_cast<float>(solid.half.x), static_cast<float>(solid.half.y));
+  edge.SetTwoSided({-circle.m_radius, 0.0F}, {circle.m_radius, 0.0F});
+  b2FixtureDef fixture;
+  if (solid.shape == Shape::circle) fixture.shape = &circle;
+  if (solid.shape == Shape::box) fixture.shape = &box;
+  if (solid.shape == Shape::edge) fixture.shape = &edge;
+  fixture.density = static_cast<float>(solid.density);
+  fixture.friction = static_cast<float>(solid.friction);
+  fixture.restitution = static_cast<float>(solid.restitution);
+  body->CreateFixture(&fixture);
+  bodies_.push_back(body);
+}
+
+void World::add(const SceneCord& cord, Preset preset) {
+  ribbon::CordDef def = cord.def;
+  def.accuracy = accuracy_of(preset);
+  ribbon::Cord made(def);
+  for (int p = 0; p < made.size() && cord.velocity != Vec2{}; ++p) {
+    if (made.kind(p) == ribbon::PointKind::free) made.set_velocity(p, cord.velocity);
+  }
+  coupling_.add(std::move(made));
+}
+
+void World::add(const Hold& hold) {
+  engine::GripDef def;
+  def.cord = hold.cord;
+  def.arc = hold.arc;
+  def.row = hold.row;
+  def.local_hand = to_float(hold.local_hand);
+  def.strength = hold.strength;
+  def.lets_go = hold.lets_go;
+  grips_.push_back(coupling_.grip(*bodies_[slot(hold.solid)], def));
+  if (hold.climb_to >= 0.0) coupling_.climb(grips_.back(), hold.climb_to, hold.climb_speed);
+}
+
+void World::drive(int number) {
+  for (const Reel& reel : scene_.reels) {
+    if (reel.from_tick == number) coupling_.cord(reel.cord).reel(reel.first, reel.last, reel.length, reel.speed);
+  }
+  for (std::size_t k = 0; k < scene_.drags.size(); ++k) {
+    const Drag& drag = scene_.drags[k];
+    if (number < drag.from_tick) continue;
+    if (number == drag.from_tick) drag_starts_[k] = coupling_.positions(drag.cord)[slot(drag.point)];
+    bool arrived = false;
+    bool was_there = false;
+    const double arc = drag.speed * dt * (number - drag.from_tick);
+    along(drag.path, drag_starts_[k], arc, was_there);
+    const Vec2 target = along(drag.path, drag_starts_[k], arc + drag.speed * dt, arrived);
+    if (!was_there) {
+      coupling_.operate(drag.cord, drag.point, target);
+    } else if (coupling_.kind(drag.cord, drag.point) == ribbon::PointKind::operated) {
+      coupling_.release(drag.cord, drag.point);
+    }
+  }
+}
+
+double World::tick(int number) {
+  drive(number);
+  coupling_.gather(world_, dt);
+  const auto begun = std::chrono::steady_clock::now();
+  coupling_.step();
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
+  coupling_.apply();
+  world_.Step(static_cast<float>(dt), 8, 3);
+  return time.count();
+}
+
+Snapshot World::snapshot() const {
+  Snapshot now;
+  for (int c = 0; c < coupling_.size(); ++c) {
+    now.cords.push_back(outline(coupling_.cord(c).def(), coupling_.positions(c)));
+  }
+  for (const b2Body* body : bodies_) {
+    const b2Rot& turned = body->GetTransform().q;
+    now.solids.push_back(
+        {to_double(body->GetPosition()), static_cast<double>(turned.c), static_cast<double>(turned.s)});
+  }
+  return now;
+}
+
+/// Each cord has its island's counts. Cords of different counts are of different islands; of equal counts as many are
+/// taken to be of islands of their own, the greatest first, as there are islands in all.
+template <typename Count>
+int World::sum_over_islands(Count&& count) const {
+  std::vector<const ribbon::CordReport*> different;
+  std::vector<int> others;
+  int sum = 0;
+  for (int c = 0; c < coupling_.size(); ++c) {
+    const ribbon::CordReport& report = coupling_.report(c);
+    const bool seen = std::any_of(different.begin(), different.end(),
+                                  [&](const ribbon::CordReport* before) { return *before == report; });
+    if (seen) {
+      others.push_back(count(report));
+    } else {
+      different.push_back(&report);
+      sum += count(report);
+    }
+  }
+  std::sort(others.rbegin(), others.rend());
+  const int more = coupling_.islands() - static_cast<int>(different.size());
+  for (int k = 0; k < more && slot(k) < others.size(); ++k) sum += others[slot(k)];
+  return sum;
+}
+
+int World::work() const {
+  return sum_over_islands([](const ribbon::CordReport& report) { return report.iterations; });
+}
+
+int World::unconverged() const {
+  return sum_over_islands([](const ribbon::CordReport& report) { return report.unconverged; });
+}
+
+World::Energy World::energy() const {
+  Energy sum;
+  for (int c = 0; c < coupling_.size(); ++c) {
+    const ribbon::Cord::Energy of_cord = coupling_.cord(c).energy(scene_.gravity);
+    sum.total += of_cord.total();
+    sum.kinetic += of_cord.kinetic;
+  }
+  for (const b2Body* body : bodies_) {
+    if (body->GetType() != b2_dynamicBody) continue;
+    const Vec2 v = coupling_.velocity(*body);
+    const double mass = static_cast<double>(body->GetMass());
+    const double turning = static_cast<double>(body->GetAngularVelocity());
+    const double kinetic = 0.5 * mass * dot(v, v) + 0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
+    sum.kinetic += kinetic;
+    sum.total += kinetic - mass * dot(scene_.gravity, to_double(body->GetWorldCenter()));
+  }
+  return sum;
+}
+
+double World::weight() const {
+  double mass = 0.0;
+  for (const SceneCord& cord : scene_.cords) mass += cord.def.mass_per_length * cord.def.length;
+  for (const b2Body* body : bodies_) mass += static_cast<double>(body->GetMass());
+  return mass * length(scene_.gravity);
+}
+
+Vec2 World::heights() const {
+  Vec2 range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto take = [&](double y) { range = {std::min(range.x, y), std::max(range.y, y)}; };
+  for (int c = 0; c < coupling_.size(); ++c) {
+    for (const Vec2 x : coupling_.positions(c)) take(x.y);
+  }
+  for (const b2Body* body : bodies_) {
+    if (body->GetType() == b2_dynamicBody) take(static_cast<double>(body->GetPosition().y));
+  }
+  return range;
+}
+
+double World::fastest() const {
+  double most = 0.0;
+  for (int c = 0; c < coupling_.size(); ++c) {
+    for (const Vec2 v : coupling_.cord(c).velocities()) most = std::max(most, length(v));
+  }
+  return most;
+}
+
+bool World::is_finite() const {
+  for (int c = 0; c < coupling_.size(); ++c) {
+    for (const Vec2 x : coupling_.positions(c)) {
+      if (!ribbon::is_finite(x)) return false;
+    }
+    for (const Vec2 v : coupling_.cord(c).velocities()) {
+      if (!ribbon::is_finite(v)) return false;
+    }
+  }
+  return std::all_of(bodies_.begin(), bodies_.end(), [](const b2Body* body) {
+    return body->GetPosition().IsValid() && body->GetLinearVelocity().IsValid() &&
+           std::isfinite(body->GetAngularVelocity());
+  });
+}
+
+double World::grip_gap() const {
+  double widest = 0.0;
+  for (std::size_t k = 0; k < grips_.size(); ++k) {
+    const auto held = coupling_.state(grips_[k]);
+    if (!held) continue;
+    const b2Body& body = *bodies_[slot(scene_.holds[k].solid)];
+    const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[k].local_hand)));
+    widest = std::max(widest, length(held->place - hand));
+  }
+  return widest;
+}
+
+}  // namespace any_scene

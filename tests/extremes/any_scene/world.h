@@ -1,0 +1,63 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <vector>
+
+#include "engine/coupling.h"
+#include "tests/extremes/any_scene/geometry.h"
+#include "tests/extremes/any_scene/scene.h"
+
+namespace any_scene {
+
+/// Where everything is after a tick, as the oracles look at it.
+struct Snapshot {
+  std::vector<Outline> cords;
+  std::vector<Pose> solids;
+};
+
+/// A scene in Box2D's world with its cords.
+class World {
+ public:
+  /// Throws ribbon::DefinitionError for a scene with a number that nothing accepts.
+  explicit World(const Scene& scene);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// One tick; returns the milliseconds of Coupling::step.
+  double tick(int number);
+
+  const engine::Coupling& coupling() const { return coupling_; }
+  Snapshot snapshot() const;
+  /// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
+  int work() const;
+  int unconverged() const;  ///< substeps of the last tick, of all islands
+  /// J, of cords and dynamic bodies.
+  struct Energy {
+    double total = 0.0;
+    double kinetic = 0.0;
+  };
+  Energy energy() const;
+  double weight() const;         ///< N, of all that moves
+  ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of what moves
+  double fastest() const;        ///< m/s, of points of cords
+  bool is_finite() const;
+  double grip_gap() const;  ///< m, the widest between a hand and the place of the cord that it holds
+
+ private:
+  void add(const Solid& solid);
+  void add(const SceneCord& cord, Preset preset);
+  void add(const Hold& hold);
+  void drive(int number);
+  template <typename Count>
+  int sum_over_islands(Count&& count) const;
+
+  const Scene scene_;
+  b2World world_;
+  engine::Coupling coupling_;
+  std::vector<b2Body*> bodies_;
+  std::vector<engine::GripId> grips_;
+  std::vector<ribbon::Vec2> drag_starts_;
+};
+
+}  // namespace any_scene
