@@ -77,20 +77,21 @@ bool Oracles::meet(int a, int b) const {
   return first.cord_contact && scene_.cords[slot(b)].def.cord_contact;
 }
 
-int Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
-  int count = 0;
+std::vector<Meeting> Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
+  std::vector<Meeting> found;
   const int cords = static_cast<int>(scene_.cords.size());
   for (int a = 0; a < cords; ++a) {
     for (int b = a; b < cords; ++b) {
-      if (meet(a, b) && cords_crossed(a, b, before, after)) ++count;
+      if (meet(a, b) && cords_crossed(a, b, before, after)) found.push_back({a, b, false});
     }
     for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
       if (holds(scene_, s, a)) continue;
       const bool is_edge = scene_.solids[slot(s)].shape == Shape::edge;
-      if (is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after)) ++count;
+      const bool crossed = is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after);
+      if (crossed) found.push_back({a, s, true});
     }
   }
-  return count;
+  return found;
 }
 
 /// New is a crossing that was not near there before, if they are more than before.
@@ -185,20 +186,23 @@ double Oracles::nearest(int a, int b, const Snapshot& now, double within) const 
   return least;
 }
 
-double Oracles::penetration(const Snapshot& now) const {
-  double deepest = 0.0;
+Depth Oracles::penetration(const Snapshot& now) const {
+  Depth deepest;
+  const auto take = [&](double share, const Meeting& where) {
+    if (share > deepest.share) deepest = {share, where};
+  };
   const int cords = static_cast<int>(scene_.cords.size());
   for (int a = 0; a < cords; ++a) {
     const double radius = scene_.cords[slot(a)].def.radius;
     for (int b = a; b < cords; ++b) {
       const double contact_distance = radius + scene_.cords[slot(b)].def.radius;
       if (!meet(a, b) || contact_distance == 0.0) continue;
-      deepest = std::max(deepest, 1.0 - nearest(a, b, now, contact_distance) / contact_distance);
+      take(1.0 - nearest(a, b, now, contact_distance) / contact_distance, {a, b, false});
     }
     for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
       const double contact_distance = radius + skin(scene_.solids[slot(s)]);
       if (holds(scene_, s, a) || contact_distance == 0.0) continue;
-      deepest = std::max(deepest, 1.0 + depth_of(a, s, now) / contact_distance);
+      take(1.0 + depth_of(a, s, now) / contact_distance, {a, s, true});
     }
   }
   return deepest;

@@ -6,7 +6,20 @@ namespace any_scene {
 
 // What must never be, found from where things are at successive ticks, without the solver's help.
 
-/// What has no place for a cord: pairs found once for a scene.
+/// A cord and what it meets: itself, another cord or a solid.
+struct Meeting {
+  int cord = 0;
+  int other = 0;       ///< a cord's index, or a solid's
+  bool solid = false;  ///< which of these
+};
+
+/// How deep something is in something, at its deepest.
+struct Depth {
+  double share = 0.0;  ///< of the contact distance
+  Meeting where;
+};
+
+/// Judges a scene's snapshots; what depends on the scene alone is found once.
 class Oracles {
  public:
   explicit Oracles(const Scene& scene);
@@ -16,10 +29,10 @@ class Oracles {
   ///   point has passed through a link; links which are close at rest are left out;
   /// - a line has come nearer to a circle's centre than half of the contact distance, deeper into a box than its radius
   ///   and a fifth of the half thickness, or to the other side of an edge; what ever holds a cord is left out.
-  int crossings(const Snapshot& before, const Snapshot& after) const;
+  std::vector<Meeting> crossings(const Snapshot& before, const Snapshot& after) const;
   /// The deepest penetration as a share of the contact distance: for a cord and a solid the cord's radius and the
   /// polygon's skin, so that 1 is a line on the surface; for two cords the sum of their radii.
-  double penetration(const Snapshot& now) const;
+  Depth penetration(const Snapshot& now) const;
   /// m, the deepest overlap of any two of cords and solids, contacts declared or not; holders touch.
   double overlap(const Snapshot& now) const;
 

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <limits>
 
-#include "tests/extremes/any_scene/oracles.h"
-
 namespace any_scene {
 
 using ribbon::Vec2;

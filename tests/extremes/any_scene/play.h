@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/extremes/any_scene/oracles.h"
 #include "tests/extremes/any_scene/scene.h"
 
 namespace any_scene {
@@ -20,9 +21,9 @@ struct Sample {
   double gain = 0.0;          ///< energy gained in the tick, of the greatest kinetic energy so far + m·g·height range
   double rise = 0.0;          ///< the same since the lowest energy so far
   double gap = 0.0;           ///< m, between a hand and its cord
-  double penetration = 0.0;   ///< of the contact distance: Oracles::penetration
-  int crossings = 0;          ///< Oracles::crossings
-  int inverted = 0;           ///< corners of ribbons turned inside out that were not
+  Depth penetration;          ///< Oracles::penetration
+  std::vector<Meeting> crossings;  ///< Oracles::crossings
+  int inverted = 0;                ///< corners of ribbons turned inside out that were not
   bool finite = true;
 };
 

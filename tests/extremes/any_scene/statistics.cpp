@@ -48,25 +48,65 @@ std::map<int, int> all_ticks(const std::vector<Summary>& runs) {
   return ticks;
 }
 
-void print_row(const char* family, const char* preset, const std::vector<Summary>& runs) {
-  if (runs.empty()) return;
+using Runs = std::vector<Summary>;
+
+struct Column {
+  const char* title;
+  int width;
+  std::function<double(const Runs&)> value;
+};
+
+/// How many of the runs are so.
+template <typename Condition>
+std::function<double(const Runs&)> how_many(Condition condition) {
+  return [condition](const Runs& runs) { return count(runs, condition); };
+}
+
+/// The quantile over runs of a figure.
+template <typename Value>
+std::function<double(const Runs&)> over_runs(double share, Value value) {
+  return [share, value](const Runs& runs) { return quantile_of(runs, share, value); };
+}
+
+const std::vector<Column>& columns() {
   const auto work = [](const Summary& run) { return run.max_work; };
   const auto stretch = [](const Summary& run) { return 100.0 * run.stretch; };
   const auto rise = [](const Summary& run) { return 100.0 * run.rise; };
-  const std::map<int, int> ticks = all_ticks(runs);
-  std::printf(
-      "%-13s %-9s %6d %6d %6.0f %6.0f %6.0f %6d %6d %8.3g %8.3g %8.3g %8.3g %5d %5d %5d %8.3g %8.3g %9.3g %8.3g\n",
-      family, preset, static_cast<int>(runs.size()),
-      count(runs, [](const Summary& run) { return run.unconverged > 0; }), quantile_of(runs, 0.5, work),
-      quantile_of(runs, 0.9, work), quantile_of(runs, 1.0, work), quantile(ticks, 0.99), quantile(ticks, 0.999),
-      quantile_of(runs, 0.9, stretch), quantile_of(runs, 1.0, stretch), quantile_of(runs, 0.9, rise),
-      quantile_of(runs, 1.0, rise), count(runs, [](const Summary& run) { return run.crossings > 0; }),
-      count(runs, [](const Summary& run) { return run.inverted > 0; }),
-      count(runs, [](const Summary& run) { return run.end != End::whole; }),
-      quantile_of(runs, 1.0, [](const Summary& run) { return run.penetration; }),
-      1e3 * quantile_of(runs, 1.0, [](const Summary& run) { return run.gap; }),
-      quantile_of(runs, 1.0, [](const Summary& run) { return run.worst_ms; }),
-      quantile_of(runs, 1.0, [](const Summary& run) { return run.speed; }));
+  static const std::vector<Column> all = {
+      {"scenes", 6, [](const Runs& runs) { return static_cast<double>(runs.size()); }},
+      {"unconv", 6, how_many([](const Summary& run) { return run.unconverged > 0; })},
+      {"work50", 6, over_runs(0.5, work)},
+      {"work90", 6, over_runs(0.9, work)},
+      {"workmx", 6, over_runs(1.0, work)},
+      {"p99", 6, [](const Runs& runs) { return quantile(all_ticks(runs), 0.99); }},
+      {"p99.9", 6, [](const Runs& runs) { return quantile(all_ticks(runs), 0.999); }},
+      {"str90%", 8, over_runs(0.9, stretch)},
+      {"strmax%", 8, over_runs(1.0, stretch)},
+      {"rise90%", 8, over_runs(0.9, rise)},
+      {"risemx%", 8, over_runs(1.0, rise)},
+      {"x crd", 5, how_many([](const Summary& run) { return run.crossings > 0; })},
+      {"x fix", 5, how_many([](const Summary& run) { return run.crossings_fixed > 0; })},
+      {"x mov", 5, how_many([](const Summary& run) { return run.crossings_moving > 0; })},
+      {"inver", 5, how_many([](const Summary& run) { return run.inverted > 0; })},
+      {"ended", 5, how_many([](const Summary& run) { return run.end != End::whole; })},
+      {"depth90", 8, over_runs(0.9, [](const Summary& run) { return run.penetration; })},
+      {"depthmx", 8, over_runs(1.0, [](const Summary& run) { return run.penetration; })},
+      {"gap mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap; })},
+      {"tick ms", 8, over_runs(1.0, [](const Summary& run) { return run.worst_ms; })},
+      {"m/s", 6, over_runs(1.0, [](const Summary& run) { return run.speed; })},
+  };
+  return all;
+}
+
+void print_row(std::string_view family, std::string_view preset, const Runs& runs) {
+  if (runs.empty()) return;
+  std::printf("%-13s %-8s", std::string(family).c_str(), std::string(preset).c_str());
+  for (const Column& column : columns()) {
+    const double value = column.value(runs);
+    const bool whole = std::abs(value) < 1e9 && value == std::floor(value);
+    std::printf(" %*.*g", column.width, whole ? 9 : 3, value);
+  }
+  std::printf("\n");
 }
 
 std::vector<Summary> some(const std::vector<Summary>& runs, const std::function<bool(const Summary&)>& wanted) {
@@ -78,16 +118,16 @@ std::vector<Summary> some(const std::vector<Summary>& runs, const std::function<
 }  // namespace
 
 void print_table(const std::vector<Summary>& runs) {
-  std::printf("%-13s %-9s %6s %6s %6s %6s %6s %6s %6s %8s %8s %8s %8s %5s %5s %5s %8s %8s %9s %8s\n", "family",
-              "preset", "scenes", "unconv", "work50", "work90", "workmx", "p99", "p99.9", "str90%", "strmax%",
-              "rise90%", "risemax%", "cross", "inver", "ended", "depth", "gap mm", "tick ms", "m/s");
+  std::printf("%-13s %-8s", "family", "preset");
+  for (const Column& column : columns()) std::printf(" %*s", column.width, column.title);
+  std::printf("\n");
   for (const Preset preset : {Preset::fast, Preset::balanced, Preset::accurate}) {
+    const auto of_preset = [&](const Summary& run) { return run.preset == preset; };
     for (const Family family : all_families) {
-      print_row(std::string(name(family)).c_str(), std::string(name(preset)).c_str(),
-                some(runs, [&](const Summary& run) { return run.which.family == family && run.preset == preset; }));
+      print_row(name(family), name(preset),
+                some(runs, [&](const Summary& run) { return run.which.family == family && of_preset(run); }));
     }
-    print_row("all", std::string(name(preset)).c_str(),
-              some(runs, [&](const Summary& run) { return run.preset == preset; }));
+    print_row("all", name(preset), some(runs, of_preset));
   }
   for (const End end : {End::cut, End::broken, End::refused, End::crashed}) {
     for (const Summary& run : runs) {
@@ -115,15 +155,27 @@ void print_histogram(const std::vector<Summary>& runs) {
   }
 }
 
+namespace {
+
+std::string text(const Meeting& where) {
+  return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other);
+}
+
+}  // namespace
+
 void print_ticks(const Outcome& outcome) {
-  std::printf("%5s %6s %6s %8s %9s %9s %9s %12s %9s %9s %9s %7s %5s %5s\n", "tick", "work", "unconv", "ms", "stretch%",
-              "strain%", "m/s", "energy J", "gain%", "rise%", "gap mm", "depth", "cross", "inver");
+  std::printf("%5s %6s %6s %8s %9s %9s %9s %12s %9s %9s %9s %7s %-6s %5s %s\n", "tick", "work", "unconv", "ms",
+              "stretch%", "strain%", "m/s", "energy J", "gain%", "rise%", "gap mm", "depth", "where", "inver",
+              "crossings: cord/c another, /s a solid");
   for (std::size_t k = 0; k < outcome.ticks.size(); ++k) {
     const Sample& tick = outcome.ticks[k];
-    std::printf("%5d %6d %6d %8.3f %9.3g %9.3g %9.3g %12.6g %9.3g %9.3g %9.3g %7.3g %5d %5d%s\n", static_cast<int>(k),
-                tick.work, tick.unconverged, tick.milliseconds, 100.0 * tick.stretch, 100.0 * tick.strain, tick.speed,
-                tick.energy, 100.0 * tick.gain, 100.0 * tick.rise, 1e3 * tick.gap, tick.penetration, tick.crossings,
-                tick.inverted, tick.finite ? "" : " not finite");
+    std::string crossings;
+    for (const Meeting& where : tick.crossings) crossings += text(where) + " ";
+    std::printf("%5d %6d %6d %8.3f %9.3g %9.3g %9.3g %12.6g %9.3g %9.3g %9.3g %7.3g %-6s %5d %s%s\n",
+                static_cast<int>(k), tick.work, tick.unconverged, tick.milliseconds, 100.0 * tick.stretch,
+                100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise, 1e3 * tick.gap,
+                tick.penetration.share, text(tick.penetration.where).c_str(), tick.inverted, crossings.c_str(),
+                tick.finite ? "" : "not finite");
   }
   std::printf("%s %s\n", std::string(name(outcome.end)).c_str(), outcome.message.c_str());
 }

@@ -21,7 +21,7 @@ constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accu
 constexpr std::array all_moods = {Mood::gentle, Mood::wild};
 constexpr std::array all_ends = {End::whole, End::cut, End::broken, End::refused, End::crashed};
 
-void add(Summary& sum, const Sample& tick, int number) {
+void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
   ++sum.work[tick.work];
   sum.total_work += tick.work;
   if (tick.work > sum.max_work) sum.worst_tick = number;
@@ -33,12 +33,16 @@ void add(Summary& sum, const Sample& tick, int number) {
   sum.gain = std::max(sum.gain, tick.gain);
   sum.rise = std::max(sum.rise, tick.rise);
   sum.gap = std::max(sum.gap, tick.gap);
-  sum.penetration = std::max(sum.penetration, tick.penetration);
-  sum.crossings += tick.crossings;
+  sum.penetration = std::max(sum.penetration, tick.penetration.share);
+  for (const Meeting& where : tick.crossings) {
+    const auto solid = static_cast<std::size_t>(where.other);
+    const bool fixed = where.solid && scene.solids[solid].motion == Motion::fixed;
+    ++(!where.solid ? sum.crossings : fixed ? sum.crossings_fixed : sum.crossings_moving);
+  }
   sum.inverted += tick.inverted;
   sum.worst_ms = std::max(sum.worst_ms, tick.milliseconds);
   sum.seconds += 1e-3 * tick.milliseconds;
-  const bool bad = tick.unconverged > 0 || tick.crossings > 0 || tick.inverted > 0 || !tick.finite;
+  const bool bad = tick.unconverged > 0 || !tick.crossings.empty() || tick.inverted > 0 || !tick.finite;
   if (bad && sum.first_bad < 0) sum.first_bad = number;
 }
 
@@ -51,13 +55,17 @@ Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome) {
   sum.end = outcome.end;
   sum.ticks = static_cast<int>(outcome.ticks.size());
   sum.points = points(scene);
-  for (int k = 0; k < sum.ticks; ++k) add(sum, outcome.ticks[static_cast<std::size_t>(k)], k);
+  for (int k = 0; k < sum.ticks; ++k) add(sum, scene, outcome.ticks[static_cast<std::size_t>(k)], k);
   return sum;
+}
+
+int all_crossings(const Summary& summary) {
+  return summary.crossings + summary.crossings_fixed + summary.crossings_moving;
 }
 
 std::string csv_header() {
   return "family,mood,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,rise,gap,"
-         "penetration,crossings,inverted,worst_ms,seconds,worst_tick,first_bad,work";
+         "penetration,crossings,crossings_fixed,crossings_moving,inverted,worst_ms,seconds,worst_tick,first_bad,work";
 }
 
 std::string to_csv(const Summary& sum) {
@@ -66,8 +74,8 @@ std::string to_csv(const Summary& sum) {
        << ',' << sum.which.seed << ',' << name(sum.end) << ',' << sum.ticks << ',' << sum.points << ','
        << sum.unconverged << ',' << sum.max_work << ',' << sum.total_work << ',' << sum.stretch << ',' << sum.strain
        << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.penetration << ','
-       << sum.crossings << ',' << sum.inverted << ',' << sum.worst_ms << ',' << sum.seconds << ',' << sum.worst_tick
-       << ',' << sum.first_bad << ',';
+       << sum.crossings << ',' << sum.crossings_fixed << ',' << sum.crossings_moving << ',' << sum.inverted << ','
+       << sum.worst_ms << ',' << sum.seconds << ',' << sum.worst_tick << ',' << sum.first_bad << ',';
   const char* blank = "";
   for (const auto& [work, count] : sum.work) {
     line << blank << work << ':' << count;
@@ -87,8 +95,8 @@ Summary from_csv(std::string_view text) {
   std::string end;
   in >> family >> mood >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
       sum.max_work >> sum.total_work >> sum.stretch >> sum.strain >> sum.speed >> sum.gain >> sum.rise >> sum.gap >>
-      sum.penetration >> sum.crossings >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >>
-      sum.first_bad;
+      sum.penetration >> sum.crossings >> sum.crossings_fixed >> sum.crossings_moving >> sum.inverted >> sum.worst_ms >>
+      sum.seconds >> sum.worst_tick >> sum.first_bad;
   if (!in) throw std::invalid_argument("a line of results is not as they are written: " + line);
   sum.which.family = named(family, all_families);
   sum.which.mood = named(mood, all_moods);
