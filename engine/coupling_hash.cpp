@@ -22,12 +22,15 @@ void add(Hasher& hasher, b2Vec2 v) {
 }
 
 void add(Hasher& hasher, const ribbon::CordReport& report) {
-  const auto& [stages, iterations, searches, fallbacks, energy_gains, halvings, impacts, unlocked, unconverged] =
-      report;
-  for (const int count :
-       {stages, iterations, searches, fallbacks, energy_gains, halvings, impacts, unlocked, unconverged}) {
+  const auto& [stages, iterations, searches, fallbacks, energy_gains, halvings, impacts, posed, cuts, unlocked,
+               unconverged, work, position_error, force_error] = report;
+  for (const int count : {stages, iterations, searches, fallbacks, energy_gains, halvings, impacts, posed, cuts,
+                          unlocked, unconverged}) {
     hasher.add(count);
   }
+  hasher.add(static_cast<std::uint64_t>(work));
+  hasher.add(position_error);
+  hasher.add(force_error);
 }
 
 void add(Hasher& hasher, const ribbon::StepReport& report) {

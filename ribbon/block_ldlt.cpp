@@ -163,6 +163,26 @@ bool BlockLdlt::solve(std::span<Vec2> b) {
   for (std::size_t k = 0; k < n; ++k) {
     if (!eliminate(k)) return false;
   }
+  substitute(b);
+  return true;
+}
+
+void BlockLdlt::solve_again(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
+  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 r = right_side_[k];
+    for (std::size_t i = first_[k]; i < first_[k + 1]; ++i) {
+      const Block& l = blocks_[i];
+      right_side_[at(columns_[i])] -= {l.xx * r.x + l.yx * r.y, l.xy * r.x + l.yy * r.y};
+    }
+  }
+  substitute(b);
+}
+
+/// From the last row to the first: x = D⁻¹·r − Σ L_i·x_i.
+inline void BlockLdlt::substitute(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
   for (std::size_t k = n; k-- > 0;) {
     const Diagonal& inverse = diagonals_[k];
     const Vec2 r = right_side_[k];
@@ -175,7 +195,6 @@ bool BlockLdlt::solve(std::span<Vec2> b) {
     right_side_[k] = x;
   }
   for (std::size_t k = 0; k < n; ++k) b[at(order_[k])] = right_side_[k];
-  return true;
 }
 
 /// With D the row's diagonal block and B_i those right of it: A_ij ← A_ij − B_iᵀ·D⁻¹·B_j for all its columns i ≤ j,

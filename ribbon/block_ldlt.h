@@ -44,6 +44,8 @@ class BlockLdlt {
   /// Overwrites the right-hand side, by slot, with the solution, and the matrix with its factors. False if in
   /// double precision it is not as definite as it should be; the right-hand side is then undefined.
   bool solve(std::span<Vec2> b);
+  /// The same of another right-hand side, by the factors of the last solve; what was held has to be 0.
+  void solve_again(std::span<Vec2> b);
 
  private:
   struct Block {
@@ -56,6 +58,7 @@ class BlockLdlt {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::size_t find(int row, int column) const;
   bool eliminate(std::size_t row);
+  void substitute(std::span<Vec2> b);
 
   std::vector<int> order_;                     // slot by row
   std::vector<int> row_of_;                    // row by slot

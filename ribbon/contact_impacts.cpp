@@ -70,6 +70,14 @@ bool Contacts::leans() const {
 }
 
 void Contacts::remember_hits(double weight) {
+  if (is_posed_) {
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (forces_[k] <= 0.0) continue;
+      hit_[k] = 1;
+      impulses_[k] += weight * forces_[k];
+    }
+    return;
+  }
   for (const Active& active : active_) {
     hit_[active.pair] = 1;
     impulses_[active.pair] += weight * pairs_[active.pair].stiffness * depth(active);

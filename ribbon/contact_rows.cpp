@@ -9,22 +9,6 @@
 
 namespace ribbon {
 
-void Contacts::Row::add(int s, Vec2 d) {
-  for (int i = 0; i < size; ++i) {
-    if (slot[at(i)] != s) continue;
-    by[at(i)] += d;
-    return;
-  }
-  slot[at(size)] = s;
-  by[at(size++)] = d;
-}
-
-double Contacts::Row::along(std::span<const Vec2> step) const {
-  double sum = 0.0;
-  for (int i = 0; i < size; ++i) sum += dot(by[at(i)], step[at(slot[at(i)])]);
-  return sum;
-}
-
 void Contacts::add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const {
   if (at(anchor) < points_) {
     row.add(anchor, by);

@@ -14,6 +14,8 @@ constexpr double settled_share = 1e-3;
 constexpr double settled_depth = 1e-10;  // m, that rounding explains
 constexpr double kept_share = 0.25;      // of the reach, further off than which who pressed has let go
 constexpr double slack_share = 0.1;
+constexpr double passing_share = 0.5;  // of a reach, nearer than which a centre line is in whatever it touches
+constexpr double most_passing_share = 0.95;
 constexpr double shallow_share = 0.01;
 constexpr double stuck_share = 0.99;  // of the limit, below which friction begins as it ended the last step: stuck
 constexpr int most_turns = 3;         // of who slides, before it is braked instead
@@ -56,7 +58,9 @@ void Contacts::add(const ContactPair& pair) {
   if (pairs_.empty()) pairs_.reserve(usual_pairs);
   pairs_.push_back(pair);
   corners_.reserve(pairs_.capacity());
-  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach, pair.in});
+  const double cord_radius = at(pair.disc) < points_ ? pair.disc_radius : pair.reach - pair.disc_radius;
+  const double passing = std::clamp(1.0 - cord_radius / pair.reach, passing_share, most_passing_share);
+  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach, pair.in, passing});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -85,6 +89,7 @@ void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& ancho
 void Contacts::begin(std::span<const Vec2> x, double share) {
   emerged_ = share;
   evaluated_ = false;
+  is_posed_ = false;
   active_.reserve(pairs_.capacity());
   rows_.reserve(pairs_.capacity());
   frictions_.reserve(pairs_.capacity());
@@ -226,6 +231,7 @@ double Contacts::potential(std::span<const Vec2> x) {
 }
 
 double Contacts::energy() const {
+  if (is_posed_) return pressing_energy();
   double sum = 0.0;
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
@@ -337,7 +343,7 @@ void Contacts::finish(std::span<const Vec2> x) {
     ContactPair& pair = pairs_[active.pair];
     Touch& touch = pair.touch;
     const double slid = stretch(active, tangent_row(pair, active.gap, x), x);
-    touch.force = pair.stiffness * depth(active);
+    touch.force = is_posed_ ? forces_[active.pair] : pair.stiffness * depth(active);
     const double most = pair.friction * touch.force / (friction_share * pair.stiffness);
     touch.stuck = std::clamp(slid, -most, most);
     touch.normal = active.gap.normal;

@@ -7,6 +7,8 @@
 
 #include "ribbon/block_ldlt.h"
 #include "ribbon/gap.h"
+#include "ribbon/limited_rows.h"
+#include "ribbon/slot_row.h"
 #include "ribbon/touch.h"
 
 namespace ribbon {
@@ -143,18 +145,34 @@ class Contacts {
   /// After a linear solve: what the normal forces are by it.
   void update(std::span<const Vec2> direction);
 
+  // Contacts that are posed once, see island_posed.cpp (contact_posing.cpp):
+
+  /// Poses the pairs that may press on the way from `from`, where the stage began, to `to`: each with the normal where it
+  /// ends, or of where it first touches if it would go through. Those posed before that press are posed again. True if
+  /// others are posed than the last time.
+  bool pose(std::span<const Vec2> from, std::span<const Vec2> to);
+  /// Poses none.
+  void pose_none();
+  /// Normal forces and friction of the posed pairs as rows that are linear about x; friction by the normal forces that
+  /// were found last. In a piece of a step that is shorter by `shortness` they are stiffer by its square.
+  void append_rows(std::span<const Vec2> x, double shortness, LimitedRows& rows);
+  /// Takes over the forces that were found, in the order of append_rows.
+  void take_forces(const LimitedRows& rows);
+  /// J, of what presses by the forces that were found last, or, of a substep that has just begun, remembered.
+  double pressing_energy() const;
+  /// The share of the way from x to `to` on which no centre line is in what it touches, bodies that nothing pushes going
+  /// to their goals.
+  double share_to_passing(std::span<const Vec2> x, std::span<const Vec2> to);
+  /// m, of all pairs; 0 if there are none.
+  double least_reach() const;
+  /// What moves as one, by slot of points and bodies, may go a share of its way from `from` to `to`; takes from the
+  /// shares of those who would go through each other until nobody does. False if a share was cut.
+  bool keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, std::span<const int> group_of,
+                  std::span<double> shares);
+
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  /// A row of derivatives: by slot.
-  struct Row {
-    std::array<int, 4> slot;
-    std::array<Vec2, 4> by;
-    int size = 0;
-    void add(int s, Vec2 d);
-    double along(std::span<const Vec2> step) const;
-    std::span<const int> slots() const { return std::span(slot).first(at(size)); }
-    std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
-  };
+  using Row = SlotRow;
   /// Friction of one who touches, in a linear solve.
   struct Friction {
     Row tangent{};
@@ -166,8 +184,14 @@ class Contacts {
   struct Corner {
     int disc, a, b;
     double reach, in;
+    double passing;  // of the reach: nearer, and the cord's centre line is in what it touches
   };
   struct Active {
+    std::size_t pair;
+    Gap gap;
+  };
+  /// A pair as it is posed: its normal, tangent and place along the segment stay as they are.
+  struct Posed {
     std::size_t pair;
     Gap gap;
   };
@@ -185,6 +209,9 @@ class Contacts {
   double reach_now(double reach, double in) const { return reach - (1.0 - emerged_) * in; }
   double depth(const Active& active) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
+  void pose_pair(std::size_t k);
+  double limit(const Posed& posed) const;
+  int group(int anchor, std::span<const int> group_of) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
   Row normal_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
@@ -202,6 +229,9 @@ class Contacts {
   std::vector<ContactPair> pairs_;
   std::vector<Corner> corners_;  // of the pairs
   std::vector<Active> active_;
+  std::vector<Posed> posed_, posed_before_;
+  double posed_stiffness_ = 1.0;  // of what presses, times the pairs' own
+  bool is_posed_ = false;  // the forces found last are those of posed pairs
   bool evaluated_ = false;  // active_ and touching_ are those who touch with anchors_ where they are
   // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
@@ -227,7 +257,8 @@ class Contacts {
   std::vector<double> turned_then_;  // by spot, when the substep began
   std::vector<Vec2> anchors_, starts_;  // where they are, and were when the substep began
   std::vector<Vec2> slots_then_;        // the slots when the substep began
-  std::vector<Vec2> from_, to_;         // of free_way
+  std::vector<Vec2> from_, to_, ends_;  // of free_way
+  std::vector<double> cuts_;            // of keep_apart, by group
 };
 
 }  // namespace ribbon

@@ -60,8 +60,13 @@ CordReport& CordReport::operator+=(const CordReport& other) {
   energy_gains += other.energy_gains;
   halvings += other.halvings;
   impacts += other.impacts;
+  posed += other.posed;
+  cuts += other.cuts;
   unlocked += other.unlocked;
   unconverged += other.unconverged;
+  work += other.work;
+  position_error = std::max(position_error, other.position_error);
+  force_error = std::max(force_error, other.force_error);
   return *this;
 }
 

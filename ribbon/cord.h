@@ -17,8 +17,8 @@ namespace ribbon {
 class Elasticity;
 class Island;
 
-/// What happened in one step, summed over its substeps. All but the first two count what went wrong and was mended,
-/// the last what was not.
+/// What happened in one step, summed over its substeps. After the first two, counts of what went wrong and was mended,
+/// and of what was not.
 struct CordReport {
   int stages = 0;        ///< implicit solves: two a substep of TR-BDF2, one of implicit Euler
   int iterations = 0;    ///< Newton steps in them: linear systems solved, each O(points)
@@ -28,11 +28,19 @@ struct CordReport {
                          ///< from nowhere; not looked for while something but hands drives the cord
   int halvings = 0;      ///< substeps of implicit Euler that had not converged either, taken as two
   int impacts = 0;       ///< substeps in which somebody began or ceased to touch, taken by implicit Euler and BDF2
+  int posed = 0;         ///< substeps of implicit Euler with contacts that were posed once, for Newton steps did not end
+  int cuts = 0;          ///< of these, those in which something was kept from going through something, and lost velocity
   int unlocked = 0;      ///< steps in which cells that were inside out were turned back
   int unconverged = 0;   ///< substeps left as they are after all that
+  /// What was done, in a unit that is the same on every machine: 4 for each point or body of a linear system and each
+  /// contact in it, 1 for each pair that was looked at for whether it touches, or may on its way.
+  std::int64_t work = 0;
+  // How far from solved the worst of the substeps was left that did not converge; 0 if all did:
+  double position_error = 0.0;  ///< m, by which its last linear solve would still move a point
+  double force_error = 0.0;     ///< N, of what acts on a point and is not balanced
 
   bool operator==(const CordReport&) const = default;
-  /// Adds the counts of another step.
+  /// Adds the counts of another step, and takes the greater of the errors.
   CordReport& operator+=(const CordReport& other);
 };
 

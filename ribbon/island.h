@@ -12,6 +12,7 @@
 #include "ribbon/elasticity.h"
 #include "ribbon/held_body.h"
 #include "ribbon/island_cord.h"
+#include "ribbon/limited_rows.h"
 #include "ribbon/quadtree.h"
 #include "ribbon/stage.h"
 
@@ -155,7 +156,10 @@ class Island {
   bool bdf2_stage(double start, double dt, double gamma, CordReport& report);
   bool implicit_euler(double start, double dt, CordReport& report);
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
+  bool free_damped_substep(double start, double dt, const Energy& before, CordReport& report);
   bool is_spent(const CordReport& report) const { return report.iterations >= accuracy_.max_work; }
+  /// Whether as much was done in the step as is worth doing before its contacts are posed once.
+  bool is_tried(const CordReport& report) const;
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
   bool will_touch(double start, double dt);
   bool is_good(bool converged, const Energy& before, CordReport& report);
@@ -169,10 +173,17 @@ class Island {
   bool newton_step(Stage& stage);
   bool newton_step_alone(Stage& stage);
   bool newton_step_together(Stage& stage);
+  void load_together(Stage& stage);
+  bool solve_together();
+  void take_direction();
+  void update_together(const Stage& stage);
   static Stage stage_of(const Stage& all, const Member& member);
   void make_pattern();
   void load_holds();
   void update_holds();
+  void append_slips();
+  void take_slips();
+  bool is_limited(const HeldBody& held) const;
   std::array<int, 4> hold_slots(const HeldBody& held) const;
   Vec2 hold_gap(const HeldBody& held, std::span<const Vec2> x) const;
   Vec2 hold_pull(std::span<const double> tensions, std::size_t hold) const;
@@ -186,6 +197,19 @@ class Island {
   bool are_bars_settled(const Stage& stage, int iteration);
   bool searched_steps(Stage& stage, CordReport& report);
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
+  void posed_substep(double start, double dt, CordReport& report);
+  bool posed_piece(double start, double dt, CordReport& report);
+  double time_to_blow(double start, double most);
+  double blow_time(double most) const;
+  bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
+  void begin_posed(double time, std::span<const Vec2> from);
+  bool solve_posed(Stage& stage, CordReport& report);
+  bool solve_active_sets(Stage& stage, int most, CordReport& report);
+  bool solve_interior(Stage& stage, CordReport& report);
+  double posed_share(const Stage& stage);
+  void keep_apart(std::span<const Vec2> from, CordReport& report);
+  void find_groups();
+  void reset_tensions();
   void go_led(double& left);
   bool ends_stage(std::span<const Vec2> from);
   void rebound(const Energy& before, double dt);
@@ -263,6 +287,11 @@ class Island {
   double stage_weight_ = 0.0;  // s, with which the stage's forces act
   bool euler_ = false;         // the stage is one of implicit Euler
   bool slips_ = false;         // a grip has begun to in the last linear solve
+  bool posing_ = false;        // contacts are posed once, see island_posed.cpp
+  LimitedRows limited_;        // these
+  std::vector<Vec2> load_;     // the right side without them
+  std::vector<int> groups_;    // by slot: what goes together when it is kept apart from others
+  std::vector<double> group_shares_;
 
   // Of the solve by blocks.
   BlockLdlt blocks_;

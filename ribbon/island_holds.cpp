@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ribbon/complex.h"
 #include "ribbon/island.h"
@@ -10,6 +11,7 @@
 namespace ribbon {
 namespace {
 
+constexpr double grip_share = 1e-7;        // least compliance of a grip along the cord, as a share of the point's own give
 constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
 constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 
@@ -85,14 +87,15 @@ Vec2 Island::hold_gap(const HeldBody& held, std::span<const Vec2> x) const {
 }
 
 /// A hold's pull λ on the body is an unknown: with c = x − X − s the gap, which is to close, ∂c/∂φ = −perp(s) and
-/// ∂²c/∂φ² = s. One that slips along the cord does so against its strength, and only closes across.
+/// ∂²c/∂φ² = s. One that slips along the cord does so against its strength, and only closes across; so does one that
+/// may slip where contacts are posed once, for then a limited row holds it along the cord.
 void Island::load_holds() {
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const HeldBody& held = held_[k];
     const Vec2 arm = held.arm_at(positions_[angle(held.body)].x);
     const Vec2 u = -perp(arm);
     const Vec2 t = hold_tangent(held);
-    const bool slips = held.slides != 0.0;
+    const bool slips = held.slides != 0.0 || is_limited(held);
     const Block across = slips ? Block{t.y * t.y, -t.x * t.y, t.x * t.x} : Block{1.0, 0.0, 1.0};
     const auto closing = [&across](Vec2 v) {
       return Vec2{across.xx * v.x + across.xy * v.y, across.xy * v.x + across.yy * v.y};
@@ -123,15 +126,48 @@ void Island::update_holds() {
     HeldBody& held = held_[k];
     const Vec2 t = hold_tangent(held);
     Vec2 pull = right_side_[at(hold_dual(k))];
-    if (held.slides == 0.0 && std::abs(dot(pull, t)) > held.strength) {
+    if (is_limited(held)) {
+      pull += (held.along_pull - dot(pull, t)) * t;
+    } else if (held.slides == 0.0 && std::abs(dot(pull, t)) > held.strength) {
       held.slides = std::copysign(1.0, dot(pull, t));
       slips_ = true;
     }
-    if (held.slides != 0.0) pull += (held.slides * held.strength - dot(pull, t)) * t;
+    if (held.slides != 0.0 && !is_limited(held)) pull += (held.slides * held.strength - dot(pull, t)) * t;
     const std::size_t first = next_.size() - 2 * (held_.size() - k);
     next_[first] = pull.x;
     next_[first + 1] = pull.y;
   }
+}
+
+/// Appends a row for each hold that may slip: along the cord it gives way by next to nothing up to its strength.
+void Island::append_slips() {
+  for (HeldBody& held : held_) {
+    if (!is_limited(held)) continue;
+    const Vec2 t = hold_tangent(held);
+    const Vec2 u = -perp(held.arm_at(positions_[angle(held.body)].x));
+    SlotRow row;
+    row.add(static_cast<int>(held.point), (1.0 - held.along) * t);
+    row.add(static_cast<int>(held.next), held.along * t);
+    row.add(static_cast<int>(center(held.body)), -t);
+    row.add(static_cast<int>(angle(held.body)), {dot(u, t), 0.0});
+    const double give = grip_share / std::max(inertia_[held.point], inertia_[held.next]);
+    limited_.add({row, dot(t, hold_gap(held, positions_)), give, -held.strength, held.strength, -held.along_pull});
+  }
+}
+
+/// After a solve: what they pull with, and whether they slip.
+void Island::take_slips() {
+  std::size_t row = limited_.rows().size();
+  for (std::size_t k = held_.size(); k-- > 0;) {
+    HeldBody& held = held_[k];
+    if (!is_limited(held)) continue;
+    held.along_pull = -limited_.rows()[--row].force;
+    held.slides = std::abs(held.along_pull) < held.strength ? 0.0 : std::copysign(1.0, held.along_pull);
+  }
+}
+
+bool Island::is_limited(const HeldBody& held) const {
+  return posing_ && held.strength < std::numeric_limits<double>::infinity();
 }
 
 /// Along the cord where it is held.
@@ -171,7 +207,9 @@ double Island::hold_potential(std::span<const Vec2> x) const {
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const Vec2 gap = hold_gap(held_[k], x);
     const double most = length(hold_pull(most_tensions_, k));
-    if (held_[k].slides == 0.0) {
+    if (is_limited(held_[k])) {
+      sum += most * std::abs(cross(hold_tangent(held_[k]), gap));
+    } else if (held_[k].slides == 0.0) {
       sum += most * length(gap);
     } else {
       const Vec2 t = hold_tangent(held_[k]);

@@ -42,7 +42,9 @@ bool Island::solve_stage(double time, double q, std::span<const Vec2> from, Cord
   }
   Stage stage{q, predicted_, velocity_, inertia_, force_, constrained_, carried_};
   stage.euler = euler_;
-  const bool converged = contacts_.empty() ? free_steps(stage, report) : touching_steps(stage, time, from, report);
+  const bool converged = posing_             ? posed_steps(stage, time, from, report)
+                         : contacts_.empty() ? free_steps(stage, report)
+                                             : touching_steps(stage, time, from, report);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     accelerations_[p] = inverse_q2 * (positions_[p] - predicted_[p]);
     velocities_[p] = velocity_[p] + q * accelerations_[p];
@@ -235,8 +237,8 @@ double Island::merit(const Stage& stage, std::span<const Vec2> x) {
     const Vec2 moved = x[p] - predicted_[p];
     sum += 0.5 * inertia_[p] * dot(moved, moved) - dot(force_[p], moved);
   }
-  if (together_) sum += hold_potential(x);
-  if (!contacts_.empty()) sum += contacts_.potential(x);
+  if (together_ || posing_) sum += hold_potential(x);
+  if (!contacts_.empty() && !posing_) sum += contacts_.potential(x);
   return sum;
 }
 

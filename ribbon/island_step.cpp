@@ -36,13 +36,12 @@ void Island::substep(double start, double dt, CordReport& report) {
   begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
-  if (!second_order(start, dt, before, report)) {
-    if (!damped_substep(start, dt, before, report)) {
-      ++report.unconverged;
-      calm(before);
-    }
-    if (!driven_) energy_after_ = total_energy();
+  if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) {
+    posed_substep(start, dt, report);
+    if (!driven_) account(before);
+    return;
   }
+  if (!driven_) energy_after_ = total_energy();
   if (!contacts_.empty()) {
     rebound(before, dt);
     keep_momentum(dt);
@@ -89,9 +88,15 @@ bool Island::will_touch(double start, double dt) {
   return contacts_.free_way(x0_, trial_, true, 1.0) < 1.0;
 }
 
-/// Implicit Euler, by halves where it does not converge. Of a stiff cord what the tolerance leaves open, times a
-/// tension, can be energy too: then all of it again to a hundredth of the tolerance, in the end by halves.
+/// Implicit Euler, of free cords by halves where it does not converge. False if that is not the way for them.
 bool Island::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
+  if (contacts_.empty() && !together_) return free_damped_substep(start, dt, before, report);
+  return !is_tried(report) && implicit_euler(start, dt, report) && !gained_energy(before, gross_gain);
+}
+
+/// Of a stiff cord what the tolerance leaves open, times a tension, can be energy too: then all of it again to a
+/// hundredth of the tolerance, in the end by halves.
+bool Island::free_damped_substep(double start, double dt, const Energy& before, CordReport& report) {
   const double tolerance = tolerance_;
   bool converged = false;
   for (int k = 0;; ++k) {

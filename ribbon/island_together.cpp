@@ -17,7 +17,13 @@ void Island::make_pattern() {
     last = std::max(last, point);
   };
   for (const HeldBody& held : held_) take(static_cast<int>(center(held.body)), static_cast<int>(held.next));
-  contacts_.for_each_touched(take);
+  if (posing_) {
+    limited_.for_each_pair([&](int a, int b) {
+      if (at(a) >= count_ && !is_angle(at(a)) && at(b) < count_) take(a, b);
+    });
+  } else {
+    contacts_.for_each_touched(take);
+  }
   order_.clear();
   const auto append_bodies = [this](int after) {
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -43,7 +49,11 @@ void Island::make_pattern() {
   for (std::size_t hold = 0; hold < held_.size(); ++hold) {
     for (const int slot : hold_slots(held_[hold])) blocks_.couple(slot, hold_dual(hold));
   }
-  contacts_.couple(blocks_);
+  if (posing_) {
+    limited_.couple(blocks_);
+  } else {
+    contacts_.couple(blocks_);
+  }
   blocks_.end_pattern();
 }
 
@@ -60,6 +70,17 @@ bool Island::newton_step_together(Stage& stage) {
   slips_ = false;
   if (!has_pattern_ || !contacts_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
+  load_together(stage);
+  contacts_.load(positions_, blocks_, right_side_);
+  if (!solve_together()) return false;
+  take_direction();
+  update_together(stage);
+  contacts_.update(direction_);
+  return true;
+}
+
+/// All but what contacts add.
+void Island::load_together(Stage& stage) {
   blocks_.set_zero();
   right_side_.resize(positions_.size() + duals_ + held_.size());
   for (const Member& member : members_) {
@@ -73,15 +94,25 @@ bool Island::newton_step_together(Stage& stage) {
   }
   for (std::size_t k = 0; k < bodies_.size(); ++k) right_side_[angle(k)].y = 0.0;
   load_holds();
-  contacts_.load(positions_, blocks_, right_side_);
+}
+
+/// Leaves the solution in right_side_.
+bool Island::solve_together() {
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] == 0) continue;
     right_side_[p] = {};
     blocks_.hold(static_cast<int>(p));
   }
-  if (!blocks_.solve(right_side_)) return false;
+  return blocks_.solve(right_side_);
+}
+
+void Island::take_direction() {
   std::copy(right_side_.begin(), right_side_.begin() + static_cast<std::ptrdiff_t>(positions_.size()),
             direction_.begin());
+}
+
+/// The tensions and pulls of the solution.
+void Island::update_together(const Stage& stage) {
   for (const Member& member : members_) {
     member.cord->elasticity_->update(stage_of(stage, member), part(positions_, member.first, member.count),
                                      part(tensions_, member.first_tension, member.tensions),
@@ -90,8 +121,6 @@ bool Island::newton_step_together(Stage& stage) {
                                      part(next_, member.first_tension, member.tensions));
   }
   update_holds();
-  contacts_.update(direction_);
-  return true;
 }
 
 }  // namespace ribbon

@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <cstdio>
+#include <cstdlib>
+
+#include "ribbon/island.h"
+
+// The substep that always ends: implicit Euler with contacts that are posed at most a few times and then kept, so that
+// each linearisation of the cords leaves a convex problem, which has a solution and is solved in bounded work. Whatever
+// iterate it ends with is one that may be kept.
+
+namespace ribbon {
+namespace {
+
+constexpr int worth_trying = 24;        // Newton steps a substep, before contacts are posed once
+constexpr int most_blows = 3;            // of a substep, before which it is divided
+constexpr double blow_share = 0.05;      // of the least reach, that anything goes in the piece that takes a blow
+constexpr int posings = 3;             // times that contacts are looked for
+constexpr int most_linearisations = 8;
+constexpr int active_sets = 5;         // tried before the interior point
+constexpr int final_active_sets = 3;   // after it
+constexpr int most_interior = 25;      // its iterations
+constexpr double polishing_gap = 1e-5; // of the interior point, from where on its active set is tried
+constexpr double closed_gap = 1e-10;   // at which it has ended
+constexpr int full_linearisations = 5; // after which a step has to lessen the potential
+constexpr double least_share = 1.0 / 64.0;
+constexpr double penalty_factor = 2.0;
+constexpr double most_motion = 1e12;   // m
+
+}  // namespace
+
+bool Island::is_tried(const CordReport& report) const {
+  return report.iterations >= worth_trying * accuracy_.substeps;
+}
+
+/// The substep from its start again, in pieces: where something would go through something on the way that all goes by
+/// itself, a piece ends there, and a very short one takes the blow, by which nothing moves far. Few of these, and then
+/// all of the rest.
+void Island::posed_substep(double start, double dt, CordReport& report) {
+  return_to_start();
+  ++report.posed;
+  bool converged = true;
+  const double end = start + dt;
+  double time = start;
+  const auto take = [&](double piece) {
+    converged = posed_piece(time, piece, report) && converged;
+    time += piece;
+  };
+  for (int blow = 0; blow < most_blows; ++blow) {
+    const double free = time_to_blow(time, end - time);
+    if (free >= end - time) break;
+    if (free > 0.0) take(free);
+    const double piece = blow_time(end - time);
+    if (!(piece < end - time)) break;
+    take(piece);
+  }
+  if (time < end) take(end - time);
+  if (!converged) ++report.unconverged;
+}
+
+/// s, until something would be in something, if all of it went on as it goes; `most` if nothing would.
+double Island::time_to_blow(double start, double most) {
+  contacts_.place_led(start);
+  contacts_.aim(start + most);
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    Vec2 way = most * velocities_[p];
+    if (constrained_[p] != 0) {
+      way = p < count_ ? most * drives_[p] : way;
+    } else if (p < count_) {
+      way += (most * most) * gravity_;
+    }
+    trial_[p] = positions_[p] + way;
+  }
+  return most * contacts_.share_to_passing(positions_, trial_);
+}
+
+/// s, in which nothing goes further than a small part of what may touch is thick.
+double Island::blow_time(double most) const {
+  double fastest = 0.0;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (!is_angle(p)) fastest = std::max(fastest, length(velocities_[p]));
+  }
+  const double way = blow_share * contacts_.least_reach();
+  return fastest * most > way ? way / fastest : most;
+}
+
+/// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
+bool Island::posed_piece(double start, double dt, CordReport& report) {
+  begin_substep(start, dt);
+  guarded_dt_ = dt;
+  Energy before;
+  if (!driven_) {
+    before = total_energy();
+    before.elastic += contacts_.pressing_energy() - contacts_.energy();
+  }
+  posing_ = true;
+  has_pattern_ = false;
+  const bool converged = implicit_euler(start, dt, report);
+  posing_ = false;
+  has_pattern_ = false;
+  calm(before);
+  rebound(before, dt);
+  keep_momentum(dt);
+  if (!driven_) energy_after_ = total_energy();
+  restart_ = true;
+  touch_changed_ = contacts_.changed();
+  contacts_.finish(positions_);
+  contacts_.scale_impulses(0.0);
+  return converged;
+}
+
+/// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
+/// everything goes by itself.
+void Island::begin_posed(double time, std::span<const Vec2> from) {
+  for (HeldBody& held : held_) held.slides = held.along_pull = 0.0;
+  contacts_.begin_stage();
+  contacts_.aim(time);
+  contacts_.lead(1.0);
+  contacts_.pose(from, positions_);
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (constrained_[p] == 0) positions_[p] = from[p];
+  }
+  std::fill(most_tensions_.begin(), most_tensions_.end(), 0.0);
+}
+
+bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
+  begin_posed(time, from);
+  bool converged = false;
+  for (int k = 0; k < most_linearisations && !converged; ++k) {
+    const bool others = k > 0 && k < posings && contacts_.pose(from, positions_);
+    limited_.clear();
+    contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
+    append_slips();
+    if (!solve_posed(stage, report)) break;
+    const double moved = furthest();
+    if (getenv("TR")) { double mf=0; for (auto&r: limited_.rows()) mf=std::max(mf,r.force); printf("  lin %d rows %zu moved %g maxf %g iters %d others %d\n", k, limited_.rows().size(), moved, mf, report.iterations, others);}
+    if (!(moved <= most_motion)) break;
+    for (std::size_t e = 0; e < next_.size(); ++e) {
+      most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
+    }
+    const double share = k < full_linearisations ? 1.0 : posed_share(stage);
+    if (share == 0.0) break;
+    move(trial_, share);
+    positions_.swap(trial_);
+    tensions_.swap(next_);
+    contacts_.take_forces(limited_);
+    take_slips();
+    converged = k > 0 && moved <= tolerance_ && !slips_ && !others && are_bars_settled(stage, k);
+  }
+  keep_apart(from, report);
+  contacts_.remember_hits(stage_weight_);
+  if (!converged) reset_tensions();
+  return converged;
+}
+
+/// The first of 1, ½, ¼ … of the direction that lessens the stage's potential; 0 if none does.
+double Island::posed_share(const Stage& stage) {
+  const double value = merit(stage, positions_);
+  for (double share = 1.0; share >= least_share; share *= 0.5) {
+    move(trial_, share);
+    const double change = limited_.potential(direction_, share) - limited_.potential(direction_, 0.0);
+    if (merit(stage, trial_) + change < value) return share;
+  }
+  return 0.0;
+}
+
+/// The step of the convex problem about positions_, and the tensions after it.
+bool Island::solve_posed(Stage& stage, CordReport& report) {
+  slips_ = false;
+  if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
+  has_pattern_ = true;
+  limited_.begin_active_set();
+  if (!solve_active_sets(stage, limited_.empty() ? 1 : active_sets, report)) {
+    if (!solve_interior(stage, report)) return false;
+  }
+  take_direction();
+  if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return false;
+  update_together(stage);
+  return true;
+}
+
+/// False if none of them was the solution's.
+bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
+  for (int k = 0; k < most; ++k) {
+    ++report.iterations;
+    load_together(stage);
+    limited_.load_active_set(blocks_, right_side_);
+    if (!solve_together()) return false;
+    if (limited_.update_active_set(right_side_)) return true;
+  }
+  return false;
+}
+
+/// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
+bool Island::solve_interior(Stage& stage, CordReport& report) {
+  limited_.begin_interior();
+  double polished = polishing_gap;
+  for (int k = 0; k < most_interior; ++k) {
+    ++report.iterations;
+    load_together(stage);
+    load_ = right_side_;
+    for (std::size_t p = 0; p < positions_.size(); ++p) {
+      if (constrained_[p] != 0) load_[p] = {};
+    }
+    limited_.load_interior(blocks_);
+    limited_.load_interior_force(right_side_);
+    if (!solve_together()) return false;
+    limited_.predict(right_side_);
+    right_side_ = load_;
+    limited_.load_interior_force(right_side_);
+    for (std::size_t p = 0; p < positions_.size(); ++p) {
+      if (constrained_[p] != 0) right_side_[p] = {};
+    }
+    blocks_.solve_again(right_side_);
+    limited_.advance(right_side_);
+    if (limited_.gap() > polished) continue;
+    if (limited_.gap() <= closed_gap) return true;
+    load_ = right_side_;
+    limited_.end_interior();
+    if (solve_active_sets(stage, final_active_sets, report)) return true;
+    polished *= 1e-3;
+    right_side_ = load_;
+  }
+  return true;
+}
+
+/// What holds a cord goes with it.
+void Island::find_groups() {
+  groups_.assign(positions_.size(), -1);
+  const auto root = [&](std::size_t slot) {
+    while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
+    return slot;
+  };
+  for (const Member& member : members_) {
+    for (std::size_t p = member.first; p < member.first + member.count; ++p) groups_[p] = static_cast<int>(member.first);
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[center(k)] = static_cast<int>(center(k));
+  for (const HeldBody& held : held_) {
+    const std::size_t a = root(held.point);
+    const std::size_t b = root(center(held.body));
+    groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
+  }
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[angle(k)] = groups_[center(k)];
+}
+
+/// Takes from the way of cords, and of what holds them, what would lead them through each other.
+void Island::keep_apart(std::span<const Vec2> from, CordReport& report) {
+  find_groups();
+  group_shares_.assign(positions_.size(), 1.0);
+  if (contacts_.keep_apart(from, positions_, groups_, group_shares_)) return;
+  ++report.cuts;
+  if (getenv("TR")) { printf("  cut"); for (double g: group_shares_) if (g<1) printf(" %g", g); printf("\n");}
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (constrained_[p] != 0 || groups_[p] < 0) continue;
+    positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
+  }
+}
+
+/// Of what stretches, those of where it is: tensions that a solve has not come to the end of would be energy.
+void Island::reset_tensions() {
+  for (const Member& member : members_) {
+    if (std::isinf(member.cord->def_.stretch_stiffness)) continue;
+    member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
+                                            part(tensions_, member.first_tension, member.tensions));
+  }
+}
+
+}  // namespace ribbon

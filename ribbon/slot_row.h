@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ribbon/vec2.h"
+
+namespace ribbon {
+
+/// The derivatives of a length by up to four slots of points and bodies.
+struct SlotRow {
+  std::array<int, 4> slot{};
+  std::array<Vec2, 4> by{};
+  int size = 0;
+
+  /// Adds to the derivative by a slot. The caller sees to it that there are no more than four.
+  void add(int s, Vec2 d) {
+    for (int i = 0; i < size; ++i) {
+      if (slot[at(i)] != s) continue;
+      by[at(i)] += d;
+      return;
+    }
+    slot[at(size)] = s;
+    by[at(size++)] = d;
+  }
+  /// By how much the length changes in a step.
+  double along(std::span<const Vec2> step) const {
+    double sum = 0.0;
+    for (int i = 0; i < size; ++i) sum += dot(by[at(i)], step[at(slot[at(i)])]);
+    return sum;
+  }
+  /// Adds a force along it to what acts on its slots, N and N·m.
+  void push(double force, std::span<Vec2> forces) const {
+    for (int i = 0; i < size; ++i) forces[at(slot[at(i)])] += force * by[at(i)];
+  }
+  std::span<const int> slots() const { return std::span(slot).first(at(size)); }
+  std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+};
+
+}  // namespace ribbon
