@@ -93,7 +93,7 @@ double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, boo
   place(to, led, to_);
   watch(from_, to_);
   double share = most;
-  for (const std::size_t k : near_) share = free_share(corners_[k], nearest_share, share);
+  for (const std::size_t k : near_) share = free_share(corners_[k], nearest_share, share, approach_share);
   return share;
 }
 
@@ -105,13 +105,13 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   }
   watch(from_, to_);
   return std::all_of(near_.begin(), near_.end(),
-                     [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0) == 1.0; });
+                     [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0, approach_share) == 1.0; });
 }
 
 /// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with
 /// n the normal now, |o − p| ≥ n·(o − p), which is linear in time and p, so that the greater of the speeds at which the
 /// ends come along n bounds it for all the way. Who parts is free, however deep he is.
-double Contacts::free_share(const Corner& pair, double share_of_reach, double most) const {
+double Contacts::free_share(const Corner& pair, double share_of_reach, double most, double approach_share) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
   const Vec2 past_a = disc - way(pair.a);

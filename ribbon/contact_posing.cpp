@@ -12,6 +12,8 @@ constexpr double friction_share = 0.1;  // of a contact's stiffness, that fricti
 constexpr double posed_share = 0.25;    // of the reach, beyond it, within which a pair is posed
 constexpr double nearest_share = 0.9;   // of the reach: who comes so near on the way touches there
 constexpr double passing_share = 0.5;   // of it: who comes so near has gone through
+constexpr double approach_share = 0.98; // of the distance, if that is less already: so much nearer it may be
+constexpr double kept_share = 0.995;    // the same in the end
 constexpr int most_cuts = 12;           // of a group's share
 
 }  // namespace
@@ -41,7 +43,7 @@ void Contacts::pose_none() {
 void Contacts::pose_pair(std::size_t k) {
   const Corner& corner = corners_[k];
   double share = 1.0;
-  if (free_share(corner, passing_share, 1.0) < 1.0) share = free_share(corner, nearest_share, 1.0);
+  if (free_share(corner, passing_share, 1.0, approach_share) < 1.0) share = free_share(corner, nearest_share, 1.0, approach_share);
   const ContactPair& pair = pairs_[k];
   for (const int anchor : {pair.disc, pair.a, pair.b, pair.before, pair.after}) {
     if (anchor >= 0) anchors_[at(anchor)] = from_[at(anchor)] + share * (to_[at(anchor)] - from_[at(anchor)]);
@@ -53,7 +55,7 @@ void Contacts::pose_pair(std::size_t k) {
 }
 
 /// N, of friction.
-double Contacts::limit(const Posed& posed) const { return pairs_[posed.pair].friction * forces_[posed.pair]; }
+double Contacts::limit(const Posed& posed) const { return pairs_[posed.pair].friction * rubbed_by_[posed.pair]; }
 
 void Contacts::append_rows(std::span<const Vec2> x, double shortness, LimitedRows& rows) {
   posed_stiffness_ = shortness * shortness;
@@ -75,14 +77,16 @@ void Contacts::append_rows(std::span<const Vec2> x, double shortness, LimitedRow
   }
 }
 
-void Contacts::take_forces(const LimitedRows& rows) {
+void Contacts::take_forces(const LimitedRows& rows, bool first) {
   std::fill(presses_.begin(), presses_.end(), 0.0);
   is_posed_ = true;
   std::size_t row = 0;
   for (const Posed& posed : posed_) {
     const double most = limit(posed);
-    forces_[posed.pair] = presses_[posed.pair] = rows.rows()[row++].force;
+    const double force = rows.rows()[row++].force;
+    forces_[posed.pair] = presses_[posed.pair] = force;
     rubs_[posed.pair] = most > 0.0 ? rows.rows()[row++].force : 0.0;
+    rubbed_by_[posed.pair] = first ? force : 0.5 * (rubbed_by_[posed.pair] + force);
   }
 }
 
@@ -97,7 +101,7 @@ double Contacts::share_to_passing(std::span<const Vec2> x, std::span<const Vec2>
   place(to, true, to_);
   watch(from_, to_);
   double share = 1.0;
-  for (const std::size_t k : near_) share = free_share(corners_[k], corners_[k].passing, share);
+  for (const std::size_t k : near_) share = free_share(corners_[k], corners_[k].passing, share, approach_share);
   return share;
 }
 
@@ -129,7 +133,7 @@ bool Contacts::keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, 
     bool apart = true;
     for (const std::size_t k : near_) {
       const Corner& corner = corners_[k];
-      const double free = free_share(corner, corner.passing, 1.0);
+      const double free = free_share(corner, corner.passing, 1.0, kept_share);
       if (free == 1.0) continue;
       apart = false;
       for (const int anchor : {corner.disc, corner.a, corner.b}) {

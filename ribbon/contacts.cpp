@@ -107,6 +107,7 @@ void Contacts::begin(std::span<const Vec2> x, double share) {
     const double pull = friction_share * pairs_[k].stiffness * std::abs(pairs_[k].touch.stuck);
     holds_[k] = pull < stuck_share * pairs_[k].friction * forces_[k] ? 1 : 0;
   }
+  rubbed_by_ = forces_;
   evaluate(x);
   first_.reserve(pairs_.capacity());
   first_ = touching_;

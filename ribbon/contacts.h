@@ -156,8 +156,9 @@ class Contacts {
   /// Normal forces and friction of the posed pairs as rows that are linear about x; friction by the normal forces that
   /// were found last. In a piece of a step that is shorter by `shortness` they are stiffer by its square.
   void append_rows(std::span<const Vec2> x, double shortness, LimitedRows& rows);
-  /// Takes over the forces that were found, in the order of append_rows.
-  void take_forces(const LimitedRows& rows);
+  /// Takes over the forces that were found, in the order of append_rows. Friction's limits follow them, wholly if they
+  /// are the `first` and half way else, for they could go back and forth together.
+  void take_forces(const LimitedRows& rows, bool first);
   /// J, of what presses by the forces that were found last, or, of a substep that has just begun, remembered.
   double pressing_energy() const;
   /// The share of the way from x to `to` on which no centre line is in what it touches, bodies that nothing pushes going
@@ -220,7 +221,7 @@ class Contacts {
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
   double led_speed(const ContactPair& pair, const Gap& gap) const;
   void load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const;
-  double free_share(const Corner& pair, double nearest_share, double most) const;
+  double free_share(const Corner& pair, double nearest_share, double most, double approach) const;
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;
@@ -241,6 +242,7 @@ class Contacts {
   std::vector<Vec2> watched_from_;
   std::vector<double> slacks_;
   double least_slack_ = 0.0;              // m
+  std::vector<double> rubbed_by_;         // N, by pair: the normal force by which friction is limited where it is posed
   std::vector<double> presses_;           // N, by pair: normal force in the last linear solve, negative if it pulled
   std::vector<double> forces_;            // N, by pair: the same, or 0
   std::vector<Row> rows_;                 // normal rows of those who touch, of the last linear solve

@@ -15,6 +15,7 @@ namespace {
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
+constexpr double posed_widening = 2.0;     // of the room, where contacts are posed once
 constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
@@ -33,16 +34,32 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   CordReport report;
   if (sleep_on(cords)) return report;
   widenings_.assign(cords.size(), 1.0);
+  poses_ = false;
   for (;;) {
     begin_step(cords, dt);
-    const double substep_dt = dt / accuracy_.substeps;
-    for (int n = 0; n < accuracy_.substeps; ++n) substep(n * substep_dt, substep_dt, report);
-    if (!widen()) break;
+    if (take_substeps(dt, report) && !widen(report)) break;
     unwind();
   }
   finish_step(dt, report);
   count_rest(dt, report);
   return report;
+}
+
+/// False if its contacts have to be posed once: then all of the step is taken again so, and looks for them further off,
+/// for that is not to be taken again often.
+bool Island::take_substeps(double dt, CordReport& report) {
+  if (poses_) {
+    posed_step(dt, report);
+    return true;
+  }
+  const double substep_dt = dt / accuracy_.substeps;
+  for (int n = 0; n < accuracy_.substeps; ++n) {
+    if (substep(n * substep_dt, substep_dt, report)) continue;
+    poses_ = true;
+    for (double& widening : widenings_) widening = std::max(widening, posed_widening);
+    return false;
+  }
+  return true;
 }
 
 void Island::begin_step(std::span<const IslandCord> cords, double dt) {

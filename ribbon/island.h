@@ -133,11 +133,14 @@ class Island {
   static bool are_close(const Cord& cord, int k, int link);
   bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
-  bool widen();
+  bool widen(const CordReport& report);
+  /// Whether as much was done in the step as contacts that are posed once are worth.
+  static bool is_posed_out(const CordReport& report);
   void let_go(double dt);
   void damp_deformation(const Member& member);
 
-  void substep(double start, double dt, CordReport& report);
+  bool take_substeps(double dt, CordReport& report);
+  bool substep(double start, double dt, CordReport& report);
   void begin_substep(double start, double dt);
   void return_to_start();
   bool second_order(double start, double dt, const Energy& before, CordReport& report);
@@ -197,8 +200,9 @@ class Island {
   bool are_bars_settled(const Stage& stage, int iteration);
   bool searched_steps(Stage& stage, CordReport& report);
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
-  void posed_substep(double start, double dt, CordReport& report);
+  void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
+  void end_piece(double dt);
   double time_to_blow(double start, double most);
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
@@ -207,7 +211,7 @@ class Island {
   bool solve_active_sets(Stage& stage, int most, CordReport& report);
   bool solve_interior(Stage& stage, CordReport& report);
   double posed_share(const Stage& stage);
-  void keep_apart(std::span<const Vec2> from, CordReport& report);
+  bool keep_apart(std::span<const Vec2> from);
   void find_groups();
   void reset_tensions();
   void go_led(double& left);
@@ -287,8 +291,11 @@ class Island {
   double stage_weight_ = 0.0;  // s, with which the stage's forces act
   bool euler_ = false;         // the stage is one of implicit Euler
   bool slips_ = false;         // a grip has begun to in the last linear solve
-  bool posing_ = false;        // contacts are posed once, see island_posed.cpp
+  bool poses_ = false;         // in this step contacts are posed once,
+  bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
   LimitedRows limited_;        // these
+  bool was_cut_ = false;       // in it something was kept from going through something
+  Energy piece_energy_;        // when it began
   std::vector<Vec2> load_;     // the right side without them
   std::vector<int> groups_;    // by slot: what goes together when it is kept apart from others
   std::vector<double> group_shares_;

@@ -140,6 +140,9 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
   pair.mutual = true;
+  // At a fold the link next to this one may be the point's neighbour: then none but this one can tell that it touches.
+  if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
+  if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
   pair.reach = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
@@ -178,7 +181,7 @@ bool Island::are_neighbours(const CordDef& def, int k, int link) {
   const int n = def.points;
   const int size = def.rows == 1 ? n : 2 * (n + def.rows - 2);
   const auto at_rest = [&](int i) {
-    i %= size;
+    i = (i + size) % size;
     if (i < n) return Vec2{along * i, 0.0};
     i -= n - 1;
     if (i < def.rows) return Vec2{along * (n - 1), across * i};
@@ -186,7 +189,8 @@ bool Island::are_neighbours(const CordDef& def, int k, int link) {
     if (i < n) return Vec2{along * (n - 1 - i), def.width};
     return Vec2{0.0, def.width - across * (i - n + 1)};
   };
-  if (k == link || k == (link + 1) % size) return true;
+  if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
+  if (k == (link + size) % size || k == (link + 1 + size) % size) return true;
   const Gap gap = gap_between(at_rest(k), at_rest(link), at_rest(link + 1));
   return gap.distance < own_neighbourhood * def.radius;
 }

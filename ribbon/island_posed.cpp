@@ -13,8 +13,11 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 24;        // Newton steps a substep, before contacts are posed once
-constexpr int most_blows = 3;            // of a substep, before which it is divided
+constexpr int worth_trying = 16;         // Newton steps in a step, and so many more
+constexpr int worth_trying_more = 8;     // a substep, before contacts are posed once
+constexpr double tied_share = 1e-3;      // of the tolerance, by which a row may be on the wrong side of its limit
+constexpr int most_pieces = 8;           // of a step
+constexpr int most_posed_work = 100;     // Newton steps of a step, from where on nothing is taken again
 constexpr double blow_share = 0.05;      // of the least reach, that anything goes in the piece that takes a blow
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
@@ -31,36 +34,49 @@ constexpr double most_motion = 1e12;   // m
 }  // namespace
 
 bool Island::is_tried(const CordReport& report) const {
-  return report.iterations >= worth_trying * accuracy_.substeps;
+  return report.iterations >= worth_trying + worth_trying_more * accuracy_.substeps;
 }
 
-/// The substep from its start again, in pieces: where something would go through something on the way that all goes by
-/// itself, a piece ends there, and a very short one takes the blow, by which nothing moves far. Few of these, and then
-/// all of the rest.
-void Island::posed_substep(double start, double dt, CordReport& report) {
-  return_to_start();
+bool Island::is_posed_out(const CordReport& report) { return report.iterations >= most_posed_work; }
+
+/// The whole step, in pieces: where something would go through something on the way that all goes by itself, a piece ends
+/// there, and a very short one takes the blow, by which nothing moves far. A piece that is not solved, or in which
+/// something had to be kept from going through something, is taken again by half. Few pieces, and then all of the rest
+/// as it comes.
+void Island::posed_step(double dt, CordReport& report) {
   ++report.posed;
-  bool converged = true;
-  const double end = start + dt;
-  double time = start;
-  const auto take = [&](double piece) {
-    converged = posed_piece(time, piece, report) && converged;
-    time += piece;
-  };
-  for (int blow = 0; blow < most_blows; ++blow) {
-    const double free = time_to_blow(time, end - time);
-    if (free >= end - time) break;
-    if (free > 0.0) take(free);
-    const double piece = blow_time(end - time);
-    if (!(piece < end - time)) break;
-    take(piece);
+  const Energy before = driven_ ? Energy{} : total_energy();
+  double time = 0.0;
+  double most = dt;
+  bool blow = false;
+  for (int piece = 1; time < dt; ++piece) {
+    const double left = dt - time;
+    const bool last = piece >= most_pieces || is_posed_out(report);
+    double share = left;
+    if (!last) {
+      share = std::min(most, blow ? blow_time(left) : time_to_blow(time, left));
+      blow = !blow && share < left && share < most;
+      if (share <= 0.0) continue;
+    }
+    const bool solved = posed_piece(time, share, report);
+    if (!solved && !last) {
+      return_to_start();
+      most = 0.5 * share;
+      blow = false;
+      continue;
+    }
+    if (!solved) ++report.unconverged;
+    if (was_cut_) ++report.cuts;
+    end_piece(share);
+    time = share == left ? dt : time + share;
+    most = dt - time;
   }
-  if (time < end) take(end - time);
-  if (!converged) ++report.unconverged;
+  if (!driven_) account(before);
 }
 
 /// s, until something would be in something, if all of it went on as it goes; `most` if nothing would.
 double Island::time_to_blow(double start, double most) {
+  if (contacts_.empty()) return most;
   contacts_.place_led(start);
   contacts_.aim(start + most);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -85,39 +101,50 @@ double Island::blow_time(double most) const {
   return fastest * most > way ? way / fastest : most;
 }
 
-/// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
+/// False if it was not solved, or not without a cut.
 bool Island::posed_piece(double start, double dt, CordReport& report) {
   begin_substep(start, dt);
+  contacts_.scale_impulses(0.0);
   guarded_dt_ = dt;
-  Energy before;
+  was_cut_ = false;
   if (!driven_) {
-    before = total_energy();
-    before.elastic += contacts_.pressing_energy() - contacts_.energy();
+    piece_energy_ = total_energy();
+    piece_energy_.elastic += contacts_.pressing_energy() - contacts_.energy();
   }
   posing_ = true;
   has_pattern_ = false;
   const bool converged = implicit_euler(start, dt, report);
   posing_ = false;
   has_pattern_ = false;
+  return converged && !was_cut_;
+}
+
+/// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
+void Island::end_piece(double dt) {
+  const Energy before = piece_energy_;
   calm(before);
-  rebound(before, dt);
-  keep_momentum(dt);
+  if (!contacts_.empty()) {
+    rebound(before, dt);
+    keep_momentum(dt);
+  }
   if (!driven_) energy_after_ = total_energy();
   restart_ = true;
+  if (contacts_.empty()) return;
   touch_changed_ = contacts_.changed();
   contacts_.finish(positions_);
   contacts_.scale_impulses(0.0);
-  return converged;
 }
 
 /// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
 /// everything goes by itself.
 void Island::begin_posed(double time, std::span<const Vec2> from) {
   for (HeldBody& held : held_) held.slides = held.along_pull = 0.0;
-  contacts_.begin_stage();
-  contacts_.aim(time);
-  contacts_.lead(1.0);
-  contacts_.pose(from, positions_);
+  if (!contacts_.empty()) {
+    contacts_.begin_stage();
+    contacts_.aim(time);
+    contacts_.lead(1.0);
+    contacts_.pose(from, positions_);
+  }
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] == 0) positions_[p] = from[p];
   }
@@ -128,9 +155,9 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   begin_posed(time, from);
   bool converged = false;
   for (int k = 0; k < most_linearisations && !converged; ++k) {
-    const bool others = k > 0 && k < posings && contacts_.pose(from, positions_);
+    const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
     limited_.clear();
-    contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
+    if (!contacts_.empty()) contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
     append_slips();
     if (!solve_posed(stage, report)) break;
     const double moved = furthest();
@@ -144,12 +171,14 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     move(trial_, share);
     positions_.swap(trial_);
     tensions_.swap(next_);
-    contacts_.take_forces(limited_);
+    if (!contacts_.empty()) contacts_.take_forces(limited_, k < posings);
     take_slips();
     converged = k > 0 && moved <= tolerance_ && !slips_ && !others && are_bars_settled(stage, k);
   }
-  keep_apart(from, report);
-  contacts_.remember_hits(stage_weight_);
+  if (!contacts_.empty()) {
+    was_cut_ = !keep_apart(from);
+    contacts_.remember_hits(stage_weight_);
+  }
   if (!converged) reset_tensions();
   return converged;
 }
@@ -187,7 +216,7 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
     load_together(stage);
     limited_.load_active_set(blocks_, right_side_);
     if (!solve_together()) return false;
-    if (limited_.update_active_set(right_side_)) return true;
+    if (limited_.update_active_set(right_side_, tied_share * tolerance_)) return true;
   }
   return false;
 }
@@ -247,17 +276,16 @@ void Island::find_groups() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[angle(k)] = groups_[center(k)];
 }
 
-/// Takes from the way of cords, and of what holds them, what would lead them through each other.
-void Island::keep_apart(std::span<const Vec2> from, CordReport& report) {
+/// Takes from the way of cords, and of what holds them, what would lead them through each other. False if it had to.
+bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
-  if (contacts_.keep_apart(from, positions_, groups_, group_shares_)) return;
-  ++report.cuts;
-  if (getenv("TR")) { printf("  cut"); for (double g: group_shares_) if (g<1) printf(" %g", g); printf("\n");}
+  if (contacts_.keep_apart(from, positions_, groups_, group_shares_)) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0 || groups_[p] < 0) continue;
     positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
   }
+  return false;
 }
 
 /// Of what stretches, those of where it is: tensions that a solve has not come to the end of would be energy.

@@ -30,17 +30,13 @@ using std::numbers::sqrt2;
 }  // namespace
 
 /// One substep from `start` on, s since the step began, and its guard: what Newton does not solve, or what gains energy
-/// all the same, is taken again by implicit Euler, and that by halves.
-void Island::substep(double start, double dt, CordReport& report) {
+/// all the same, is taken again by implicit Euler. False if that does not do either.
+bool Island::substep(double start, double dt, CordReport& report) {
   guarded_dt_ = dt;
   begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
-  if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) {
-    posed_substep(start, dt, report);
-    if (!driven_) account(before);
-    return;
-  }
+  if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) return false;
   if (!driven_) energy_after_ = total_energy();
   if (!contacts_.empty()) {
     rebound(before, dt);
@@ -48,9 +44,10 @@ void Island::substep(double start, double dt, CordReport& report) {
     if (!driven_) energy_after_ = total_energy();
   }
   if (!driven_) account(before);
-  if (contacts_.empty()) return;
+  if (contacts_.empty()) return true;
   touch_changed_ = contacts_.changed();
   contacts_.finish(positions_);
+  return true;
 }
 
 /// False, and back at the start, if the substep is one for implicit Euler. Where somebody begins or ceases to touch,

@@ -7,7 +7,7 @@
 namespace ribbon {
 namespace {
 
-constexpr double tied_share = 1e-7;       // of the greatest force, by which one may be on the wrong side of its limit
+constexpr double tied_share = 1e-4;       // of the greatest force, by which one may be on the wrong side of its limit
 constexpr double boundary_share = 0.995;  // of the way to the boundary, that a step of the interior point goes
 
 }  // namespace
@@ -70,7 +70,7 @@ void LimitedRows::load_active_set(BlockLdlt& matrix, std::span<Vec2> right_side)
   }
 }
 
-bool LimitedRows::update_active_set(std::span<const Vec2> step) {
+bool LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance) {
   bool same = true;
   double most = 0.0;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -82,7 +82,8 @@ bool LimitedRows::update_active_set(std::span<const Vec2> step) {
     const State state = spring < row.low ? State::low : spring > row.high ? State::high : State::spring;
     if (state == states_[k]) continue;
     const double limit = state == State::low || states_[k] == State::low ? row.low : row.high;
-    if (std::abs(spring - limit) <= tied_share * most_force_) continue;
+    const double off = std::abs(spring - limit);
+    if (off <= tied_share * most_force_ || off * row.compliance <= tolerance) continue;
     states_[k] = state;
     same = false;
   }

@@ -56,9 +56,9 @@ class LimitedRows {
   /// Takes each row to be where its expected force is.
   void begin_active_set();
   void load_active_set(BlockLdlt& matrix, std::span<Vec2> right_side) const;
-  /// Takes over the step that the system gave. Whether it left every row where it was taken to be: then it is the
-  /// solution.
-  bool update_active_set(std::span<const Vec2> step);
+  /// Takes over the step that the system gave. Whether it left every row where it was taken to be, or so near that it
+  /// is off by no more than `tolerance` [m] or a ten thousandth of the greatest force: then it is the solution.
+  bool update_active_set(std::span<const Vec2> step, double tolerance);
 
   // Interior point, to be begun after an active set was tried.
 
