@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace any_scene {
 
@@ -206,6 +207,20 @@ Depth Oracles::penetration(const Snapshot& now) const {
     }
   }
   return deepest;
+}
+
+EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
+    : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
+
+EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) {
+  heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
+  kinetic_ = std::max(kinetic_, now.kinetic);
+  lowest_ = std::min(lowest_, now.total);
+  const double scale = kinetic_ + weight_ * (heights_.y - heights_.x);
+  const double gained = std::max(0.0, now.total - before_);
+  const double risen = now.total - lowest_;
+  before_ = now.total;
+  return scale > 0.0 ? Gain{gained / scale, risen / scale} : Gain{};
 }
 
 Lengths lengths(const engine::Coupling& coupling) {
