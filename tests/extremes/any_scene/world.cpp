@@ -230,11 +230,20 @@ bool World::is_finite() const {
   });
 }
 
+/// Whether a grip that may slip is at an end of its cord, where nothing is left to hold.
+bool World::has_slipped_off(double arc, const Hold& hold) const {
+  if (std::isinf(hold.strength)) return false;
+  const ribbon::Cord& cord = coupling_.cord(hold.cord);
+  double whole = 0.0;
+  for (int i = 0; i + 1 < cord.def().points; ++i) whole += cord.rest_length(i);
+  return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
+}
+
 double World::grip_gap() const {
   double widest = 0.0;
   for (std::size_t k = 0; k < grips_.size(); ++k) {
     const auto held = coupling_.state(grips_[k]);
-    if (!held) continue;
+    if (!held || has_slipped_off(held->arc, scene_.holds[k])) continue;
     const b2Body& body = *bodies_[slot(scene_.holds[k].solid)];
     const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[k].local_hand)));
     widest = std::max(widest, length(held->place - hand));

@@ -42,13 +42,15 @@ class World {
   ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of what moves
   double fastest() const;        ///< m/s, of points of cords
   bool is_finite() const;
-  double grip_gap() const;  ///< m, the widest between a hand and the place of the cord that it holds
+  /// m, the widest between a hand and the place of the cord that it holds; without grips that slipped off an end.
+  double grip_gap() const;
 
  private:
   void add(const Solid& solid);
   void add(const SceneCord& cord, Preset preset);
   void add(const Hold& hold);
   void drive(int number);
+  bool has_slipped_off(double arc, const Hold& hold) const;
   template <typename Count>
   int sum_over_islands(Count&& count) const;
 
