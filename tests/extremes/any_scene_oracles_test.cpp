@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/oracles.h"
 #include "tests/extremes/any_scene/play.h"
 

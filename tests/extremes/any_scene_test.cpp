@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/extremes/any_scene/code.h"
+#include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/generate.h"
 #include "tests/extremes/any_scene/oracles.h"
 #include "tests/extremes/any_scene/runs.h"

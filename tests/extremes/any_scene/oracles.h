@@ -53,35 +53,4 @@ double overlap(const Solid& a, const Solid& b);
 /// m, the same of a cord's line with its radius and a solid.
 double overlap(const ribbon::CordDef& cord, const Outline& line, const Solid& solid);
 
-/// Energy that comes from nowhere, as a share of the greatest kinetic energy so far and the weight of all times the
-/// range of heights so far.
-class EnergyBalance {
- public:
-  /// J, N, m: at the start.
-  EnergyBalance(const World::Energy& start, double weight, ribbon::Vec2 heights);
-
-  struct Gain {
-    double in_tick = 0.0;
-    double since_lowest = 0.0;  ///< since energy was the least
-  };
-  /// After a tick.
-  Gain take(const World::Energy& now, ribbon::Vec2 heights);
-
- private:
-  double weight_;
-  ribbon::Vec2 heights_;
-  double kinetic_;
-  double lowest_;
-  double before_;
-};
-
-/// Of inextensible ropes the furthest that a link is off its length, relative; of the others the greatest strain.
-struct Lengths {
-  double stretch = 0.0;
-  double strain = 0.0;
-};
-Lengths lengths(const engine::Coupling& coupling);
-/// Corners of ribbons' cells that are inside out.
-int inverted(const engine::Coupling& coupling);
-
 }  // namespace any_scene

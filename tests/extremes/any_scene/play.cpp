@@ -4,6 +4,8 @@
 #include <chrono>
 #include <limits>
 
+#include "tests/extremes/any_scene/figures.h"
+
 namespace any_scene {
 
 using ribbon::Vec2;
@@ -11,8 +13,8 @@ using ribbon::Vec2;
 namespace {
 
 void look(const World& world, const Oracles& oracles, const Snapshot& before, const Snapshot& after, Sample& sample) {
-  sample.work = world.work();
-  sample.unconverged = world.unconverged();
+  sample.work = work(world.coupling());
+  sample.unconverged = unconverged(world.coupling());
   sample.speed = world.fastest();
   sample.gap = world.grip_gap();
   const Lengths worst = lengths(world.coupling());

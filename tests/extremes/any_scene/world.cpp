@@ -137,38 +137,6 @@ Snapshot World::snapshot() const {
   return now;
 }
 
-/// Each cord has its island's counts. Cords of different counts are of different islands; of equal counts as many are
-/// taken to be of islands of their own, the greatest first, as there are islands in all.
-template <typename Count>
-int World::sum_over_islands(Count&& count) const {
-  std::vector<const ribbon::CordReport*> different;
-  std::vector<int> others;
-  int sum = 0;
-  for (int c = 0; c < coupling_.size(); ++c) {
-    const ribbon::CordReport& report = coupling_.report(c);
-    const bool seen = std::any_of(different.begin(), different.end(),
-                                  [&](const ribbon::CordReport* before) { return *before == report; });
-    if (seen) {
-      others.push_back(count(report));
-    } else {
-      different.push_back(&report);
-      sum += count(report);
-    }
-  }
-  std::sort(others.rbegin(), others.rend());
-  const int more = coupling_.islands() - static_cast<int>(different.size());
-  for (int k = 0; k < more && slot(k) < others.size(); ++k) sum += others[slot(k)];
-  return sum;
-}
-
-int World::work() const {
-  return sum_over_islands([](const ribbon::CordReport& report) { return report.iterations; });
-}
-
-int World::unconverged() const {
-  return sum_over_islands([](const ribbon::CordReport& report) { return report.unconverged; });
-}
-
 World::Energy World::energy() const {
   Energy sum;
   for (int c = 0; c < coupling_.size(); ++c) {

@@ -29,9 +29,6 @@ class World {
 
   const engine::Coupling& coupling() const { return coupling_; }
   Snapshot snapshot() const;
-  /// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
-  int work() const;
-  int unconverged() const;  ///< substeps of the last tick, of all islands
   /// J, of cords and dynamic bodies.
   struct Energy {
     double total = 0.0;
@@ -51,8 +48,6 @@ class World {
   void add(const Hold& hold);
   void drive(int number);
   bool has_slipped_off(double arc, const Hold& hold) const;
-  template <typename Count>
-  int sum_over_islands(Count&& count) const;
 
   const Scene scene_;
   b2World world_;
