@@ -35,7 +35,10 @@ Solid solid(Shape shape, Vec2 position, Vec2 half) {
 Snapshot snapshot(const Scene& scene) {
   Snapshot now;
   for (const SceneCord& cord : scene.cords) now.cords.push_back(outline(cord.def, cord.def.positions));
-  for (const Solid& made : scene.solids) now.solids.push_back(pose_of(made));
+  for (const Solid& made : scene.solids) {
+    now.solids.push_back(pose_of(made));
+    now.pressed.push_back(0);
+  }
   return now;
 }
 

@@ -89,7 +89,8 @@ std::vector<Meeting> Oracles::crossings(const Snapshot& before, const Snapshot& 
       if (holds(scene_, s, a)) continue;
       const bool is_edge = scene_.solids[slot(s)].shape == Shape::edge;
       const bool crossed = is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after);
-      if (crossed) found.push_back({a, s, true});
+      const bool pressed = before.pressed[slot(s)] != 0 || after.pressed[slot(s)] != 0;
+      if (crossed) found.push_back({a, s, true, pressed});
     }
   }
   return found;

@@ -9,8 +9,9 @@ namespace any_scene {
 /// A cord and what it meets: itself, another cord or a solid.
 struct Meeting {
   int cord = 0;
-  int other = 0;       ///< a cord's index, or a solid's
-  bool solid = false;  ///< which of these
+  int other = 0;         ///< a cord's index, or a solid's
+  bool solid = false;    ///< which of these
+  bool pressed = false;  ///< of a solid: Box2D has pushed it in the tick or the one before
 };
 
 /// How deep something is in something, at its deepest.

@@ -87,6 +87,7 @@ const std::vector<Column>& columns() {
       {"x crd", 5, how_many([](const Summary& run) { return run.crossings > 0; })},
       {"x fix", 5, how_many([](const Summary& run) { return run.crossings_fixed > 0; })},
       {"x mov", 5, how_many([](const Summary& run) { return run.crossings_moving > 0; })},
+      {"x prs", 5, how_many([](const Summary& run) { return run.crossings_pressed > 0; })},
       {"inver", 5, how_many([](const Summary& run) { return run.inverted > 0; })},
       {"ended", 5, how_many([](const Summary& run) { return run.end != End::whole; })},
       {"depth90", 8, over_runs(0.9, [](const Summary& run) { return run.penetration; })},
@@ -158,7 +159,8 @@ void print_histogram(const std::vector<Summary>& runs) {
 namespace {
 
 std::string text(const Meeting& where) {
-  return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other);
+  return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other) +
+         (where.pressed ? "p" : "");
 }
 
 }  // namespace
@@ -166,7 +168,7 @@ std::string text(const Meeting& where) {
 void print_ticks(const Outcome& outcome) {
   std::printf("%5s %6s %6s %8s %9s %9s %9s %12s %9s %9s %9s %7s %-6s %5s %s\n", "tick", "work", "unconv", "ms",
               "stretch%", "strain%", "m/s", "energy J", "gain%", "rise%", "gap mm", "depth", "where", "inver",
-              "crossings: cord/c another, /s a solid");
+              "crossings: cord/c another, /s a solid, p that Box2D pushes");
   for (std::size_t k = 0; k < outcome.ticks.size(); ++k) {
     const Sample& tick = outcome.ticks[k];
     std::string crossings;

@@ -21,6 +21,13 @@ b2BodyType type_of(Motion motion) {
   return types[static_cast<std::size_t>(motion)];
 }
 
+bool is_pressed(const b2Body& body) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching() && edge->contact->GetManifold()->pointCount > 0) return true;
+  }
+  return false;
+}
+
 /// The place at an arc of a path, its last corner beyond its end; `arrived` says that it is there.
 Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived) {
   arrived = false;
@@ -133,6 +140,7 @@ Snapshot World::snapshot() const {
     const b2Rot& turned = body->GetTransform().q;
     now.solids.push_back(
         {to_double(body->GetPosition()), static_cast<double>(turned.c), static_cast<double>(turned.s)});
+    now.pressed.push_back(is_pressed(*body) ? 1 : 0);
   }
   return now;
 }

@@ -14,6 +14,7 @@ namespace any_scene {
 struct Snapshot {
   std::vector<Outline> cords;
   std::vector<Pose> solids;
+  std::vector<char> pressed;  ///< by solid: whether Box2D pushes it, where another touches it
 };
 
 /// A scene in Box2D's world with its cords.
