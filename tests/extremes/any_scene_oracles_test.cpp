@@ -155,6 +155,7 @@ TEST(AnySceneOracles, CountCornersInsideOut) {
   strip.def.length = 2.0;
   strip.def.width = 1.0;
   strip.def.stretch_stiffness = 1e3;
+  strip.def.area_stiffness = 1.0;
   strip.def.positions = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}, {2.0, 1.0}};
   scene.cords = {strip};
   EXPECT_EQ(inverted(World(scene).coupling()), 0);

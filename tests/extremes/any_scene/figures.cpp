@@ -83,6 +83,7 @@ int inverted(const engine::Coupling& coupling) {
   int count = 0;
   for (int c = 0; c < coupling.size(); ++c) {
     const ribbon::Cord& cord = coupling.cord(c);
+    if (cord.def().area_stiffness == 0.0) continue;
     const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };
     for (int i = 0; i + 1 < cord.def().points; ++i) {
       for (int j = 0; j + 1 < cord.def().rows; ++j) {

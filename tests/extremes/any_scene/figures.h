@@ -34,7 +34,7 @@ struct Lengths {
   double strain = 0.0;
 };
 Lengths lengths(const engine::Coupling& coupling);
-/// Corners of ribbons' cells that are inside out.
+/// Corners of cells that are inside out, of ribbons with area stiffness.
 int inverted(const engine::Coupling& coupling);
 
 /// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.

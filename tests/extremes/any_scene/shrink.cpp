@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "tests/extremes/any_scene/edit.h"
+#include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/oracles.h"
 
 namespace any_scene {
 namespace {
 
-constexpr double touching = 1e-4;  // m, that things may overlap which rounding moves
+constexpr double touching = 1e-4;   // m, that things may overlap, or be apart, which rounding moves
+constexpr double stretched = 1e-4;  // as a share, the same of links
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
@@ -178,7 +180,8 @@ const Bar* first_broken(const Summary& run) {
 bool starts_clear(const Scene& scene) {
   try {
     const World world(scene);
-    return Oracles(scene).overlap(world.snapshot()) <= touching;
+    return Oracles(scene).overlap(world.snapshot()) <= touching && world.grip_gap() <= touching &&
+           lengths(world.coupling()).stretch <= stretched;
   } catch (const ribbon::DefinitionError&) {
     return false;
   }

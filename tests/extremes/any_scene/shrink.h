@@ -23,7 +23,7 @@ const Bar* first_broken(const Summary& run);
 /// Whether a scene still fails as it should.
 using Fails = std::function<bool(const Scene& scene)>;
 
-/// Whether a scene can be built, and nothing in it overlaps.
+/// Whether a scene can be built, nothing in it overlaps, holders are at their cords and links are at their lengths.
 bool starts_clear(const Scene& scene);
 
 /// The smallest scene that it finds which still fails: without cords, solids, holds, drags, reels and terms that are
