@@ -16,7 +16,7 @@ void look(const World& world, const Oracles& oracles, const Snapshot& before, co
   sample.work = work(world.coupling());
   sample.unconverged = unconverged(world.coupling());
   sample.speed = world.fastest();
-  sample.gap = world.grip_gap();
+  sample.gaps = world.grip_gaps();
   const Lengths worst = lengths(world.coupling());
   sample.stretch = worst.stretch;
   sample.strain = worst.strain;

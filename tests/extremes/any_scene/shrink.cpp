@@ -180,7 +180,7 @@ const Bar* first_broken(const Summary& run) {
 bool starts_clear(const Scene& scene) {
   try {
     const World world(scene);
-    return Oracles(scene).overlap(world.snapshot()) <= touching && world.grip_gap() <= touching &&
+    return Oracles(scene).overlap(world.snapshot()) <= touching && world.grip_gaps().free <= touching &&
            lengths(world.coupling()).stretch <= stretched;
   } catch (const ribbon::DefinitionError&) {
     return false;

@@ -93,6 +93,7 @@ const std::vector<Column>& columns() {
       {"depth90", 8, over_runs(0.9, [](const Summary& run) { return run.penetration; })},
       {"depthmx", 8, over_runs(1.0, [](const Summary& run) { return run.penetration; })},
       {"gap mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap; })},
+      {"prs mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap_pressed; })},
       {"tick ms", 8, over_runs(1.0, [](const Summary& run) { return run.worst_ms; })},
       {"m/s", 6, over_runs(1.0, [](const Summary& run) { return run.speed; })},
   };
@@ -175,8 +176,9 @@ void print_ticks(const Outcome& outcome) {
     for (const Meeting& where : tick.crossings) crossings += text(where) + " ";
     std::printf("%5d %6d %6d %8.3f %9.3g %9.3g %9.3g %12.6g %9.3g %9.3g %9.3g %7.3g %-6s %5d %s%s\n",
                 static_cast<int>(k), tick.work, tick.unconverged, tick.milliseconds, 100.0 * tick.stretch,
-                100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise, 1e3 * tick.gap,
-                tick.penetration.share, text(tick.penetration.where).c_str(), tick.inverted, crossings.c_str(),
+                100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise,
+                1e3 * std::max(tick.gaps.free, tick.gaps.pressed), tick.penetration.share,
+                text(tick.penetration.where).c_str(), tick.inverted, crossings.c_str(),
                 tick.finite ? "" : "not finite");
   }
   std::printf("%s %s\n", std::string(name(outcome.end)).c_str(), outcome.message.c_str());

@@ -24,7 +24,8 @@ struct Summary {
   double speed = 0.0;
   double gain = 0.0;
   double rise = 0.0;
-  double gap = 0.0;
+  double gap = 0.0;          ///< of bodies that Box2D has not pushed,
+  double gap_pressed = 0.0;  ///< and of those that it has
   double penetration = 0.0;
   int crossings = 0;          ///< of cords with cords, in all,
   int crossings_fixed = 0;    ///< with static solids,

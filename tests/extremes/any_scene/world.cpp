@@ -14,6 +14,8 @@ using ribbon::Vec2;
 
 namespace {
 
+constexpr double closed_gap = 1e-3;  // m
+
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 b2BodyType type_of(Motion motion) {
@@ -50,6 +52,7 @@ World::World(const Scene& scene) : scene_(scene), world_(to_float(scene.gravity)
   for (const SceneCord& cord : scene.cords) add(cord, scene.preset);
   for (const Hold& hold : scene.holds) add(hold);
   drag_starts_.resize(scene.drags.size());
+  pushed_.resize(scene.holds.size());
 }
 
 void World::add(const Solid& solid) {
@@ -128,6 +131,7 @@ double World::tick(int number) {
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
   world_.Step(static_cast<float>(dt), 8, 3);
+  see_who_was_pushed();
   return time.count();
 }
 
@@ -215,14 +219,30 @@ bool World::has_slipped_off(double arc, const Hold& hold) const {
   return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
 }
 
-double World::grip_gap() const {
-  double widest = 0.0;
+/// m; 0 if it has been let go.
+double World::gap(std::size_t hold) const {
+  const auto held = coupling_.state(grips_[hold]);
+  if (!held || has_slipped_off(held->arc, scene_.holds[hold])) return 0.0;
+  const b2Body& body = *bodies_[slot(scene_.holds[hold].solid)];
+  const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[hold].local_hand)));
+  return length(held->place - hand);
+}
+
+void World::see_who_was_pushed() {
   for (std::size_t k = 0; k < grips_.size(); ++k) {
-    const auto held = coupling_.state(grips_[k]);
-    if (!held || has_slipped_off(held->arc, scene_.holds[k])) continue;
-    const b2Body& body = *bodies_[slot(scene_.holds[k].solid)];
-    const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[k].local_hand)));
-    widest = std::max(widest, length(held->place - hand));
+    if (is_pressed(*bodies_[slot(scene_.holds[k].solid)])) {
+      pushed_[k] = 1;
+    } else if (gap(k) < closed_gap) {
+      pushed_[k] = 0;
+    }
+  }
+}
+
+World::Gaps World::grip_gaps() const {
+  Gaps widest;
+  for (std::size_t k = 0; k < grips_.size(); ++k) {
+    double& of_kind = pushed_[k] != 0 ? widest.pressed : widest.free;
+    of_kind = std::max(of_kind, gap(k));
   }
   return widest;
 }

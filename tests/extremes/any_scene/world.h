@@ -40,8 +40,13 @@ class World {
   ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of what moves
   double fastest() const;        ///< m/s, of points of cords
   bool is_finite() const;
-  /// m, the widest between a hand and the place of the cord that it holds; without grips that slipped off an end.
-  double grip_gap() const;
+  /// m, the widest between a hand and the place of the cord that it holds, without grips that slipped off an end: of
+  /// bodies that go as cords move them, and of those that Box2D has pushed away since.
+  struct Gaps {
+    double free = 0.0;
+    double pressed = 0.0;
+  };
+  Gaps grip_gaps() const;
 
  private:
   void add(const Solid& solid);
@@ -49,12 +54,15 @@ class World {
   void add(const Hold& hold);
   void drive(int number);
   bool has_slipped_off(double arc, const Hold& hold) const;
+  double gap(std::size_t hold) const;
+  void see_who_was_pushed();
 
   const Scene scene_;
   b2World world_;
   engine::Coupling coupling_;
   std::vector<b2Body*> bodies_;
   std::vector<engine::GripId> grips_;
+  std::vector<char> pushed_;  // by hold: Box2D has pushed its solid, and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
 };
 
