@@ -37,6 +37,7 @@ const std::vector<Group>& groups() {
       {"degenerate", "points without a distance, lengths that are refused", run_degenerate},
       {"places", "the same motion elsewhere", run_places},
       {"soak", "a lively scene that goes on and on", run_soak},
+      {"any_scene", "scenes made at random, of any features together; no bars", run_any_scene},
   };
   return all;
 }

@@ -65,6 +65,7 @@ std::vector<Row> run_crush(const Scope& scope);
 std::vector<Row> run_degenerate(const Scope& scope);
 std::vector<Row> run_places(const Scope& scope);
 std::vector<Row> run_soak(const Scope& scope);
+std::vector<Row> run_any_scene(const Scope& scope);
 
 /// "ok", or what is lost: "FAIL: …" if it has to hold, "lost: …" of the thesis's method.
 std::string verdict(const Row& row);

@@ -69,7 +69,7 @@ void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
   const double most = std::min(10.0, solid);
   if (def.rows > 2 || dice.coin()) def.bending_stiffness = log_uniform(dice, std::min(1e-2, 0.1 * most), most);
   if (dice.coin()) def.poisson_ratio = dice(0.0, 0.4);
-  if (dice.coin()) def.area_stiffness = 1.0;
+  if (dice.coin() || !may_be_bars) def.area_stiffness = 1.0;  // it may be crushed
 }
 
 CordDef some_cord(Dice& dice, const Recipe& recipe, bool mixed) {

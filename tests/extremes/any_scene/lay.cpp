@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/extremes/any_scene/edit.h"
 #include "tests/extremes/any_scene/oracles.h"
 
 namespace any_scene {
@@ -157,13 +158,15 @@ bool Room::add_cord(Dice& dice, CordDef def, Vec2 low, Vec2 high) {
 
 bool Room::bring(Dice& dice, int solid, int cord, double arc, Hold& hold) {
   const CordDef& def = scene_.cords[slot(cord)].def;
-  const double column = std::clamp(arc / def.length * (def.points - 1), 0.0, def.points - 1.0);
-  const int i = std::min(static_cast<int>(column), def.points - 2);
   const bool left = dice.coin();
-  const int row = left ? def.rows - 1 : 0;
-  const Vec2 a = def.positions[slot(i * def.rows + row)];
-  const Vec2 b = def.positions[slot((i + 1) * def.rows + row)];
-  const Vec2 hand = a + (column - i) * (b - a);
+  hold.solid = solid;
+  hold.cord = cord;
+  hold.arc = arc;
+  hold.row = left ? def.rows - 1 : 0;
+  const Vec2 hand = place_of(scene_, hold);
+  const int column = std::min(static_cast<int>(arc / def.length * (def.points - 1)), def.points - 2);
+  const Vec2 a = def.positions[slot(column * def.rows + hold.row)];
+  const Vec2 b = def.positions[slot((column + 1) * def.rows + hold.row)];
   const Vec2 n = (left ? 1.0 : -1.0) * perp(unit(b - a));
   Solid moved = scene_.solids[slot(solid)];
   moved.position = hand + (support(moved, n) + skin(moved) + def.radius) * n;
@@ -172,10 +175,6 @@ bool Room::bring(Dice& dice, int solid, int cord, double arc, Hold& hold) {
   if (!Room(others).is_clear(moved, solid)) return false;
   if (overlap(def, outline(def, def.positions), moved) > touching) return false;
   scene_.solids[slot(solid)] = moved;
-  hold.solid = solid;
-  hold.cord = cord;
-  hold.arc = arc;
-  hold.row = row;
   hold.local_hand = pose_of(moved).to_local(hand);
   return true;
 }

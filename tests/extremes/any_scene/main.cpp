@@ -7,7 +7,9 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/extremes/any_scene/code.h"
 #include "tests/extremes/any_scene/runs.h"
+#include "tests/extremes/any_scene/shrink.h"
 #include "tests/extremes/any_scene/statistics.h"
 
 namespace {
@@ -23,6 +25,9 @@ struct Options {
   bool wild = false;
   std::string out;
   int show = -1;
+  int shrink = -1;
+  std::string figure;
+  int code = -1;
   any_scene::RunOptions run;
 };
 
@@ -93,6 +98,53 @@ void run(const Options& options) {
   print_histogram(runs);
 }
 
+void show(const Options& options) {
+  const auto seed = static_cast<unsigned>(options.show);
+  for (const Which& which : wanted(options, seed, seed)) {
+    std::printf("%s, seed %u, %s\n", std::string(name(which.family)).c_str(), seed,
+                std::string(name(generate(which).preset)).c_str());
+    print_ticks(any_scene::play(generate(which), 1e9));
+  }
+}
+
+void print_code(const Options& options) {
+  const auto seed = static_cast<unsigned>(options.code);
+  for (const Which& which : wanted(options, seed, seed)) {
+    std::printf("%s", any_scene::to_code(generate(which), "scene").c_str());
+  }
+}
+
+/// The figure that is asked for, or the first that is above its bar.
+const any_scene::Bar* bar_of(const Options& options, const any_scene::Summary& run) {
+  if (options.figure.empty()) return first_broken(run);
+  for (const any_scene::Bar& bar : any_scene::bars()) {
+    if (bar.figure == options.figure && !(bar.value(run) <= bar.most)) return &bar;
+  }
+  return nullptr;
+}
+
+void shrink(const Options& options) {
+  const auto seed = static_cast<unsigned>(options.shrink);
+  for (const Which& which : wanted(options, seed, seed)) {
+    const any_scene::Scene scene = generate(which);
+    const auto play = [&](const any_scene::Scene& played) {
+      return any_scene::run_guarded(which, played, options.run.max_seconds);
+    };
+    const any_scene::Bar* bar = bar_of(options, play(scene));
+    const std::string family(name(which.family));
+    if (bar == nullptr) {
+      std::printf("// %s, seed %u: nothing is above its bar\n", family.c_str(), seed);
+      continue;
+    }
+    const bool clear = which.mood == any_scene::Mood::gentle;
+    const any_scene::Scene small = any_scene::shrink(scene, [&](const any_scene::Scene& played) {
+      return (!clear || any_scene::starts_clear(played)) && !(bar->value(play(played)) <= bar->most);
+    });
+    std::printf("// %s, seed %u: %s is %g, above %g\n%s", family.c_str(), seed, std::string(bar->figure).c_str(),
+                bar->value(play(small)), bar->most, any_scene::to_code(small, "shrunk_scene").c_str());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -100,6 +152,8 @@ int main(int argc, char** argv) {
   Options options;
   std::vector<std::string> families = {"all"};
   for (const Family family : any_scene::all_families) families.emplace_back(name(family));
+  std::vector<std::string> figures;
+  for (const any_scene::Bar& bar : any_scene::bars()) figures.emplace_back(bar.figure);
   app.add_option("--seeds", options.seeds, "SEED or FIRST-LAST");
   app.add_option("--family", options.family, "One family")->check(CLI::IsMember(families));
   app.add_option("--preset", options.preset, "fast, balanced, accurate; all: one a seed; each: all three a seed")
@@ -109,16 +163,21 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.run.jobs, "Scenes at a time");
   app.add_option("--max-seconds-per-scene", options.run.max_seconds, "After which a scene is cut");
   app.add_option("--show", options.show, "Plays the scene of this seed and prints each tick; takes one --family");
+  app.add_option("--code", options.code, "Prints the scene of this seed as C++");
+  app.add_option("--shrink", options.shrink,
+                 "Makes the scene of this seed as small as still fails, and prints it as C++");
+  app.add_option("--figure", options.figure, "That is above its bar in what --shrink looks for; otherwise the first")
+      ->check(CLI::IsMember(figures));
   CLI11_PARSE(app, argc, argv);
   try {
-    if (options.show < 0) {
+    if (options.show >= 0) {
+      show(options);
+    } else if (options.code >= 0) {
+      print_code(options);
+    } else if (options.shrink >= 0) {
+      shrink(options);
+    } else {
       run(options);
-      return 0;
-    }
-    const auto seed = static_cast<unsigned>(options.show);
-    for (const Which& which : wanted(options, seed, seed)) {
-      std::printf("%s, seed %u\n", std::string(name(which.family)).c_str(), seed);
-      print_ticks(play(generate(which), 1e9));
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "any_scene: %s\n", error.what());

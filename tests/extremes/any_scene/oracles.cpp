@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace any_scene {
 
@@ -88,7 +89,8 @@ std::vector<Meeting> Oracles::crossings(const Snapshot& before, const Snapshot& 
       if (holds(scene_, s, a)) continue;
       const bool is_edge = scene_.solids[slot(s)].shape == Shape::edge;
       const bool crossed = is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after);
-      if (crossed) found.push_back({a, s, true});
+      const bool pressed = before.pressed[slot(s)] != 0 || after.pressed[slot(s)] != 0;
+      if (crossed) found.push_back({a, s, true, pressed});
     }
   }
   return found;
@@ -206,42 +208,6 @@ Depth Oracles::penetration(const Snapshot& now) const {
     }
   }
   return deepest;
-}
-
-Lengths lengths(const engine::Coupling& coupling) {
-  Lengths worst;
-  for (int c = 0; c < coupling.size(); ++c) {
-    const ribbon::Cord& cord = coupling.cord(c);
-    const ribbon::CordDef& def = cord.def();
-    for (int i = 0; i + 1 < def.points; ++i) {
-      for (int j = 0; j < def.rows; ++j) {
-        const Vec2 link = cord.positions()[slot(cord.index(i + 1, j))] - cord.positions()[slot(cord.index(i, j))];
-        const double strain = length(link) / cord.rest_length(i) - 1.0;
-        const double counted = def.tension_only ? strain : std::abs(strain);
-        double& most = std::isinf(def.stretch_stiffness) ? worst.stretch : worst.strain;
-        if (!(counted <= most)) most = counted;
-      }
-    }
-  }
-  return worst;
-}
-
-int inverted(const engine::Coupling& coupling) {
-  int count = 0;
-  for (int c = 0; c < coupling.size(); ++c) {
-    const ribbon::Cord& cord = coupling.cord(c);
-    const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };
-    for (int i = 0; i + 1 < cord.def().points; ++i) {
-      for (int j = 0; j + 1 < cord.def().rows; ++j) {
-        const std::array<Vec2, 4> x = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
-        for (std::size_t k = 0; k < 4; ++k) {
-          const Vec2 corner = x[(k + 1) % 4];
-          count += cross(corner - x[k], x[(k + 2) % 4] - corner) <= 0.0 ? 1 : 0;
-        }
-      }
-    }
-  }
-  return count;
 }
 
 }  // namespace any_scene

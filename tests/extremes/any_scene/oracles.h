@@ -9,8 +9,9 @@ namespace any_scene {
 /// A cord and what it meets: itself, another cord or a solid.
 struct Meeting {
   int cord = 0;
-  int other = 0;       ///< a cord's index, or a solid's
-  bool solid = false;  ///< which of these
+  int other = 0;         ///< a cord's index, or a solid's
+  bool solid = false;    ///< which of these
+  bool pressed = false;  ///< of a solid: Box2D has pushed it in the tick or the one before
 };
 
 /// How deep something is in something, at its deepest.
@@ -52,14 +53,5 @@ class Oracles {
 double overlap(const Solid& a, const Solid& b);
 /// m, the same of a cord's line with its radius and a solid.
 double overlap(const ribbon::CordDef& cord, const Outline& line, const Solid& solid);
-
-/// Of inextensible ropes the furthest that a link is off its length, relative; of the others the greatest strain.
-struct Lengths {
-  double stretch = 0.0;
-  double strain = 0.0;
-};
-Lengths lengths(const engine::Coupling& coupling);
-/// Corners of ribbons' cells that are inside out.
-int inverted(const engine::Coupling& coupling);
 
 }  // namespace any_scene

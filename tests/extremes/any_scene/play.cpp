@@ -4,54 +4,19 @@
 #include <chrono>
 #include <limits>
 
+#include "tests/extremes/any_scene/figures.h"
+
 namespace any_scene {
 
 using ribbon::Vec2;
 
 namespace {
 
-constexpr double no_scale = 1e-12;  // J
-
-/// Energies are compared with what has been in motion so far.
-class Balance {
- public:
-  explicit Balance(const Scene& scene) : skipped_(is_driven(scene)) {}
-
-  void start(const World& world) {
-    weight_ = world.weight();
-    take(world, nullptr);
-  }
-
-  void take(const World& world, Sample* sample) {
-    const World::Energy now = world.energy();
-    const Vec2 heights = world.heights();
-    heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
-    kinetic_ = std::max(kinetic_, now.kinetic);
-    const double scale = kinetic_ + weight_ * (heights_.y - heights_.x) + no_scale;
-    lowest_ = std::min(lowest_, now.total);
-    if (sample != nullptr) {
-      sample->energy = now.total;
-      if (!skipped_) sample->gain = std::max(0.0, now.total - before_) / scale;
-      if (!skipped_) sample->rise = (now.total - lowest_) / scale;
-    }
-    before_ = now.total;
-  }
-
- private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  bool skipped_;
-  double weight_ = 0.0;
-  Vec2 heights_{infinity, -infinity};
-  double kinetic_ = 0.0;
-  double lowest_ = infinity;
-  double before_ = 0.0;
-};
-
 void look(const World& world, const Oracles& oracles, const Snapshot& before, const Snapshot& after, Sample& sample) {
-  sample.work = world.work();
-  sample.unconverged = world.unconverged();
+  sample.work = work(world.coupling());
+  sample.unconverged = unconverged(world.coupling());
   sample.speed = world.fastest();
-  sample.gap = world.grip_gap();
+  sample.gaps = world.grip_gaps();
   const Lengths worst = lengths(world.coupling());
   sample.stretch = worst.stretch;
   sample.strain = worst.strain;
@@ -64,8 +29,8 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
   const auto begun = Clock::now();
   World world(scene);
   const Oracles oracles(scene);
-  Balance balance(scene);
-  balance.start(world);
+  EnergyBalance balance(world.energy(), world.weight(), world.heights());
+  const bool driven = is_driven(scene);
   Snapshot before = world.snapshot();
   int inside_out = inverted(world.coupling());
   for (int k = 0; k < scene.ticks; ++k) {
@@ -75,7 +40,10 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
     if (sample.finite) {
       Snapshot after = world.snapshot();
       look(world, oracles, before, after, sample);
-      balance.take(world, &sample);
+      sample.energy = world.energy().total;
+      const EnergyBalance::Gain gain = balance.take(world.energy(), world.heights());
+      if (!driven) sample.gain = gain.in_tick;
+      if (!driven) sample.rise = gain.since_lowest;
       const int now_inside_out = inverted(world.coupling());
       sample.inverted = std::max(0, now_inside_out - inside_out);
       inside_out = now_inside_out;

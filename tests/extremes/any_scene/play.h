@@ -20,8 +20,8 @@ struct Sample {
   double energy = 0.0;        ///< J
   double gain = 0.0;          ///< energy gained in the tick, of the greatest kinetic energy so far + m·g·height range
   double rise = 0.0;          ///< the same since the lowest energy so far
-  double gap = 0.0;           ///< m, between a hand and its cord
-  Depth penetration;          ///< Oracles::penetration
+  World::Gaps gaps;
+  Depth penetration;               ///< Oracles::penetration
   std::vector<Meeting> crossings;  ///< Oracles::crossings
   int inverted = 0;                ///< corners of ribbons turned inside out that were not
   bool finite = true;

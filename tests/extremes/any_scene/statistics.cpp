@@ -87,11 +87,13 @@ const std::vector<Column>& columns() {
       {"x crd", 5, how_many([](const Summary& run) { return run.crossings > 0; })},
       {"x fix", 5, how_many([](const Summary& run) { return run.crossings_fixed > 0; })},
       {"x mov", 5, how_many([](const Summary& run) { return run.crossings_moving > 0; })},
+      {"x prs", 5, how_many([](const Summary& run) { return run.crossings_pressed > 0; })},
       {"inver", 5, how_many([](const Summary& run) { return run.inverted > 0; })},
       {"ended", 5, how_many([](const Summary& run) { return run.end != End::whole; })},
       {"depth90", 8, over_runs(0.9, [](const Summary& run) { return run.penetration; })},
       {"depthmx", 8, over_runs(1.0, [](const Summary& run) { return run.penetration; })},
       {"gap mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap; })},
+      {"prs mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap_pressed; })},
       {"tick ms", 8, over_runs(1.0, [](const Summary& run) { return run.worst_ms; })},
       {"m/s", 6, over_runs(1.0, [](const Summary& run) { return run.speed; })},
   };
@@ -158,7 +160,8 @@ void print_histogram(const std::vector<Summary>& runs) {
 namespace {
 
 std::string text(const Meeting& where) {
-  return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other);
+  return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other) +
+         (where.pressed ? "p" : "");
 }
 
 }  // namespace
@@ -166,15 +169,16 @@ std::string text(const Meeting& where) {
 void print_ticks(const Outcome& outcome) {
   std::printf("%5s %6s %6s %8s %9s %9s %9s %12s %9s %9s %9s %7s %-6s %5s %s\n", "tick", "work", "unconv", "ms",
               "stretch%", "strain%", "m/s", "energy J", "gain%", "rise%", "gap mm", "depth", "where", "inver",
-              "crossings: cord/c another, /s a solid");
+              "crossings: cord/c another, /s a solid, p that Box2D pushes");
   for (std::size_t k = 0; k < outcome.ticks.size(); ++k) {
     const Sample& tick = outcome.ticks[k];
     std::string crossings;
     for (const Meeting& where : tick.crossings) crossings += text(where) + " ";
     std::printf("%5d %6d %6d %8.3f %9.3g %9.3g %9.3g %12.6g %9.3g %9.3g %9.3g %7.3g %-6s %5d %s%s\n",
                 static_cast<int>(k), tick.work, tick.unconverged, tick.milliseconds, 100.0 * tick.stretch,
-                100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise, 1e3 * tick.gap,
-                tick.penetration.share, text(tick.penetration.where).c_str(), tick.inverted, crossings.c_str(),
+                100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise,
+                1e3 * std::max(tick.gaps.free, tick.gaps.pressed), tick.penetration.share,
+                text(tick.penetration.where).c_str(), tick.inverted, crossings.c_str(),
                 tick.finite ? "" : "not finite");
   }
   std::printf("%s %s\n", std::string(name(outcome.end)).c_str(), outcome.message.c_str());

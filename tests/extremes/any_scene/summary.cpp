@@ -32,12 +32,14 @@ void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
   sum.speed = std::max(sum.speed, tick.speed);
   sum.gain = std::max(sum.gain, tick.gain);
   sum.rise = std::max(sum.rise, tick.rise);
-  sum.gap = std::max(sum.gap, tick.gap);
+  sum.gap = std::max(sum.gap, tick.gaps.free);
+  sum.gap_pressed = std::max(sum.gap_pressed, tick.gaps.pressed);
   sum.penetration = std::max(sum.penetration, tick.penetration.share);
   for (const Meeting& where : tick.crossings) {
     const auto solid = static_cast<std::size_t>(where.other);
     const bool fixed = where.solid && scene.solids[solid].motion == Motion::fixed;
-    ++(!where.solid ? sum.crossings : fixed ? sum.crossings_fixed : sum.crossings_moving);
+    int& moving = where.pressed ? sum.crossings_pressed : sum.crossings_moving;
+    ++(!where.solid ? sum.crossings : fixed ? sum.crossings_fixed : moving);
   }
   sum.inverted += tick.inverted;
   sum.worst_ms = std::max(sum.worst_ms, tick.milliseconds);
@@ -60,12 +62,14 @@ Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome) {
 }
 
 int all_crossings(const Summary& summary) {
-  return summary.crossings + summary.crossings_fixed + summary.crossings_moving;
+  return summary.crossings + summary.crossings_fixed + summary.crossings_moving + summary.crossings_pressed;
 }
 
 std::string csv_header() {
   return "family,mood,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,rise,gap,"
-         "penetration,crossings,crossings_fixed,crossings_moving,inverted,worst_ms,seconds,worst_tick,first_bad,work";
+         "gap_pressed,"
+         "penetration,crossings,crossings_fixed,crossings_moving,crossings_pressed,inverted,worst_ms,seconds,worst_"
+         "tick,first_bad,work";
 }
 
 std::string to_csv(const Summary& sum) {
@@ -73,9 +77,10 @@ std::string to_csv(const Summary& sum) {
   line << std::setprecision(6) << name(sum.which.family) << ',' << name(sum.which.mood) << ',' << name(sum.preset)
        << ',' << sum.which.seed << ',' << name(sum.end) << ',' << sum.ticks << ',' << sum.points << ','
        << sum.unconverged << ',' << sum.max_work << ',' << sum.total_work << ',' << sum.stretch << ',' << sum.strain
-       << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.penetration << ','
-       << sum.crossings << ',' << sum.crossings_fixed << ',' << sum.crossings_moving << ',' << sum.inverted << ','
-       << sum.worst_ms << ',' << sum.seconds << ',' << sum.worst_tick << ',' << sum.first_bad << ',';
+       << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.gap_pressed << ','
+       << sum.penetration << ',' << sum.crossings << ',' << sum.crossings_fixed << ',' << sum.crossings_moving << ','
+       << sum.crossings_pressed << ',' << sum.inverted << ',' << sum.worst_ms << ',' << sum.seconds << ','
+       << sum.worst_tick << ',' << sum.first_bad << ',';
   const char* blank = "";
   for (const auto& [work, count] : sum.work) {
     line << blank << work << ':' << count;
@@ -95,8 +100,8 @@ Summary from_csv(std::string_view text) {
   std::string end;
   in >> family >> mood >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
       sum.max_work >> sum.total_work >> sum.stretch >> sum.strain >> sum.speed >> sum.gain >> sum.rise >> sum.gap >>
-      sum.penetration >> sum.crossings >> sum.crossings_fixed >> sum.crossings_moving >> sum.inverted >> sum.worst_ms >>
-      sum.seconds >> sum.worst_tick >> sum.first_bad;
+      sum.gap_pressed >> sum.penetration >> sum.crossings >> sum.crossings_fixed >> sum.crossings_moving >>
+      sum.crossings_pressed >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >> sum.first_bad;
   if (!in) throw std::invalid_argument("a line of results is not as they are written: " + line);
   sum.which.family = named(family, all_families);
   sum.which.mood = named(mood, all_moods);

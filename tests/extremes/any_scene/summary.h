@@ -24,15 +24,17 @@ struct Summary {
   double speed = 0.0;
   double gain = 0.0;
   double rise = 0.0;
-  double gap = 0.0;
+  double gap = 0.0;          ///< of bodies that Box2D has not pushed,
+  double gap_pressed = 0.0;  ///< and of those that it has
   double penetration = 0.0;
-  int crossings = 0;         ///< of cords with cords, in all,
-  int crossings_fixed = 0;   ///< with static solids,
-  int crossings_moving = 0;  ///< and with others, which Box2D may have pushed
-  int inverted = 0;          ///< in all
-  double worst_ms = 0.0;     ///< of a tick
-  double seconds = 0.0;      ///< of Coupling::step in all
-  int worst_tick = 0;        ///< that of max_work
+  int crossings = 0;          ///< of cords with cords, in all,
+  int crossings_fixed = 0;    ///< with static solids,
+  int crossings_moving = 0;   ///< with others,
+  int crossings_pressed = 0;  ///< and with others that Box2D was pushing
+  int inverted = 0;           ///< in all
+  double worst_ms = 0.0;      ///< of a tick
+  double seconds = 0.0;       ///< of Coupling::step in all
+  int worst_tick = 0;         ///< that of max_work
   int first_bad = -1;  ///< the first tick with an unconverged substep, a crossing, an inversion or no finite number
   std::map<int, int> work;  ///< how many ticks took so many Newton steps
 };

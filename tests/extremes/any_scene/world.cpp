@@ -14,11 +14,20 @@ using ribbon::Vec2;
 
 namespace {
 
+constexpr double closed_gap = 1e-3;  // m
+
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 b2BodyType type_of(Motion motion) {
   constexpr b2BodyType types[] = {b2_staticBody, b2_dynamicBody, b2_kinematicBody};
   return types[static_cast<std::size_t>(motion)];
+}
+
+bool is_pressed(const b2Body& body) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching() && edge->contact->GetManifold()->pointCount > 0) return true;
+  }
+  return false;
 }
 
 /// The place at an arc of a path, its last corner beyond its end; `arrived` says that it is there.
@@ -43,6 +52,7 @@ World::World(const Scene& scene) : scene_(scene), world_(to_float(scene.gravity)
   for (const SceneCord& cord : scene.cords) add(cord, scene.preset);
   for (const Hold& hold : scene.holds) add(hold);
   drag_starts_.resize(scene.drags.size());
+  pushed_.resize(scene.holds.size());
 }
 
 void World::add(const Solid& solid) {
@@ -121,6 +131,7 @@ double World::tick(int number) {
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
   world_.Step(static_cast<float>(dt), 8, 3);
+  see_who_was_pushed();
   return time.count();
 }
 
@@ -133,40 +144,9 @@ Snapshot World::snapshot() const {
     const b2Rot& turned = body->GetTransform().q;
     now.solids.push_back(
         {to_double(body->GetPosition()), static_cast<double>(turned.c), static_cast<double>(turned.s)});
+    now.pressed.push_back(is_pressed(*body) ? 1 : 0);
   }
   return now;
-}
-
-/// Each cord has its island's counts. Cords of different counts are of different islands; of equal counts as many are
-/// taken to be of islands of their own, the greatest first, as there are islands in all.
-template <typename Count>
-int World::sum_over_islands(Count&& count) const {
-  std::vector<const ribbon::CordReport*> different;
-  std::vector<int> others;
-  int sum = 0;
-  for (int c = 0; c < coupling_.size(); ++c) {
-    const ribbon::CordReport& report = coupling_.report(c);
-    const bool seen = std::any_of(different.begin(), different.end(),
-                                  [&](const ribbon::CordReport* before) { return *before == report; });
-    if (seen) {
-      others.push_back(count(report));
-    } else {
-      different.push_back(&report);
-      sum += count(report);
-    }
-  }
-  std::sort(others.rbegin(), others.rend());
-  const int more = coupling_.islands() - static_cast<int>(different.size());
-  for (int k = 0; k < more && slot(k) < others.size(); ++k) sum += others[slot(k)];
-  return sum;
-}
-
-int World::work() const {
-  return sum_over_islands([](const ribbon::CordReport& report) { return report.iterations; });
-}
-
-int World::unconverged() const {
-  return sum_over_islands([](const ribbon::CordReport& report) { return report.unconverged; });
 }
 
 World::Energy World::energy() const {
@@ -230,14 +210,39 @@ bool World::is_finite() const {
   });
 }
 
-double World::grip_gap() const {
-  double widest = 0.0;
+/// Whether a grip that may slip is at an end of its cord, where nothing is left to hold.
+bool World::has_slipped_off(double arc, const Hold& hold) const {
+  if (std::isinf(hold.strength)) return false;
+  const ribbon::Cord& cord = coupling_.cord(hold.cord);
+  double whole = 0.0;
+  for (int i = 0; i + 1 < cord.def().points; ++i) whole += cord.rest_length(i);
+  return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
+}
+
+/// m; 0 if it has been let go.
+double World::gap(std::size_t hold) const {
+  const auto held = coupling_.state(grips_[hold]);
+  if (!held || has_slipped_off(held->arc, scene_.holds[hold])) return 0.0;
+  const b2Body& body = *bodies_[slot(scene_.holds[hold].solid)];
+  const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[hold].local_hand)));
+  return length(held->place - hand);
+}
+
+void World::see_who_was_pushed() {
   for (std::size_t k = 0; k < grips_.size(); ++k) {
-    const auto held = coupling_.state(grips_[k]);
-    if (!held) continue;
-    const b2Body& body = *bodies_[slot(scene_.holds[k].solid)];
-    const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[k].local_hand)));
-    widest = std::max(widest, length(held->place - hand));
+    if (is_pressed(*bodies_[slot(scene_.holds[k].solid)])) {
+      pushed_[k] = 1;
+    } else if (gap(k) < closed_gap) {
+      pushed_[k] = 0;
+    }
+  }
+}
+
+World::Gaps World::grip_gaps() const {
+  Gaps widest;
+  for (std::size_t k = 0; k < grips_.size(); ++k) {
+    double& of_kind = pushed_[k] != 0 ? widest.pressed : widest.free;
+    of_kind = std::max(of_kind, gap(k));
   }
   return widest;
 }

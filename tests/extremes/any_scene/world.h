@@ -14,6 +14,7 @@ namespace any_scene {
 struct Snapshot {
   std::vector<Outline> cords;
   std::vector<Pose> solids;
+  std::vector<char> pressed;  ///< by solid: whether Box2D pushes it, where another touches it
 };
 
 /// A scene in Box2D's world with its cords.
@@ -29,9 +30,6 @@ class World {
 
   const engine::Coupling& coupling() const { return coupling_; }
   Snapshot snapshot() const;
-  /// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
-  int work() const;
-  int unconverged() const;  ///< substeps of the last tick, of all islands
   /// J, of cords and dynamic bodies.
   struct Energy {
     double total = 0.0;
@@ -42,21 +40,29 @@ class World {
   ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of what moves
   double fastest() const;        ///< m/s, of points of cords
   bool is_finite() const;
-  double grip_gap() const;  ///< m, the widest between a hand and the place of the cord that it holds
+  /// m, the widest between a hand and the place of the cord that it holds, without grips that slipped off an end: of
+  /// bodies that go as cords move them, and of those that Box2D has pushed away since.
+  struct Gaps {
+    double free = 0.0;
+    double pressed = 0.0;
+  };
+  Gaps grip_gaps() const;
 
  private:
   void add(const Solid& solid);
   void add(const SceneCord& cord, Preset preset);
   void add(const Hold& hold);
   void drive(int number);
-  template <typename Count>
-  int sum_over_islands(Count&& count) const;
+  bool has_slipped_off(double arc, const Hold& hold) const;
+  double gap(std::size_t hold) const;
+  void see_who_was_pushed();
 
   const Scene scene_;
   b2World world_;
   engine::Coupling coupling_;
   std::vector<b2Body*> bodies_;
   std::vector<engine::GripId> grips_;
+  std::vector<char> pushed_;  // by hold: Box2D has pushed its solid, and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
 };
 

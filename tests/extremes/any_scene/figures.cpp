@@ -1,0 +1,101 @@
+#include "tests/extremes/any_scene/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace any_scene {
+
+using ribbon::Vec2;
+
+namespace {
+
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+/// Each cord has its island's counts. Cords of different counts are of different islands; of equal counts as many are
+/// taken to be of islands of their own, the greatest first, as there are islands in all.
+template <typename Count>
+int sum_over_islands(const engine::Coupling& coupling, Count&& count) {
+  std::vector<const ribbon::CordReport*> different;
+  std::vector<int> others;
+  int sum = 0;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const ribbon::CordReport& report = coupling.report(c);
+    const bool seen = std::any_of(different.begin(), different.end(),
+                                  [&](const ribbon::CordReport* before) { return *before == report; });
+    if (seen) {
+      others.push_back(count(report));
+    } else {
+      different.push_back(&report);
+      sum += count(report);
+    }
+  }
+  std::sort(others.rbegin(), others.rend());
+  const int more = coupling.islands() - static_cast<int>(different.size());
+  for (int k = 0; k < more && slot(k) < others.size(); ++k) sum += others[slot(k)];
+  return sum;
+}
+
+}  // namespace
+
+int work(const engine::Coupling& coupling) {
+  return sum_over_islands(coupling, [](const ribbon::CordReport& report) { return report.iterations; });
+}
+
+int unconverged(const engine::Coupling& coupling) {
+  return sum_over_islands(coupling, [](const ribbon::CordReport& report) { return report.unconverged; });
+}
+
+EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
+    : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
+
+EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) {
+  heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
+  kinetic_ = std::max(kinetic_, now.kinetic);
+  lowest_ = std::min(lowest_, now.total);
+  const double scale = kinetic_ + weight_ * (heights_.y - heights_.x);
+  const double gained = std::max(0.0, now.total - before_);
+  const double risen = now.total - lowest_;
+  before_ = now.total;
+  return scale > 0.0 ? Gain{gained / scale, risen / scale} : Gain{};
+}
+
+Lengths lengths(const engine::Coupling& coupling) {
+  Lengths worst;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const ribbon::Cord& cord = coupling.cord(c);
+    const ribbon::CordDef& def = cord.def();
+    for (int i = 0; i + 1 < def.points; ++i) {
+      for (int j = 0; j < def.rows; ++j) {
+        const Vec2 link = cord.positions()[slot(cord.index(i + 1, j))] - cord.positions()[slot(cord.index(i, j))];
+        const double strain = length(link) / cord.rest_length(i) - 1.0;
+        const double counted = def.tension_only ? strain : std::abs(strain);
+        double& most = std::isinf(def.stretch_stiffness) ? worst.stretch : worst.strain;
+        if (!(counted <= most)) most = counted;
+      }
+    }
+  }
+  return worst;
+}
+
+int inverted(const engine::Coupling& coupling) {
+  int count = 0;
+  for (int c = 0; c < coupling.size(); ++c) {
+    const ribbon::Cord& cord = coupling.cord(c);
+    if (cord.def().area_stiffness == 0.0) continue;
+    const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };
+    for (int i = 0; i + 1 < cord.def().points; ++i) {
+      for (int j = 0; j + 1 < cord.def().rows; ++j) {
+        const std::array<Vec2, 4> x = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Vec2 corner = x[(k + 1) % 4];
+          count += cross(corner - x[k], x[(k + 2) % 4] - corner) <= 0.0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace any_scene

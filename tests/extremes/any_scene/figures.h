@@ -1,0 +1,45 @@
+#pragma once
+
+#include "tests/extremes/any_scene/world.h"
+
+namespace any_scene {
+
+// Figures of a world that are looked at after each tick.
+
+/// Energy that comes from nowhere, as a share of the greatest kinetic energy so far and the weight of all times the
+/// range of heights so far.
+class EnergyBalance {
+ public:
+  /// J, N, m: at the start.
+  EnergyBalance(const World::Energy& start, double weight, ribbon::Vec2 heights);
+
+  struct Gain {
+    double in_tick = 0.0;
+    double since_lowest = 0.0;  ///< since energy was the least
+  };
+  /// After a tick.
+  Gain take(const World::Energy& now, ribbon::Vec2 heights);
+
+ private:
+  double weight_;
+  ribbon::Vec2 heights_;
+  double kinetic_;
+  double lowest_;
+  double before_;
+};
+
+/// Of inextensible ropes the furthest that a link is off its length, relative; of the others the greatest strain.
+struct Lengths {
+  double stretch = 0.0;
+  double strain = 0.0;
+};
+Lengths lengths(const engine::Coupling& coupling);
+/// Corners of cells that are inside out, of ribbons with area stiffness.
+int inverted(const engine::Coupling& coupling);
+
+/// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
+int work(const engine::Coupling& coupling);
+/// Substeps of the last tick, of all islands.
+int unconverged(const engine::Coupling& coupling);
+
+}  // namespace any_scene

@@ -1,0 +1,249 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/extremes/any_scene/code.h"
+#include "tests/extremes/any_scene/figures.h"
+#include "tests/extremes/any_scene/generate.h"
+#include "tests/extremes/any_scene/oracles.h"
+#include "tests/extremes/any_scene/runs.h"
+#include "tests/extremes/any_scene/shrink.h"
+#include "tests/extremes/any_scene/world.h"
+
+// The scenes made at random: the generator, shrinking and printing. What the solver makes of them is no matter here.
+
+namespace any_scene {
+namespace {
+
+class AnyFamily : public testing::TestWithParam<Family> {};
+
+TEST_P(AnyFamily, TheSameSeedGivesTheSameScene) {
+  for (const Mood mood : {Mood::gentle, Mood::wild}) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const Which which{seed, GetParam(), mood, {}};
+      EXPECT_EQ(generate(which), generate(which)) << seed;
+      const Which next{seed + 1, GetParam(), mood, {}};
+      EXPECT_FALSE(generate(which) == generate(next)) << seed;
+    }
+  }
+}
+
+TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Scene scene = generate({seed, GetParam(), Mood::gentle, {}});
+    ASSERT_FALSE(scene.cords.empty()) << seed;
+    EXPECT_TRUE(starts_clear(scene)) << seed;
+    EXPECT_FALSE(is_driven(scene)) << seed;
+  }
+}
+
+TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const World world(generate({seed, GetParam(), Mood::gentle, {}}));
+    const Lengths worst = lengths(world.coupling());
+    EXPECT_LT(worst.stretch, 1e-12) << seed;
+    for (int c = 0; c < world.coupling().size(); ++c) {
+      // The rows of a ribbon on an arc are of different lengths.
+      if (world.coupling().cord(c).def().rows == 1) continue;
+      EXPECT_LT(worst.strain, 0.5) << seed;
+    }
+    EXPECT_EQ(inverted(world.coupling()), 0) << seed;
+    EXPECT_LT(world.grip_gaps().free, 1e-6) << seed;
+  }
+}
+
+TEST_P(AnyFamily, EveryWildSceneIsAccepted) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Scene scene = generate({seed, GetParam(), Mood::wild, {}});
+    EXPECT_NO_THROW(World{scene}) << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AnyFamily, testing::ValuesIn(all_families),
+                         [](const auto& family) { return std::string(name(family.param)); });
+
+/// A scene in which every field of everything is other than by default.
+Scene full_scene() {
+  Scene scene;
+  scene.gravity = {0.5, -3.0};
+  scene.preset = Preset::accurate;
+  scene.ticks = 7;
+  scene.sleeping = true;
+  SceneCord cord;
+  cord.velocity = {1.0 / 3.0, 2.0};
+  ribbon::CordDef& def = cord.def;
+  def.points = 3;
+  def.rows = 2;
+  def.length = 2.25;
+  def.width = 0.7;
+  def.radius = 0.033;
+  def.mass_per_length = 0.77;
+  def.stretch_stiffness = 1234.5;
+  def.bending_stiffness = 0.2;
+  def.poisson_ratio = 0.3;
+  def.area_stiffness = 0.9;
+  def.damping = 0.01;
+  def.drag = 0.7;
+  def.tension_only = true;
+  def.friction = 0.4;
+  def.restitution = 0.6;
+  def.self_contact = true;
+  def.cord_contact = true;
+  def.allow_sleep = true;
+  def.elements = ribbon::Elements::bars;
+  def.positions = {{0.1, 0.0}, {1.0 / 7.0, 1e-9}, {-1e20, 3.0}, {0.0, 1.0}, {1.0, 1.0}, {2.0, 2.0}};
+  def.pins = {0, 3};
+  scene.cords = {cord, {}};
+  scene.solids = {{Motion::kinematic, Shape::box, {1.0, 2.0}, 0.1, {0.3, 0.4}, 3.0, 0.5, 0.7, {1.0, -1.0}, 2.0}};
+  scene.holds = {{2, 3, 0.5, 1, {0.1, 0.2}, 44.0, true, 0.75, 3.0}};
+  scene.drags = {{1, 4, 6, 2.5, {{1.0, 2.0}, {3.0, 4.0}}}};
+  scene.reels = {{4, 3, 5, 6, 0.25, 0.125}};
+  return scene;
+}
+
+TEST(AnySceneCode, NamesEveryFieldThatIsNotAsByDefault) {
+  const std::string code = to_code(full_scene(), "some_scene");
+  for (const char* part : {
+           "any_scene::Scene some_scene() {",
+           "scene.gravity = {0.5, -3.0};",
+           "scene.preset = any_scene::Preset::accurate;",
+           "scene.ticks = 7;",
+           "scene.sleeping = true;",
+           "scene.cords.resize(2);",
+           "[0].velocity = {0.3333333333333333, 2.0};",
+           ".def.points = 3;",
+           ".def.rows = 2;",
+           ".def.length = 2.25;",
+           ".def.width = 0.7;",
+           ".def.radius = 0.033;",
+           ".def.mass_per_length = 0.77;",
+           ".def.stretch_stiffness = 1234.5;",
+           ".def.bending_stiffness = 0.2;",
+           ".def.poisson_ratio = 0.3;",
+           ".def.area_stiffness = 0.9;",
+           ".def.damping = 0.01;",
+           ".def.drag = 0.7;",
+           ".def.tension_only = true;",
+           ".def.friction = 0.4;",
+           ".def.restitution = 0.6;",
+           ".def.self_contact = true;",
+           ".def.cord_contact = true;",
+           ".def.allow_sleep = true;",
+           ".def.elements = ribbon::Elements::bars;",
+           ".def.positions = {{0.1, 0.0}, {0.14285714285714285, 1e-09}, {-1e+20, 3.0}",
+           ".def.pins = {0, 3};",
+           "solids[0].motion = any_scene::Motion::kinematic;",
+           "solids[0].shape = any_scene::Shape::box;",
+           "solids[0].position = {1.0, 2.0};",
+           "solids[0].angle = 0.1;",
+           "solids[0].half = {0.3, 0.4};",
+           "solids[0].density = 3.0;",
+           "solids[0].friction = 0.5;",
+           "solids[0].restitution = 0.7;",
+           "solids[0].velocity = {1.0, -1.0};",
+           "solids[0].angular_velocity = 2.0;",
+           "holds[0].solid = 2;",
+           "holds[0].cord = 3;",
+           "holds[0].arc = 0.5;",
+           "holds[0].row = 1;",
+           "holds[0].local_hand = {0.1, 0.2};",
+           "holds[0].strength = 44.0;",
+           "holds[0].lets_go = true;",
+           "holds[0].climb_to = 0.75;",
+           "holds[0].climb_speed = 3.0;",
+           "drags[0].cord = 1;",
+           "drags[0].point = 4;",
+           "drags[0].from_tick = 6;",
+           "drags[0].speed = 2.5;",
+           "drags[0].path = {{1.0, 2.0}, {3.0, 4.0}};",
+           "reels[0].cord = 4;",
+           "reels[0].first = 3;",
+           "reels[0].last = 5;",
+           "reels[0].from_tick = 6;",
+           "reels[0].length = 0.25;",
+           "reels[0].speed = 0.125;",
+           "return scene;",
+       }) {
+    EXPECT_NE(code.find(part), std::string::npos) << part << "\n" << code;
+  }
+}
+
+TEST(AnySceneRuns, AreTheSameFromTheirLineOfResults) {
+  const Which which{3, Family::ribbons_both, Mood::wild, Preset::fast};
+  Scene scene = generate(which);
+  scene.ticks = 20;
+  const Summary run = run_guarded(which, scene, 20.0);
+  EXPECT_EQ(to_csv(from_csv(to_csv(run))), to_csv(run));
+  EXPECT_GT(run.ticks, 0);
+  EXPECT_EQ(run.which, which);
+  const std::string header = csv_header();
+  const std::string line = to_csv(run);
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(line.begin(), line.end(), ','));
+}
+
+TEST(AnySceneRuns, GiveTheSameTwice) {
+  Scene scene = generate({1, Family::mixed, Mood::gentle, Preset::fast});
+  scene.ticks = 30;
+  const Outcome once = play(scene, 20.0);
+  const Outcome again = play(scene, 20.0);
+  ASSERT_EQ(once.ticks.size(), again.ticks.size());
+  for (std::size_t k = 0; k < once.ticks.size(); ++k) {
+    EXPECT_EQ(once.ticks[k].energy, again.ticks[k].energy) << k;
+    EXPECT_EQ(once.ticks[k].work, again.ticks[k].work) << k;
+  }
+}
+
+TEST(AnySceneRuns, EndWhenTheirTimeIsUp) {
+  Scene scene = generate({0, Family::mixed, Mood::gentle, Preset::accurate});
+  scene.ticks = 1'000'000;
+  EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::cut);
+}
+
+TEST(AnySceneRuns, SayThatADefinitionIsRefused) {
+  Scene scene = generate({0, Family::rope_falls, Mood::gentle, {}});
+  scene.cords[0].def.radius = -1.0;
+  EXPECT_EQ(run_guarded({}, scene, 1.0).end, End::refused);
+}
+
+/// The planted failure: a fast heavy circle among much that has nothing to do with it.
+TEST(AnySceneShrink, LeavesOnlyWhatFails) {
+  Scene scene = generate({7, Family::mixed, Mood::gentle, {}});
+  Solid planted;
+  planted.motion = Motion::dynamic;
+  planted.position = {3.0, 50.0};
+  planted.density = 777.0;
+  planted.velocity = {10.123, 20.0};
+  scene.solids.push_back(planted);
+  const auto fails = [](const Scene& played) {
+    return std::any_of(played.solids.begin(), played.solids.end(),
+                       [](const Solid& solid) { return solid.velocity.x > 5.0; }) &&
+           played.ticks >= 17;
+  };
+  const Scene small = shrink(scene, fails);
+  EXPECT_EQ(small.ticks, 17);
+  ASSERT_EQ(small.solids.size(), 1U);
+  ASSERT_EQ(small.cords.size(), 1U);
+  EXPECT_TRUE(small.holds.empty());
+  EXPECT_EQ(small.solids[0].motion, Motion::fixed);
+  EXPECT_EQ(small.solids[0].velocity.x, 10.1);
+  EXPECT_LE(small.cords[0].def.points, 4);
+  EXPECT_TRUE(small.cords[0].def.pins.empty());
+  EXPECT_NO_THROW(World{small});
+}
+
+/// What refers to cords and solids that go, goes, and the rest refers to the same ones as before.
+TEST(AnySceneShrink, KeepsEveryStepAcceptable) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const Scene scene = generate({seed, Family::mixed, Mood::wild, {}});
+    int kept = 0;
+    shrink(scene, [&](const Scene& played) {
+      EXPECT_NO_THROW(World{played}) << seed;
+      return ++kept % 3 == 0;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace any_scene

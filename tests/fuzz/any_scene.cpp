@@ -1,0 +1,76 @@
+// Scenes made at random, by seed, family and mood, and then changed in a few numbers: each is played, or refused; and
+// cords and bodies stay finite.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "tests/extremes/any_scene/generate.h"
+#include "tests/extremes/any_scene/play.h"
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/demand.h"
+
+namespace {
+
+using any_scene::Scene;
+using fuzz::Bytes;
+
+constexpr int most_ticks = 16;
+constexpr double most_seconds = 2.0;
+constexpr int most_changes = 4;
+
+any_scene::Which some_which(Bytes& bytes) {
+  any_scene::Which which;
+  which.family = any_scene::all_families[static_cast<std::size_t>(bytes.below(any_scene::all_families.size()))];
+  which.mood = bytes.yes() ? any_scene::Mood::wild : any_scene::Mood::gentle;
+  which.seed = bytes.byte();
+  which.seed = 256U * which.seed + bytes.byte();
+  return which;
+}
+
+template <typename Part>
+Part* some(std::vector<Part>& parts, Bytes& bytes) {
+  const std::size_t choice = bytes.byte();
+  return parts.empty() ? nullptr : &parts[choice % parts.size()];
+}
+
+void change_cord(Bytes& bytes, any_scene::SceneCord& cord) {
+  ribbon::CordDef& def = cord.def;
+  switch (bytes.below(8)) {
+    case 0: cord.velocity = bytes.vector(-100.0, 100.0); break;
+    case 1: def.mass_per_length = bytes.number(0.01, 100.0); break;
+    case 2: def.stretch_stiffness = bytes.number(1e2, 1e7); break;
+    case 3: def.bending_stiffness = bytes.number(1e-3, 1e2); break;
+    case 4: def.radius = bytes.number(0.001, 0.1); break;
+    case 5: def.damping = bytes.number(1e-3, 1.0); break;
+    case 6: def.self_contact = def.cord_contact = bytes.yes(); break;
+    default: def.pins = {bytes.below(def.points * def.rows)};
+  }
+}
+
+void change(Bytes& bytes, Scene& scene) {
+  switch (bytes.below(4)) {
+    case 0:
+      if (any_scene::Solid* solid = some(scene.solids, bytes)) solid->density = bytes.below(200) + 0.5;
+      break;
+    case 1:
+      if (any_scene::Hold* hold = some(scene.holds, bytes)) hold->strength = bytes.number(0.1, 1e3);
+      break;
+    default:
+      if (any_scene::SceneCord* cord = some(scene.cords, bytes)) change_cord(bytes, *cord);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  Scene scene = generate(some_which(bytes));
+  scene.ticks = 1 + bytes.below(most_ticks);
+  for (int k = bytes.below(most_changes + 1); k > 0 && !bytes.empty(); --k) change(bytes, scene);
+  const any_scene::Outcome outcome = play(scene, most_seconds);
+  fuzz::demand(outcome.end != any_scene::End::broken, "cords and bodies are somewhere");
+  fuzz::demand(outcome.end != any_scene::End::refused || outcome.message.find("accepted") != std::string::npos,
+               "it is said what is accepted", outcome.message);
+  return 0;
+}
