@@ -207,9 +207,9 @@ class Island {
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void begin_posed(double time, std::span<const Vec2> from);
-  bool solve_posed(Stage& stage, CordReport& report);
+  bool solve_posed(Stage& stage, bool exactly, CordReport& report);
   bool solve_active_sets(Stage& stage, int most, CordReport& report);
-  bool solve_interior(Stage& stage, CordReport& report);
+  bool solve_interior(Stage& stage, bool exactly, CordReport& report);
   double posed_share(const Stage& stage);
   bool keep_apart(std::span<const Vec2> from);
   void find_groups();

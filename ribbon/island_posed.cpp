@@ -22,9 +22,9 @@ constexpr double blow_share = 0.05;      // of the least reach, that anything go
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
 constexpr int active_sets = 5;         // tried before the interior point
-constexpr int final_active_sets = 3;   // after it
+constexpr int rough_linearisations = 0;  // which an interior point need not solve exactly
 constexpr int most_interior = 25;      // its iterations
-constexpr double polishing_gap = 1e-5; // of the interior point, from where on its active set is tried
+constexpr double polishing_gap = 1e-4; // of the interior point, from where on its active set is tried
 constexpr double closed_gap = 1e-10;   // at which it has ended
 constexpr int full_linearisations = 5; // after which a step has to lessen the potential
 constexpr double least_share = 1.0 / 64.0;
@@ -59,6 +59,7 @@ void Island::posed_step(double dt, CordReport& report) {
       if (share <= 0.0) continue;
     }
     const bool solved = posed_piece(time, share, report);
+    if (getenv("TR")) printf(" piece %d at %g of %g: %s%s blow %d iters %d\n", piece, time/dt, share/dt, solved?"solved":"OPEN", was_cut_?" cut":"", blow, report.iterations);
     if (!solved && !last) {
       return_to_start();
       most = 0.5 * share;
@@ -159,7 +160,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     limited_.clear();
     if (!contacts_.empty()) contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
     append_slips();
-    if (!solve_posed(stage, report)) break;
+    if (!solve_posed(stage, k >= rough_linearisations, report)) break;
     const double moved = furthest();
     if (getenv("TR")) { double mf=0; for (auto&r: limited_.rows()) mf=std::max(mf,r.force); printf("  lin %d rows %zu moved %g maxf %g iters %d others %d\n", k, limited_.rows().size(), moved, mf, report.iterations, others);}
     if (!(moved <= most_motion)) break;
@@ -195,34 +196,36 @@ double Island::posed_share(const Stage& stage) {
 }
 
 /// The step of the convex problem about positions_, and the tensions after it.
-bool Island::solve_posed(Stage& stage, CordReport& report) {
+bool Island::solve_posed(Stage& stage, bool exactly, CordReport& report) {
   slips_ = false;
   if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
   limited_.begin_active_set();
-  if (!solve_active_sets(stage, limited_.empty() ? 1 : active_sets, report)) {
-    if (!solve_interior(stage, report)) return false;
-  }
+  if (!solve_active_sets(stage, active_sets, report) && !solve_interior(stage, exactly, report)) return false;
   take_direction();
   if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return false;
   update_together(stage);
   return true;
 }
 
-/// False if none of them was the solution's.
+/// As long as they get better, each by half. False if none of them was the solution's.
 bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
+  int before = static_cast<int>(limited_.rows().size()) + 1;
   for (int k = 0; k < most; ++k) {
     ++report.iterations;
     load_together(stage);
     limited_.load_active_set(blocks_, right_side_);
     if (!solve_together()) return false;
-    if (limited_.update_active_set(right_side_, tied_share * tolerance_)) return true;
+    const int changed = limited_.update_active_set(right_side_, tied_share * tolerance_);
+    if (changed == 0) return true;
+    if (2 * changed > before) return false;
+    before = changed;
   }
   return false;
 }
 
 /// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
-bool Island::solve_interior(Stage& stage, CordReport& report) {
+bool Island::solve_interior(Stage& stage, bool exactly, CordReport& report) {
   limited_.begin_interior();
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
@@ -244,11 +247,11 @@ bool Island::solve_interior(Stage& stage, CordReport& report) {
     blocks_.solve_again(right_side_);
     limited_.advance(right_side_);
     if (limited_.gap() > polished) continue;
-    if (limited_.gap() <= closed_gap) return true;
+    if (limited_.gap() <= closed_gap || !exactly) return true;
     load_ = right_side_;
     limited_.end_interior();
-    if (solve_active_sets(stage, final_active_sets, report)) return true;
-    polished *= 1e-3;
+    if (solve_active_sets(stage, active_sets, report)) return true;
+    polished *= 1e-2;
     right_side_ = load_;
   }
   return true;

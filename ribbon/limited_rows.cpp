@@ -70,8 +70,8 @@ void LimitedRows::load_active_set(BlockLdlt& matrix, std::span<Vec2> right_side)
   }
 }
 
-bool LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance) {
-  bool same = true;
+int LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance) {
+  int changed = 0;
   double most = 0.0;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     LimitedRow& row = rows_[k];
@@ -85,10 +85,10 @@ bool LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance
     const double off = std::abs(spring - limit);
     if (off <= tied_share * most_force_ || off * row.compliance <= tolerance) continue;
     states_[k] = state;
-    same = false;
+    ++changed;
   }
   most_force_ = most;
-  return same;
+  return changed;
 }
 
 bool LimitedRows::has_high(const LimitedRow& row) { return row.high < std::numeric_limits<double>::infinity(); }

@@ -56,9 +56,10 @@ class LimitedRows {
   /// Takes each row to be where its expected force is.
   void begin_active_set();
   void load_active_set(BlockLdlt& matrix, std::span<Vec2> right_side) const;
-  /// Takes over the step that the system gave. Whether it left every row where it was taken to be, or so near that it
-  /// is off by no more than `tolerance` [m] or a ten thousandth of the greatest force: then it is the solution.
-  bool update_active_set(std::span<const Vec2> step, double tolerance);
+  /// Takes over the step that the system gave. How many rows it did not leave where they were taken to be, nor so near
+  /// that they are off by no more than `tolerance` [m] or a ten thousandth of the greatest force: if none, it is the
+  /// solution.
+  int update_active_set(std::span<const Vec2> step, double tolerance);
 
   // Interior point, to be begun after an active set was tried.
 
