@@ -101,7 +101,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   for (const Member& member : members_) remember_bodies(member);
   together_ = !is_alone();
   if (meets_) step_start_ = positions_;
-  driven_ = driven_ || unlocking_;
+  driven_ = driven_ || (unlocking_ && !poses_);
   double mass = 0.0;
   double longest = 0.0;
   for (const Member& member : members_) longest = std::max(longest, member.cord->def_.length);

@@ -207,9 +207,14 @@ class Island {
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void begin_posed(double time, std::span<const Vec2> from);
-  bool solve_posed(Stage& stage, bool exactly, CordReport& report);
+  bool solve_posed(Stage& stage, CordReport& report);
   bool solve_active_sets(Stage& stage, int most, CordReport& report);
-  bool solve_interior(Stage& stage, bool exactly, CordReport& report);
+  bool solve_interior(Stage& stage, CordReport& report);
+  void append_limited(const Stage& stage);
+  double posed_merit(const Stage& stage, std::span<const Vec2> x);
+  bool is_worse_than_best(const Stage& stage);
+  bool keep_best(const Stage& stage, bool has_best);
+  bool go_to_best(const Stage& stage);
   double posed_share(const Stage& stage);
   bool keep_apart(std::span<const Vec2> from);
   void find_groups();
@@ -297,6 +302,8 @@ class Island {
   bool was_cut_ = false;       // in it something was kept from going through something
   Energy piece_energy_;        // when it began
   std::vector<Vec2> load_;     // the right side without them
+  std::vector<Vec2> best_;     // positions, of those that they led to
+  std::vector<double> best_tensions_;
   std::vector<int> groups_;    // by slot: what goes together when it is kept apart from others
   std::vector<double> group_shares_;
 

@@ -22,7 +22,6 @@ constexpr double blow_share = 0.05;      // of the least reach, that anything go
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
 constexpr int active_sets = 5;         // tried before the interior point
-constexpr int rough_linearisations = 0;  // which an interior point need not solve exactly
 constexpr int most_interior = 25;      // its iterations
 constexpr double polishing_gap = 1e-4; // of the interior point, from where on its active set is tried
 constexpr double closed_gap = 1e-10;   // at which it has ended
@@ -155,14 +154,16 @@ void Island::begin_posed(double time, std::span<const Vec2> from) {
 bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
   begin_posed(time, from);
   bool converged = false;
-  for (int k = 0; k < most_linearisations && !converged; ++k) {
+  bool has_best = false;
+  for (int k = 0; k < most_linearisations && !converged && !is_spent(report); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
-    limited_.clear();
-    if (!contacts_.empty()) contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
-    append_slips();
-    if (!solve_posed(stage, k >= rough_linearisations, report)) break;
+    append_limited(stage);
+    if (k >= posings) {
+      has_best = keep_best(stage, has_best);
+      if (k == full_linearisations && go_to_best(stage)) append_limited(stage);
+    }
+    if (!solve_posed(stage, report)) break;
     const double moved = furthest();
-    if (getenv("TR")) { double mf=0; for (auto&r: limited_.rows()) mf=std::max(mf,r.force); printf("  lin %d rows %zu moved %g maxf %g iters %d others %d\n", k, limited_.rows().size(), moved, mf, report.iterations, others);}
     if (!(moved <= most_motion)) break;
     for (std::size_t e = 0; e < next_.size(); ++e) {
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
@@ -176,6 +177,10 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     take_slips();
     converged = k > 0 && moved <= tolerance_ && !slips_ && !others && are_bars_settled(stage, k);
   }
+  if (!converged && has_best) {
+    append_limited(stage);
+    go_to_best(stage);
+  }
   if (!contacts_.empty()) {
     was_cut_ = !keep_apart(from);
     contacts_.remember_hits(stage_weight_);
@@ -184,24 +189,57 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   return converged;
 }
 
+/// All limited rows about positions_.
+void Island::append_limited(const Stage& stage) {
+  limited_.clear();
+  if (!contacts_.empty()) contacts_.append_rows(positions_, step_dt_ / stage.q, limited_);
+  append_slips();
+}
+
+/// J, what the posed problem minimises, at x, its limited rows as they are linear about positions_.
+double Island::posed_merit(const Stage& stage, std::span<const Vec2> x) {
+  for (std::size_t p = 0; p < x.size(); ++p) direction_[p] = x[p] - positions_[p];
+  return merit(stage, x) + limited_.potential(direction_, 1.0);
+}
+
+/// Whether positions_ are no better than the best before them.
+bool Island::is_worse_than_best(const Stage& stage) {
+  return !(posed_merit(stage, positions_) < posed_merit(stage, best_));
+}
+
+/// Keeps positions_ if they are better. True.
+bool Island::keep_best(const Stage& stage, bool has_best) {
+  if (has_best && is_worse_than_best(stage)) return true;
+  best_ = positions_;
+  best_tensions_ = tensions_;
+  return true;
+}
+
+/// Returns to the best positions if these are no better; false if they are.
+bool Island::go_to_best(const Stage& stage) {
+  if (!is_worse_than_best(stage)) return false;
+  positions_ = best_;
+  tensions_ = best_tensions_;
+  return true;
+}
+
 /// The first of 1, ½, ¼ … of the direction that lessens the stage's potential; 0 if none does.
 double Island::posed_share(const Stage& stage) {
-  const double value = merit(stage, positions_);
+  const double value = merit(stage, positions_) + limited_.potential(direction_, 0.0);
   for (double share = 1.0; share >= least_share; share *= 0.5) {
     move(trial_, share);
-    const double change = limited_.potential(direction_, share) - limited_.potential(direction_, 0.0);
-    if (merit(stage, trial_) + change < value) return share;
+    if (merit(stage, trial_) + limited_.potential(direction_, share) < value) return share;
   }
   return 0.0;
 }
 
 /// The step of the convex problem about positions_, and the tensions after it.
-bool Island::solve_posed(Stage& stage, bool exactly, CordReport& report) {
+bool Island::solve_posed(Stage& stage, CordReport& report) {
   slips_ = false;
   if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
   limited_.begin_active_set();
-  if (!solve_active_sets(stage, active_sets, report) && !solve_interior(stage, exactly, report)) return false;
+  if (!solve_active_sets(stage, active_sets, report) && !solve_interior(stage, report)) return false;
   take_direction();
   if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return false;
   update_together(stage);
@@ -225,7 +263,7 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
 }
 
 /// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
-bool Island::solve_interior(Stage& stage, bool exactly, CordReport& report) {
+bool Island::solve_interior(Stage& stage, CordReport& report) {
   limited_.begin_interior();
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
@@ -247,7 +285,7 @@ bool Island::solve_interior(Stage& stage, bool exactly, CordReport& report) {
     blocks_.solve_again(right_side_);
     limited_.advance(right_side_);
     if (limited_.gap() > polished) continue;
-    if (limited_.gap() <= closed_gap || !exactly) return true;
+    if (limited_.gap() <= closed_gap) return true;
     load_ = right_side_;
     limited_.end_interior();
     if (solve_active_sets(stage, active_sets, report)) return true;
