@@ -251,6 +251,33 @@ TEST(Grip, AKinematicBodyCarriesTheCordAtAnyPlace) {
   }
 }
 
+/// What nothing pushes presses on nothing, however it holds the cord: contacts are as firm as without it.
+TEST(Grip, ABodyThatNothingPushesGripsACordThatTouches) {
+  for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
+    World scene;
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    def.pins = {0, 20};
+    scene.coupling.add(Cord(def));
+    b2Body* hand = scene.add_body({1.03, 0.0}, 0.0, type);
+    const GripId grip = scene.coupling.grip(*hand, {.cord = 0, .arc = 1.03});
+    b2Body* ball = scene.add_body({0.5, 0.25}, 1.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    int touched = 0;
+    for (int k = 0; k < 60; ++k) {
+      scene.tick();
+      ASSERT_LT(scene.coupling.report(0).iterations, 1000) << k;
+      touched += scene.coupling.touching(0).empty() ? 0 : 1;
+    }
+    EXPECT_GT(touched, 30);
+    EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
+    EXPECT_NEAR(scene.coupling.state(grip)->arc, 1.03, 1e-9);
+    EXPECT_NEAR(length(scene.place(0, 1.03) - to_double(hand->GetPosition())), 0.0, 1e-4);
+    EXPECT_GT(ball->GetPosition().y, 0.0F) << "it is carried";
+  }
+}
+
 TEST(Grip, ReelsAHangingBodyIn) {
   World scene;
   scene.coupling.add(Cord(hanging()));
