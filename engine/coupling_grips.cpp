@@ -7,6 +7,7 @@
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "engine/coupling_grips.h"
 
 namespace engine {
 namespace {
@@ -16,6 +17,17 @@ using ribbon::Vec2;
 constexpr double same_place = 1e-6;  // columns
 
 }  // namespace
+
+void set_column(GripMemory& grip, double column, int columns, int rows) {
+  if (std::isnan(column)) return;
+  const double last = columns - 1.0;
+  const double inside = std::clamp(column, 0.0, last);
+  const double whole =
+      std::min(std::round(inside * 1e9) == std::round(inside) * 1e9 ? std::round(inside) : std::floor(inside), last);
+  grip.point = static_cast<int>(whole) * rows + grip.point % rows;
+  grip.along = std::max(0.0, inside - whole);
+  if (grip.along < 1e-9) grip.along = 0.0;
+}
 
 void Coupling::check_cord(CordIndex cord) const {
   if (cord >= 0 && cord < size()) return;
@@ -170,13 +182,7 @@ double Coupling::column(const Holder& holder) const {
 
 void Coupling::set_column(Holder& holder, double column) const {
   const CordShape shape = this->shape(holder.cord);
-  const double last = shape.columns - 1.0;
-  const double inside = std::clamp(column, 0.0, last);
-  const double whole =
-      std::min(std::round(inside * 1e9) == std::round(inside) * 1e9 ? std::round(inside) : std::floor(inside), last);
-  holder.point = static_cast<int>(whole) * shape.rows + holder.point % shape.rows;
-  holder.along = std::max(0.0, inside - whole);
-  if (holder.along < 1e-9) holder.along = 0.0;
+  engine::set_column(holder, column, shape.columns, shape.rows);
 }
 
 /// m at rest, to columns and back.

@@ -7,6 +7,7 @@
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "engine/coupling_grips.h"
 
 // Grips at any place of a cord of the direct solver, and what they do.
 
@@ -357,6 +358,52 @@ TEST(Grip, EndsInTheMiddleOfATick) {
   scene.tick(5);
   for (const Vec2 x : scene.coupling.positions(0)) EXPECT_TRUE(is_finite(x));
   EXPECT_LT(other->GetLinearVelocity().y, 0.0F);
+}
+
+/// Of whatever a solve that went wrong says of how far a grip slipped.
+TEST(Grip, IsMovedToAPlaceOfItsCord) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int columns = 51;
+  constexpr int rows = 2;
+  const auto moved = [](double by) {
+    GripMemory grip;
+    grip.point = 2 * 7 + 1;
+    grip.along = 0.25;
+    set_column(grip, 7.25 + by, columns, rows);
+    EXPECT_EQ(grip.point % rows, 1);
+    EXPECT_GE(grip.along, 0.0);
+    EXPECT_LT(grip.along, 1.0);
+    return grip.point / rows + grip.along;
+  };
+  EXPECT_EQ(moved(3.5), 10.75);
+  EXPECT_EQ(moved(-0.25), 7.0);
+  for (const double far : {50.0, 1e10, 1e300, infinity}) {
+    EXPECT_EQ(moved(far), 50.0) << far;
+    EXPECT_EQ(moved(-far), 0.0) << far;
+  }
+  EXPECT_EQ(moved(std::numeric_limits<double>::quiet_NaN()), 7.25) << "where it was";
+}
+
+/// What a grip does that turns so fast is any, but it stays on its cord, and no tick throws.
+TEST(Grip, StaysOnItsCordHoweverItSlips) {
+  for (const float turning : {1e4F, 1e5F, 1e7F, 1e9F}) {
+    World scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.0, -3.05}, 70.0);
+    std::vector<GripId> grips;
+    grips.push_back(scene.coupling.grip(*body, {.cord = 0, .arc = 3.05, .local_hand = {0.0F, 0.1F}, .strength = 5.0}));
+    grips.push_back(scene.coupling.grip(*body, {.cord = 0, .arc = 3.55, .local_hand = {0.1F, 0.0F}, .strength = 5.0}));
+    scene.coupling.cord(0).reel(0, 50, 5.0, 10.0);
+    for (int k = 0; k < 20; ++k) {
+      body->SetAngularVelocity(turning);
+      ASSERT_NO_THROW(scene.tick()) << turning << " " << k;
+      for (const GripId grip : grips) {
+        ASSERT_TRUE(scene.coupling.state(grip));
+        EXPECT_GE(scene.coupling.state(grip)->arc, 0.0);
+        EXPECT_LE(scene.coupling.state(grip)->arc, 10.0);
+      }
+    }
+  }
 }
 
 struct GathersInside : b2ContactListener {
