@@ -154,7 +154,9 @@ void Island::keep_momentum(double dt) {
   if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
   if (!is_free()) return;
   double inertia = 0.0;
-  const double turning = (spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia)) / inertia;
+  const double before = spin(x0_, v0_, inertia);
+  const double after = spin(positions_, velocities_, inertia);
+  const double turning = (before - after) / inertia;
   const Vec2 middle = mean(positions_);
   const Vec2 way = mean(v0_) + dt * gravity_ - mean(velocities_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
