@@ -26,6 +26,24 @@ TEST(Rotation, IsSineAndCosine) {
   EXPECT_EQ(rotation(0.0), (Vec2{1.0, 0.0}));
 }
 
+/// However far beyond a turn, and of the same bits as ever below two.
+TEST(Rotation, IsSineAndCosineOfAnyAngle) {
+  for (double angle = 12.57; angle < 1e18; angle *= 1.37) {
+    for (const double a : {angle, -angle}) {
+      EXPECT_NEAR(rotation(a).x, std::cos(a), 1e-12) << a;
+      EXPECT_NEAR(rotation(a).y, std::sin(a), 1e-12) << a;
+    }
+  }
+  for (double angle = 1e18; angle < std::numeric_limits<double>::max() / 1e3; angle *= 1e3) {
+    EXPECT_NEAR(length(rotation(angle)), 1.0, 1e-15) << angle;
+    EXPECT_EQ(rotation(-angle), (Vec2{rotation(angle).x, -rotation(angle).y})) << angle;
+  }
+  EXPECT_NEAR(length(rotation(std::numeric_limits<double>::max())), 1.0, 1e-15);
+  EXPECT_EQ(rotation(1.0), (Vec2{0x1.14a280fb5068cp-1, 0x1.aed548f090cefp-1}));
+  EXPECT_EQ(rotation(-11.3), (Vec2{0x1.32f0717a032d4p-2, 0x1.e875360c2af6cp-1}));
+  EXPECT_EQ(rotation(12.5), (Vec2{0x1.fedf6a8227783p-1, -0x1.0fa78cc21c948p-4}));
+}
+
 RigidBody body_at(Vec2 position, double mass, double inertia) {
   RigidBody body;
   body.position = position;
