@@ -94,9 +94,9 @@ void check_memory(const GripMemory& grip, const CordShape& shape, bool is_direct
 }
 
 void check_memory(const LedMemory& led) {
-  check_vectors("state.led", {led.ahead, led.position, led.velocity, led.start, led.pushed, led.expected_push},
-                most_single);
-  ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -most_single, most_single);
+  check_vectors("state.led.ahead", {led.ahead}, LedMemory::most_ahead);
+  check_vectors("state.led", {led.position, led.velocity, led.start, led.pushed, led.expected_push}, most_single);
+  ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -LedMemory::most_ahead, LedMemory::most_ahead);
   ribbon::check_range("state.led.dt", led.dt, 0.0, 1.0);
 }
 

@@ -402,6 +402,8 @@ TEST(Grip, StaysOnItsCordHoweverItSlips) {
         EXPECT_GE(scene.coupling.state(grip)->arc, 0.0);
         EXPECT_LE(scene.coupling.state(grip)->arc, 10.0);
       }
+      for (const Vec2 x : scene.coupling.positions(0)) ASSERT_TRUE(is_finite(x)) << turning << " " << k;
+      ASSERT_NO_THROW(scene.coupling.restore(scene.coupling.save(scene.world), scene.world)) << turning << " " << k;
     }
   }
 }
