@@ -175,6 +175,9 @@ bool Island::is_free() const {
   const auto is_left_alone = [](const Member& member) {
     return member.cord->loads_.empty() && member.cord->def_.drag == 0.0;
   };
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (constrained_[center(k)] != 0) return false;
+  }
   return std::all_of(constrained_.begin(), constrained_.begin() + static_cast<std::ptrdiff_t>(count_), is_zero) &&
          std::all_of(members_.begin(), members_.end(), is_left_alone) &&
          std::all_of(bodies_.begin(), bodies_.end(), falls);

@@ -279,6 +279,31 @@ TEST(Grip, ABodyThatNothingPushesGripsACordThatTouches) {
   }
 }
 
+/// What hits a cord that nothing but static grips holds passes momentum on to them, as to pins: nothing is free to keep
+/// it.
+TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
+  const auto hit = [](bool pinned) {
+    World scene;
+    scene.world.SetGravity({0.0F, 0.0F});
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    if (pinned) def.pins = {0, 20};
+    scene.coupling.add(Cord(def));
+    if (!pinned) {
+      scene.coupling.grip(*scene.add_body({0.01, 0.0}, 0.0, b2_staticBody), {.cord = 0, .arc = 0.01});
+      scene.coupling.grip(*scene.add_body({1.99, 0.0}, 0.0, b2_staticBody), {.cord = 0, .arc = 1.99});
+    }
+    b2Body* ball = scene.add_body({1.0, 0.3}, 2.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    ball->SetLinearVelocity({0.0F, -3.0F});
+    scene.tick(10);
+    return scene.coupling.velocity(*ball).y;
+  };
+  EXPECT_GT(hit(true), -1.0) << "stopped, or thrown back";
+  EXPECT_NEAR(hit(false), hit(true), 0.2);
+}
+
 TEST(Grip, ReelsAHangingBodyIn) {
   World scene;
   scene.coupling.add(Cord(hanging()));
