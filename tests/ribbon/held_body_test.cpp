@@ -86,6 +86,27 @@ Cord heavy_swing_without_load(double stiffness, const Accuracy& accuracy) {
   return cord;
 }
 
+/// Behind the last column there is no other to be on the way to.
+TEST(CordHeldBody, BeyondTheLastPointIsRefused) {
+  CordDef def;
+  def.points = 5;
+  def.rows = 2;
+  def.width = 0.1;
+  def.elements = Elements::bars;
+  def.stretch_stiffness = 1e6;
+  Cord cord(def);
+  std::array<RigidBody, 1> bodies{};
+  for (const double inverse_mass : {0.0, 1.0}) {
+    bodies[0].inverse_mass = inverse_mass;
+    for (const int point : {8, 9}) {
+      const std::array<Grip, 1> grips{{{point, 0, {}, {}, 0.5}}};
+      EXPECT_THROW(cord.step(dt, gravity, {bodies, {}, grips}), DefinitionError) << point;
+    }
+    const std::array<Grip, 1> grips{{{7, 0, {}, {}, 0.5}}};
+    EXPECT_NO_THROW(cord.step(dt, gravity, {bodies, {}, grips}));
+  }
+}
+
 /// Held at its centre of mass a body is a point mass.
 TEST(CordHeldBody, SwingsAsAnAttachedMassWhenHeldAtItsCentre) {
   const double infinity = std::numeric_limits<double>::infinity();
