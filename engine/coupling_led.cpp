@@ -175,7 +175,8 @@ Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
 
 Vec2 Coupling::velocity(const b2Body& body) const {
   const LedBody* found = led(body);
-  return to_double(body.GetLinearVelocity()) + (found != nullptr ? ahead(body, *found) : Vec2{});
+  const bool is_led = found != nullptr && is_there(&body);
+  return to_double(body.GetLinearVelocity()) + (is_led ? ahead(body, *found) : Vec2{});
 }
 
 }  // namespace engine
