@@ -40,6 +40,7 @@ CordIndex Coupling::add(CoupledCord coupled) {
   gathered_.reserve(usual_bodies);
   rigid_.reserve(usual_bodies);
   touch_events_.reserve(usual_touches);
+  roster_.reserve(usual_bodies);
   return size() - 1;
 }
 
@@ -128,14 +129,6 @@ void Coupling::apply() {
     }
   }
   let_go_who_must();
-}
-
-void Coupling::destroy(b2World& world, b2Body& body) {
-  forget(body);
-  for (GatheredBody& gathered : gathered_) {
-    if (gathered.body == &body) gathered.body = nullptr;
-  }
-  world.DestroyBody(&body);
 }
 
 }  // namespace engine

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/coupling_roster.h"
 #include "engine/coupling_state.h"
 #include "engine/fixture_ids.h"
 #include "ribbon/cord.h"
@@ -73,12 +74,15 @@ struct GripState {
 
 /// A cord and a fixture that began or ceased to touch in the last tick.
 struct TouchEvent {
-  CordIndex cord = 0;                  ///< which one
-  bool begins = false;                 ///< or ceased
-  const b2Fixture* fixture = nullptr;  ///< null if it ceased by being destroyed
-  double impulse = 0.0;                ///< N·s, normal, in the tick
-  ribbon::Vec2 point;                  ///< m, where most of it is
-  ribbon::Vec2 normal;                 ///< away from the cord's link, or from the edge to its point
+  CordIndex cord = 0;   ///< which one
+  bool begins = false;  ///< or ceased
+  /// Null if it was destroyed before the last gather, or since by Coupling::destroy. Destroyed otherwise since, it
+  /// dangles: Coupling::fixture finds it by number in its world, or not.
+  const b2Fixture* fixture = nullptr;
+  double impulse = 0.0;      ///< N·s, normal, in the tick
+  ribbon::Vec2 point;        ///< m, where most of it is
+  ribbon::Vec2 normal;       ///< away from the cord's link, or from the edge to its point
+  std::uint64_t number = 0;  ///< the fixture's; 0 if that is null
 };
 
 /// Cords in somebody's Box2D world. A tick is
@@ -105,8 +109,13 @@ struct TouchEvent {
 /// A cord that is allowed to sleeps, and who holds or touches it goes to sleep with it: Box2D's b2Body::SetAwake. What
 /// wakes such a body in Box2D wakes the cord.
 ///
-/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go: nothing of a body is kept
-/// but for those that hold a cord, and a held cord is let go when its holder is no longer in the world.
+/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go, and no call looks into
+/// the memory of one that is gone: what a cord remembers of a body or fixture ends with it. One that Box2D makes at the
+/// address of another one that is gone is told from it by the order of the world's list (WorldRoster) whenever
+/// something that was made later than the one that is gone is still there. Where the newest body of the world, or the
+/// newest fixture of its body, is replaced by another one, that cannot be seen: destroy it by `destroy`, or call
+/// `forget` before, or the new one inherits grip, carried velocity and fixture number. The world outlives all calls but
+/// the destructor, unless the next world is gathered first.
 class Coupling {
  public:
   /// `filter` decides as between two Box2D fixtures which circles the cord meets.
@@ -203,7 +212,7 @@ class Coupling {
   /// Moves the body's hand evenly over the next tick, as hold does. Throws ribbon::DefinitionError for a grip that is
   /// none, and a hand beyond ±1e9.
   void move_hand(GripId grip, b2Vec2 local_hand);
-  /// Lets one grip go; false if there is none of that number.
+  /// Lets one grip go; false if there is none of that number. Its body may be gone from the world. O(bodies).
   bool let_go(GripId grip);
   /// Nothing if it has been let go, or let go itself.
   std::optional<GripState> state(GripId grip) const;
@@ -213,16 +222,24 @@ class Coupling {
   std::span<const TouchEvent> touch_events() const { return touch_events_; }
   /// What touched a cord of the direct solver in the last step, by fixture's number.
   std::span<const FixtureTouch> touching(CordIndex index) const { return cords_[at(index)].touching; }
-  /// The fixture of a number that touching() tells; null if it is no more.
+  /// The fixture of a number that touching() tells; null if it was destroyed before the last gather, or since by
+  /// `destroy`, or forgotten. Destroyed otherwise since, it dangles: ask as below.
   const b2Fixture* fixture(std::uint64_t number) const { return fixture_ids_.fixture(number); }
+  /// The same, looked for in its world: null if it is no more, whoever destroyed it. O(bodies + fixtures).
+  const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;
   /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
+  /// O(bodies) for one of those.
   ribbon::Vec2 velocity(const b2Body& body) const;
   /// What the body holds.
   std::optional<CordPoint> held_by(const b2Body& body) const;
-  /// Lets go of what the body holds and destroys it: the way to destroy a body that may hold a cord. (One that is
-  /// destroyed without is let go at the next gather all the same, unless Box2D has by then put a new body at the very
-  /// same address, which would inherit the grip. Bodies that only touch a cord need nothing.)
+  /// Lets go of what the body holds and destroys it: the way to destroy a body that cords may know. (One that is
+  /// destroyed without is let go at the next gather, too; see above for what that does not recognise.)
   void destroy(b2World& world, b2Body& body);
+  /// Knows nothing any more of a body that is about to be destroyed, of its grips and fixtures: what `destroy` does
+  /// before it destroys. A b2DestructionListener may call both of these from SayGoodbye.
+  void forget(const b2Body& body);
+  /// The same of one fixture: events of the last step, and `fixture`, have null in its place.
+  void forget(const b2Fixture& fixture);
 
   /// What save gives and restore takes.
   using State = CouplingState;
@@ -281,11 +298,14 @@ class Coupling {
   };
 
   void check_state(const State& state, const std::vector<b2Body*>& bodies) const;
-  void forget(const b2Body& body);
+  void drop(const b2Body& body);
+  void drop_what_is_gone_from(const b2World& world);
+  void drop_new_fixtures_of(const b2World& world, const b2Body* first);
+  bool is_there(const b2Body* body) const;
   static void make_room(CoupledCord& coupled);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-  void drop_what_is_gone_from(const b2World& world);
+  void drop_disabled_holders();
   void gather_body(b2Body& body, b2Vec2 gravity, double dt);
   void gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt);
   int body_index(b2Body& body, b2Vec2 gravity);
@@ -329,6 +349,8 @@ class Coupling {
   std::vector<TouchEvent> touch_events_;
   std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
   FixtureIds fixture_ids_;
+  const b2World* world_ = nullptr;  // that holders_ and led_ are in, as
+  WorldRoster roster_;              // it was recorded last
   ribbon::DirectSolver direct_solver_;
   std::optional<ribbon::ErrorProbe> probe_;
   ribbon::Vec2 gravity_;

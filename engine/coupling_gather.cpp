@@ -159,6 +159,7 @@ void Coupling::gather(b2World& world, double dt) {
   }
   fixture_ids_.begin_tick();
   drop_what_is_gone_from(world);
+  drop_disabled_holders();
   // In the world's own order: it depends on when bodies were made, never on where they lie in memory.
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     gather_body(*body, world.GetGravity(), dt);
@@ -185,27 +186,14 @@ bool Coupling::is_touching(std::uint64_t fixture) const {
   });
 }
 
-void Coupling::drop_what_is_gone_from(const b2World& world) {
-  const auto is_in_world = [&world](const b2Body* wanted) {
-    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-      if (body == wanted) return true;
-    }
-    return false;
-  };
-  holders_.erase(
-      std::remove_if(holders_.begin(), holders_.end(),
-                     [&](const Holder& holder) { return !is_in_world(holder.body) || !holder.body->IsEnabled(); }),
-      holders_.end());
-  for (LedBody& led : led_) led.led = false;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (LedBody* found = led(*body)) found->led = true;
-  }
-  led_.erase(std::remove_if(led_.begin(), led_.end(), [](const LedBody& led) { return !led.led; }), led_.end());
+void Coupling::drop_disabled_holders() {
+  const auto is_disabled = [](const Holder& holder) { return !holder.body->IsEnabled(); };
+  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), is_disabled), holders_.end());
 }
 
 void Coupling::gather_body(b2Body& body, b2Vec2 gravity, double dt) {
   if (!is_sound(body)) {
-    forget(body);
+    drop(body);
     return;
   }
   if (!body.IsEnabled() || (body.GetType() == b2_dynamicBody && !has_mass(body))) return;

@@ -7,6 +7,7 @@
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "engine/coupling_grips.h"
 
 namespace engine {
 namespace {
@@ -16,6 +17,17 @@ using ribbon::Vec2;
 constexpr double same_place = 1e-6;  // columns
 
 }  // namespace
+
+void set_column(GripMemory& grip, double column, int columns, int rows) {
+  if (std::isnan(column)) return;
+  const double last = columns - 1.0;
+  const double inside = std::clamp(column, 0.0, last);
+  const double whole =
+      std::min(std::round(inside * 1e9) == std::round(inside) * 1e9 ? std::round(inside) : std::floor(inside), last);
+  grip.point = static_cast<int>(whole) * rows + grip.point % rows;
+  grip.along = std::max(0.0, inside - whole);
+  if (grip.along < 1e-9) grip.along = 0.0;
+}
 
 void Coupling::check_cord(CordIndex cord) const {
   if (cord >= 0 && cord < size()) return;
@@ -40,6 +52,7 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
   check_enabled(cord);
   std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
   ribbon::check_coordinates("local_hand", to_double(local_hand));
+  drop_what_is_gone_from(*body.GetWorld());
   if (Holder* held = holder(body)) {
     if (held->cord != cord || held->point != point) held->local_hand = local_hand;
     held->cord = cord;
@@ -67,6 +80,7 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   check_arc(def.cord, def.arc);
   ribbon::check_coordinates("local_hand", to_double(def.local_hand));
   if (!(def.strength >= 0.0)) ribbon::refuse("strength", def.strength, "0 or more");
+  drop_what_is_gone_from(*body.GetWorld());
   Holder held{{next_grip_, def.cord, def.row, def.local_hand, def.local_hand}, &body};
   held.strength = def.lets_go ? std::numeric_limits<double>::infinity() : def.strength;
   held.lets_go = def.lets_go;
@@ -108,10 +122,11 @@ void Coupling::move_hand(GripId grip, b2Vec2 local_hand) {
 bool Coupling::let_go(GripId grip) {
   const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
   if (held == holders_.end()) return false;
-  b2Body& body = *held->body;
-  body.SetAwake(true);
+  b2Body* const body = held->body;
   holders_.erase(held);
-  if (holder(body) == nullptr) let_run(body);
+  if (!is_there(body)) return true;
+  body->SetAwake(true);
+  if (holder(*body) == nullptr) let_run(*body);
   return true;
 }
 
@@ -133,17 +148,11 @@ std::optional<GripState> Coupling::state(GripId grip) const {
 }
 
 bool Coupling::release(b2Body& body) {
-  if (holder(body) == nullptr) return false;
+  if (!held_by(body)) return false;
   body.SetAwake(true);
   let_run(body);
-  forget(body);
+  drop(body);
   return true;
-}
-
-void Coupling::forget(const b2Body& body) {
-  const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
-  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
-  if (led(body) != nullptr) led_.erase(led_place(body));
 }
 
 const Coupling::Holder* Coupling::holder(const b2Body& body) const {
@@ -159,7 +168,7 @@ Coupling::Holder* Coupling::holder(const b2Body& body) {
 
 std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   const Holder* held = holder(body);
-  if (held == nullptr) return std::nullopt;
+  if (held == nullptr || !is_there(&body)) return std::nullopt;
   return CordPoint{held->cord, held->point, 0.0, held->along};
 }
 
@@ -170,13 +179,7 @@ double Coupling::column(const Holder& holder) const {
 
 void Coupling::set_column(Holder& holder, double column) const {
   const CordShape shape = this->shape(holder.cord);
-  const double last = shape.columns - 1.0;
-  const double inside = std::clamp(column, 0.0, last);
-  const double whole =
-      std::min(std::round(inside * 1e9) == std::round(inside) * 1e9 ? std::round(inside) : std::floor(inside), last);
-  holder.point = static_cast<int>(whole) * shape.rows + holder.point % shape.rows;
-  holder.along = std::max(0.0, inside - whole);
-  if (holder.along < 1e-9) holder.along = 0.0;
+  engine::set_column(holder, column, shape.columns, shape.rows);
 }
 
 /// m at rest, to columns and back.

@@ -1,6 +1,7 @@
 // How a Coupling moves the bodies: by an impulse, or on the way that the direct solver found for them.
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "engine/convert.h"
@@ -14,9 +15,13 @@ using ribbon::Vec2;
 
 constexpr double single_roundings = 8.0;  // within which a body is where it was led to
 constexpr double unworthy_push = 1e-5;    // m/s, and as a share, that single precision explains
+constexpr double most_reaction = 1e19;    // m/s², of a body that a cord can meet
 
 /// By what Box2D divides velocities in a tick.
 double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(damping); }
+
+/// What no cord could meet is left out, or the next step would refuse the body.
+Vec2 bounded(Vec2 v, double most) { return std::abs(v.x) <= most && std::abs(v.y) <= most ? v : Vec2{}; }
 
 bool meets_anything(const b2Body& body) {
   if (body.GetJointList() != nullptr) return true;
@@ -62,7 +67,7 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
   body.ApplyLinearImpulseToCenter(to_float((1.0 / rigid.inverse_mass) * (wanted - to_double(body.GetLinearVelocity()))),
                                   true);
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
-  led.ahead = (1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall));
+  led.ahead = bounded((1.0 / divided) * (end - (to_double(body.GetLinearVelocity()) + fall)), LedMemory::most_ahead);
   led.start = to_double(body.GetWorldCenter());
   led.dt = dt_;
   led.position = rigid.position + rigid.moved;
@@ -75,7 +80,8 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
   body.ApplyAngularImpulse(static_cast<float>((divided_turning * rigid.turned / dt_ - turning) / rigid.inverse_inertia),
                            true);
   const double end_turning = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
-  led.ahead_turning = (end_turning - static_cast<double>(body.GetAngularVelocity())) / divided_turning;
+  const double ahead = (end_turning - static_cast<double>(body.GetAngularVelocity())) / divided_turning;
+  led.ahead_turning = bounded({ahead, 0.0}, LedMemory::most_ahead).x;
 }
 
 /// Gives a body that no cord moves any more what Box2D could not show of its velocity.
@@ -159,7 +165,7 @@ Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
     const double least = std::min(length(before), length(led.pushed));
     led.expected_push = (least / length(led.pushed)) * led.pushed;
   }
-  return (1.0 / dt_) * led.expected_push;
+  return bounded((1.0 / dt_) * led.expected_push, most_reaction);
 }
 
 Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
@@ -169,7 +175,8 @@ Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
 
 Vec2 Coupling::velocity(const b2Body& body) const {
   const LedBody* found = led(body);
-  return to_double(body.GetLinearVelocity()) + (found != nullptr ? ahead(body, *found) : Vec2{});
+  const bool is_led = found != nullptr && is_there(&body);
+  return to_double(body.GetLinearVelocity()) + (is_led ? ahead(body, *found) : Vec2{});
 }
 
 }  // namespace engine

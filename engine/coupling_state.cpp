@@ -94,9 +94,9 @@ void check_memory(const GripMemory& grip, const CordShape& shape, bool is_direct
 }
 
 void check_memory(const LedMemory& led) {
-  check_vectors("state.led", {led.ahead, led.position, led.velocity, led.start, led.pushed, led.expected_push},
-                most_single);
-  ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -most_single, most_single);
+  check_vectors("state.led.ahead", {led.ahead}, LedMemory::most_ahead);
+  check_vectors("state.led", {led.position, led.velocity, led.start, led.pushed, led.expected_push}, most_single);
+  ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -LedMemory::most_ahead, LedMemory::most_ahead);
   ribbon::check_range("state.led.dt", led.dt, 0.0, 1.0);
 }
 
@@ -121,16 +121,22 @@ CouplingState Coupling::save(const b2World& world) const {
   }
   std::vector<int> places(holders_.size(), -1);
   int body_place = state.bodies;
+  const b2Body* const first = roster_.first_kept(world);
+  bool is_kept = false;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     --body_place;
+    is_kept = is_kept || body == first;
+    if (!is_kept) continue;
     for (std::size_t k = 0; k < holders_.size(); ++k) {
       if (holders_[k].body == body) places[k] = body_place;
     }
     if (const LedBody* found = led(*body)) state.led.push_back({body_place, *found});
     int place = 0;
     for (const b2Fixture* fixture : fixtures_of(*body)) {
-      if (const auto* known = fixture_ids_.find(*fixture))
+      const auto* known = fixture_ids_.find(*fixture);
+      if (known != nullptr && roster_.keeps(*body, fixture)) {
         state.fixtures.push_back({body_place, place, known->id, known->seen});
+      }
       ++place;
     }
   }
@@ -140,11 +146,10 @@ CouplingState Coupling::save(const b2World& world) const {
   std::reverse(state.led.begin(), state.led.end());
   std::sort(state.fixtures.begin(), state.fixtures.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   for (const TouchEvent& event : touch_events_) {
-    const auto* known = event.fixture != nullptr ? fixture_ids_.find(*event.fixture) : nullptr;
-    const std::uint64_t id = known != nullptr ? known->id : 0;
-    const bool is_there =
-        std::any_of(state.fixtures.begin(), state.fixtures.end(), [id](const auto& there) { return there.id == id; });
-    state.events.push_back({event.cord, event.begins, is_there ? id : 0, event.impulse, event.point, event.normal});
+    const bool is_kept_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
+                                             [&event](const auto& kept) { return kept.id == event.number; });
+    state.events.push_back(
+        {event.cord, event.begins, is_kept_fixture ? event.number : 0, event.impulse, event.point, event.normal});
   }
   return state;
 }
@@ -244,9 +249,12 @@ void Coupling::restore(const State& state, b2World& world) {
   fixture_ids_.restore(std::move(known), state.next_fixture);
   touch_events_.clear();
   for (const State::Event& event : state.events) {
-    touch_events_.push_back(
-        {event.cord, event.begins, fixture_ids_.fixture(event.fixture), event.impulse, event.point, event.normal});
+    const b2Fixture* const fixture = fixture_ids_.fixture(event.fixture);
+    touch_events_.push_back({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
+                             fixture != nullptr ? event.fixture : 0});
   }
+  roster_.record(world);
+  world_ = &world;
 }
 
 }  // namespace engine

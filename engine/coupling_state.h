@@ -47,6 +47,8 @@ struct GripMemory {
 
 /// What is remembered of a body that cords move on a curve.
 struct LedMemory {
+  static constexpr double most_ahead = 1e9;  ///< m/s or rad/s, as of a body that a cord can meet
+
   ribbon::Vec2 ahead;          ///< m/s, the momentary velocity less Box2D's
   double ahead_turning = 0.0;  ///< rad/s, the same of the rotation
   ribbon::Vec2 position;       ///< m, of the centre of mass, where it was led to

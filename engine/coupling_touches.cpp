@@ -40,8 +40,9 @@ void Coupling::find_touch_events() {
         const bool is_there = std::any_of(in.begin(), in.end(),
                                           [&](const FixtureTouch& other) { return other.fixture == touch.fixture; });
         if (is_there) continue;
-        touch_events_.push_back(
-            {c, begins, fixture_ids_.fixture(touch.fixture), begins ? touch.impulse : 0.0, touch.point, touch.normal});
+        const b2Fixture* const fixture = fixture_ids_.fixture(touch.fixture);
+        touch_events_.push_back({c, begins, fixture, begins ? touch.impulse : 0.0, touch.point, touch.normal,
+                                 fixture != nullptr ? touch.fixture : 0});
       }
     };
     tell_missing(coupled.touched, coupled.touching, false);

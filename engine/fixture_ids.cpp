@@ -33,6 +33,10 @@ std::uint64_t FixtureIds::of(const b2Fixture& fixture) {
   return next_++;
 }
 
+void FixtureIds::forget(const b2Fixture& fixture) {
+  if (find(fixture) != nullptr) known_.erase(place(fixture));
+}
+
 bool FixtureIds::misses_some() const {
   return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return !known.seen; });
 }

@@ -19,6 +19,8 @@ class FixtureIds {
   bool misses_some() const;
   /// The number of a fixture of these, which exists then; 0 of any other.
   std::uint64_t find_missed(const b2Fixture& fixture);
+  /// Knows a fixture no more: what is at its address gets a new number.
+  void forget(const b2Fixture& fixture);
   /// The fixture of that number, null if it was neither asked for nor seen since begin_tick.
   const b2Fixture* fixture(std::uint64_t id) const;
 

@@ -97,7 +97,7 @@ Cord::~Cord() = default;
 CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
-  check_met(surroundings, surroundings.bodies.size(), size());
+  check_met(surroundings, surroundings.bodies.size(), size(), def_.rows);
   const IslandCord alone{this, surroundings};
   return alone_->step({&alone, 1}, surroundings.bodies, dt, gravity);
 }

@@ -16,7 +16,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
                         std::span<CordReport> reports) {
   check_step(dt, gravity);
   check_bodies(bodies);
-  for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size());
+  for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size(), cord.cord->def().rows);
   parents_.clear();
   if (cords.empty()) return;
   reaches_.clear();

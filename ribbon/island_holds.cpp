@@ -191,7 +191,8 @@ void Island::slip() {
     const double along = -dot(hold_gap(held, positions_), hold_tangent(held));
     for (const Member& member : members_) {
       if (held.point >= member.first && held.point < member.first + member.count) {
-        held.slid = along / member.cord->rest_[0];
+        const double slid = along / member.cord->rest_[0];
+        held.slid = std::isfinite(slid) ? slid : 0.0;
       }
     }
   }

@@ -151,12 +151,13 @@ int Island::add_spot(int body, Vec2 arm) {
   return contacts_.add(spot);
 }
 
-/// kg, of a cord and what hangs on it.
+/// kg, of a cord and what hangs on it. A body that nothing pushes does not hang on it.
 double Island::pressing_mass(const Member& member) const {
   double mass = 0.0;
   for (const double point : member.cord->masses_) mass += point;
   for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
-    mass += 1.0 / rigid_[at(held_[k].rigid)].inverse_mass;
+    const double inverse_mass = rigid_[at(held_[k].rigid)].inverse_mass;
+    if (inverse_mass > 0.0) mass += 1.0 / inverse_mass;
   }
   return mass;
 }

@@ -156,7 +156,9 @@ void Island::keep_momentum(double dt) {
   if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
   if (!is_free()) return;
   double inertia = 0.0;
-  const double turning = (spin(x0_, v0_, inertia) - spin(positions_, velocities_, inertia)) / inertia;
+  const double before = spin(x0_, v0_, inertia);
+  const double after = spin(positions_, velocities_, inertia);
+  const double turning = (before - after) / inertia;
   const Vec2 middle = mean(positions_);
   const Vec2 way = mean(v0_) + dt * gravity_ - mean(velocities_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -175,6 +177,9 @@ bool Island::is_free() const {
   const auto is_left_alone = [](const Member& member) {
     return member.cord->loads_.empty() && member.cord->def_.drag == 0.0;
   };
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (constrained_[center(k)] != 0) return false;
+  }
   return std::all_of(constrained_.begin(), constrained_.begin() + static_cast<std::ptrdiff_t>(count_), is_zero) &&
          std::all_of(members_.begin(), members_.end(), is_left_alone) &&
          std::all_of(bodies_.begin(), bodies_.end(), falls);

@@ -65,7 +65,7 @@ void check_bodies(std::span<const RigidBody> bodies) {
   for (std::size_t k = 0; k < bodies.size(); ++k) check_body({"bodies", k}, bodies[k]);
 }
 
-void check_met(const Surroundings& surroundings, std::size_t bodies, int points) {
+void check_met(const Surroundings& surroundings, std::size_t bodies, int points, int rows) {
   for (std::size_t k = 0; k < surroundings.circles.size(); ++k) {
     const RigidCircle& circle = surroundings.circles[k];
     const Entry entry("circles", k);
@@ -89,6 +89,7 @@ void check_met(const Surroundings& surroundings, std::size_t bodies, int points)
     entry.check_index("body", grip.body, bodies);
     entry.check_index("point", grip.point, static_cast<std::size_t>(points));
     check_grip(entry, grip);
+    if (rows > 0 && grip.point >= points - rows) entry.check("along", grip.along, 0.0, 0.0);
   }
 }
 

@@ -58,7 +58,7 @@ struct Grip {
   Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
   Vec2 travel{};  ///< m, how far the hand moves on the body during the step, evenly
   // Of the direct solver only:
-  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1
+  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1; 0 at the last column
   double climb = 0.0;  ///< columns, by which the grip moves along the cord in the step, evenly
   /// N, along the cord, above which it slips: of a body that is pushed.
   double strength = std::numeric_limits<double>::infinity();
@@ -76,8 +76,9 @@ struct Surroundings {
 /// it, are in their ranges: lengths and velocities within ±1e10, accelerations within ±1e20, and every body and point
 /// that something refers to there.
 void check_bodies(std::span<const RigidBody> bodies);
-/// See check_bodies.
-void check_met(const Surroundings& met, std::size_t bodies, int points);
+/// See check_bodies. Of a cord of so many `rows`, which can be held between two points, no grip is beyond its last
+/// column; of any other, with 0, it does not matter.
+void check_met(const Surroundings& met, std::size_t bodies, int points, int rows = 0);
 
 /// Throws DefinitionError unless a step can be taken: 1e-9 ≤ dt ≤ 1 [s], gravity [m/s²] within ±1e9.
 void check_step(double dt, Vec2 gravity);

@@ -616,5 +616,16 @@ TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
   }
 }
 
+/// Box2D lets a body turn as fast as it is told to; the cord sees where it is at each moment, and takes no harm.
+TEST(ContactCord, ABodyThatSpinsAsFastAsCanBeDoesNotPoisonTheCord) {
+  for (const Role role : {Role::touches, Role::holds, Role::drives}) {
+    for (const float turning : {1e4F, 1e5F, -1e7F, 1e9F}) {
+      const AfterBad after = after_bad(role, {0.0F, 0.0F}, turning);
+      EXPECT_TRUE(after.finite && after.alive) << static_cast<int>(role) << " " << turning;
+      EXPECT_EQ(after.unconverged, 0) << static_cast<int>(role) << " " << turning;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace engine

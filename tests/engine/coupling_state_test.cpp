@@ -150,6 +150,8 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
       {"state.led.body", [](State& s) { s.led[1].body = 2; }},
       {"state.led.body", [](State& s) { std::swap(s.led[0], s.led[1]); }},
       {"state.led", [](State& s) { s.led[0].memory.expected_push.x = nan; }},
+      {"state.led.ahead", [](State& s) { s.led[0].memory.ahead.y = 2e9; }},
+      {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = 2e9; }},
       {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = nan; }},
       {"state.led.dt", [](State& s) { s.led[0].memory.dt = -1.0; }},
       {"state.fixtures.body", [](State& s) { s.fixtures[0].body = 2; }},

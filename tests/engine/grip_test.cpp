@@ -1,12 +1,15 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "engine/convert.h"
 #include "engine/coupling.h"
+#include "engine/coupling_grips.h"
+#include "tests/support/freed_body.h"
 
 // Grips at any place of a cord of the direct solver, and what they do.
 
@@ -251,6 +254,58 @@ TEST(Grip, AKinematicBodyCarriesTheCordAtAnyPlace) {
   }
 }
 
+/// What nothing pushes presses on nothing, however it holds the cord: contacts are as firm as without it.
+TEST(Grip, ABodyThatNothingPushesGripsACordThatTouches) {
+  for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
+    World scene;
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    def.pins = {0, 20};
+    scene.coupling.add(Cord(def));
+    b2Body* hand = scene.add_body({1.03, 0.0}, 0.0, type);
+    const GripId grip = scene.coupling.grip(*hand, {.cord = 0, .arc = 1.03});
+    b2Body* ball = scene.add_body({0.5, 0.25}, 1.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    int touched = 0;
+    for (int k = 0; k < 60; ++k) {
+      scene.tick();
+      ASSERT_LT(scene.coupling.report(0).iterations, 1000) << k;
+      touched += scene.coupling.touching(0).empty() ? 0 : 1;
+    }
+    EXPECT_GT(touched, 30);
+    EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
+    EXPECT_NEAR(scene.coupling.state(grip)->arc, 1.03, 1e-9);
+    EXPECT_NEAR(length(scene.place(0, 1.03) - to_double(hand->GetPosition())), 0.0, 1e-4);
+    EXPECT_GT(ball->GetPosition().y, 0.0F) << "it is carried";
+  }
+}
+
+/// What hits a cord that nothing but static grips holds passes momentum on to them, as to pins: nothing is free to keep
+/// it.
+TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
+  const auto hit = [](bool pinned) {
+    World scene;
+    scene.world.SetGravity({0.0F, 0.0F});
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    if (pinned) def.pins = {0, 20};
+    scene.coupling.add(Cord(def));
+    if (!pinned) {
+      scene.coupling.grip(*scene.add_body({0.01, 0.0}, 0.0, b2_staticBody), {.cord = 0, .arc = 0.01});
+      scene.coupling.grip(*scene.add_body({1.99, 0.0}, 0.0, b2_staticBody), {.cord = 0, .arc = 1.99});
+    }
+    b2Body* ball = scene.add_body({1.0, 0.3}, 2.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    ball->SetLinearVelocity({0.0F, -3.0F});
+    scene.tick(10);
+    return scene.coupling.velocity(*ball).y;
+  };
+  EXPECT_GT(hit(true), -1.0) << "stopped, or thrown back";
+  EXPECT_NEAR(hit(false), hit(true), 0.2);
+}
+
 TEST(Grip, ReelsAHangingBodyIn) {
   World scene;
   scene.coupling.add(Cord(hanging()));
@@ -332,6 +387,171 @@ TEST(Grip, EndsInTheMiddleOfATick) {
   EXPECT_LT(other->GetLinearVelocity().y, 0.0F);
 }
 
+/// Between the end of a body and the next gather nothing looks into the memory where it was.
+TEST(Grip, LetGoAfterItsBodysEndTouchesNothing) {
+  const auto end = [](auto&& let_go) {
+    World scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
+    const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 5.0});
+    const GripId other = scene.coupling.grip(*body, {.cord = 0, .arc = 5.5});
+    scene.tick(5);
+    scene.world.DestroyBody(body);
+    {
+      const test_support::FreedBody freed(body);
+      let_go(scene.coupling, grip, other);
+    }
+    EXPECT_FALSE(scene.coupling.state(grip));
+    scene.tick(5);
+    EXPECT_FALSE(scene.coupling.state(other));
+  };
+  end([](Coupling& coupling, GripId grip, GripId other) {
+    EXPECT_TRUE(coupling.let_go(grip));
+    EXPECT_TRUE(coupling.let_go(other));
+  });
+  end([](Coupling& coupling, GripId grip, GripId /*other*/) { EXPECT_TRUE(coupling.let_go(grip)); });
+  end([](Coupling& coupling, GripId, GripId) { coupling.replace(0, Cord(hanging())); });
+  end([](Coupling& coupling, GripId, GripId) { coupling.set_enabled(0, false); });
+}
+
+/// Destroys a body without telling the coupling, and has Box2D make another at the same address.
+b2Body* make_anew(World& scene, b2Body* body, Vec2 position, double mass) {
+  scene.world.DestroyBody(body);
+  b2Body* next = scene.add_body(position, mass);
+  EXPECT_EQ(next, body) << "Box2D likes to use the same address again";
+  return next;
+}
+
+/// It stands before a body that was made after the other one, so it is new, and nothing of the other is its own.
+TEST(Grip, ABodyMadeAnewAtTheSameAddressHoldsNothing) {
+  const auto anew = [](auto&& ask) {
+    World scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.0, -9.0}, 70.0);
+    scene.add_body({50.0, 0.0}, 1.0);
+    const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 9.0});
+    body->SetLinearVelocity({20.0F, 0.0F});
+    scene.tick(20);
+    ASSERT_GT(length(scene.coupling.velocity(*body) - to_double(body->GetLinearVelocity())), 0.1) << "carried";
+    body = make_anew(scene, body, {10.0, 0.0}, 1.0);
+    ask(scene, *body, grip);
+    EXPECT_EQ(to_double(body->GetLinearVelocity()), Vec2{});
+    scene.tick();
+    EXPECT_FALSE(scene.coupling.state(grip));
+    EXPECT_EQ(to_double(body->GetLinearVelocity()).x, 0.0);
+    EXPECT_NEAR(to_double(body->GetLinearVelocity()).y, -g * dt, 1e-6);
+  };
+  anew([](World&, b2Body&, GripId) {});
+  anew([](World& scene, b2Body& body, GripId) {
+    EXPECT_EQ(scene.coupling.velocity(body), Vec2{});
+    EXPECT_FALSE(scene.coupling.held_by(body));
+  });
+  anew([](World& scene, b2Body&, GripId grip) { scene.coupling.let_go(grip); });
+  anew([](World& scene, b2Body&, GripId) { scene.coupling.set_enabled(0, false); });
+  anew([](World& scene, b2Body& body, GripId) { EXPECT_FALSE(scene.coupling.release(body)); });
+  anew([](World& scene, b2Body&, GripId) {
+    const Coupling::State state = scene.coupling.save(scene.world);
+    EXPECT_TRUE(state.grips.empty());
+    EXPECT_TRUE(state.led.empty());
+  });
+}
+
+/// A body that is made anew and takes hold at once has its own grip and no other.
+TEST(Grip, ABodyMadeAnewAtTheSameAddressCanTakeHold) {
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -9.0}, 70.0);
+  scene.add_body({50.0, 0.0}, 1.0);
+  const GripId before = scene.coupling.grip(*body, {.cord = 0, .arc = 9.0});
+  scene.tick(5);
+  body = make_anew(scene, body, {0.0, -9.0}, 70.0);
+  GripId after = 0;
+  ASSERT_NO_THROW(after = scene.coupling.grip(*body, {.cord = 0, .arc = 9.0}));
+  scene.tick(5);
+  EXPECT_FALSE(scene.coupling.state(before));
+  EXPECT_TRUE(scene.coupling.state(after));
+  scene.add_body({50.0, 5.0}, 1.0);
+  scene.tick(5);
+  body = make_anew(scene, body, {0.0, -5.0}, 70.0);
+  scene.coupling.hold(0, 25, *body, {});
+  scene.tick(5);
+  EXPECT_FALSE(scene.coupling.state(after));
+  ASSERT_TRUE(scene.coupling.held_by(*body));
+  EXPECT_EQ(scene.coupling.held_by(*body)->point, 25);
+}
+
+/// Of whatever a solve that went wrong says of how far a grip slipped.
+TEST(Grip, IsMovedToAPlaceOfItsCord) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int columns = 51;
+  constexpr int rows = 2;
+  const auto moved = [](double by) {
+    GripMemory grip;
+    grip.point = 2 * 7 + 1;
+    grip.along = 0.25;
+    set_column(grip, 7.25 + by, columns, rows);
+    EXPECT_EQ(grip.point % rows, 1);
+    EXPECT_GE(grip.along, 0.0);
+    EXPECT_LT(grip.along, 1.0);
+    return grip.point / rows + grip.along;
+  };
+  EXPECT_EQ(moved(3.5), 10.75);
+  EXPECT_EQ(moved(-0.25), 7.0);
+  for (const double far : {50.0, 1e10, 1e300, infinity}) {
+    EXPECT_EQ(moved(far), 50.0) << far;
+    EXPECT_EQ(moved(-far), 0.0) << far;
+  }
+  EXPECT_EQ(moved(std::numeric_limits<double>::quiet_NaN()), 7.25) << "where it was";
+}
+
+/// A user's own listener can say what the order of the world's list cannot: that the newest body is another one.
+TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
+  struct Listener : b2DestructionListener {
+    void SayGoodbye(b2Joint* /*joint*/) override {}
+    void SayGoodbye(b2Fixture* fixture) override { coupling->forget(*fixture->GetBody()); }
+    Coupling* coupling = nullptr;
+  };
+  World scene;
+  scene.coupling.add(Cord(hanging()));
+  b2Body* body = scene.add_body({0.0, -9.0}, 70.0);
+  const GripId grip = scene.coupling.grip(*body, {.cord = 0, .arc = 9.0});
+  body->SetLinearVelocity({20.0F, 0.0F});
+  scene.tick(20);
+  Listener listener;
+  listener.coupling = &scene.coupling;
+  scene.world.SetDestructionListener(&listener);
+  body = make_anew(scene, body, {10.0, 0.0}, 1.0);
+  EXPECT_FALSE(scene.coupling.held_by(*body));
+  EXPECT_EQ(scene.coupling.velocity(*body), Vec2{});
+  scene.tick();
+  EXPECT_FALSE(scene.coupling.state(grip));
+  EXPECT_EQ(to_double(body->GetLinearVelocity()).x, 0.0);
+}
+
+/// What a grip does that turns so fast is any, but it stays on its cord, and no tick throws.
+TEST(Grip, StaysOnItsCordHoweverItSlips) {
+  for (const float turning : {1e4F, 1e5F, 1e7F, 1e9F}) {
+    World scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.0, -3.05}, 70.0);
+    std::vector<GripId> grips;
+    grips.push_back(scene.coupling.grip(*body, {.cord = 0, .arc = 3.05, .local_hand = {0.0F, 0.1F}, .strength = 5.0}));
+    grips.push_back(scene.coupling.grip(*body, {.cord = 0, .arc = 3.55, .local_hand = {0.1F, 0.0F}, .strength = 5.0}));
+    scene.coupling.cord(0).reel(0, 50, 5.0, 10.0);
+    for (int k = 0; k < 20; ++k) {
+      body->SetAngularVelocity(turning);
+      ASSERT_NO_THROW(scene.tick()) << turning << " " << k;
+      for (const GripId grip : grips) {
+        ASSERT_TRUE(scene.coupling.state(grip));
+        EXPECT_GE(scene.coupling.state(grip)->arc, 0.0);
+        EXPECT_LE(scene.coupling.state(grip)->arc, 10.0);
+      }
+      for (const Vec2 x : scene.coupling.positions(0)) ASSERT_TRUE(is_finite(x)) << turning << " " << k;
+      ASSERT_NO_THROW(scene.coupling.restore(scene.coupling.save(scene.world), scene.world)) << turning << " " << k;
+    }
+  }
+}
+
 struct GathersInside : b2ContactListener {
   void BeginContact(b2Contact* /*contact*/) override {
     EXPECT_THROW(scene->coupling.gather(scene->world, dt), DefinitionError);
@@ -385,6 +605,108 @@ TEST(TouchEvents, TellWhoBeginsAndCeasesToTouch) {
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
   EXPECT_EQ(scene.coupling.touch_events()[0].fixture, ball->GetFixtureList()) << "far away it is still there";
+}
+
+/// Of one that is destroyed by the coupling after the tick the events are there and the fixture is not.
+TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
+  World scene;
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.pins = {0, 20};
+  scene.coupling.add(Cord(def));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  const std::uint64_t number = scene.coupling.touching(0)[0].fixture;
+  EXPECT_EQ(scene.coupling.fixture(number), ball->GetFixtureList());
+  scene.coupling.destroy(scene.world, *ball);
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  EXPECT_EQ(scene.coupling.fixture(number), nullptr);
+}
+
+/// What destroys otherwise may say so, or whoever asks may ask in the world.
+TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
+  for (const bool forgets : {true, false}) {
+    World scene;
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    def.pins = {0, 20};
+    scene.coupling.add(Cord(def));
+    b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+    const std::uint64_t number = scene.coupling.touch_events()[0].number;
+    EXPECT_EQ(scene.coupling.fixture(number, scene.world), ball->GetFixtureList());
+    if (forgets) scene.coupling.forget(*ball->GetFixtureList());
+    ball->DestroyFixture(ball->GetFixtureList());
+    EXPECT_EQ(scene.coupling.fixture(number, scene.world), nullptr);
+    EXPECT_EQ(scene.coupling.touch_events()[0].fixture == nullptr, forgets);
+    const Coupling::State state = scene.coupling.save(scene.world);
+    ASSERT_EQ(state.events.size(), 1U);
+    EXPECT_EQ(state.events[0].fixture, 0U);
+    scene.tick();
+    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+    EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+    EXPECT_EQ(scene.coupling.touch_events()[0].number, 0U);
+  }
+}
+
+/// Two fixtures of one body: one that takes the older one's address is another one.
+TEST(TouchEvents, OfAFixtureMadeAnewAtTheSameAddressAreItsOwn) {
+  World scene;
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.pins = {0, 20};
+  scene.coupling.add(Cord(def));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  b2Fixture* first = ball->GetFixtureList();
+  first->SetFilterData(b2Filter());
+  b2CircleShape second;
+  second.m_radius = 0.01F;
+  ball->CreateFixture(&second, 0.0F);
+  scene.tick(120);
+  ASSERT_EQ(scene.coupling.touching(0).size(), 1U);
+  const std::uint64_t number = scene.coupling.touching(0)[0].fixture;
+  ASSERT_EQ(scene.coupling.fixture(number, scene.world), first);
+  b2CircleShape circle;
+  circle.m_radius = 0.2F;
+  ball->DestroyFixture(first);
+  ASSERT_EQ(ball->CreateFixture(&circle, 10.0F), first) << "Box2D likes to use the same address again";
+  EXPECT_EQ(scene.coupling.fixture(number, scene.world), nullptr);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touching(0).size(), 1U);
+  EXPECT_NE(scene.coupling.touching(0)[0].fixture, number);
+}
+
+/// A fixture of a body that was made anew at the same address has another number, and touches anew.
+TEST(TouchEvents, OfABodyMadeAnewAtTheSameAddressAreItsOwn) {
+  World scene;
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.pins = {0, 20};
+  scene.coupling.add(Cord(def));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  scene.add_body({50.0, 0.0}, 1.0);
+  scene.tick(120);
+  ASSERT_EQ(scene.coupling.touching(0).size(), 1U);
+  const std::uint64_t number = scene.coupling.touching(0)[0].fixture;
+  const Vec2 place = to_double(ball->GetPosition());
+  ball = make_anew(scene, ball, place, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touching(0).size(), 1U);
+  EXPECT_NE(scene.coupling.touching(0)[0].fixture, number);
+  ASSERT_EQ(scene.coupling.touch_events().size(), 2U);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  EXPECT_TRUE(scene.coupling.touch_events()[1].begins);
 }
 
 /// Of what is destroyed nothing is told but that it ceased to touch.

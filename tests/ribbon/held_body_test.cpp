@@ -26,6 +26,24 @@ TEST(Rotation, IsSineAndCosine) {
   EXPECT_EQ(rotation(0.0), (Vec2{1.0, 0.0}));
 }
 
+/// However far beyond a turn, and of the same bits as ever below two.
+TEST(Rotation, IsSineAndCosineOfAnyAngle) {
+  for (double angle = 12.57; angle < 1e18; angle *= 1.37) {
+    for (const double a : {angle, -angle}) {
+      EXPECT_NEAR(rotation(a).x, std::cos(a), 1e-12) << a;
+      EXPECT_NEAR(rotation(a).y, std::sin(a), 1e-12) << a;
+    }
+  }
+  for (double angle = 1e18; angle < std::numeric_limits<double>::max() / 1e3; angle *= 1e3) {
+    EXPECT_NEAR(length(rotation(angle)), 1.0, 1e-15) << angle;
+    EXPECT_EQ(rotation(-angle), (Vec2{rotation(angle).x, -rotation(angle).y})) << angle;
+  }
+  EXPECT_NEAR(length(rotation(std::numeric_limits<double>::max())), 1.0, 1e-15);
+  EXPECT_EQ(rotation(1.0), (Vec2{0x1.14a280fb5068cp-1, 0x1.aed548f090cefp-1}));
+  EXPECT_EQ(rotation(-11.3), (Vec2{0x1.32f0717a032d4p-2, 0x1.e875360c2af6cp-1}));
+  EXPECT_EQ(rotation(12.5), (Vec2{0x1.fedf6a8227783p-1, -0x1.0fa78cc21c948p-4}));
+}
+
 RigidBody body_at(Vec2 position, double mass, double inertia) {
   RigidBody body;
   body.position = position;
@@ -66,6 +84,27 @@ Cord heavy_swing_without_load(double stiffness, const Accuracy& accuracy) {
   Cord cord = test_support::heavy_swing(stiffness, accuracy);
   cord.attach_mass(50, 0.0);
   return cord;
+}
+
+/// Behind the last column there is no other to be on the way to.
+TEST(CordHeldBody, BeyondTheLastPointIsRefused) {
+  CordDef def;
+  def.points = 5;
+  def.rows = 2;
+  def.width = 0.1;
+  def.elements = Elements::bars;
+  def.stretch_stiffness = 1e6;
+  Cord cord(def);
+  std::array<RigidBody, 1> bodies{};
+  for (const double inverse_mass : {0.0, 1.0}) {
+    bodies[0].inverse_mass = inverse_mass;
+    for (const int point : {8, 9}) {
+      const std::array<Grip, 1> grips{{{point, 0, {}, {}, 0.5}}};
+      EXPECT_THROW(cord.step(dt, gravity, {bodies, {}, grips}), DefinitionError) << point;
+    }
+    const std::array<Grip, 1> grips{{{7, 0, {}, {}, 0.5}}};
+    EXPECT_NO_THROW(cord.step(dt, gravity, {bodies, {}, grips}));
+  }
 }
 
 /// Held at its centre of mass a body is a point mass.
