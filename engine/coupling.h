@@ -161,7 +161,10 @@ class Coupling {
   /// Lets a dragged or constrained point go with the velocity it has.
   void release(CordIndex index, int point);
 
-  /// What happened in the last step of a cord of the direct solver.
+  /// What happened in the last step of all cords of the direct solver, each island counted once: its `work` is that of
+  /// the tick.
+  const ribbon::CordReport& tick_report() const { return direct_solver_.total(); }
+  /// What happened in the last step in the island of a cord of the direct solver.
   const ribbon::CordReport& report(CordIndex index) const { return cords_[at(index)].direct_report; }
   /// What has happened to it since it was added, summed up.
   const ribbon::CordReport& total(CordIndex index) const { return cords_[at(index)].direct_total; }

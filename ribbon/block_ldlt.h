@@ -23,6 +23,8 @@ class BlockLdlt {
   /// Completes the pattern by what elimination fills.
   void end_pattern();
   bool is_coupled(int a, int b) const;
+  /// How many rows of blocks there are.
+  std::size_t size() const { return order_.size(); }
   /// How many blocks right of the diagonal there are.
   std::size_t blocks() const { return columns_.size(); }
 

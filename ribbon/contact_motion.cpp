@@ -46,6 +46,7 @@ void Contacts::watch(std::span<const Vec2> from, std::span<const Vec2> to) {
     watched_from_[i] = from[i];
   }
   near_.clear();
+  count_visits(pairs_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const Corner& pair = corners_[k];
     if (left_[at(pair.disc)] != 0 || left_[at(pair.a)] != 0 || left_[at(pair.b)] != 0) watched_[k] = is_near(pair);
@@ -93,6 +94,7 @@ double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, boo
   place(to, led, to_);
   watch(from_, to_);
   double share = most;
+  count_visits(near_.size());
   for (const std::size_t k : near_) share = free_share(corners_[k], nearest_share, share, approach_share);
   return share;
 }
@@ -104,6 +106,7 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
     if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
   }
   watch(from_, to_);
+  count_visits(near_.size());
   return std::all_of(near_.begin(), near_.end(),
                      [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0, approach_share) == 1.0; });
 }

@@ -29,6 +29,7 @@ bool Contacts::pose(std::span<const Vec2> from, std::span<const Vec2> to) {
   posed_.clear();
   posed_.reserve(pairs_.capacity());
   evaluated_ = false;
+  count_visits(near_.size());
   for (const std::size_t k : near_) pose_pair(k);
   return !std::equal(posed_.begin(), posed_.end(), posed_before_.begin(), posed_before_.end(),
                      [](const Posed& a, const Posed& b) { return a.pair == b.pair; });
@@ -101,6 +102,7 @@ double Contacts::share_to_passing(std::span<const Vec2> x, std::span<const Vec2>
   place(to, true, to_);
   watch(from_, to_);
   double share = 1.0;
+  count_visits(near_.size());
   for (const std::size_t k : near_) share = free_share(corners_[k], corners_[k].passing, share, approach_share);
   return share;
 }
@@ -131,6 +133,7 @@ bool Contacts::keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, 
   for (int cut = 0; cut <= most_cuts; ++cut) {
     cuts_.assign(shares.size(), 1.0);
     bool apart = true;
+    count_visits(near_.size());
     for (const std::size_t k : near_) {
       const Corner& corner = corners_[k];
       const double free = free_share(corner, corner.passing, 1.0, kept_share);

@@ -184,6 +184,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
   evaluated_ = kept == 0.0;
   active_.clear();
   assign_each(touching_, pairs_, '\0');
+  count_visits(near_.size());
   for (const std::size_t k : near_) {
     const Corner& corner = corners_[k];
     const double reach = reach_now(corner.reach, corner.in) + (forces_[k] > 0.0 ? kept * corner.reach : 0.0);

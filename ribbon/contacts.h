@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ribbon/block_ldlt.h"
@@ -67,6 +69,8 @@ class Contacts {
   int add(const Spot& spot);
   void add(const ContactPair& pair);
   bool empty() const { return pairs_.empty(); }
+  /// How many pairs were looked at for whether they touch, or may on their way, since this was asked last.
+  std::int64_t take_visits() { return std::exchange(visits_, 0); }
   std::span<ContactPair> pairs() { return pairs_; }
   std::span<const Spot> spots() const { return spots_; }
 
@@ -206,6 +210,7 @@ class Contacts {
   void find_paired();
   bool find_left(std::span<const Vec2> from, std::span<const Vec2> to);
   bool is_near(const Corner& pair) const;
+  void count_visits(std::size_t count) { visits_ += static_cast<std::int64_t>(count); }
   /// m, nearer than which who was in so far touches.
   double reach_now(double reach, double in) const { return reach - (1.0 - emerged_) * in; }
   double depth(const Active& active) const;
@@ -225,6 +230,7 @@ class Contacts {
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;
+  std::int64_t visits_ = 0;
   double emerged_ = 0.0;  // share of what pairs were in, by which they are out
   std::vector<Spot> spots_;
   std::vector<ContactPair> pairs_;

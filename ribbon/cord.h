@@ -32,8 +32,9 @@ struct CordReport {
   int cuts = 0;          ///< of these, those in which something was kept from going through something, and lost velocity
   int unlocked = 0;      ///< steps in which cells that were inside out were turned back
   int unconverged = 0;   ///< substeps left as they are after all that
-  /// What was done, in a unit that is the same on every machine: 4 for each point or body of a linear system and each
-  /// contact in it, 1 for each pair that was looked at for whether it touches, or may on its way.
+  /// What was done, in a unit that is the same on every machine: 1 for each 2 × 2 block of the matrix of a linear system,
+  /// taken as 4 a point where that is a cord's own band, and 1 for each pair that was looked at for whether it touches,
+  /// or may on its way.
   std::int64_t work = 0;
   // How far from solved the worst of the substeps was left that did not converge; 0 if all did:
   double position_error = 0.0;  ///< m, by which its last linear solve would still move a point

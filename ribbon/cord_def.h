@@ -20,9 +20,9 @@ struct Accuracy {
   int substeps = 1;        ///< a step, 1 … 4096: the error falls with their square, with implicit Euler in proportion
   int max_iterations = 8;  ///< full Newton steps a solve, 1 … 1000, before it starts again with a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
-  /// Newton steps a step, 1 … 1,000,000, after which what cannot be solved whole is not taken by halves any more, nor
-  /// to a sharper tolerance, but stays as it is and counts as unconverged: what a tick may cost at its worst.
-  int max_work = 1'000'000;
+  /// Work of a step, 1 … 1,000,000, in units of 4 a point and body that are solved together (CordReport::work): about as
+  /// many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so.
+  int max_work = 240;
 
   /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,
   /// which in a heap takes a third of the solves: what lies there sinks by a hundredth of its fall in a step, not a

@@ -18,6 +18,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   check_bodies(bodies);
   for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size(), cord.cord->def().rows);
   parents_.clear();
+  total_ = {};
   if (cords.empty()) return;
   reaches_.clear();
   links_.clear();
@@ -35,6 +36,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
       if (parents_[k] == first) members_.push_back(cords[k]);
     }
     reports[first] = island_->step(members_, bodies, dt, gravity);
+    total_ += reports[first];
   }
   for (std::size_t k = 0; k < cords.size(); ++k) reports[k] = reports[parents_[k]];
 }

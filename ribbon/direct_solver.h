@@ -30,6 +30,8 @@ class DirectSolver {
 
   /// How many islands the cords of the last step made.
   int islands() const;
+  /// What happened in the last step, each island counted once.
+  const CordReport& total() const { return total_; }
 
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
@@ -45,6 +47,7 @@ class DirectSolver {
   std::vector<std::size_t> first_links_;
   std::vector<int> first_cords_;  // by body: the first cord that it is near, −1 if none
   std::vector<IslandCord> members_;
+  CordReport total_;
   std::unique_ptr<Island> island_;
 };
 

@@ -40,6 +40,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     if (take_substeps(dt, report) && !widen(report)) break;
     unwind();
   }
+  report.work += contacts_.take_visits();
   finish_step(dt, report);
   count_rest(dt, report);
   return report;

@@ -160,7 +160,8 @@ class Island {
   bool implicit_euler(double start, double dt, CordReport& report);
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
   bool free_damped_substep(double start, double dt, const Energy& before, CordReport& report);
-  bool is_spent(const CordReport& report) const { return report.iterations >= accuracy_.max_work; }
+  void count_system(CordReport& report);
+  bool is_spent(const CordReport& report) const;
   /// Whether as much was done in the step as is worth doing before its contacts are posed once.
   bool is_tried(const CordReport& report) const;
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);

@@ -38,7 +38,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   const double tolerated = rough ? unsettled_share * tolerance_ : 0.0;
   int fulls = 0;
   for (int iteration = 0; iteration < touching_iterations && !is_tried(report); ++iteration) {
-    ++report.iterations;
+    count_system(report);
     if (left > 0.0) {
       for (std::size_t p = 0; p < positions_.size(); ++p) {
         direction_[p] = constrained_[p] != 0 ? predicted_[p] - positions_[p] : Vec2{};

@@ -250,7 +250,7 @@ bool Island::solve_posed(Stage& stage, CordReport& report) {
 bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
   int before = static_cast<int>(limited_.rows().size()) + 1;
   for (int k = 0; k < most; ++k) {
-    ++report.iterations;
+    count_system(report);
     load_together(stage);
     limited_.load_active_set(blocks_, right_side_);
     if (!solve_together()) return false;
@@ -267,7 +267,7 @@ bool Island::solve_interior(Stage& stage, CordReport& report) {
   limited_.begin_interior();
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
-    ++report.iterations;
+    count_system(report);
     load_together(stage);
     load_ = right_side_;
     for (std::size_t p = 0; p < positions_.size(); ++p) {

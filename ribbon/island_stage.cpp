@@ -18,6 +18,7 @@ constexpr double shortest_step = 1e-6;    // of a Newton step, below which a lin
 constexpr int judging_iterations = 7;     // Newton steps in which a stage has to find out which bars are slack
 constexpr double misjudged_share = 1e-6;  // of the tolerance, by which one that is nearly slack may be misjudged
 constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
+constexpr std::size_t system_blocks = 4;  // of a matrix, a point, by which work is counted
 
 }  // namespace
 
@@ -101,6 +102,20 @@ bool Island::free_steps(Stage& stage, CordReport& report) {
   return searched_steps(stage, report);
 }
 
+/// A linear system, by the blocks of its matrix that there were last.
+void Island::count_system(CordReport& report) {
+  ++report.iterations;
+  const std::size_t band = system_blocks * count_;
+  report.work += static_cast<std::int64_t>(has_pattern_ ? blocks_.size() + blocks_.blocks() : band);
+  report.work += contacts_.take_visits();
+}
+
+/// Whether the step's work has come to what it may.
+bool Island::is_spent(const CordReport& report) const {
+  const auto points = static_cast<std::int64_t>(count_ + bodies_.size());
+  return report.work >= static_cast<std::int64_t>(system_blocks) * accuracy_.max_work * points;
+}
+
 /// How far the point that moves most goes, m; not finite if any of it is not.
 double Island::furthest() const {
   double most2 = 0.0;
@@ -174,7 +189,7 @@ void Island::move(std::span<Vec2> x, double share) const {
 
 bool Island::full_steps(Stage& stage, CordReport& report) {
   for (int iteration = 0; iteration < accuracy_.max_iterations; ++iteration) {
-    ++report.iterations;
+    count_system(report);
     if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
@@ -203,7 +218,7 @@ bool Island::are_bars_settled(const Stage& stage, int iteration) {
 bool Island::searched_steps(Stage& stage, CordReport& report) {
   std::fill(most_tensions_.begin(), most_tensions_.end(), 0.0);
   for (int iteration = 0; iteration < searched_iterations; ++iteration) {
-    ++report.iterations;
+    count_system(report);
     if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
