@@ -58,7 +58,8 @@ void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
   const double across = link * dice(0.3, 1.0);
   def.width = across * (def.rows - 1);
   def.radius = std::min(def.radius, 0.45 * across);
-  def.stretch_stiffness = log_uniform(dice, 1e3, 1e6);
+  // So that sound in it is faster than what it falls at: 55 m/s.
+  def.stretch_stiffness = log_uniform(dice, std::max(1e3, 3e3 * def.mass_per_length), 1e6);
   def.bending_stiffness = 0.0;
   def.tension_only = false;
   if (may_be_bars && chance(dice, 0.15)) {
