@@ -13,38 +13,14 @@ namespace {
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-/// Each cord has its island's counts. Cords of different counts are of different islands; of equal counts as many are
-/// taken to be of islands of their own, the greatest first, as there are islands in all.
-template <typename Count>
-int sum_over_islands(const engine::Coupling& coupling, Count&& count) {
-  std::vector<const ribbon::CordReport*> different;
-  std::vector<int> others;
-  int sum = 0;
-  for (int c = 0; c < coupling.size(); ++c) {
-    const ribbon::CordReport& report = coupling.report(c);
-    const bool seen = std::any_of(different.begin(), different.end(),
-                                  [&](const ribbon::CordReport* before) { return *before == report; });
-    if (seen) {
-      others.push_back(count(report));
-    } else {
-      different.push_back(&report);
-      sum += count(report);
-    }
-  }
-  std::sort(others.rbegin(), others.rend());
-  const int more = coupling.islands() - static_cast<int>(different.size());
-  for (int k = 0; k < more && slot(k) < others.size(); ++k) sum += others[slot(k)];
-  return sum;
-}
-
 }  // namespace
 
 int work(const engine::Coupling& coupling) {
-  return sum_over_islands(coupling, [](const ribbon::CordReport& report) { return report.iterations; });
+  return coupling.tick_report().iterations;
 }
 
 int unconverged(const engine::Coupling& coupling) {
-  return sum_over_islands(coupling, [](const ribbon::CordReport& report) { return report.unconverged; });
+  return coupling.tick_report().unconverged;
 }
 
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
