@@ -130,6 +130,13 @@ bool Contacts::keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, 
   }
   watch(from_, to_);
   ends_.assign(to_.begin(), to_.end());
+  const auto go = [&] {
+    for (const std::size_t i : paired_) {
+      const int g = group(static_cast<int>(i), group_of);
+      if (g >= 0) to_[i] = from_[i] + shares[at(g)] * (ends_[i] - from_[i]);
+    }
+  };
+  go();
   for (int cut = 0; cut <= most_cuts; ++cut) {
     cuts_.assign(shares.size(), 1.0);
     bool apart = true;
@@ -146,10 +153,7 @@ bool Contacts::keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, 
     }
     if (apart) return cut == 0;
     for (std::size_t g = 0; g < shares.size(); ++g) shares[g] *= cuts_[g];
-    for (const std::size_t i : paired_) {
-      const int g = group(static_cast<int>(i), group_of);
-      if (g >= 0) to_[i] = from_[i] + shares[at(g)] * (ends_[i] - from_[i]);
-    }
+    go();
   }
   return false;
 }

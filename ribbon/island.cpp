@@ -37,7 +37,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   poses_ = false;
   for (;;) {
     begin_step(cords, dt);
-    if (take_substeps(dt, report) && !widen(report)) break;
+    if (take_substeps(dt, report) && !widen()) break;
     unwind();
   }
   report.work += contacts_.take_visits();

@@ -133,7 +133,7 @@ class Island {
   static bool are_close(const Cord& cord, int k, int link);
   bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
-  bool widen(const CordReport& report);
+  bool widen();
   /// Whether as much was done in the step as contacts that are posed once are worth.
   static bool is_posed_out(const CordReport& report);
   void let_go(double dt);
@@ -161,7 +161,7 @@ class Island {
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
   bool free_damped_substep(double start, double dt, const Energy& before, CordReport& report);
   void count_system(CordReport& report);
-  bool is_spent(const CordReport& report) const;
+  bool is_spent(const CordReport& report, double share = 1.0) const;
   /// Whether as much was done in the step as is worth doing before its contacts are posed once.
   bool is_tried(const CordReport& report) const;
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
@@ -218,8 +218,8 @@ class Island {
   bool go_to_best(const Stage& stage);
   double posed_share(const Stage& stage);
   bool keep_apart(std::span<const Vec2> from);
+  bool keep_to_room(std::span<const Vec2> from);
   void find_groups();
-  void reset_tensions();
   void go_led(double& left);
   bool ends_stage(std::span<const Vec2> from);
   void rebound(const Energy& before, double dt);

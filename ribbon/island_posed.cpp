@@ -13,7 +13,7 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 16;         // Newton steps in a step, and so many more
+constexpr int worth_trying = 32;         // Newton steps in a step, and so many more
 constexpr int worth_trying_more = 8;     // a substep, before contacts are posed once
 constexpr double tied_share = 1e-3;      // of the tolerance, by which a row may be on the wrong side of its limit
 constexpr int most_pieces = 8;           // of a step
@@ -29,6 +29,7 @@ constexpr int full_linearisations = 5; // after which a step has to lessen the p
 constexpr double least_share = 1.0 / 64.0;
 constexpr double penalty_factor = 2.0;
 constexpr double most_motion = 1e12;   // m
+constexpr int room_halvings = 10;      // of a share, to find where something leaves its room
 
 }  // namespace
 
@@ -155,14 +156,19 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   begin_posed(time, from);
   bool converged = false;
   bool has_best = false;
-  for (int k = 0; k < most_linearisations && !converged && !is_spent(report); ++k) {
+  for (int k = 0; k < most_linearisations && !converged && (k == 0 || !is_spent(report)); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
     append_limited(stage);
     if (k >= posings) {
       has_best = keep_best(stage, has_best);
       if (k == full_linearisations && go_to_best(stage)) append_limited(stage);
     }
-    if (!solve_posed(stage, report)) break;
+    if (!solve_posed(stage, report)) {
+      // Tensions of what was torn apart make a matrix that is definite in no precision: once without them.
+      if (k > 0) break;
+      std::fill(tensions_.begin(), tensions_.end(), 0.0);
+      continue;
+    }
     const double moved = furthest();
     if (!(moved <= most_motion)) break;
     for (std::size_t e = 0; e < next_.size(); ++e) {
@@ -185,7 +191,6 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     was_cut_ = !keep_apart(from);
     contacts_.remember_hits(stage_weight_);
   }
-  if (!converged) reset_tensions();
   return converged;
 }
 
@@ -315,13 +320,18 @@ void Island::find_groups() {
     if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
   }
   for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[angle(k)] = groups_[center(k)];
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (constrained_[p] != 0) groups_[p] = -1;  // it goes its own way
+  }
 }
 
-/// Takes from the way of cords, and of what holds them, what would lead them through each other. False if it had to.
+/// Takes from the way of cords, and of what holds them, what would lead them through each other, or out of the room in
+/// which contacts were looked for. False if it had to.
 bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
-  if (contacts_.keep_apart(from, positions_, groups_, group_shares_)) return true;
+  const bool roomy = keep_to_room(from);
+  if (contacts_.keep_apart(from, positions_, groups_, group_shares_) && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0 || groups_[p] < 0) continue;
     positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
@@ -329,13 +339,34 @@ bool Island::keep_apart(std::span<const Vec2> from) {
   return false;
 }
 
-/// Of what stretches, those of where it is: tensions that a solve has not come to the end of would be energy.
-void Island::reset_tensions() {
+bool Island::keep_to_room(std::span<const Vec2> from) {
+  bool all = true;
+  const auto keep = [&](std::size_t slot, Vec2 start, Vec2 end, double room) {
+    if (constrained_[slot] != 0) return;
+    const auto is_out = [&](double share) {
+      return !(gap_between(from[slot] + share * (positions_[slot] - from[slot]), start, end).distance <= room);
+    };
+    if (!is_out(1.0)) return;
+    all = false;
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int k = 0; k < room_halvings; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (is_out(middle) ? outside : inside) = middle;
+    }
+    double& share = group_shares_[at(groups_[slot])];
+    share = std::min(share, inside);
+  };
   for (const Member& member : members_) {
-    if (std::isinf(member.cord->def_.stretch_stiffness)) continue;
-    member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
-                                            part(tensions_, member.first_tension, member.tensions));
+    for (std::size_t p = member.first; p < member.first + member.count; ++p) {
+      keep(p, step_start_[p], ends_[p], member.room);
+    }
   }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const RigidBody& body = rigid_[at(bodies_[k].index)];
+    keep(center(k), body.position, body.position + step_dt_ * body.velocity, body_room_);
+  }
+  return all;
 }
 
 }  // namespace ribbon

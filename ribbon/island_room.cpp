@@ -54,8 +54,8 @@ Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
 }
 
 /// Gives who left his room in the step more of it. False if that was nobody, or he has all there is.
-bool Island::widen(const CordReport& report) {
-  if (!meets_ || (poses_ && is_posed_out(report))) return false;
+bool Island::widen() {
+  if (!meets_ || poses_) return false;
   bool body_left = false;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];

@@ -110,10 +110,10 @@ void Island::count_system(CordReport& report) {
   report.work += contacts_.take_visits();
 }
 
-/// Whether the step's work has come to what it may.
-bool Island::is_spent(const CordReport& report) const {
-  const auto points = static_cast<std::int64_t>(count_ + bodies_.size());
-  return report.work >= static_cast<std::int64_t>(system_blocks) * accuracy_.max_work * points;
+/// Whether the step's work has come to this share of what it may.
+bool Island::is_spent(const CordReport& report, double share) const {
+  const double points = static_cast<double>(count_ + bodies_.size());
+  return static_cast<double>(report.work) >= share * static_cast<double>(system_blocks) * points * accuracy_.max_work;
 }
 
 /// How far the point that moves most goes, m; not finite if any of it is not.

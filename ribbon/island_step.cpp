@@ -16,6 +16,8 @@ constexpr int most_vain_work = 4000;
 constexpr int most_halves = 10;
 constexpr int most_first_halves = 20;
 
+constexpr double halving_share = 0.6;  // of the work that a step may take
+
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
 constexpr double tolerated_gain = 5e-4;
@@ -114,7 +116,7 @@ bool Island::free_damped_substep(double start, double dt, const Energy& before, 
     }
     if (!gained_energy(before, gross_gain)) break;
     converged = false;
-    if (k == sharper_tries || is_spent(report)) break;
+    if (k == sharper_tries || is_spent(report, halving_share)) break;
     ++report.energy_gains;
     return_to_start();
     tolerance_ = std::max(1e-2 * tolerance_, least_tolerance_);
@@ -387,7 +389,7 @@ void Island::halves(double start, double dt, int depth, Halving& halving, CordRe
     if (implicit_euler(from, 0.5 * dt, report)) continue;
     const int work = report.iterations - halving.begun;
     if (depth >= (from == halving.start ? most_first_halves : most_halves) ||
-        work > (halving.gave_up ? most_vain_work : most_work) || is_spent(report)) {
+        work > (halving.gave_up ? most_vain_work : most_work) || is_spent(report, halving_share)) {
       halving.gave_up = true;
       continue;
     }
