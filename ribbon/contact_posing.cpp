@@ -97,13 +97,17 @@ double Contacts::pressing_energy() const {
   return is_posed_ ? sum / posed_stiffness_ : sum;
 }
 
-double Contacts::share_to_passing(std::span<const Vec2> x, std::span<const Vec2> to) {
+double Contacts::share_to_blow(std::span<const Vec2> x, std::span<const Vec2> to) {
   place(x, false, from_);
   place(to, true, to_);
   watch(from_, to_);
   double share = 1.0;
   count_visits(near_.size());
-  for (const std::size_t k : near_) share = free_share(corners_[k], corners_[k].passing, share, approach_share);
+  for (const std::size_t k : near_) {
+    if (free_share(corners_[k], corners_[k].passing, share, approach_share) < share) {
+      share = free_share(corners_[k], 1.0, share, 1.0);
+    }
+  }
   return share;
 }
 

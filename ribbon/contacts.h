@@ -165,9 +165,9 @@ class Contacts {
   void take_forces(const LimitedRows& rows, bool first);
   /// J, of what presses by the forces that were found last, or, of a substep that has just begun, remembered.
   double pressing_energy() const;
-  /// The share of the way from x to `to` on which no centre line is in what it touches, bodies that nothing pushes going
-  /// to their goals.
-  double share_to_passing(std::span<const Vec2> x, std::span<const Vec2> to);
+  /// The share of the way from x to `to` on which nothing touches whose centre line would then go into what it touches,
+  /// bodies that nothing pushes going to their goals.
+  double share_to_blow(std::span<const Vec2> x, std::span<const Vec2> to);
   /// m, of all pairs; 0 if there are none.
   double least_reach() const;
   /// What moves as one, by slot of points and bodies, may go a share of its way from `from` to `to`; takes from the

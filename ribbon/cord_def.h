@@ -22,7 +22,7 @@ struct Accuracy {
   double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
   /// Work of a step, 1 … 1,000,000, in units of 4 a point and body that are solved together (CordReport::work): about as
   /// many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so.
-  int max_work = 240;
+  int max_work = 480;
 
   /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,
   /// which in a heap takes a third of the solves: what lies there sinks by a hundredth of its fall in a step, not a

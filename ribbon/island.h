@@ -134,8 +134,6 @@ class Island {
   bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
   bool widen();
-  /// Whether as much was done in the step as contacts that are posed once are worth.
-  static bool is_posed_out(const CordReport& report);
   void let_go(double dt);
   void damp_deformation(const Member& member);
 
@@ -204,6 +202,7 @@ class Island {
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
   void end_piece(double dt);
+  double next_piece(double start, double left, bool& blown);
   double time_to_blow(double start, double most);
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
@@ -220,6 +219,7 @@ class Island {
   bool keep_apart(std::span<const Vec2> from);
   bool keep_to_room(std::span<const Vec2> from);
   void find_groups();
+  void reset_tensions();
   void go_led(double& left);
   bool ends_stage(std::span<const Vec2> from);
   void rebound(const Energy& before, double dt);
@@ -301,6 +301,7 @@ class Island {
   bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
   LimitedRows limited_;        // these
   bool was_cut_ = false;       // in it something was kept from going through something
+  double left_open_ = 0.0;     // m, that its last linear solve moved something by
   Energy piece_energy_;        // when it began
   std::vector<Vec2> load_;     // the right side without them
   std::vector<Vec2> best_;     // positions, of those that they led to

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +18,9 @@ constexpr int worth_trying = 32;         // Newton steps in a step, and so many 
 constexpr int worth_trying_more = 8;     // a substep, before contacts are posed once
 constexpr double tied_share = 1e-3;      // of the tolerance, by which a row may be on the wrong side of its limit
 constexpr int most_pieces = 8;           // of a step
-constexpr int most_posed_work = 100;     // Newton steps of a step, from where on nothing is taken again
+constexpr int most_posed_work = 80;      // linear systems, after which no piece is taken again
+constexpr double last_share = 0.5;      // of the work that a step may take, after which none is, either
+constexpr double near_share_of_blow = 0.02;  // of what is left of a step, before a blow that is taken at once
 constexpr double blow_share = 0.05;      // of the least reach, that anything goes in the piece that takes a blow
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
@@ -26,6 +29,7 @@ constexpr int most_interior = 25;      // its iterations
 constexpr double polishing_gap = 1e-4; // of the interior point, from where on its active set is tried
 constexpr double closed_gap = 1e-10;   // at which it has ended
 constexpr int full_linearisations = 5; // after which a step has to lessen the potential
+
 constexpr double least_share = 1.0 / 64.0;
 constexpr double penalty_factor = 2.0;
 constexpr double most_motion = 1e12;   // m
@@ -37,8 +41,6 @@ bool Island::is_tried(const CordReport& report) const {
   return report.iterations >= worth_trying + worth_trying_more * accuracy_.substeps;
 }
 
-bool Island::is_posed_out(const CordReport& report) { return report.iterations >= most_posed_work; }
-
 /// The whole step, in pieces: where something would go through something on the way that all goes by itself, a piece ends
 /// there, and a very short one takes the blow, by which nothing moves far. A piece that is not solved, or in which
 /// something had to be kept from going through something, is taken again by half. Few pieces, and then all of the rest
@@ -46,33 +48,44 @@ bool Island::is_posed_out(const CordReport& report) { return report.iterations >
 void Island::posed_step(double dt, CordReport& report) {
   ++report.posed;
   const Energy before = driven_ ? Energy{} : total_energy();
+  const int enough = report.iterations + most_posed_work;
   double time = 0.0;
   double most = dt;
-  bool blow = false;
+  bool blown = false;  // the last piece took a blow
   for (int piece = 1; time < dt; ++piece) {
     const double left = dt - time;
-    const bool last = piece >= most_pieces || is_posed_out(report);
-    double share = left;
-    if (!last) {
-      share = std::min(most, blow ? blow_time(left) : time_to_blow(time, left));
-      blow = !blow && share < left && share < most;
-      if (share <= 0.0) continue;
-    }
+    const bool last = piece >= most_pieces || report.iterations >= enough || is_spent(report, last_share);
+    const double share = last ? left : std::min(most, next_piece(time, left, blown));
     const bool solved = posed_piece(time, share, report);
-    if (getenv("TR")) printf(" piece %d at %g of %g: %s%s blow %d iters %d\n", piece, time/dt, share/dt, solved?"solved":"OPEN", was_cut_?" cut":"", blow, report.iterations);
-    if (!solved && !last) {
+    const bool good = !was_cut_ && solved;
+    if (getenv("TR")) printf(" piece %d at %g of %g: %s%s blown %d iters %d\n", piece, time/dt, share/dt, solved?"solved":"OPEN", was_cut_?" cut":"", blown, report.iterations);
+    if (!good && !last) {
       return_to_start();
       most = 0.5 * share;
-      blow = false;
       continue;
     }
-    if (!solved) ++report.unconverged;
+    if (!solved) {
+      ++report.unconverged;
+      report.position_error = std::max(report.position_error, left_open_);
+    }
     if (was_cut_) ++report.cuts;
     end_piece(share);
     time = share == left ? dt : time + share;
     most = dt - time;
   }
   if (!driven_) account(before);
+}
+
+/// s, up to a blow, or through it, or all that is left where there is none, or one that has just been taken.
+double Island::next_piece(double start, double left, bool& blown) {
+  if (blown) {
+    blown = false;
+    return left;
+  }
+  const double free = time_to_blow(start, left);
+  if (free > near_share_of_blow * left) return free;
+  blown = true;
+  return blow_time(left);
 }
 
 /// s, until something would be in something, if all of it went on as it goes; `most` if nothing would.
@@ -89,7 +102,7 @@ double Island::time_to_blow(double start, double most) {
     }
     trial_[p] = positions_[p] + way;
   }
-  return most * contacts_.share_to_passing(positions_, trial_);
+  return most * contacts_.share_to_blow(positions_, trial_);
 }
 
 /// s, in which nothing goes further than a small part of what may touch is thick.
@@ -102,7 +115,7 @@ double Island::blow_time(double most) const {
   return fastest * most > way ? way / fastest : most;
 }
 
-/// False if it was not solved, or not without a cut.
+/// False if it was not solved.
 bool Island::posed_piece(double start, double dt, CordReport& report) {
   begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
@@ -117,7 +130,7 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
   const bool converged = implicit_euler(start, dt, report);
   posing_ = false;
   has_pattern_ = false;
-  return converged && !was_cut_;
+  return converged;
 }
 
 /// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
@@ -155,6 +168,7 @@ void Island::begin_posed(double time, std::span<const Vec2> from) {
 bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
   begin_posed(time, from);
   bool converged = false;
+  left_open_ = std::numeric_limits<double>::infinity();
   bool has_best = false;
   for (int k = 0; k < most_linearisations && !converged && (k == 0 || !is_spent(report)); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
@@ -164,12 +178,14 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       if (k == full_linearisations && go_to_best(stage)) append_limited(stage);
     }
     if (!solve_posed(stage, report)) {
+      if (getenv("TR")) { double mt=0; for (double t: tensions_) mt=std::max(mt,std::abs(t)); printf("  FAIL k %d rows %zu maxtension %g q %g spent %d\n", k, limited_.rows().size(), mt, stage.q, is_spent(report)); }
       // Tensions of what was torn apart make a matrix that is definite in no precision: once without them.
       if (k > 0) break;
       std::fill(tensions_.begin(), tensions_.end(), 0.0);
       continue;
     }
-    const double moved = furthest();
+    const double moved = left_open_ = furthest();
+    if (getenv("TR")) printf("  lin %d rows %zu moved %g iters %d others %d\n", k, limited_.rows().size(), moved, report.iterations, others);
     if (!(moved <= most_motion)) break;
     for (std::size_t e = 0; e < next_.size(); ++e) {
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
@@ -191,6 +207,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     was_cut_ = !keep_apart(from);
     contacts_.remember_hits(stage_weight_);
   }
+  if (!converged) reset_tensions();
   return converged;
 }
 
@@ -331,7 +348,9 @@ bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
   const bool roomy = keep_to_room(from);
-  if (contacts_.keep_apart(from, positions_, groups_, group_shares_) && roomy) return true;
+  const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
+  if (getenv("TR") && !(apart && roomy)) { double l=1; for (double g: group_shares_) l=std::min(l,g); printf("  cut roomy %d apart %d least %g room %g\n", roomy, apart, l, members_[0].room);}
+  if (apart && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0 || groups_[p] < 0) continue;
     positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
@@ -367,6 +386,15 @@ bool Island::keep_to_room(std::span<const Vec2> from) {
     keep(center(k), body.position, body.position + step_dt_ * body.velocity, body_room_);
   }
   return all;
+}
+
+/// Of what stretches, those of where it is: tensions that a solve has not come to the end of would be energy.
+void Island::reset_tensions() {
+  for (const Member& member : members_) {
+    if (std::isinf(member.cord->def_.stretch_stiffness)) continue;
+    member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
+                                            part(tensions_, member.first_tension, member.tensions));
+  }
 }
 
 }  // namespace ribbon

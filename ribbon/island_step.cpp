@@ -16,7 +16,7 @@ constexpr int most_vain_work = 4000;
 constexpr int most_halves = 10;
 constexpr int most_first_halves = 20;
 
-constexpr double halving_share = 0.6;  // of the work that a step may take
+constexpr double halving_share = 0.5;  // of the work that a step may take
 
 // Of the scene's energy, M·g·L or what moves and is stretched if that is more: what a cord may gain in all, what it may
 // take back of recent losses, and how much of those is forgotten a substep.
