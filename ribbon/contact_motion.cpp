@@ -107,8 +107,9 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
   }
   watch(from_, to_);
   count_visits(near_.size());
-  return std::all_of(near_.begin(), near_.end(),
-                     [this](std::size_t k) { return free_share(corners_[k], passing_share, 1.0, approach_share) == 1.0; });
+  return std::all_of(near_.begin(), near_.end(), [this](std::size_t k) {
+    return free_share(corners_[k], passing_share, 1.0, approach_share) == 1.0;
+  });
 }
 
 /// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with

@@ -8,13 +8,13 @@
 namespace ribbon {
 namespace {
 
-constexpr double friction_share = 0.1;  // of a contact's stiffness, that friction's anchor has
-constexpr double posed_share = 0.25;    // of the reach, beyond it, within which a pair is posed
-constexpr double nearest_share = 0.9;   // of the reach: who comes so near on the way touches there
-constexpr double passing_share = 0.5;   // of it: who comes so near has gone through
-constexpr double approach_share = 0.98; // of the distance, if that is less already: so much nearer it may be
-constexpr double kept_share = 0.995;    // the same in the end
-constexpr int most_cuts = 12;           // of a group's share
+constexpr double friction_share = 0.1;   // of a contact's stiffness, that friction's anchor has
+constexpr double posed_share = 0.25;     // of the reach, beyond it, within which a pair is posed
+constexpr double nearest_share = 0.9;    // of the reach: who comes so near on the way touches there
+constexpr double passing_share = 0.5;    // of it: who comes so near has gone through
+constexpr double approach_share = 0.98;  // of the distance, if that is less already: so much nearer it may be
+constexpr double kept_share = 0.995;     // the same in the end
+constexpr int most_cuts = 12;            // of a group's share
 
 }  // namespace
 
@@ -31,8 +31,21 @@ bool Contacts::pose(std::span<const Vec2> from, std::span<const Vec2> to) {
   evaluated_ = false;
   count_visits(near_.size());
   for (const std::size_t k : near_) pose_pair(k);
+  keep_pressing();
   return !std::equal(posed_.begin(), posed_.end(), posed_before_.begin(), posed_before_.end(),
                      [](const Posed& a, const Posed& b) { return a.pair == b.pair; });
+}
+
+/// What presses stays posed as it was where it is not posed anew, for else it would be gone through in the next solve,
+/// be posed by that, and so on. Both lists are in the order of the watched pairs.
+void Contacts::keep_pressing() {
+  const auto posed_now = static_cast<std::ptrdiff_t>(posed_.size());
+  const auto is_before = [](const Posed& a, const Posed& b) { return a.pair < b.pair; };
+  for (const Posed& before : posed_before_) {
+    if (!(forces_[before.pair] > 0.0)) continue;
+    if (!std::binary_search(posed_.begin(), posed_.begin() + posed_now, before, is_before)) posed_.push_back(before);
+  }
+  std::sort(posed_.begin(), posed_.end(), is_before);
 }
 
 void Contacts::pose_none() {
@@ -44,7 +57,8 @@ void Contacts::pose_none() {
 void Contacts::pose_pair(std::size_t k) {
   const Corner& corner = corners_[k];
   double share = 1.0;
-  if (free_share(corner, passing_share, 1.0, approach_share) < 1.0) share = free_share(corner, nearest_share, 1.0, approach_share);
+  if (free_share(corner, passing_share, 1.0, approach_share) < 1.0)
+    share = free_share(corner, nearest_share, 1.0, approach_share);
   const ContactPair& pair = pairs_[k];
   for (const int anchor : {pair.disc, pair.a, pair.b, pair.before, pair.after}) {
     if (anchor >= 0) anchors_[at(anchor)] = from_[at(anchor)] + share * (to_[at(anchor)] - from_[at(anchor)]);

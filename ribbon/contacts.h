@@ -151,9 +151,9 @@ class Contacts {
 
   // Contacts that are posed once, see island_posed.cpp (contact_posing.cpp):
 
-  /// Poses the pairs that may press on the way from `from`, where the stage began, to `to`: each with the normal where it
-  /// ends, or of where it first touches if it would go through. Those posed before that press are posed again. True if
-  /// others are posed than the last time.
+  /// Poses the pairs that may press on the way from `from`, where the stage began, to `to`: each with the normal where
+  /// it ends, or of where it first touches if it would go through. Those posed before that press are posed again. True
+  /// if others are posed than the last time.
   bool pose(std::span<const Vec2> from, std::span<const Vec2> to);
   /// Poses none.
   void pose_none();
@@ -216,6 +216,7 @@ class Contacts {
   double depth(const Active& active) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void pose_pair(std::size_t k);
+  void keep_pressing();
   double limit(const Posed& posed) const;
   int group(int anchor, std::span<const int> group_of) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
@@ -238,8 +239,8 @@ class Contacts {
   std::vector<Active> active_;
   std::vector<Posed> posed_, posed_before_;
   double posed_stiffness_ = 1.0;  // of what presses, times the pairs' own
-  bool is_posed_ = false;  // the forces found last are those of posed pairs
-  bool evaluated_ = false;  // active_ and touching_ are those who touch with anchors_ where they are
+  bool is_posed_ = false;         // the forces found last are those of posed pairs
+  bool evaluated_ = false;        // active_ and touching_ are those who touch with anchors_ where they are
   // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
   std::vector<char> watched_;  // by pair: it is one of these

@@ -15,7 +15,7 @@ namespace {
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
-constexpr double posed_widening = 2.0;     // of the room, where contacts are posed once
+constexpr double posed_widening = 2.0;    // of the room, where contacts are posed once
 constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {

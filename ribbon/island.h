@@ -157,11 +157,12 @@ class Island {
   bool bdf2_stage(double start, double dt, double gamma, CordReport& report);
   bool implicit_euler(double start, double dt, CordReport& report);
   bool damped_substep(double start, double dt, const Energy& before, CordReport& report);
-  bool free_damped_substep(double start, double dt, const Energy& before, CordReport& report);
+  bool halved_substep(double start, double dt, const Energy& before, CordReport& report);
   void count_system(CordReport& report);
   bool is_spent(const CordReport& report, double share = 1.0) const;
   /// Whether as much was done in the step as is worth doing before its contacts are posed once.
   bool is_tried(const CordReport& report) const;
+  bool is_patient() const;
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
   bool will_touch(double start, double dt);
   bool is_good(bool converged, const Energy& before, CordReport& report);
@@ -202,7 +203,7 @@ class Island {
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
   void end_piece(double dt);
-  double next_piece(double start, double left, bool& blown);
+  double next_piece(double start, double left);
   double time_to_blow(double start, double most);
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
@@ -219,7 +220,6 @@ class Island {
   bool keep_apart(std::span<const Vec2> from);
   bool keep_to_room(std::span<const Vec2> from);
   void find_groups();
-  void reset_tensions();
   void go_led(double& left);
   bool ends_stage(std::span<const Vec2> from);
   void rebound(const Energy& before, double dt);
@@ -300,13 +300,15 @@ class Island {
   bool poses_ = false;         // in this step contacts are posed once,
   bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
   LimitedRows limited_;        // these
+  bool blow_is_due_ = false;   // the next piece takes a blow
+  bool blown_ = false;         // this one does,
   bool was_cut_ = false;       // in it something was kept from going through something
   double left_open_ = 0.0;     // m, that its last linear solve moved something by
   Energy piece_energy_;        // when it began
   std::vector<Vec2> load_;     // the right side without them
   std::vector<Vec2> best_;     // positions, of those that they led to
   std::vector<double> best_tensions_;
-  std::vector<int> groups_;    // by slot: what goes together when it is kept apart from others
+  std::vector<int> groups_;  // by slot: what goes together when it is kept apart from others
   std::vector<double> group_shares_;
 
   // Of the solve by blocks.

@@ -11,8 +11,8 @@
 namespace ribbon {
 namespace {
 
-constexpr double grip_share = 1e-7;        // least compliance of a grip along the cord, as a share of the point's own give
-constexpr double drawn_share = 0.25;      // of a link, that a point is drawn to a hand that is elsewhere in a step
+constexpr double grip_share = 1e-7;   // least compliance of a grip along the cord, as a share of the point's own give
+constexpr double drawn_share = 0.25;  // of a link, that a point is drawn to a hand that is elsewhere in a step
 constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 
 }  // namespace

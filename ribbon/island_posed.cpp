@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <cstdio>
-#include <cstdlib>
+#include <utility>
 
 #include "ribbon/island.h"
 
@@ -14,59 +13,66 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 32;         // Newton steps in a step, and so many more
-constexpr int worth_trying_more = 8;     // a substep, before contacts are posed once
-constexpr double tied_share = 1e-3;      // of the tolerance, by which a row may be on the wrong side of its limit
-constexpr int most_pieces = 8;           // of a step
-constexpr int most_posed_work = 80;      // linear systems, after which no piece is taken again
-constexpr double last_share = 0.5;      // of the work that a step may take, after which none is, either
-constexpr double near_share_of_blow = 0.02;  // of what is left of a step, before a blow that is taken at once
-constexpr double blow_share = 0.05;      // of the least reach, that anything goes in the piece that takes a blow
+constexpr int worth_trying = 40;       // Newton steps in a step, and so many more
+constexpr int worth_trying_more = 40;  // a substep, before contacts are posed once
+constexpr double tied_share = 1e-3;    // of the tolerance, by which a row may be on the wrong side of its limit
+constexpr int most_pieces = 10;        // of a step
+constexpr int most_posed_work = 80;    // linear systems, after which no piece is taken again
+constexpr double last_share = 0.5;     // of the work that a step may take, after which none is, either
+constexpr double blow_share = 0.05;    // of the least reach, that anything goes in the piece that takes a blow
+constexpr int patient_work = 10'000;   // of Accuracy::max_work
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
-constexpr int active_sets = 5;         // tried before the interior point
-constexpr int most_interior = 25;      // its iterations
-constexpr double polishing_gap = 1e-4; // of the interior point, from where on its active set is tried
-constexpr double closed_gap = 1e-10;   // at which it has ended
-constexpr int full_linearisations = 5; // after which a step has to lessen the potential
+constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
+constexpr int active_sets = 5;          // tried before the interior point
+constexpr int most_interior = 25;       // its iterations
+constexpr double polishing_gap = 1e-4;  // of the interior point, from where on its active set is tried
+constexpr double closed_gap = 1e-10;    // at which it has ended
+constexpr int full_linearisations = 5;  // after which a step has to lessen the potential
 
 constexpr double least_share = 1.0 / 64.0;
 constexpr double penalty_factor = 2.0;
-constexpr double most_motion = 1e12;   // m
-constexpr int room_halvings = 10;      // of a share, to find where something leaves its room
+constexpr double most_motion = 1e12;  // m
+constexpr int room_halvings = 10;     // of a share, to find where something leaves its room
 
 }  // namespace
 
 bool Island::is_tried(const CordReport& report) const {
-  return report.iterations >= worth_trying + worth_trying_more * accuracy_.substeps;
+  return !is_patient() && report.iterations >= worth_trying + worth_trying_more * accuracy_.substeps;
 }
 
-/// The whole step, in pieces: where something would go through something on the way that all goes by itself, a piece ends
-/// there, and a very short one takes the blow, by which nothing moves far. A piece that is not solved, or in which
+/// Whether there is so much work to spend that what does not converge is taken by halves before its contacts are posed
+/// once.
+bool Island::is_patient() const { return accuracy_.max_work >= patient_work; }
+
+/// The whole step, in pieces: where something would go through something on the way that all goes by itself, a piece
+/// ends there, and a very short one takes the blow, by which nothing moves far. A piece that is not solved, or in which
 /// something had to be kept from going through something, is taken again by half. Few pieces, and then all of the rest
 /// as it comes.
 void Island::posed_step(double dt, CordReport& report) {
   ++report.posed;
+  begin_substep(0.0, dt);
   const Energy before = driven_ ? Energy{} : total_energy();
   const int enough = report.iterations + most_posed_work;
   double time = 0.0;
   double most = dt;
-  bool blown = false;  // the last piece took a blow
+  blown_ = blow_is_due_ = false;
   for (int piece = 1; time < dt; ++piece) {
     const double left = dt - time;
     const bool last = piece >= most_pieces || report.iterations >= enough || is_spent(report, last_share);
-    const double share = last ? left : std::min(most, next_piece(time, left, blown));
+    const double share = last ? left : std::min(most, next_piece(time, left));
+    if (last) blown_ = blow_is_due_ = false;
     const bool solved = posed_piece(time, share, report);
     const bool good = !was_cut_ && solved;
-    if (getenv("TR")) printf(" piece %d at %g of %g: %s%s blown %d iters %d\n", piece, time/dt, share/dt, solved?"solved":"OPEN", was_cut_?" cut":"", blown, report.iterations);
     if (!good && !last) {
       return_to_start();
       most = 0.5 * share;
+      blown_ = blow_is_due_ = false;
       continue;
     }
     if (!solved) {
       ++report.unconverged;
-      report.position_error = std::max(report.position_error, left_open_);
+      report.position_error = std::max(report.position_error, std::min(left_open_, most_motion));
     }
     if (was_cut_) ++report.cuts;
     end_piece(share);
@@ -77,14 +83,15 @@ void Island::posed_step(double dt, CordReport& report) {
 }
 
 /// s, up to a blow, or through it, or all that is left where there is none, or one that has just been taken.
-double Island::next_piece(double start, double left, bool& blown) {
-  if (blown) {
-    blown = false;
-    return left;
+double Island::next_piece(double start, double left) {
+  if (std::exchange(blown_, false)) return left;
+  if (!std::exchange(blow_is_due_, false)) {
+    const double free = time_to_blow(start, left);
+    blow_is_due_ = free < left;
+    if (free > 0.0) return free;
   }
-  const double free = time_to_blow(start, left);
-  if (free > near_share_of_blow * left) return free;
-  blown = true;
+  blow_is_due_ = false;
+  blown_ = true;
   return blow_time(left);
 }
 
@@ -157,6 +164,7 @@ void Island::begin_posed(double time, std::span<const Vec2> from) {
     contacts_.begin_stage();
     contacts_.aim(time);
     contacts_.lead(1.0);
+    contacts_.pose_none();
     contacts_.pose(from, positions_);
   }
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -170,7 +178,8 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   bool converged = false;
   left_open_ = std::numeric_limits<double>::infinity();
   bool has_best = false;
-  for (int k = 0; k < most_linearisations && !converged && (k == 0 || !is_spent(report)); ++k) {
+  const int most = blown_ ? blow_linearisations : most_linearisations;
+  for (int k = 0; k < most && !converged && (k == 0 || !is_spent(report)); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
     append_limited(stage);
     if (k >= posings) {
@@ -178,14 +187,12 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       if (k == full_linearisations && go_to_best(stage)) append_limited(stage);
     }
     if (!solve_posed(stage, report)) {
-      if (getenv("TR")) { double mt=0; for (double t: tensions_) mt=std::max(mt,std::abs(t)); printf("  FAIL k %d rows %zu maxtension %g q %g spent %d\n", k, limited_.rows().size(), mt, stage.q, is_spent(report)); }
       // Tensions of what was torn apart make a matrix that is definite in no precision: once without them.
       if (k > 0) break;
       std::fill(tensions_.begin(), tensions_.end(), 0.0);
       continue;
     }
     const double moved = left_open_ = furthest();
-    if (getenv("TR")) printf("  lin %d rows %zu moved %g iters %d others %d\n", k, limited_.rows().size(), moved, report.iterations, others);
     if (!(moved <= most_motion)) break;
     for (std::size_t e = 0; e < next_.size(); ++e) {
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
@@ -207,8 +214,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     was_cut_ = !keep_apart(from);
     contacts_.remember_hits(stage_weight_);
   }
-  if (!converged) reset_tensions();
-  return converged;
+  return converged || (blown_ && left_open_ < std::numeric_limits<double>::infinity());
 }
 
 /// All limited rows about positions_.
@@ -325,7 +331,8 @@ void Island::find_groups() {
     return slot;
   };
   for (const Member& member : members_) {
-    for (std::size_t p = member.first; p < member.first + member.count; ++p) groups_[p] = static_cast<int>(member.first);
+    for (std::size_t p = member.first; p < member.first + member.count; ++p)
+      groups_[p] = static_cast<int>(member.first);
   }
   for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[center(k)] = static_cast<int>(center(k));
   for (const HeldBody& held : held_) {
@@ -349,7 +356,6 @@ bool Island::keep_apart(std::span<const Vec2> from) {
   group_shares_.assign(positions_.size(), 1.0);
   const bool roomy = keep_to_room(from);
   const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
-  if (getenv("TR") && !(apart && roomy)) { double l=1; for (double g: group_shares_) l=std::min(l,g); printf("  cut roomy %d apart %d least %g room %g\n", roomy, apart, l, members_[0].room);}
   if (apart && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0 || groups_[p] < 0) continue;
@@ -386,15 +392,6 @@ bool Island::keep_to_room(std::span<const Vec2> from) {
     keep(center(k), body.position, body.position + step_dt_ * body.velocity, body_room_);
   }
   return all;
-}
-
-/// Of what stretches, those of where it is: tensions that a solve has not come to the end of would be energy.
-void Island::reset_tensions() {
-  for (const Member& member : members_) {
-    if (std::isinf(member.cord->def_.stretch_stiffness)) continue;
-    member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
-                                            part(tensions_, member.first_tension, member.tensions));
-  }
 }
 
 }  // namespace ribbon

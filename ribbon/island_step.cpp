@@ -87,15 +87,16 @@ bool Island::will_touch(double start, double dt) {
   return contacts_.free_way(x0_, trial_, true, 1.0) < 1.0;
 }
 
-/// Implicit Euler, of free cords by halves where it does not converge. False if that is not the way for them.
+/// Implicit Euler, by halves where it does not converge and cords are free or there is work to spend. False if that did
+/// not solve it.
 bool Island::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
-  if (contacts_.empty() && !together_) return free_damped_substep(start, dt, before, report);
+  if ((contacts_.empty() && !together_) || is_patient()) return halved_substep(start, dt, before, report);
   return !is_tried(report) && implicit_euler(start, dt, report) && !gained_energy(before, gross_gain);
 }
 
 /// Of a stiff cord what the tolerance leaves open, times a tension, can be energy too: then all of it again to a
 /// hundredth of the tolerance, in the end by halves.
-bool Island::free_damped_substep(double start, double dt, const Energy& before, CordReport& report) {
+bool Island::halved_substep(double start, double dt, const Energy& before, CordReport& report) {
   const double tolerance = tolerance_;
   bool converged = false;
   for (int k = 0;; ++k) {

@@ -162,8 +162,8 @@ void LimitedRows::take_next(std::span<const Vec2> step) {
     const double a = (centring_ - inside.low_product) * below;
     const double above = has_high(row) ? 1.0 / (row.high - inside.force) : 0.0;
     const double b = (centring_ + inside.high_product) * above;
-    const double next =
-        d * ((1.0 / d - row.compliance) * inside.force + a - (has_high(row) ? b : 0.0) - row.value - row.row.along(step));
+    const double next = d * ((1.0 / d - row.compliance) * inside.force + a - (has_high(row) ? b : 0.0) - row.value -
+                             row.row.along(step));
     inside.next_force = next;
     inside.next_low = a - inside.low * (next - inside.force) * below;
     inside.next_high = has_high(row) ? b + inside.high * (next - inside.force) * above : 0.0;
@@ -208,7 +208,7 @@ void LimitedRows::predict(std::span<const Vec2> step) {
   take_next(step);
   const double now = complementarity(0.0);
   const double then = complementarity(longest_share());
-  const double ratio = now > 0.0 ? then / now : 0.0;
+  const double ratio = now > 0.0 ? std::min(1.0, then / now) : 0.0;
   for (Inside& inside : inside_) {
     const double change = inside.next_force - inside.force;
     inside.low_product = change * (inside.next_low - inside.low);

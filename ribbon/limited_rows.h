@@ -82,12 +82,12 @@ class LimitedRows {
   ///     z + f·compliance − p + q = 0,     p·(f − low) = q·(high − f) = μ → 0.
   struct Inside {
     double force = 0.0;
-    double low = 0.0;                // p, m
-    double high = 0.0;               // q, m; 0 where there is no such limit
-    double next_force = 0.0;         // of the last linear solve
+    double low = 0.0;         // p, m
+    double high = 0.0;        // q, m; 0 where there is no such limit
+    double next_force = 0.0;  // of the last linear solve
     double next_low = 0.0;
     double next_high = 0.0;
-    double low_product = 0.0;        // of what the predictor changes, Δf·Δp
+    double low_product = 0.0;  // of what the predictor changes, Δf·Δp
     double high_product = 0.0;
   };
   static bool has_high(const LimitedRow& row);
@@ -99,9 +99,9 @@ class LimitedRows {
   std::vector<LimitedRow> rows_;
   std::vector<State> states_;
   std::vector<Inside> inside_;
-  double most_force_ = 0.0;  // N
-  double centring_ = 0.0;    // N·m, σ·μ
-  double first_mu_ = 0.0;    // N·m
+  double most_force_ = 0.0;        // N
+  double centring_ = 0.0;          // N·m, σ·μ
+  double first_mu_ = 0.0;          // N·m
   double length_per_force_ = 1.0;  // m/N, of where the interior point begins
   double misfit_ = 1.0;
   double gap_ = 1.0;

@@ -375,7 +375,7 @@ TEST(CordContact, WithBallsInFreeFlightItKeepsItsMomentum) {
 }
 
 /// From 1.5 m on a cord that hangs, or is taut between its pins.
-void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, double mass) {
+void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, double mass, double deepest) {
   CordDef def = bridge_def();
   def.stretch_stiffness = stiffness;
   def.accuracy = accuracy;
@@ -394,18 +394,22 @@ void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, doubl
     depth = std::max(depth, world.depth());
   }
   EXPECT_LE(gain, 1e-3 * scale) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
-  EXPECT_LE(depth, 1e-3) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
+  EXPECT_LE(depth, deepest) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
 }
 
-/// (The heaviest on a taut cord that does not stretch is left out: there it gains.)
+/// (The heaviest on a taut cord that does not stretch is left out: there it gains.) With bounded work a hundred times the
+/// cord's mass may be a centimetre in it where it hits an inextensible one, and comes out again.
 TEST(CordContact, NoImpactOfAFallingBallGainsEnergy) {
-  for (const Accuracy& accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
-    for (const double mass : {0.01, 1.0, 100.0}) {
-      for (const double stiffness : {1e4, 1e6, 1e8}) {
-        for (const bool taut : {true, false}) expect_no_gain(taut, stiffness, accuracy, mass);
+  for (const bool ample : {false, true}) {
+    for (Accuracy accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
+      if (ample) accuracy.max_work = 1'000'000;
+      for (const double mass : {0.01, 1.0, 100.0}) {
+        for (const double stiffness : {1e4, 1e6, 1e8}) {
+          for (const bool taut : {true, false}) expect_no_gain(taut, stiffness, accuracy, mass, 1e-3);
+        }
+        expect_no_gain(false, infinity, accuracy, mass, ample || mass < 100.0 ? 1e-3 : 1e-2);
+        if (mass <= 1.0) expect_no_gain(true, infinity, accuracy, mass, 1e-3);
       }
-      expect_no_gain(false, infinity, accuracy, mass);
-      if (mass <= 1.0) expect_no_gain(true, infinity, accuracy, mass);
     }
   }
 }

@@ -15,13 +15,9 @@ std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-int work(const engine::Coupling& coupling) {
-  return coupling.tick_report().iterations;
-}
+int work(const engine::Coupling& coupling) { return coupling.tick_report().iterations; }
 
-int unconverged(const engine::Coupling& coupling) {
-  return coupling.tick_report().unconverged;
-}
+int unconverged(const engine::Coupling& coupling) { return coupling.tick_report().unconverged; }
 
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
     : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}

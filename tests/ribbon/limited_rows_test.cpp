@@ -1,0 +1,136 @@
+#include "ribbon/limited_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "tests/support/dice.h"
+
+namespace ribbon {
+namespace {
+
+using test_support::Dice;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Points of different masses, each drawn somewhere, with limited springs between some of them.
+struct Problem {
+  std::vector<double> inertia;  // N/m
+  std::vector<Vec2> force;      // N
+  LimitedRows rows;
+  BlockLdlt matrix;
+
+  Problem(int points, int count, unsigned seed) {
+    Dice dice(seed);
+    for (int p = 0; p < points; ++p) {
+      inertia.push_back(std::pow(10.0, dice(-1.0, 3.0)));
+      force.push_back({dice(-100.0, 100.0), dice(-100.0, 100.0)});
+    }
+    for (int k = 0; k < count; ++k) {
+      SlotRow row;
+      for (int i = 0; i < 3; ++i) {
+        row.add(static_cast<int>(dice(0.0, points)), {dice(-1.0, 1.0), dice(-1.0, 1.0)});
+      }
+      const bool contact = dice.coin();
+      const double most = dice(0.0, 50.0) + 1e-3;
+      rows.add({row, dice(-0.1, 0.1), std::pow(10.0, dice(-7.0, -4.0)), contact ? 0.0 : -most,
+                contact ? infinity : most, 0.0});
+    }
+    std::vector<int> order(static_cast<std::size_t>(points));
+    std::iota(order.begin(), order.end(), 0);
+    matrix.begin_pattern(order);
+    rows.couple(matrix);
+    matrix.end_pattern();
+  }
+
+  std::vector<Vec2> load() {
+    matrix.set_zero();
+    for (std::size_t p = 0; p < inertia.size(); ++p) {
+      matrix.add(static_cast<int>(p), inertia[p], 0.0, inertia[p]);
+    }
+    return force;
+  }
+
+  /// By active sets, if they end in so many.
+  bool solve_active_sets(std::vector<Vec2>& step, int most) {
+    for (int k = 0; k < most; ++k) {
+      step = load();
+      rows.load_active_set(matrix, step);
+      EXPECT_TRUE(matrix.solve(step));
+      if (rows.update_active_set(step, 0.0) == 0) return true;
+    }
+    return false;
+  }
+
+  /// By the interior point; how many systems it took.
+  int solve_interior(std::vector<Vec2>& step, double gap) {
+    rows.begin_interior();
+    for (int k = 1; k <= 60; ++k) {
+      step = load();
+      rows.load_interior(matrix);
+      rows.load_interior_force(step);
+      EXPECT_TRUE(matrix.solve(step));
+      rows.predict(step);
+      step = force;
+      rows.load_interior_force(step);
+      matrix.solve_again(step);
+      rows.advance(step);
+      if (rows.gap() <= gap) return k;
+    }
+    return 61;
+  }
+
+  /// By how much a step is off from balance with the forces that its rows then have by their law, as a share of the
+  /// greatest of them.
+  double misfit(const std::vector<Vec2>& step) const {
+    double greatest = 0.0;
+    std::vector<Vec2> left = force;
+    for (std::size_t p = 0; p < left.size(); ++p) left[p] -= inertia[p] * step[p];
+    for (const LimitedRow& row : rows.rows()) {
+      const double z = row.value + row.row.along(step);
+      const double force = std::clamp(-z / row.compliance, row.low, row.high);
+      greatest = std::max(greatest, std::abs(force));
+      row.row.push(force, left);
+    }
+    double most = 0.0;
+    for (const Vec2 f : left) most = std::max(most, length(f));
+    return most / greatest;
+  }
+};
+
+TEST(LimitedRows, InteriorPointAndActiveSetAfterItSolveAnyProblem) {
+  int most = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Problem problem(20, 10 + static_cast<int>(seed % 50), seed);
+    std::vector<Vec2> step;
+    problem.rows.begin_active_set();
+    problem.solve_active_sets(step, 1);
+    most = std::max(most, problem.solve_interior(step, 1e-8));
+    problem.rows.end_interior();
+    ASSERT_TRUE(problem.solve_active_sets(step, 8)) << seed;
+    EXPECT_LE(problem.misfit(step), 1e-3) << seed;
+  }
+  EXPECT_LE(most, 40);
+}
+
+TEST(LimitedRows, PotentialHasTheForceForItsSlope) {
+  Problem problem(5, 12, 3);
+  Dice dice(11);
+  std::vector<Vec2> step;
+  for (int p = 0; p < 5; ++p) step.push_back({dice(-1e-3, 1e-3), dice(-1e-3, 1e-3)});
+  const double h = 1e-6;
+  const double slope = (problem.rows.potential(step, 1.0 + h) - problem.rows.potential(step, 1.0 - h)) / (2.0 * h);
+  double expected = 0.0;
+  for (const LimitedRow& row : problem.rows.rows()) {
+    const double along = row.row.along(step);
+    expected -= std::clamp(-(row.value + along) / row.compliance, row.low, row.high) * along;
+  }
+  EXPECT_NEAR(slope, expected, 1e-4 * std::abs(expected));
+}
+
+}  // namespace
+}  // namespace ribbon
