@@ -11,11 +11,11 @@ namespace engine {
 
 /// Which steps are worth a file: those of which any of these holds. None holds unless it is asked for.
 struct FlightConditions {
-  std::optional<std::int64_t> max_work;  ///< more work than that, of all islands: CordReport::work
-  bool unconverged = false;              ///< a substep that was left unconverged
-  std::optional<double> max_speed;       ///< m/s: a point that is faster after the step
-  std::optional<double> max_stretch;     ///< a link that is longer after it by more than that share of its rest length
-  bool not_finite = false;               ///< a position or velocity that is no number after it
+  std::optional<std::int64_t> max_work{};  ///< more work than that, of all islands: CordReport::work
+  bool unconverged = false;                ///< a substep that was left unconverged
+  std::optional<double> max_speed{};       ///< m/s: a point that is faster after the step
+  std::optional<double> max_stretch{};  ///< a link that is longer after it by more than that share of its rest length
+  bool not_finite = false;              ///< a position or velocity that is no number after it
 };
 
 /// Writes the steps of a coupling's direct solver of which a condition holds, each into a file of its own as

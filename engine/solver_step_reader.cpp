@@ -24,10 +24,10 @@ struct Place {
   std::size_t index = 0;
 
   std::string words() const {
-    if (parent == nullptr) return "";
+    if (parent == nullptr) return name;
     const std::string before = parent->words();
     if (*name == '\0') return before + "[" + std::to_string(index) + "]";
-    return before.empty() ? name : before + "." + name;
+    return parent->parent == nullptr ? name : before + "." + name;
   }
 };
 
@@ -150,7 +150,7 @@ void read(const Place& place, const json& from, T& to) {
 }
 
 SolverStep read_file(const json& file) {
-  const Place root;
+  const Place root{nullptr, "the file"};
   Reader reader(root, file);
   int version = 0;
   reader("solver_step", version);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -146,7 +146,8 @@ bool save_solver_step(const SolverStep& step, const std::string& path, bool is_n
   is_whole = std::fflush(file) == 0 && is_whole;
   const int reason = errno;
   if (std::fclose(file) == 0 && is_whole) return true;
-  std::remove(path.c_str());
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);  // a device stays
   errno = reason;
   fail(path);
 }

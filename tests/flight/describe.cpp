@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/flight/figures.h"
@@ -13,13 +15,27 @@ namespace {
 
 constexpr double bar_after = 1.0;  // s, of work that shows no bar
 
-void print_report(const char* what, const ribbon::CordReport& report) {
-  std::printf(
-      "%s: work %lld, stages %d, iterations %d, searches %d, fallbacks %d, energy gains %d, halvings %d,\n"
-      "  impacts %d, posed %d, cuts %d, unlocked %d, unconverged %d, position error %.3g m, force error %.3g N\n",
-      what, static_cast<long long>(report.work), report.stages, report.iterations, report.searches, report.fallbacks,
-      report.energy_gains, report.halvings, report.impacts, report.posed, report.cuts, report.unlocked,
-      report.unconverged, report.position_error, report.force_error);
+/// The work, and what else is not 0.
+void print_report(const std::string& what, const ribbon::CordReport& report) {
+  std::printf("%s: work %lld", what.c_str(), static_cast<long long>(report.work));
+  const std::pair<const char*, int> counts[] = {{"stages", report.stages},
+                                                {"iterations", report.iterations},
+                                                {"searches", report.searches},
+                                                {"fallbacks", report.fallbacks},
+                                                {"energy gains", report.energy_gains},
+                                                {"halvings", report.halvings},
+                                                {"impacts", report.impacts},
+                                                {"posed", report.posed},
+                                                {"cuts", report.cuts},
+                                                {"unlocked", report.unlocked},
+                                                {"unconverged", report.unconverged}};
+  for (const auto& [name, count] : counts) {
+    if (count != 0) std::printf(", %s %d", name, count);
+  }
+  if (report.unconverged > 0) {
+    std::printf(", position error %.3g m, force error %.3g N", report.position_error, report.force_error);
+  }
+  std::printf("\n");
 }
 
 void print_figures(const Figures& before, const Figures& after) {
@@ -32,6 +48,7 @@ void print_figures(const Figures& before, const Figures& after) {
   row("  of cord", before.stretched_cord, after.stretched_cord);
   row("deepest in a body, mm", 1e3 * before.penetration, 1e3 * after.penetration);
   row("  of cord", before.deep_cord, after.deep_cord);
+  row("  of body", before.deep_body, after.deep_body);
   row("deepest in a cord, mm", 1e3 * before.cord_penetration, 1e3 * after.cord_penetration);
   row("widest gap of a grip, mm", 1e3 * before.grip_gap, 1e3 * after.grip_gap);
   row("fastest point, m/s", before.speed, after.speed);
@@ -77,7 +94,7 @@ void print_replay(const engine::SolverStep& step, Replay& replay) {
     const std::string what = "cord " + std::to_string(k) + (cord.is_asleep() ? ", asleep" : "") + ", of " +
                              std::to_string(cord.def().points) + " x " + std::to_string(cord.def().rows) +
                              ", its island";
-    print_report(what.c_str(), replay.reports()[k]);
+    print_report(what, replay.reports()[k]);
   }
 }
 

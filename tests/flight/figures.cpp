@@ -113,22 +113,26 @@ double cord_depth(const std::vector<Cord>& cords) {
   return deepest;
 }
 
-double depth_in_bodies(const engine::SolverStep::Cord& met, const Cord& cord, const std::vector<Place>& places) {
-  double deepest = 0.0;
-  const double radius = cord.def().radius;
+void take_depth_in_bodies(const engine::SolverStep::Cord& met, const Cord& cord, int index,
+                          const std::vector<Place>& places, Figures& figures) {
+  const std::vector<Link> links = outline(cord);
+  const auto take = [&](const Link& edge, double contact, int body) {
+    for (const Link& link : links) {
+      const double depth = contact - distance(edge, link, contact);
+      if (depth <= figures.penetration) continue;
+      figures.penetration = depth;
+      figures.deep_cord = index;
+      figures.deep_body = body;
+    }
+  };
   for (const ribbon::RigidCircle& circle : met.circles) {
     const Vec2 center = places[at(circle.body)].of(circle.offset);
-    for (const Link& link : outline(cord)) {
-      deepest = std::max(deepest, circle.radius + radius - ribbon::gap_between(center, link.a, link.b).distance);
-    }
+    take({center, center, 0}, circle.radius + cord.def().radius, circle.body);
   }
   for (const ribbon::RigidSegment& segment : met.segments) {
     const Place& place = places[at(segment.body)];
-    const Link edge{place.of(segment.a), place.of(segment.b), 0};
-    const double contact = segment.radius + radius;
-    for (const Link& link : outline(cord)) deepest = std::max(deepest, contact - distance(edge, link, contact));
+    take({place.of(segment.a), place.of(segment.b), 0}, segment.radius + cord.def().radius, segment.body);
   }
-  return deepest;
 }
 
 double gap_of(const ribbon::Grip& grip, const Cord& cord, const std::vector<Place>& places, bool moved) {
@@ -150,15 +154,13 @@ Figures figures_of(const engine::SolverStep& step, const std::vector<Cord>& cord
   std::vector<Place> places;
   for (const RigidBody& body : bodies) places.push_back(moved ? after_step(body, step.dt) : Place{body});
   for (const Place& place : places) figures.energy += energy_of(place.body);
-  const auto take = [](double value, int cord, double& most, int& of) {
-    if (value > most || of < 0) most = value, of = cord;
-  };
   for (std::size_t k = 0; k < cords.size(); ++k) {
     const Cord& cord = cords[k];
     const int index = static_cast<int>(k);
     figures.finite = figures.finite && engine::is_finite(cord);
-    take(engine::largest_stretch(cord), index, figures.stretch, figures.stretched_cord);
-    take(depth_in_bodies(step.cords[k], cord, places), index, figures.penetration, figures.deep_cord);
+    const double stretch = engine::largest_stretch(cord);
+    if (k == 0 || stretch > figures.stretch) figures.stretch = stretch, figures.stretched_cord = index;
+    take_depth_in_bodies(step.cords[k], cord, index, places, figures);
     figures.speed = std::max(figures.speed, engine::largest_speed(cord));
     figures.energy += cord.energy(step.gravity).total();
     for (const ribbon::Grip& grip : step.cords[k].grips) {

@@ -13,8 +13,9 @@ struct Figures {
   bool finite = true;
   double stretch = 0.0;      ///< share by which the longest link is longer than at rest
   int stretched_cord = -1;   ///< which has it
-  double penetration = 0.0;  ///< m, the deepest, of a cord in a circle or segment that is near it; 0 if there is none
-  int deep_cord = -1;        ///< which is
+  double penetration = 0.0;  ///< m, the deepest, of a cord in a circle or segment that is near it; 0 if none is in one
+  int deep_cord = -1;        ///< which is,
+  int deep_body = -1;        ///< and in which body
   double cord_penetration = 0.0;  ///< m, the deepest of cords that declare contact in themselves and each other
   double speed = 0.0;             ///< m/s, of the fastest point
   double grip_gap = 0.0;          ///< m, the farthest that a hand is from what it holds
