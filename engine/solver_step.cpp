@@ -18,6 +18,15 @@ void check_cord(std::size_t index, Check check) {
   }
 }
 
+/// Before a cord is made: a short text may ask for a long one.
+void check_points(const SolverStep::Cord& cord) {
+  ribbon::check_size(cord.def);
+  const auto points = static_cast<std::size_t>(cord.def.points) * static_cast<std::size_t>(cord.def.rows);
+  if (cord.state.positions.size() == points) return;
+  throw ribbon::DefinitionError("state.positions has " + std::to_string(cord.state.positions.size()) +
+                                " entries; accepted is one a point: " + std::to_string(points));
+}
+
 void check_ids(const std::vector<SolverStep::Cord>& cords) {
   std::vector<std::uint64_t> ids;
   for (const SolverStep::Cord& cord : cords) ids.push_back(cord.id);
@@ -65,6 +74,7 @@ void check(const SolverStep& step) {
   check_ids(step.cords);
   for (std::size_t k = 0; k < step.cords.size(); ++k) {
     check_cord(k, [&cord = step.cords[k], &step] {
+      check_points(cord);
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
       ribbon::check_met({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(), cord.def.rows);

@@ -110,7 +110,13 @@ TEST(SolverStep, RefusesNumbersOutOfRangeAndStatesThatDoNotFit) {
             0U);
   EXPECT_EQ(refusal(text_with("\"points\": 5", "\"points\": 1")).find("bad.json: cords[0]: points is 1; accepted"), 0U);
   EXPECT_EQ(refusal(text_with("\"points\": 5", "\"points\": 6")),
-            "bad.json: cords[0]: state is of another cord; accepted is one of 6 x 1 points with the same terms");
+            "bad.json: cords[0]: state.positions has 5 entries; accepted is one a point: 6");
+  EXPECT_EQ(refusal(text_with("\"points\": 5", "\"points\": 1000000")),
+            "bad.json: cords[0]: state.positions has 5 entries; accepted is one a point: 1000000");
+  SolverStep slack = some_step();
+  slack.cords[0].state.rest.pop_back();
+  EXPECT_EQ(refusal(to_text(slack)),
+            "bad.json: cords[0]: state is of another cord; accepted is one of 5 x 1 points with the same terms");
   EXPECT_EQ(refusal(text_with("\"body\": 0,", "\"body\": 2,")),
             "bad.json: cords[0]: circles[0].body is 2; accepted is an index below 2");
   EXPECT_EQ(refusal(text_with("\"inverse_mass\": 0.3", "\"inverse_mass\": -0.3")).find("bad.json: bodies[1].inverse_"),

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <optional>
+#include <random>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/flight_recorder.h"
 #include "tests/bits/bit_scenes.h"
@@ -27,12 +29,12 @@ class LastStep : public engine::StepWatcher {
   std::vector<ribbon::CordReport> by_cord;
 };
 
-class Flight : public testing::TestWithParam<bits::BitScene> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, Flight, testing::ValuesIn(bits::bit_scenes().begin(), bits::bit_scenes().end()),
+class FlightOf : public testing::TestWithParam<bits::BitScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, FlightOf, testing::ValuesIn(bits::bit_scenes().begin(), bits::bit_scenes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 /// Every third tick is captured, written, read and taken again.
-TEST_P(Flight, GivesTheBitsOfTheCouplingsOwnStep) {
+TEST_P(FlightOf, GivesTheBitsOfTheCouplingsOwnStep) {
   bits::BitWorld world;
   GetParam().build(world);
   LastStep last;
@@ -51,6 +53,33 @@ TEST_P(Flight, GivesTheBitsOfTheCouplingsOwnStep) {
       ASSERT_TRUE(replay.reports() == last.by_cord) << "tick " << k;
       ASSERT_TRUE(replay.is_as_recorded());
     }
+  }
+}
+
+/// A file with a wrong byte is refused with a sentence, or holds another step that can be taken.
+TEST(Flight, TakesOrRefusesAFileWithAWrongByte) {
+  for (const bits::BitScene& scene : bits::bit_scenes()) {
+    bits::BitWorld world;
+    scene.build(world);
+    LastStep last;
+    world.coupling.watch(&last);
+    for (int k = 0; k < scene.ticks / 2; ++k) bits::tick(scene, world, k);
+    const std::string text = engine::to_text(last.step);
+    std::minstd_rand dice(7);
+    int refused = 0;
+    for (int times = 0; times < 300; ++times) {
+      std::string spoilt = text;
+      spoilt[dice() % spoilt.size()] = "0123456789-.eE,:[]{}\"tfn "[dice() % 26];
+      try {
+        const engine::SolverStep step = engine::read_solver_step(spoilt, "a text");
+        Replay replay(step);
+        replay.run();
+      } catch (const engine::SolverStepError& error) {
+        ASSERT_EQ(std::string(error.what()).find("a text"), 0U);
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 10) << scene.name;
   }
 }
 

@@ -48,7 +48,9 @@ void shrink(const engine::SolverStep& step, const Options& options) {
   const auto show = [](const engine::SolverStep& smallest, int tried) {
     if (tried % 16 == 0) std::fprintf(stderr, "\rtried %d, left %zu parts  ", tried, flight::size_of(smallest));
   };
-  const engine::SolverStep smallest = flight::shrink(step, fails, show);
+  engine::SolverStep smallest = flight::shrink(step, fails, show);
+  smallest.outcome.why = options.work ? "work above " + std::to_string(*options.work) : "it does not converge";
+  smallest.outcome.why += ", made smaller";
   std::fprintf(stderr, "\r%40s\r", "");
   engine::save_solver_step(smallest, options.shrink_to);
   std::printf("%zu of %zu parts are left: %s\n", flight::size_of(smallest), flight::size_of(step),
