@@ -137,7 +137,8 @@ void take_depth_in_bodies(const engine::SolverStep::Cord& met, const Cord& cord,
 
 double gap_of(const ribbon::Grip& grip, const Cord& cord, const std::vector<Place>& places, bool moved) {
   const Vec2 hand = places[at(grip.body)].of(moved ? grip.offset + grip.travel : grip.offset);
-  const double column = grip.point / cord.def().rows + grip.along + (moved ? grip.climb : 0.0);
+  const int column_before = grip.point / cord.def().rows;
+  const double column = column_before + grip.along + (moved ? grip.climb : 0.0);
   const int last = cord.def().points - 1;
   const int first = std::clamp(static_cast<int>(std::floor(column)), 0, last);
   const int row = grip.point % cord.def().rows;

@@ -105,11 +105,11 @@ engine::SolverStep swinging_step() {
     engine::SolverStep::Cord cord;
     cord.def = def;
     cord.state = ribbon::Cord(def).save();
-    cord.id = static_cast<std::uint64_t>(1000 + k);
+    cord.id = 1000U + static_cast<unsigned>(k);
     step.cords.push_back(cord);
   }
   for (int k = 0; k < 3; ++k) {
-    step.cords[0].circles.push_back({k, {}, 0.095, 0.3, 0.0, static_cast<std::uint64_t>(k + 1)});
+    step.cords[0].circles.push_back({k, {}, 0.095, 0.3, 0.0, 1U + static_cast<unsigned>(k)});
   }
   step.cords[0].grips.push_back({30, 3, {0.0, 0.1}});
   return step;
