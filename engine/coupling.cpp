@@ -95,7 +95,10 @@ void Coupling::step_direct() {
   }
   direct_reports_.resize(direct_cords_.size());
   if (probe_) probe_->foresee(direct_cords_, rigid_, dt_, gravity_);
+  const SolverInput input{direct_cords_, rigid_, dt_, gravity_};
+  if (watcher_ != nullptr) watcher_->before(input);
   direct_solver_.step(direct_cords_, rigid_, dt_, gravity_, direct_reports_);
+  if (watcher_ != nullptr) watcher_->after(input, direct_reports_, direct_solver_.total());
   std::size_t k = 0;
   for (CoupledCord& coupled : cords_) {
     const auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);

@@ -13,6 +13,7 @@
 #include "engine/coupling_roster.h"
 #include "engine/coupling_state.h"
 #include "engine/fixture_ids.h"
+#include "engine/step_watcher.h"
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"
@@ -176,6 +177,9 @@ class Coupling {
   /// m, estimated, of the last tick: what its length costs, as if the one before had been exact. 0 unless it is asked
   /// for.
   double error(CordIndex index) const { return cords_[at(index)].direct_error; }
+  /// Calls the watcher around each step of the direct solver from now on, with what the solver is given; null, as at
+  /// first: nothing. It has to outlive the steps. It is no part of the state; where there is none, nothing is copied.
+  void watch(StepWatcher* watcher) { watcher_ = watcher; }
   /// How many islands the cords of the direct solver made in the last step.
   int islands() const { return direct_solver_.islands(); }
   /// How many circles and edges were gathered for a cord in the last tick, because they may touch it.
@@ -356,6 +360,7 @@ class Coupling {
   WorldRoster roster_;              // it was recorded last
   ribbon::DirectSolver direct_solver_;
   std::optional<ribbon::ErrorProbe> probe_;
+  StepWatcher* watcher_ = nullptr;
   ribbon::Vec2 gravity_;
   double dt_ = 0.0;  // s, of the tick that was gathered for
   // This tick's bodies: Box2D's and the cord's view of each, at the same index.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "game/bad_ticks.h"
 #include "game/hud.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
@@ -30,10 +31,12 @@ std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& op
 
 App::App(const RunOptions& options)
     : options_(options),
+      bad_ticks_(bad_tick_recorder(options)),
       session_(config_folder(), data_folder()),
       first_run_(run_asked_for(session_, options)),
       direct_(first_run_.get()),
       window_("Rope swing", window_width, window_height) {
+  session_.watcher = bad_ticks_.get();
   tell_of_sounds();
   if (direct_ != nullptr) {
     screens_.open(std::move(first_run_));
@@ -142,6 +145,7 @@ int App::finish() {
     window_.save_png(options_.screenshot);
     std::printf("picture of the last moment: %s\n", options_.screenshot.c_str());
   }
+  if (bad_ticks_) std::printf("%s\n", bad_ticks_line(*bad_ticks_, options_).c_str());
   if (direct_ == nullptr) return 0;
   std::puts(direct_->run().closing_line().c_str());
   return direct_->exit_status();

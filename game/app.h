@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/flight_recorder.h"
 #include "engine/sdl_window.h"
 #include "game/film.h"
 #include "game/run.h"
@@ -47,6 +48,7 @@ class App {
   void take_film();
 
   RunOptions options_;
+  std::unique_ptr<engine::FlightRecorder> bad_ticks_;  // if they are asked for
   Session session_;
   std::unique_ptr<PlayScreen> first_run_;  // until there is a window to open it in
   PlayScreen* direct_;                     // the run that the command line asked for, if it did

@@ -94,6 +94,12 @@ int main(int argc, char** argv) {
                     ->needs(headless);
   app.add_option("--video-size", video_size, "Its width and height in pixels, 480x270 unless given")->needs(video);
   app.add_option("--screenshot", options.screenshot, "Write a PNG picture of the last moment")->check(named);
+  auto* bad_ticks = app.add_option("--record-bad-ticks", options.record_bad_ticks,
+                                   "Write ticks whose cords did not converge to this folder, for flight")
+                        ->check(named);
+  app.add_option("--work", options.bad_work, "And those that took more work than that")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}))
+      ->needs(bad_ticks);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

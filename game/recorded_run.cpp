@@ -42,7 +42,7 @@ void RecordedRun::start_recording() {
 
 void RecordedRun::begin(const std::string& record_path) {
   writer_.reset();
-  simulation_.emplace(level_);
+  make_simulation();
   is_tuned_ = level_is_tuned_;
   record_path_ = record_path;
   start_recording();
@@ -72,6 +72,16 @@ void RecordedRun::set_level(Level level, bool tuned) {
   level_ = std::move(level);
 }
 
+void RecordedRun::watch(engine::StepWatcher* watcher) {
+  watcher_ = watcher;
+  simulation_->watch(watcher);
+}
+
+void RecordedRun::make_simulation() {
+  simulation_.emplace(level_);
+  simulation_->watch(watcher_);
+}
+
 void RecordedRun::end_recording() {
   if (!writer_) return;
   engine::ReplayWriter ended = std::move(*writer_);
@@ -92,7 +102,7 @@ void RecordedRun::seek(int tick) {
   }
   const auto wanted = static_cast<std::size_t>(tick);
   if (wanted < next_) {
-    simulation_.emplace(level_);
+    make_simulation();
     next_ = 0;
   }
   while (next_ + 2 < wanted) simulation_->skip(replay_->ticks[next_++].input);

@@ -25,6 +25,8 @@ class RecordedRun {
   const Level& level() const { return level_; }
   /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
   void estimate_errors(bool wanted) { simulation_->scene().coupling().estimate_errors(wanted); }
+  /// Is called around each step of the cords from now on, those of a seek too: Simulation::watch. Outlives the run.
+  void watch(engine::StepWatcher* watcher);
   bool has_replay() const { return replay_.has_value(); }
   /// True when the replay has ended, or has differed while being verified. Never without a replay.
   bool is_over() const;
@@ -65,11 +67,13 @@ class RecordedRun {
 
  private:
   void end_recording();
+  void make_simulation();
 
   std::string record_path_;  // empty: no recording
   std::optional<engine::Replay> replay_;
   Level level_;
   std::optional<Simulation> simulation_;
+  engine::StepWatcher* watcher_ = nullptr;
   std::size_t next_ = 0;  // tick of the replay
   bool is_tuned_ = false;
   bool level_is_tuned_ = false;

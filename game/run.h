@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -13,16 +14,18 @@ inline constexpr const char* default_level = "first_swing";
 struct RunOptions {
   std::optional<std::string> level;  ///< a name or a .tmj file; none: the replay's, or default_level
   bool headless = false;
-  std::string replay;        ///< path; empty: play
-  bool verify = false;       ///< hold the run against the replay's hashes; needs `replay`
-  std::string record;        ///< path; empty: no recording
-  std::optional<int> ticks;  ///< stop after this many
-  int seek = 0;              ///< tick of the replay to begin after
-  Assists assists;           ///< of a run without a replay
-  std::string screenshot;    ///< path of a PNG of the last moment; empty: none
-  std::string video;         ///< path of a .gif or .mp4 of the run, headless; empty: none
-  int video_width = 480;     ///< px
-  int video_height = 270;    ///< px
+  std::string replay;                      ///< path; empty: play
+  bool verify = false;                     ///< hold the run against the replay's hashes; needs `replay`
+  std::string record;                      ///< path; empty: no recording
+  std::optional<int> ticks;                ///< stop after this many
+  int seek = 0;                            ///< tick of the replay to begin after
+  Assists assists;                         ///< of a run without a replay
+  std::string screenshot;                  ///< path of a PNG of the last moment; empty: none
+  std::string video;                       ///< path of a .gif or .mp4 of the run, headless; empty: none
+  int video_width = 480;                   ///< px
+  int video_height = 270;                  ///< px
+  std::string record_bad_ticks{};          ///< folder; empty: none are recorded
+  std::optional<std::int64_t> bad_work{};  ///< of a tick, above which it is a bad one
 };
 
 /// Runs without a window, as fast as it can, and prints what happened: with a replay its inputs, else none. Returns the

@@ -7,6 +7,7 @@
 
 #include "engine/sdl_canvas.h"
 #include "engine/video_writer.h"
+#include "game/bad_ticks.h"
 #include "game/hud.h"
 #include "game/recorded_run.h"
 #include "game/run.h"
@@ -82,7 +83,9 @@ void print_result(const Simulation& simulation) {
 }  // namespace
 
 int run_headless(const RunOptions& options) {
+  const auto bad_ticks = bad_tick_recorder(options);
   RecordedRun run(options);
+  run.watch(bad_ticks.get());
   if (!run.has_replay() && !options.ticks) {
     throw std::runtime_error("--headless needs to know how far to run; accepted is --replay FILE or --ticks N");
   }
@@ -97,6 +100,7 @@ int run_headless(const RunOptions& options) {
   }
   run.finish();
   print_result(run.simulation());
+  if (bad_ticks) std::puts(bad_ticks_line(*bad_ticks, options).c_str());
   if (film) film->finish(options.video);
   if (!options.screenshot.empty()) save_picture(run.simulation(), options);
   std::puts(run.closing_line().c_str());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/step_watcher.h"
 #include "game/records.h"
 #include "game/run_folder.h"
 #include "game/settings.h"
@@ -42,8 +43,9 @@ struct Session {
   Sounds sounds;
   Records records;
   RunFolder runs;
-  bool uses_pad = false;     ///< the last thing that was pressed was on a gamepad: hints name its buttons
-  std::string last_level{};  ///< that was played, for the level select
+  bool uses_pad = false;                   ///< the last thing that was pressed was on a gamepad: hints name its buttons
+  std::string last_level{};                ///< that was played, for the level select
+  engine::StepWatcher* watcher = nullptr;  ///< of all runs that are played; outlives them
 
  private:
   SettingsFile settings_file_;

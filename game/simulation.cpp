@@ -76,10 +76,16 @@ void Simulation::skip(const engine::TickInput& input) {
   watch_the_player();
 }
 
+void Simulation::watch(engine::StepWatcher* watcher) {
+  watcher_ = watcher;
+  scene_->coupling().watch(watcher);
+}
+
 void Simulation::restart() {
   move_ = {};
   player_.reset();
   scene_ = level_->make_scene();
+  scene_->coupling().watch(watcher_);
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
   tuning.reach = level_->assists.player_reach.value_or(tuning.reach);

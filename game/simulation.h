@@ -8,6 +8,7 @@
 #include "engine/input.h"
 #include "engine/replay.h"
 #include "engine/state_hash.h"
+#include "engine/step_watcher.h"
 #include "game/drag.h"
 #include "game/level.h"
 #include "game/player.h"
@@ -53,6 +54,8 @@ class Simulation {
   const engine::Scene& scene() const { return *scene_; }
   /// What is changed in it is in no recording.
   engine::Scene& scene() { return *scene_; }
+  /// Is called around each step of the scene's cords, and of those of scenes to come: engine::Coupling::watch.
+  void watch(engine::StepWatcher* watcher);
   const Player& player() const { return *player_; }
   Player& player() { return *player_; }                          ///< as for the scene
   const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
@@ -85,6 +88,7 @@ class Simulation {
 
   const Level* level_;
   MakeMover make_mover_;
+  engine::StepWatcher* watcher_ = nullptr;
   std::unique_ptr<engine::Scene> scene_;
   std::unique_ptr<Player> player_;
   Mover move_;

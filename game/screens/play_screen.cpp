@@ -31,6 +31,7 @@ std::string PlayScreen::title() const { return run_.level().name + (run_.has_rep
 void PlayScreen::shown() {
   controls_.forget();
   if (std::exchange(started_, true)) return;
+  run_.watch(session_->watcher);
   if (keeps_runs()) {
     session_->last_level = run_.level().name;
     begin_run();

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/solver_step.h"
+#include "ribbon/direct_solver.h"
+
+/// Recorded steps of the direct solver: taken again, looked at, made smaller and printed.
+namespace flight {
+
+/// A recorded step that can be taken, as often as wanted.
+class Replay {
+ public:
+  /// Throws ribbon::DefinitionError for a step that engine::check refuses.
+  explicit Replay(const engine::SolverStep& step);
+  explicit Replay(engine::SolverStep&& step) = delete;
+  Replay(const Replay&) = delete;
+  Replay& operator=(const Replay&) = delete;
+
+  /// Puts everything where it was before the step.
+  void reset();
+  /// Takes the step.
+  void run();
+
+  const std::vector<ribbon::Cord>& cords() const { return cords_; }
+  /// As the solver left them: see ribbon::RigidBody.
+  const std::vector<ribbon::RigidBody>& bodies() const { return bodies_; }
+  /// By cord, of its island.
+  const std::vector<ribbon::CordReport>& reports() const { return reports_; }
+  const ribbon::CordReport& total() const { return solver_.total(); }
+  int islands() const { return solver_.islands(); }
+  /// engine::hash_of_positions.
+  std::uint64_t hash() const { return engine::hash_of_positions(island_cords_); }
+  /// Whether it did what was recorded, to the bit.
+  bool is_as_recorded() const;
+
+ private:
+  const engine::SolverStep& step_;
+  std::vector<ribbon::Cord> cords_;
+  std::vector<ribbon::RigidBody> bodies_;
+  std::vector<ribbon::IslandCord> island_cords_;
+  std::vector<ribbon::CordReport> reports_;
+  ribbon::DirectSolver solver_;
+};
+
+}  // namespace flight
