@@ -38,7 +38,7 @@ struct CordReport {
   std::int64_t work = 0;
   // How far from solved the worst of the substeps was left that did not converge; 0 if all did:
   double position_error = 0.0;  ///< m, by which its last linear solve would still move a point
-  double force_error = 0.0;     ///< N, of what acts on a point and is not balanced
+  double force_error = 0.0;     ///< N, that this takes by the inertia of a point
 
   bool operator==(const CordReport&) const = default;
   /// Adds the counts of another step, and takes the greater of the errors.

@@ -304,6 +304,7 @@ class Island {
   bool blown_ = false;         // this one does,
   bool was_cut_ = false;       // in it something was kept from going through something
   double left_open_ = 0.0;     // m, that its last linear solve moved something by
+  double left_force_ = 0.0;    // N, that this takes
   Energy piece_energy_;        // when it began
   std::vector<Vec2> load_;     // the right side without them
   std::vector<Vec2> best_;     // positions, of those that they led to

@@ -73,6 +73,7 @@ void Island::posed_step(double dt, CordReport& report) {
     if (!solved) {
       ++report.unconverged;
       report.position_error = std::max(report.position_error, std::min(left_open_, most_motion));
+      report.force_error = std::max(report.force_error, left_force_);
     }
     if (was_cut_) ++report.cuts;
     end_piece(share);
@@ -177,6 +178,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   begin_posed(time, from);
   bool converged = false;
   left_open_ = std::numeric_limits<double>::infinity();
+  left_force_ = 0.0;
   bool has_best = false;
   const int most = blown_ ? blow_linearisations : most_linearisations;
   for (int k = 0; k < most && !converged && (k == 0 || !is_spent(report)); ++k) {
@@ -194,6 +196,10 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     }
     const double moved = left_open_ = furthest();
     if (!(moved <= most_motion)) break;
+    left_force_ = 0.0;
+    for (std::size_t p = 0; p < count_; ++p) {
+      left_force_ = std::max(left_force_, inertia_[p] * length(direction_[p]));
+    }
     for (std::size_t e = 0; e < next_.size(); ++e) {
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
     }

@@ -397,8 +397,8 @@ void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, doubl
   EXPECT_LE(depth, deepest) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
 }
 
-/// (The heaviest on a taut cord that does not stretch is left out: there it gains.) With bounded work a hundred times the
-/// cord's mass may be a centimetre in it where it hits an inextensible one, and comes out again.
+/// (The heaviest on a taut cord that does not stretch is left out: there it gains.) With bounded work a hundred times
+/// the cord's mass may be a centimetre in it where it hits an inextensible one, and comes out again.
 TEST(CordContact, NoImpactOfAFallingBallGainsEnergy) {
   for (const bool ample : {false, true}) {
     for (Accuracy accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {

@@ -19,7 +19,7 @@ using test_support::Dice;
 
 constexpr double tick = 1.0 / 60.0;
 constexpr double half_a_thickness = 0.02;  // m, of all cords here
-constexpr int ample_work = 1'000'000;  // Accuracy::max_work, with which what does not converge is taken by halves
+constexpr int ample_work = 1'000'000;      // Accuracy::max_work, with which what does not converge is taken by halves
 
 /// Whether the segments from a to b and from c to d cross.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
