@@ -93,6 +93,10 @@ void Contacts::begin(std::span<const Vec2> x, double share) {
   active_.reserve(pairs_.capacity());
   rows_.reserve(pairs_.capacity());
   frictions_.reserve(pairs_.capacity());
+  posed_.reserve(pairs_.capacity());
+  posed_before_.reserve(pairs_.capacity());
+  ends_.reserve(points_ + spots_.capacity());
+  cuts_.reserve(x.size());
   place(x, false, starts_);
   slots_then_.assign(x.begin(), x.end());
   turned_then_.reserve(spots_.capacity());
@@ -107,6 +111,7 @@ void Contacts::begin(std::span<const Vec2> x, double share) {
     const double pull = friction_share * pairs_[k].stiffness * std::abs(pairs_[k].touch.stuck);
     holds_[k] = pull < stuck_share * pairs_[k].friction * forces_[k] ? 1 : 0;
   }
+  rubbed_by_.reserve(pairs_.capacity());
   rubbed_by_ = forces_;
   evaluate(x);
   first_.reserve(pairs_.capacity());

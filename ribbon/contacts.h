@@ -69,6 +69,8 @@ class Contacts {
   int add(const Spot& spot);
   void add(const ContactPair& pair);
   bool empty() const { return pairs_.empty(); }
+  /// How many pairs it has memory for.
+  std::size_t capacity() const { return pairs_.capacity(); }
   /// How many pairs were looked at for whether they touch, or may on their way, since this was asked last.
   std::int64_t take_visits() { return std::exchange(visits_, 0); }
   std::span<ContactPair> pairs() { return pairs_; }

@@ -20,9 +20,10 @@ struct Accuracy {
   int substeps = 1;        ///< a step, 1 … 4096: the error falls with their square, with implicit Euler in proportion
   int max_iterations = 8;  ///< full Newton steps a solve, 1 … 1000, before it starts again with a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
-  /// Work of a step, 1 … 1,000,000, in units of 4 a point and body that are solved together (CordReport::work): about as
-  /// many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so. With
-  /// 10,000 and more, what does not converge near contacts is taken by halves first: exact at any violence, and slow.
+  /// Work of a step, 1 … 1,000,000, in units of 4 a point and body that are solved together (CordReport::work): about
+  /// as many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so.
+  /// With 10,000 and more, what does not converge near contacts is taken by halves first: exact at any violence, and
+  /// slow.
   int max_work = 480;
 
   /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,

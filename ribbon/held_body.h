@@ -33,9 +33,9 @@ struct HeldBody {
   double climb = 0.0;    ///< and how far it moves in the step
   double way = 0.0;      ///< m, that the hand moves in it on the body and along the cord
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
-  double slides = 0.0;  ///< 0, or the sign of the force along the cord with which it does
+  double slides = 0.0;      ///< 0, or the sign of the force along the cord with which it does
   double along_pull = 0.0;  ///< N, on the body along the cord, where contacts are posed once
-  double slid = 0.0;    ///< columns, along the cord in the step
+  double slid = 0.0;        ///< columns, along the cord in the step
 
   Vec2 arm_at(double angle) const;
   bool is_plain() const { return along == 0.0 && climb == 0.0 && strength == std::numeric_limits<double>::infinity(); }

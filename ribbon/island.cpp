@@ -125,15 +125,18 @@ bool Island::is_alone() const {
 /// Makes every array long enough.
 void Island::set_sizes(std::size_t slots, std::size_t tensions) {
   for (auto* all : {&positions_, &velocities_, &accelerations_, &x0_, &v0_, &x_start_, &v_start_, &x1_, &v1_,
-                    &predicted_, &velocity_, &guess_, &force_, &direction_, &trial_, &starts_, &drives_}) {
+                    &predicted_, &velocity_, &guess_, &force_, &direction_, &trial_, &starts_, &drives_, &best_}) {
     all->resize(slots);
   }
-  for (auto* all : {&tensions_, &tension0_, &tension_start_, &tension_guess_, &next_, &most_tensions_}) {
+  for (auto* all :
+       {&tensions_, &tension0_, &tension_start_, &tension_guess_, &next_, &most_tensions_, &best_tensions_}) {
     all->resize(tensions);
   }
   masses_.resize(slots);
   inertia_.resize(slots);
   constrained_.resize(slots);
+  groups_.resize(slots);
+  group_shares_.resize(slots);
   held_steps_.resize(held_.size());
   carried_.resize(held_.size());
 }

@@ -38,7 +38,11 @@ bool Island::substep(double start, double dt, CordReport& report) {
   begin_substep(start, dt);
   contacts_.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
-  if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) return false;
+  if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) {
+    if (!is_patient()) return false;
+    ++report.unconverged;
+    calm(before);
+  }
   if (!driven_) energy_after_ = total_energy();
   if (!contacts_.empty()) {
     rebound(before, dt);

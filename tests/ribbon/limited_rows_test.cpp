@@ -92,9 +92,9 @@ struct Problem {
     for (std::size_t p = 0; p < left.size(); ++p) left[p] -= inertia[p] * step[p];
     for (const LimitedRow& row : rows.rows()) {
       const double z = row.value + row.row.along(step);
-      const double force = std::clamp(-z / row.compliance, row.low, row.high);
-      greatest = std::max(greatest, std::abs(force));
-      row.row.push(force, left);
+      const double pull = std::clamp(-z / row.compliance, row.low, row.high);
+      greatest = std::max(greatest, std::abs(pull));
+      row.row.push(pull, left);
     }
     double most = 0.0;
     for (const Vec2 f : left) most = std::max(most, length(f));
