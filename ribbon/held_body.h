@@ -38,7 +38,8 @@ struct HeldBody {
   double slid = 0.0;        ///< columns, along the cord in the step
 
   Vec2 arm_at(double angle) const;
-  bool is_plain() const { return along == 0.0 && climb == 0.0 && strength == std::numeric_limits<double>::infinity(); }
+  bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }
+  bool is_plain() const { return along == 0.0 && climb == 0.0 && !may_slip(); }
   /// Where the cord is held, m.
   Vec2 hold(std::span<const Vec2> x) const { return x[point] + along * (x[next] - x[point]); }
 };

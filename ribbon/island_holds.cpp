@@ -166,9 +166,7 @@ void Island::take_slips() {
   }
 }
 
-bool Island::is_limited(const HeldBody& held) const {
-  return posing_ && held.strength < std::numeric_limits<double>::infinity();
-}
+bool Island::is_limited(const HeldBody& held) const { return posing_ && held.may_slip(); }
 
 /// Along the cord where it is held.
 Vec2 Island::hold_tangent(const HeldBody& held) const {

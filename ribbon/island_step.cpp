@@ -91,10 +91,11 @@ bool Island::will_touch(double start, double dt) {
   return contacts_.free_way(x0_, trial_, true, 1.0) < 1.0;
 }
 
-/// Implicit Euler, by halves where it does not converge and cords are free or there is work to spend. False if that did
-/// not solve it.
+/// Implicit Euler, by halves where it does not converge and nothing may touch or slip, or there is work to spend. False
+/// if that did not solve it.
 bool Island::damped_substep(double start, double dt, const Energy& before, CordReport& report) {
-  if ((contacts_.empty() && !together_) || is_patient()) return halved_substep(start, dt, before, report);
+  const bool slips = std::any_of(held_.begin(), held_.end(), [](const HeldBody& held) { return held.may_slip(); });
+  if ((contacts_.empty() && !slips) || is_patient()) return halved_substep(start, dt, before, report);
   return !is_tried(report) && implicit_euler(start, dt, report) && !gained_energy(before, gross_gain);
 }
 
