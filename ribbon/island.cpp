@@ -102,6 +102,10 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   for (const Member& member : members_) remember_bodies(member);
   together_ = !is_alone();
   if (meets_) step_start_ = positions_;
+  if (meets_ || together_) {
+    limited_.reserve(2 * contacts_.capacity() + held_.capacity());
+    load_.reserve(positions_.capacity() + duals_ + held_.capacity());
+  }
   driven_ = driven_ || (unlocking_ && !poses_);
   double mass = 0.0;
   double longest = 0.0;

@@ -160,8 +160,6 @@ void Island::end_piece(double dt) {
 /// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
 /// everything goes by itself.
 void Island::begin_posed(double time, std::span<const Vec2> from) {
-  limited_.reserve(2 * contacts_.capacity() + held_.capacity());
-  load_.reserve(positions_.size() + duals_ + held_.size());
   for (HeldBody& held : held_) held.slides = held.along_pull = 0.0;
   if (!contacts_.empty()) {
     contacts_.begin_stage();
