@@ -299,10 +299,10 @@ class Island {
   bool slips_ = false;         // a grip has begun to in the last linear solve
   bool poses_ = false;         // in this step contacts are posed once,
   bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
-  LimitedRows limited_;        // these
   bool blow_is_due_ = false;   // the next piece takes a blow
   bool blown_ = false;         // this one does,
   bool was_cut_ = false;       // in it something was kept from going through something
+  LimitedRows limited_;        // of the posed problem
   double left_open_ = 0.0;     // m, that its last linear solve moved something by
   double left_force_ = 0.0;    // N, that this takes
   Energy piece_energy_;        // when it began

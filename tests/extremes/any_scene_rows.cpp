@@ -20,6 +20,9 @@ struct Figure {
   double (*value)(const Summary& run);
   double bar = no_bar;
 };
+/// One that was cut had no more time on this machine.
+bool is_whole(any_scene::End end) { return end == any_scene::End::whole || end == any_scene::End::cut; }
+
 constexpr std::array figures = {
     Figure{"Newton steps in a tick", [](const Summary& run) { return static_cast<double>(run.max_work); }, 400.0},
     Figure{"unconverged substeps", [](const Summary& run) { return static_cast<double>(run.unconverged); }},
@@ -28,8 +31,7 @@ constexpr std::array figures = {
     Figure{"stretch", [](const Summary& run) { return run.stretch; }},
     Figure{"rise of energy, relative", [](const Summary& run) { return run.rise; }},
     Figure{"gap of a grip, m", [](const Summary& run) { return run.gap; }},
-    Figure{"runs that ended early", [](const Summary& run) { return run.end == any_scene::End::whole ? 0.0 : 1.0; },
-           0.0},
+    Figure{"runs that crashed or broke", [](const Summary& run) { return is_whole(run.end) ? 0.0 : 1.0; }, 0.0},
 };
 
 Method method_of(any_scene::Preset preset) { return static_cast<Method>(preset); }
