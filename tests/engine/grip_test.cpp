@@ -493,7 +493,8 @@ TEST(Grip, IsMovedToAPlaceOfItsCord) {
     EXPECT_EQ(grip.point % rows, 1);
     EXPECT_GE(grip.along, 0.0);
     EXPECT_LT(grip.along, 1.0);
-    return grip.point / rows + grip.along;
+    const int column = grip.point / rows;
+    return column + grip.along;
   };
   EXPECT_EQ(moved(3.5), 10.75);
   EXPECT_EQ(moved(-0.25), 7.0);
