@@ -173,7 +173,7 @@ class Contacts {
   /// m, of all pairs; 0 if there are none.
   double least_reach() const;
   /// What moves as one, by slot of points and bodies, may go a share of its way from `from` to `to`; takes from the
-  /// shares of those who would go through each other until nobody does. False if a share was cut.
+  /// shares of what would go through each other until nothing does. False if a share was cut.
   bool keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, std::span<const int> group_of,
                   std::span<double> shares);
 

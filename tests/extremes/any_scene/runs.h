@@ -16,7 +16,7 @@ struct RunOptions {
 
 /// Plays the scenes and hands over their summaries as they come.
 void run_all(std::span<const Which> scenes, const RunOptions& options, const std::function<void(const Summary&)>& take);
-/// The same of one scene that nobody generated.
+/// The same of one scene that was not generated.
 Summary run_guarded(const Which& which, const Scene& scene, double max_seconds);
 
 }  // namespace any_scene
