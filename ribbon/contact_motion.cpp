@@ -115,7 +115,7 @@ bool Contacts::is_straight(std::span<const Vec2> from, std::span<const Vec2> x) 
 /// While the ends move evenly, no point p of the segment comes nearer to the disc o than along a fixed direction: with
 /// n the normal now, |o − p| ≥ n·(o − p), which is linear in time and p, so that the greater of the speeds at which the
 /// ends come along n bounds it for all the way. Who parts is free, however deep he is.
-double Contacts::free_share(const Corner& pair, double share_of_reach, double most, double approach_share) const {
+double Contacts::free_share(const Corner& pair, double share_of_reach, double most, double kept) const {
   const auto way = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = way(pair.disc);
   const Vec2 past_a = disc - way(pair.a);
@@ -129,7 +129,7 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
     return gap_between(there(pair.disc), there(pair.a), there(pair.b));
   };
   Gap now = gap(0.0);
-  const double nearest = std::min(share_of_reach * pair.reach, approach_share * now.distance);
+  const double nearest = std::min(share_of_reach * pair.reach, kept * now.distance);
   double share = 0.0;
   for (int k = 0; k < most_advances; ++k) {
     if (now.distance - nearest <= arrived_share * pair.reach && k > 0) break;

@@ -229,7 +229,7 @@ class Contacts {
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
   double led_speed(const ContactPair& pair, const Gap& gap) const;
   void load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const;
-  double free_share(const Corner& pair, double nearest_share, double most, double approach) const;
+  double free_share(const Corner& pair, double nearest_share, double most, double kept) const;
   Row slots_of(const ContactPair& pair) const;
 
   std::size_t points_ = 0;
