@@ -147,6 +147,7 @@ Contestant contestant(const ContactContestant& how) {
   int points = 0;
   for (int c = 0; c < (*world)->cords(); ++c) points += static_cast<int>((*world)->outline(c).size());
   world->reset();
+  const bool is_cord = !how.method.how.chain && !how.method.how.thesis;
   return {how.method.method,
           how.method.setting,
           points,
@@ -157,7 +158,8 @@ Contestant contestant(const ContactContestant& how) {
             return how.figures(**world);
           },
           [world] { (*world)->step_world(); },
-          how.group};
+          how.group,
+          is_cord ? [world] { return (*world)->coupling.tick_report().work; } : std::function<std::int64_t()>()};
 }
 
 std::vector<Column> contact_columns(const std::vector<std::string>& more) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/baseline/check.h"
 #include "tests/study/command.h"
 #include "tests/study/report.h"
 #include "tests/study/words.h"
@@ -110,6 +111,12 @@ int main(int argc, char** argv) {
          "all the game's levels unless --level, once or more, says otherwise")
       ->check(CLI::Range(1, 10000));
   app.add_flag("--terms", study.terms, "Tell which terms of its cords the level needs")->needs(level);
+  std::string table;
+  bool accept = false;
+  auto* baseline = app.add_option("--baseline", table,
+                                  "Count the work of all scenes and recorded runs and compare it with this table")
+                       ->excludes("--scene", "--level");
+  app.add_flag("--accept", accept, "Write the table anew instead")->needs(baseline);
   app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
   try {
     app.parse(argc, argv);
@@ -122,6 +129,11 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
+    if (accept) {
+      baseline::accept(tradeoff::scenes(), table);
+      return 0;
+    }
+    if (!table.empty()) return baseline::check(tradeoff::scenes(), table);
     const std::optional<int> asked_repeats = repeats_option->count() > 0 ? std::optional(repeats) : std::nullopt;
     if (report) return tradeoff::write({study.folder, study.quick, asked_repeats});
     if (study.promises) return study::run(study);

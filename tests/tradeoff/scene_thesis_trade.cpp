@@ -69,9 +69,22 @@ double rms(const Path& a, const Path& b) {
   return std::sqrt(sum / static_cast<double>(a.size() * a[0].size()));
 }
 
+/// The motion of a method's finest setting, found when it is first asked for.
+using Converged = std::function<const Path&()>;
+
+template <typename Method>
+Converged converged(Method&& finest) {
+  const auto fine = std::make_shared<Method>(std::move(finest));
+  const auto path = std::make_shared<Path>();
+  return [fine, path]() -> const Path& {
+    if (path->empty()) *path = path_of(*fine);
+    return *path;
+  };
+}
+
 template <typename Method>
 Contestant contestant(const char* name, const std::string& setting, const ThesisCondition& condition,
-                      const std::shared_ptr<Method>& method, const std::shared_ptr<const Path>& converged) {
+                      const std::shared_ptr<Method>& method, const Converged& converged) {
   const auto start = std::make_shared<typename Method::State>(method->save());
   return {name,
           setting,
@@ -80,18 +93,27 @@ Contestant contestant(const char* name, const std::string& setting, const Thesis
           [method] { method->step(frame_dt, earth_gravity); },
           [method, start, converged] {
             method->restore(*start);
-            return std::vector<double>{rms(path_of(*method), *converged)};
+            return std::vector<double>{rms(path_of(*method), converged())};
           },
           {},
           std::string(condition.name)};
 }
 
+Contestant cord_contestant(const std::string& setting, const ThesisCondition& condition, const Accuracy& accuracy,
+                           const Converged& converged) {
+  const auto cord = std::make_shared<Cord>(cord_swing(condition, accuracy));
+  const auto work = std::make_shared<std::int64_t>();
+  Contestant out = contestant("cord", setting, condition, cord, converged);
+  out.tick = [cord, work] { *work = cord->step(frame_dt, earth_gravity).work; };
+  out.work = [work] { return *work; };
+  return out;
+}
+
 void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {
-  ThesisCord fine(thesis_swing(condition, converged_substeps));
-  const auto converged = std::make_shared<const Path>(path_of(fine));
+  const Converged fine = converged(ThesisCord(thesis_swing(condition, converged_substeps)));
   for (const int substeps : {1, 2, 4, 8, 16, 32, 64}) {
     list.push_back(contestant("thesis", "iterations=" + std::to_string(substeps), condition,
-                              std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), converged));
+                              std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), fine));
   }
 }
 
@@ -99,12 +121,10 @@ void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
   Accuracy accuracy;
   accuracy.tolerance = 1e-8;
   accuracy.substeps = 256;
-  Cord fine(cord_swing(condition, accuracy));
-  const auto converged = std::make_shared<const Path>(path_of(fine));
+  const Converged fine = converged(Cord(cord_swing(condition, accuracy)));
   for (const auto& [setting, preset] :
        {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
-    list.push_back(
-        contestant("cord", setting, condition, std::make_shared<Cord>(cord_swing(condition, preset)), converged));
+    list.push_back(cord_contestant(setting, condition, preset, fine));
   }
 }
 

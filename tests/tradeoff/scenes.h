@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Contestant {
                                                  ///< columns ask for. Empty if they ask for none
   Tick rest = {};                                ///< see Timed
   std::string group = {};                        ///< what it simulates, if a scene has several such: ratio=100
+  std::function<std::int64_t()> work = {};       ///< CordReport::work of the last tick; empty if it counts none
 };
 
 /// What is told of a contestant.
@@ -58,6 +60,7 @@ struct Scene {
   std::vector<std::string> notes = {};  ///< sentences for its report: who takes no part, and why
   std::vector<std::string> slow = {};   ///< settings that a quick report leaves out
   int report_repeats = 9;               ///< of the standard report, unless others are asked for
+  int counted_ticks = 0;                ///< of the baseline of work, where `ticks` would take long; 0: as many as those
 };
 
 const std::vector<Scene>& scenes();

@@ -32,16 +32,21 @@ class Herd {
   }
 
   void tick() {
+    const std::int64_t before = report_.work;
     for (Cord& cord : cords_) report_ += cord.step(frame_dt, earth_gravity);
+    work_ = report_.work - before;
   }
 
   int points() const { return static_cast<int>(cords_.size()) * cords_.front().size(); }
   const CordReport& report() const { return report_; }
+  /// Of the last tick.
+  std::int64_t work() const { return work_; }
 
  private:
   std::vector<Cord> cords_;
   Cord::State state_;
   CordReport report_;
+  std::int64_t work_ = 0;
 };
 
 /// Figures: Newton iterations a tick and cord, and what was mended and what was not, in a whole repeat.
@@ -59,7 +64,10 @@ Contestant contestant(const char* method, std::string setting, const Cord& start
             return std::vector<double>{static_cast<double>(report.iterations) / (count * ticks),
                                        static_cast<double>(report.searches + report.fallbacks + report.energy_gains),
                                        static_cast<double>(report.unconverged)};
-          }};
+          },
+          {},
+          {},
+          [herd] { return herd->work(); }};
 }
 
 constexpr int scaling_ticks = 20;

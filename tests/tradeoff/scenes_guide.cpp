@@ -39,18 +39,22 @@ Contestant swing(std::string setting, const CordDef& def) {
   start.attach_mass(start.index(def.points - 1, def.rows / 2), def.mass_per_length * def.length);
   const auto cord = std::make_shared<Cord>(def);
   const auto state = std::make_shared<Cord::State>(start.save());
+  const auto work = std::make_shared<std::int64_t>();
   return {
       def.rows == 1 ? "rope" : "ribbon",
       std::move(setting),
       cord->size(),
       [cord, state] { cord->restore(*state); },
-      [cord] { cord->step(frame_dt, earth_gravity); },
+      [cord, work] { *work = cord->step(frame_dt, earth_gravity).work; },
       [cord, state] {
         cord->restore(*state);
         ribbon::CordReport sum;
         for (int k = 0; k < ticks_of_terms; ++k) sum += cord->step(frame_dt, earth_gravity);
         return std::vector{static_cast<double>(sum.iterations) / ticks_of_terms, static_cast<double>(sum.unconverged)};
-      }};
+      },
+      {},
+      {},
+      [work] { return *work; }};
 }
 
 std::vector<Contestant> terms() {
@@ -87,18 +91,22 @@ Contestant hung(int links) {
   const CordDef def = test_support::hanging_between_pins(exact, links);
   const auto cord = std::make_shared<Cord>(def);
   const auto state = std::make_shared<Cord::State>(cord->save());
+  const auto work = std::make_shared<std::int64_t>();
   return {"rope",
           "links=" + std::to_string(links),
           cord->size(),
           [cord, state] { cord->restore(*state); },
-          [cord] { cord->step(frame_dt, earth_gravity); },
+          [cord, work] { *work = cord->step(frame_dt, earth_gravity).work; },
           [def, sag = exact.sag] {
             CordDef tight = def;
             tight.accuracy = test_support::tight();
             Cord rope(tight);
             test_support::come_to_rest(rope, earth_gravity);
             return std::vector{100.0 * (test_support::shape_of(rope).sag / sag - 1.0)};
-          }};
+          },
+          {},
+          {},
+          [work] { return *work; }};
 }
 
 std::vector<Contestant> links() {

@@ -82,11 +82,18 @@ std::vector<Contestant> lamps() {
   std::vector<Contestant> list;
   for (const bool may_sleep : {false, true}) {
     const auto hung = may_sleep ? std::make_shared<Lamps>(true) : awake;
-    list.push_back({"coupling", may_sleep ? "asleep" : "awake", lamps_count * 21, [] {}, [hung] { hung->tick(); },
+    list.push_back({"coupling",
+                    may_sleep ? "asleep" : "awake",
+                    lamps_count * 21,
+                    [] {},
+                    [hung] { hung->tick(); },
                     [hung, awake] {
                       hung->tick();
                       return std::vector{iterations(hung->coupling), 1e3 * furthest(hung->coupling, awake->coupling)};
-                    }});
+                    },
+                    {},
+                    {},
+                    [hung] { return hung->coupling.tick_report().work; }});
   }
   return list;
 }

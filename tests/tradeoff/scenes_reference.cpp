@@ -19,13 +19,17 @@ Contestant contestant(std::string setting, const Cord& start, Vec2 gravity,
                       std::function<std::vector<double>()> figures) {
   const auto cord = std::make_shared<Cord>(start.def());
   const auto state = std::make_shared<Cord::State>(start.save());
+  const auto work = std::make_shared<std::int64_t>();
   cord->restore(*state);
   return {start.def().rows == 1 ? "rope" : "ribbon",
           std::move(setting),
           cord->size(),
           [cord, state] { cord->restore(*state); },
-          [cord, gravity] { cord->step(frame_dt, gravity); },
-          std::move(figures)};
+          [cord, gravity, work] { *work = cord->step(frame_dt, gravity).work; },
+          std::move(figures),
+          {},
+          {},
+          [work] { return *work; }};
 }
 
 double relative(double found, double exact) { return found / exact - 1.0; }

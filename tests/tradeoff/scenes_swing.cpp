@@ -50,12 +50,17 @@ std::vector<double> figures_of(Swing& swing, double own_stiffness) {
 
 Contestant contestant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = points,
                       double own_stiffness = none) {
+  std::function<std::int64_t()> work;
+  if (swing->work()) work = [swing] { return *swing->work(); };
   return {method,
           std::move(setting),
           point_count,
           [swing] { swing->reset(); },
           [swing] { swing->tick(); },
-          [swing, own_stiffness] { return figures_of(*swing, own_stiffness); }};
+          [swing, own_stiffness] { return figures_of(*swing, own_stiffness); },
+          {},
+          {},
+          work};
 }
 
 std::string dials(double stiffness, const Accuracy& accuracy) {

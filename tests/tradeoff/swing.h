@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,6 +27,8 @@ class Swing {
   virtual double energy() = 0;
   /// Solves since the start that did not reach their tolerance; nothing if the method does not know.
   virtual std::optional<int> unconverged() const { return std::nullopt; }
+  /// CordReport::work of the last tick; nothing if the method counts none.
+  virtual std::optional<std::int64_t> work() const { return std::nullopt; }
 };
 
 /// What a whole run came to.

@@ -24,16 +24,22 @@ class CordSwing final : public Swing {
     unconverged_ = 0;
   }
 
-  void tick() override { unconverged_ += cord_.step(heavy::tick, gravity).unconverged; }
+  void tick() override {
+    const ribbon::CordReport report = cord_.step(heavy::tick, gravity);
+    unconverged_ += report.unconverged;
+    work_ = report.work;
+  }
 
   std::vector<Vec2> path() const override { return {cord_.positions().begin(), cord_.positions().end()}; }
   double energy() override { return cord_.energy(gravity).total(); }
   std::optional<int> unconverged() const override { return unconverged_; }
+  std::optional<std::int64_t> work() const override { return work_; }
 
  private:
   ribbon::Cord cord_;
   ribbon::Cord::State start_;
   int unconverged_ = 0;
+  std::int64_t work_ = 0;
 };
 
 ribbon::ThesisDef thesis_def(int substeps) {

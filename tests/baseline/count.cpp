@@ -1,0 +1,96 @@
+#include "tests/baseline/count.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "game/level.h"
+#include "game/recorded_run.h"
+
+namespace baseline {
+namespace {
+
+void add_tick(Row& row, std::int64_t work) {
+  ++row.ticks;
+  row.work += work;
+  row.worst_tick = std::max(row.worst_tick, work);
+}
+
+/// What goes on where its figures leave it has them found first.
+void begin(const tradeoff::Contestant& contestant) {
+  if (contestant.reset) {
+    contestant.reset();
+  } else {
+    contestant.figures();
+  }
+}
+
+std::vector<std::filesystem::path> recorded_runs() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(game::assets_folder() + "/replays")) {
+    if (entry.path().extension() == ".replay") paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+int points(const engine::Coupling& coupling) {
+  int sum = 0;
+  for (int c = 0; c < coupling.size(); ++c) sum += static_cast<int>(coupling.positions(c).size());
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Row> count(const tradeoff::Scene& scene) {
+  const int ticks = scene.counted_ticks > 0 ? scene.counted_ticks : scene.ticks;
+  std::vector<Row> rows;
+  for (const tradeoff::Contestant& contestant : scene.contestants()) {
+    if (!contestant.work) continue;
+    const std::string behind =
+        contestant.group.empty() ? "" : (contestant.setting.empty() ? "" : " ") + contestant.group;
+    Row row{scene.name, contestant.method, contestant.setting + behind, contestant.points};
+    const auto has_its_name = [&](const Row& other) { return name(other) == name(row); };
+    if (std::any_of(rows.begin(), rows.end(), has_its_name)) continue;
+    begin(contestant);
+    while (row.ticks < ticks) {
+      contestant.tick();
+      add_tick(row, contestant.work());
+      if (contestant.rest) contestant.rest();
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Row count_run(const std::filesystem::path& replay) {
+  game::RunOptions options;
+  options.replay = replay.string();
+  options.verify = true;
+  game::RecordedRun run(options);
+  Row row{replay.stem().string(), "recorded run", "", points(run.simulation().scene().coupling())};
+  while (!run.is_over()) {
+    run.tick({});
+    add_tick(row, run.simulation().scene().coupling().tick_report().work);
+  }
+  if (run.exit_status() != 0) throw std::runtime_error(replay.string() + ": " + run.closing_line());
+  return row;
+}
+
+std::vector<Row> count_all(const std::vector<tradeoff::Scene>& scenes, const std::function<void(double)>& progress) {
+  const std::vector<std::filesystem::path> replays = recorded_runs();
+  const auto all = static_cast<double>(scenes.size() + replays.size());
+  double done = 0.0;
+  std::vector<Row> rows;
+  for (const tradeoff::Scene& scene : scenes) {
+    const std::vector<Row> more = count(scene);
+    rows.insert(rows.end(), more.begin(), more.end());
+    progress(++done / all);
+  }
+  for (const std::filesystem::path& replay : replays) {
+    rows.push_back(count_run(replay));
+    progress(++done / all);
+  }
+  return rows;
+}
+
+}  // namespace baseline

@@ -1,0 +1,86 @@
+#include "tests/baseline/count.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace baseline {
+namespace {
+
+using tradeoff::Contestant;
+using tradeoff::Scene;
+
+/// Does 1 in its first tick since it was put back, 2 in its second and so on, with 100 more in its 4th.
+Contestant worker(const std::string& setting, bool goes_on) {
+  const auto tick = std::make_shared<int>(0);
+  Contestant out;
+  out.method = "cord";
+  out.setting = setting;
+  out.points = 51;
+  if (!goes_on) out.reset = [tick] { *tick = 0; };
+  out.tick = [tick] { ++*tick; };
+  out.figures = [tick] {
+    *tick = 10;
+    return std::vector<double>();
+  };
+  out.work = [tick] { return std::int64_t{*tick} + (*tick == 4 ? 100 : 0); };
+  return out;
+}
+
+Scene scene_of(const std::vector<Contestant>& contestants) {
+  return {"some", "", 5, [contestants] { return contestants; }};
+}
+
+TEST(BaselineCount, AddsUpTheTicksThatASceneTimes) {
+  const Row row{"some", "cord", "fast", 51, 5, 1 + 2 + 3 + 104 + 5, 104};
+  EXPECT_EQ(count(scene_of({worker("fast", false)})), std::vector{row});
+}
+
+TEST(BaselineCount, PlaysFewerTicksWhereASceneAsksForIt) {
+  Scene scene = scene_of({worker("fast", false)});
+  scene.counted_ticks = 2;
+  const Row row{"some", "cord", "fast", 51, 2, 1 + 2, 2};
+  EXPECT_EQ(count(scene), std::vector{row});
+}
+
+TEST(BaselineCount, GoesOnWhereFiguresEnd) {
+  const Row row{"some", "cord", "fast", 51, 5, 11 + 12 + 13 + 14 + 15, 15};
+  EXPECT_EQ(count(scene_of({worker("fast", true)})), std::vector{row});
+}
+
+TEST(BaselineCount, StepsWhatIsBesideTheTickToo) {
+  Contestant contestant = worker("fast", false);
+  contestant.rest = contestant.tick;
+  const Row row{"some", "cord", "fast", 51, 5, 1 + 3 + 5 + 7 + 9, 9};
+  EXPECT_EQ(count(scene_of({contestant})), std::vector{row});
+}
+
+TEST(BaselineCount, NamesRowsBySettingGroupAndPoints) {
+  Contestant grouped = worker("fast", false);
+  grouped.group = "ratio=10";
+  Contestant group_alone = worker("", false);
+  group_alone.group = "pile";
+  Contestant uncounted = worker("substeps=8", false);
+  uncounted.work = {};
+  Contestant longer = worker("fast", false);
+  longer.points = 501;
+  const std::vector<Row> rows =
+      count(scene_of({worker("fast", false), uncounted, worker("fast", false), grouped, group_alone, longer}));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(name(rows[0]), "some cord fast, 51 points");
+  EXPECT_EQ(name(rows[1]), "some cord fast ratio=10, 51 points");
+  EXPECT_EQ(name(rows[2]), "some cord pile, 51 points");
+  EXPECT_EQ(name(rows[3]), "some cord fast, 501 points");
+}
+
+TEST(BaselineCount, OfARecordedRunEveryTickCounts) {
+  const Row row = count_run(TEST_ASSETS "/replays/first_swing.replay");
+  EXPECT_EQ(name(row).rfind("first_swing recorded run, ", 0), 0U) << name(row);
+  EXPECT_GT(row.ticks, 100);
+  EXPECT_GT(row.worst_tick, row.work / row.ticks);
+  EXPECT_LT(row.worst_tick, row.work);
+  EXPECT_EQ(count_run(TEST_ASSETS "/replays/first_swing.replay"), row);
+}
+
+}  // namespace
+}  // namespace baseline
