@@ -42,6 +42,7 @@ TEST(BaselineCompare, WhatIsBetterIsToldAndNotWorse) {
 
 TEST(BaselineCompare, AnyWorkIsMoreThanNone) {
   EXPECT_EQ(compare({strips(0, 0)}, {strips(0, 0)}).worse, Sentences{});
+  EXPECT_EQ(compare({strips(0, 0)}, {strips(0, 0)}).better, Sentences{});
   const Comparison found = compare({strips(0, 0)}, {strips(1, 0)});
   EXPECT_EQ(
       found.worse,

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <stdexcept>
+
+#include "engine/replay.h"
 
 namespace baseline {
 namespace {
@@ -80,6 +83,20 @@ TEST(BaselineCount, OfARecordedRunEveryTickCounts) {
   EXPECT_GT(row.worst_tick, row.work / row.ticks);
   EXPECT_LT(row.worst_tick, row.work);
   EXPECT_EQ(count_run(TEST_ASSETS "/replays/first_swing.replay"), row);
+}
+
+TEST(BaselineCount, ARunThatGoesOtherwiseThanRecordedIsRefused) {
+  const engine::Replay replay = engine::load_replay(TEST_ASSETS "/replays/first_swing.replay");
+  const std::string path = testing::TempDir() + "baseline_other.replay";
+  engine::ReplayWriter writer(path, replay.header);
+  for (const engine::RecordedTick& tick : replay.ticks) writer.write(tick.input, replay.ticks[7].state);
+  writer.finish();
+  try {
+    count_run(path);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(path + ": tick 1: ", 0), 0U) << error.what();
+  }
 }
 
 }  // namespace

@@ -183,6 +183,31 @@ TEST(AnySceneRuns, AreTheSameFromTheirLineOfResults) {
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(line.begin(), line.end(), ','));
 }
 
+TEST(AnySceneRuns, TellWhatWasLeftUnsolvedUnlessTheSolverDidNot) {
+  Summary run = sum_up({}, {}, {});
+  run.work = {{0, 2}, {17, 1}};
+  const std::string nothing_left = to_csv(run);
+  EXPECT_EQ(from_csv(nothing_left).left, (std::map<int, int>{}));
+  run.left = std::map<int, int>{{bin_of(1e-3), 3}, {bin_of(2.0), 1}};
+  EXPECT_EQ(from_csv(to_csv(run)).left, run.left);
+  EXPECT_EQ(from_csv(to_csv(run)).work, run.work);
+  const std::string before = nothing_left.substr(0, nothing_left.rfind(','));
+  EXPECT_EQ(from_csv(before).left, std::nullopt);
+  EXPECT_EQ(from_csv(before).work, run.work);
+  EXPECT_EQ(to_csv(from_csv(before)), before);
+}
+
+TEST(AnySceneRuns, LeaveUnsolvedWhatTheSolverTells) {
+  Outcome outcome;
+  outcome.ticks.resize(4);
+  outcome.ticks[1].left = 0.9e-3;
+  outcome.ticks[2].left = 1e-3;
+  outcome.ticks[3].left = 1.1e-3;
+  const Summary run = sum_up({}, {}, outcome);
+  EXPECT_EQ(run.left, (std::map<int, int>{{-12, 2}, {-11, 1}}));
+  EXPECT_NEAR(end_of_bin(-12), 1e-3, 1e-12);
+}
+
 TEST(AnySceneRuns, GiveTheSameTwice) {
   Scene scene = generate({1, Family::mixed, Mood::gentle, Preset::fast});
   scene.ticks = 30;

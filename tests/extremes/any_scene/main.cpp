@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/extremes/any_scene/code.h"
+#include "tests/extremes/any_scene/plot.h"
 #include "tests/extremes/any_scene/runs.h"
 #include "tests/extremes/any_scene/shrink.h"
 #include "tests/extremes/any_scene/statistics.h"
@@ -24,6 +25,8 @@ struct Options {
   std::string preset = "all";
   bool wild = false;
   std::string out;
+  std::string plot;
+  std::string before;
   int show = -1;
   int shrink = -1;
   std::string figure;
@@ -64,19 +67,31 @@ std::vector<any_scene::Summary> read(const std::string& path) {
   std::vector<any_scene::Summary> runs;
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
-    if (line != any_scene::csv_header()) runs.push_back(any_scene::from_csv(line));
+    if (line.rfind("family,", 0) != 0) runs.push_back(any_scene::from_csv(line));
   }
   return runs;
 }
 
-/// Runs what is not in the file yet, appends it, and prints the table of all that was asked for.
+using Keys = std::set<decltype(key({}))>;
+
+/// Of what is asked for, the runs of another solver.
+std::vector<any_scene::Summary> of_before(const Options& options, const Keys& asked) {
+  std::vector<any_scene::Summary> runs;
+  if (options.before.empty()) return runs;
+  for (const any_scene::Summary& run : read(options.before)) {
+    if (asked.count(key(run.which)) != 0) runs.push_back(run);
+  }
+  return runs;
+}
+
+/// Runs what is not in the file yet, appends it, prints the table of all that was asked for, and draws it.
 void run(const Options& options) {
   const auto [first, last] = range_of(options.seeds);
   const std::vector<Which> scenes = wanted(options, first, last);
-  std::set<decltype(key(scenes[0]))> asked;
+  Keys asked;
   for (const Which& which : scenes) asked.insert(key(which));
   std::vector<any_scene::Summary> runs;
-  std::set<decltype(key(scenes[0]))> there;
+  Keys there;
   for (const any_scene::Summary& done : options.out.empty() ? std::vector<any_scene::Summary>{} : read(options.out)) {
     if (there.insert(key(done.which)).second && asked.count(key(done.which)) != 0) runs.push_back(done);
   }
@@ -96,6 +111,7 @@ void run(const Options& options) {
   });
   print_table(runs);
   print_histogram(runs);
+  if (!options.plot.empty()) draw(runs, of_before(options, asked), options.plot);
 }
 
 void show(const Options& options) {
@@ -160,6 +176,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"fast", "balanced", "accurate", "all", "each"}));
   app.add_flag("--wild,!--gentle", options.wild, "With overlaps, kinematic bodies, drags, reels, climbers and speed");
   app.add_option("--out,--csv", options.out, "Appends a line of CSV a scene, and skips what is there");
+  auto* plot = app.add_option("--plot", options.plot, "Draws work and what was left unsolved into this .svg file");
+  app.add_option("--before", options.before, "A file of --out, of another solver, that is drawn beside")
+      ->needs(plot)
+      ->check(CLI::ExistingFile);
   app.add_option("--jobs", options.run.jobs, "Scenes at a time");
   app.add_option("--max-seconds-per-scene", options.run.max_seconds, "After which a scene is cut");
   app.add_option("--show", options.show, "Plays the scene of this seed and prints each tick; takes one --family");

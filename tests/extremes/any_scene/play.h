@@ -13,6 +13,7 @@ namespace any_scene {
 struct Sample {
   int work = 0;               ///< Newton steps, each island once
   int unconverged = 0;        ///< substeps
+  double left = 0.0;          ///< m, CordReport::position_error of the worst of them; 0 if all converged
   double milliseconds = 0.0;  ///< of Coupling::step; for information
   double stretch = 0.0;       ///< of inextensible ropes, relative
   double strain = 0.0;        ///< of the others

@@ -17,17 +17,6 @@ double quantile(std::vector<double> values, double share) {
   return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
 }
 
-int quantile(const std::map<int, int>& counts, double share) {
-  long all = 0;
-  for (const auto& [work, count] : counts) all += count;
-  long below = 0;
-  for (const auto& [work, count] : counts) {
-    below += count;
-    if (static_cast<double>(below) >= share * static_cast<double>(all)) return work;
-  }
-  return 0;
-}
-
 template <typename Value>
 double quantile_of(const std::vector<Summary>& runs, double share, Value&& value) {
   std::vector<double> values;
@@ -78,8 +67,8 @@ const std::vector<Column>& columns() {
       {"work50", 6, over_runs(0.5, work)},
       {"work90", 6, over_runs(0.9, work)},
       {"workmx", 6, over_runs(1.0, work)},
-      {"p99", 6, [](const Runs& runs) { return quantile(all_ticks(runs), 0.99); }},
-      {"p99.9", 6, [](const Runs& runs) { return quantile(all_ticks(runs), 0.999); }},
+      {"p99", 6, [](const Runs& runs) { return quantile_of_ticks(all_ticks(runs), 0.99); }},
+      {"p99.9", 6, [](const Runs& runs) { return quantile_of_ticks(all_ticks(runs), 0.999); }},
       {"str90%", 8, over_runs(0.9, stretch)},
       {"strmax%", 8, over_runs(1.0, stretch)},
       {"rise90%", 8, over_runs(0.9, rise)},
@@ -141,14 +130,30 @@ void print_table(const std::vector<Summary>& runs) {
   }
 }
 
+int quantile_of_ticks(const std::map<int, int>& ticks, double share) {
+  long all = 0;
+  for (const auto& [work, count] : ticks) all += count;
+  long below = 0;
+  for (const auto& [work, count] : ticks) {
+    below += count;
+    if (static_cast<double>(below) >= share * static_cast<double>(all)) return work;
+  }
+  return 0;
+}
+
+int end_of_work_bin(int work) {
+  int end = std::min(work, 1);
+  while (end < work) end = end < 8 ? end + 1 : end + end / 4;
+  return end;
+}
+
 void print_histogram(const std::vector<Summary>& runs) {
   std::map<int, long> bins;  // by the greatest work of the bin
   long most = 1;
   for (const auto& [work, number] : all_ticks(runs)) {
-    int end = 1;
-    while (end < work) end = end < 8 ? end + 1 : end + end / 4;
-    bins[work == 0 ? 0 : end] += number;
-    most = std::max(most, bins[work == 0 ? 0 : end]);
+    long& ticks = bins[end_of_work_bin(work)];
+    ticks += number;
+    most = std::max(most, ticks);
   }
   std::printf("\nNewton steps a tick (up to): ticks, bars logarithmic\n");
   for (const auto& [end, number] : bins) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -21,12 +22,39 @@ constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accu
 constexpr std::array all_moods = {Mood::gentle, Mood::wild};
 constexpr std::array all_ends = {End::whole, End::cut, End::broken, End::refused, End::crashed};
 
+constexpr double bins_a_decade = 4.0;
+
+std::string text(const std::map<int, int>& counts) {
+  std::ostringstream out;
+  for (const auto& [bin, count] : counts) out << (out.tellp() > 0 ? " " : "") << bin << ':' << count;
+  return out.str();
+}
+
+std::map<int, int> counts_in(const std::string& text) {
+  std::istringstream in(text);
+  std::map<int, int> counts;
+  int bin = 0;
+  int count = 0;
+  char colon = ':';
+  while (in >> bin >> colon >> count) counts[bin] += count;
+  return counts;
+}
+
+/// Takes what stands behind the last comma off a line.
+std::string take_last_cell(std::string& line) {
+  const std::size_t comma = line.rfind(',');
+  std::string cell = comma == std::string::npos ? std::string() : line.substr(comma + 1);
+  line.resize(std::min(comma, line.size()));
+  return cell;
+}
+
 void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
   ++sum.work[tick.work];
   sum.total_work += tick.work;
   if (tick.work > sum.max_work) sum.worst_tick = number;
   sum.max_work = std::max(sum.max_work, tick.work);
   sum.unconverged += tick.unconverged;
+  if (tick.left > 0.0) ++(*sum.left)[bin_of(tick.left)];
   sum.stretch = std::max(sum.stretch, tick.stretch);
   sum.strain = std::max(sum.strain, tick.strain);
   sum.speed = std::max(sum.speed, tick.speed);
@@ -61,6 +89,12 @@ Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome) {
   return sum;
 }
 
+int bin_of(double value) {
+  return static_cast<int>(std::ceil(bins_a_decade * std::log10(std::clamp(value, 1e-30, 1e30))));
+}
+
+double end_of_bin(int bin) { return std::pow(10.0, bin / bins_a_decade); }
+
 int all_crossings(const Summary& summary) {
   return summary.crossings + summary.crossings_fixed + summary.crossings_moving + summary.crossings_pressed;
 }
@@ -69,7 +103,7 @@ std::string csv_header() {
   return "family,mood,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,rise,gap,"
          "gap_pressed,"
          "penetration,crossings,crossings_fixed,crossings_moving,crossings_pressed,inverted,worst_ms,seconds,worst_"
-         "tick,first_bad,work";
+         "tick,first_bad,work,left";
 }
 
 std::string to_csv(const Summary& sum) {
@@ -80,20 +114,22 @@ std::string to_csv(const Summary& sum) {
        << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.gap_pressed << ','
        << sum.penetration << ',' << sum.crossings << ',' << sum.crossings_fixed << ',' << sum.crossings_moving << ','
        << sum.crossings_pressed << ',' << sum.inverted << ',' << sum.worst_ms << ',' << sum.seconds << ','
-       << sum.worst_tick << ',' << sum.first_bad << ',';
-  const char* blank = "";
-  for (const auto& [work, count] : sum.work) {
-    line << blank << work << ':' << count;
-    blank = " ";
-  }
+       << sum.worst_tick << ',' << sum.first_bad << ',' << text(sum.work);
+  if (sum.left) line << ',' << text(*sum.left);
   return line.str();
 }
 
 Summary from_csv(std::string_view text) {
   std::string line(text);
+  const std::string header = csv_header();
+  Summary sum;
+  sum.left.reset();
+  if (std::count(line.begin(), line.end(), ',') == std::count(header.begin(), header.end(), ',')) {
+    sum.left = counts_in(take_last_cell(line));
+  }
+  sum.work = counts_in(take_last_cell(line));
   std::replace(line.begin(), line.end(), ',', ' ');
   std::istringstream in(line);
-  Summary sum;
   std::string family;
   std::string mood;
   std::string preset;
@@ -108,10 +144,6 @@ Summary from_csv(std::string_view text) {
   sum.preset = named(preset, all_presets);
   sum.which.preset = sum.preset;
   sum.end = named(end, all_ends);
-  int work = 0;
-  int count = 0;
-  char colon = ':';
-  while (in >> work >> colon >> count) sum.work[work] += count;
   return sum;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,7 +38,15 @@ struct Summary {
   int worst_tick = 0;         ///< that of max_work
   int first_bad = -1;  ///< the first tick with an unconverged substep, a crossing, an inversion or no finite number
   std::map<int, int> work;  ///< how many ticks took so many Newton steps
+  /// How many ticks were left unsolved, by bin_of what was left [m]; those that converged are not among them. Nothing
+  /// if the solver did not tell.
+  std::optional<std::map<int, int>> left = std::map<int, int>();
 };
+
+/// The bin of a value above 0, four for each power of ten,
+int bin_of(double value);
+/// and the greatest value in it.
+double end_of_bin(int bin);
 
 Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome);
 int all_crossings(const Summary& summary);
@@ -45,7 +54,8 @@ int all_crossings(const Summary& summary);
 std::string csv_header();
 /// The same runs have the same lines but for the times.
 std::string to_csv(const Summary& summary);
-/// Throws std::invalid_argument for what to_csv has not written.
+/// Throws std::invalid_argument for what to_csv has not written. A line may lack its last column: the solver before
+/// contacts were posed once did not tell what it had left unsolved.
 Summary from_csv(std::string_view line);
 
 }  // namespace any_scene
