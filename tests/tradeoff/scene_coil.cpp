@@ -68,7 +68,8 @@ Scene coil_scene() {
 }
 
 Scene short_coil_scene() {
-  return coil("coil_short", "The first second and a half of each; `tradeoff --scene coil` runs for five.", {90, 90, 20});
+  return coil("coil_short", "The first second and a half of each; `tradeoff --scene coil` runs for five.",
+              {90, 90, 20});
 }
 
 }  // namespace tradeoff

@@ -73,7 +73,7 @@ double rms(const Path& a, const Path& b) {
 using Converged = std::function<const Path&()>;
 
 template <typename Method>
-Converged converged(Method&& finest) {
+Converged converged(Method finest) {
   const auto fine = std::make_shared<Method>(std::move(finest));
   const auto path = std::make_shared<Path>();
   return [fine, path]() -> const Path& {
