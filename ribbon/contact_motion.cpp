@@ -128,7 +128,9 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
     const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
     return gap_between(there(pair.disc), there(pair.a), there(pair.b));
   };
+  const auto is_joined = [&](const Gap& at) { return pair.joined >= 0 && at.along == pair.joined; };
   Gap now = gap(0.0);
+  if (is_joined(now)) return most;
   const double nearest = std::min(share_of_reach * pair.reach, kept * now.distance);
   double share = 0.0;
   for (int k = 0; k < most_advances; ++k) {
@@ -137,6 +139,7 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
     if (!(now.distance - nearest < approach * (most - share))) return most;
     share += (now.distance - nearest) / approach;
     now = gap(share);
+    if (is_joined(now)) return most;
   }
   return share;
 }

@@ -19,16 +19,10 @@ constexpr int most_cuts = 12;            // of a group's share
 }  // namespace
 
 bool Contacts::pose(std::span<const Vec2> from, std::span<const Vec2> to) {
-  place(from, false, from_);
-  place(to, false, to_);
-  for (std::size_t k = 0; k < spots_.size(); ++k) {
-    if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
-  }
-  watch(from_, to_);
+  go_between(from, to);
   posed_before_.swap(posed_);
   posed_.clear();
   posed_.reserve(pairs_.capacity());
-  evaluated_ = false;
   count_visits(near_.size());
   for (const std::size_t k : near_) pose_pair(k);
   keep_pressing();
@@ -36,13 +30,45 @@ bool Contacts::pose(std::span<const Vec2> from, std::span<const Vec2> to) {
                      [](const Posed& a, const Posed& b) { return a.pair == b.pair; });
 }
 
+bool Contacts::pose_passing(std::span<const Vec2> from, std::span<const Vec2> to) {
+  go_between(from, to);
+  posed_before_.swap(posed_);
+  posed_.clear();
+  count_visits(near_.size());
+  for (const std::size_t k : near_) {
+    const Corner& corner = corners_[k];
+    if (free_share(corner, corner.passing, 1.0, kept_share) == 1.0) continue;
+    posed_.push_back({k, gap_at(pairs_[k], free_share(corner, nearest_share, 1.0, approach_share))});
+  }
+  const bool any = !posed_.empty();
+  keep_before([](const Posed&) { return true; });
+  return any;
+}
+
+/// Where everything is when the stage begins, and where `to` takes it, to find what is near on that way.
+void Contacts::go_between(std::span<const Vec2> from, std::span<const Vec2> to) {
+  place(from, false, from_);
+  place(to, false, to_);
+  for (std::size_t k = 0; k < spots_.size(); ++k) {
+    if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
+  }
+  watch(from_, to_);
+  evaluated_ = false;
+}
+
 /// What presses stays posed as it was where it is not posed anew, for else it would be gone through in the next solve,
-/// be posed by that, and so on. Both lists are in the order of the watched pairs.
+/// be posed by that, and so on.
 void Contacts::keep_pressing() {
+  keep_before([this](const Posed& before) { return forces_[before.pair] > 0.0; });
+}
+
+/// Poses again as they were those that were posed before and are not now. Both lists are in the order of the pairs.
+template <typename Condition>
+void Contacts::keep_before(Condition&& is_kept) {
   const auto posed_now = static_cast<std::ptrdiff_t>(posed_.size());
   const auto is_before = [](const Posed& a, const Posed& b) { return a.pair < b.pair; };
   for (const Posed& before : posed_before_) {
-    if (!(forces_[before.pair] > 0.0)) continue;
+    if (!is_kept(before)) continue;
     if (!std::binary_search(posed_.begin(), posed_.begin() + posed_now, before, is_before)) posed_.push_back(before);
   }
   std::sort(posed_.begin(), posed_.end(), is_before);
@@ -53,20 +79,24 @@ void Contacts::pose_none() {
   is_posed_ = false;
 }
 
-/// With anchors_ at the time that it is looked at.
+/// What would go through is posed as it touches.
 void Contacts::pose_pair(std::size_t k) {
   const Corner& corner = corners_[k];
+  const ContactPair& pair = pairs_[k];
   double share = 1.0;
   if (free_share(corner, passing_share, 1.0, approach_share) < 1.0)
     share = free_share(corner, nearest_share, 1.0, approach_share);
-  const ContactPair& pair = pairs_[k];
+  const Gap gap = gap_at(pair, share);
+  if (share == 1.0 && !(gap.distance < (1.0 + posed_share) * pair.reach)) return;
+  if (is_minimum(pair, gap)) posed_.push_back({k, gap});
+}
+
+/// At that share of the way; leaves the pair's anchors there.
+Gap Contacts::gap_at(const ContactPair& pair, double share) {
   for (const int anchor : {pair.disc, pair.a, pair.b, pair.before, pair.after}) {
     if (anchor >= 0) anchors_[at(anchor)] = from_[at(anchor)] + share * (to_[at(anchor)] - from_[at(anchor)]);
   }
-  const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
-  if (share == 1.0 && !(gap.distance < (1.0 + posed_share) * pair.reach)) return;
-  if (!is_minimum(pair, gap)) return;
-  posed_.push_back({k, gap});
+  return gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
 }
 
 /// N, of friction.
@@ -101,7 +131,7 @@ void Contacts::take_forces(const LimitedRows& rows, bool first) {
     const double force = rows.rows()[row++].force;
     forces_[posed.pair] = presses_[posed.pair] = force;
     rubs_[posed.pair] = most > 0.0 ? rows.rows()[row++].force : 0.0;
-    rubbed_by_[posed.pair] = first ? force : 0.5 * (rubbed_by_[posed.pair] + force);
+    if (first) rubbed_by_[posed.pair] = force;
   }
 }
 
@@ -141,12 +171,7 @@ int Contacts::group(int anchor, std::span<const int> group_of) const {
 /// A pair is kept from coming nearer than its reach less the cord's radius: centre lines stay out of what they touch.
 bool Contacts::keep_apart(std::span<const Vec2> from, std::span<const Vec2> to, std::span<const int> group_of,
                           std::span<double> shares) {
-  place(from, false, from_);
-  place(to, false, to_);
-  for (std::size_t k = 0; k < spots_.size(); ++k) {
-    if (spots_[k].center < 0) from_[points_ + k] = spots_[k].begun;
-  }
-  watch(from_, to_);
+  go_between(from, to);
   ends_.assign(to_.begin(), to_.end());
   const auto go = [&] {
     for (const std::size_t i : paired_) {

@@ -39,6 +39,7 @@ struct ContactPair {
   int b = 0;
   int before = -1;      ///< the anchor before a on what the segment is part of, −1 where that ends there
   int after = -1;       ///< the same after b
+  int joined = -1;      ///< of a and b that which a link joins to the disc: near that they touch nowhere
   bool ends = true;     ///< false where the segment's ends are somebody else's
   bool mutual = false;  ///< the disc is a point whose own links meet the segment's ends: one of both counts
   double reach = 0.0;   ///< m, the radii together
@@ -157,13 +158,15 @@ class Contacts {
   /// it ends, or of where it first touches if it would go through. Those posed before that press are posed again. True
   /// if others are posed than the last time.
   bool pose(std::span<const Vec2> from, std::span<const Vec2> to);
+  /// Poses those anew that go through each other on that way. True if there are any.
+  bool pose_passing(std::span<const Vec2> from, std::span<const Vec2> to);
   /// Poses none.
   void pose_none();
   /// Normal forces and friction of the posed pairs as rows that are linear about x; friction by the normal forces that
   /// were found last. In a piece of a step that is shorter by `shortness` they are stiffer by its square.
   void append_rows(std::span<const Vec2> x, double shortness, LimitedRows& rows);
-  /// Takes over the forces that were found, in the order of append_rows. Friction's limits follow them, wholly if they
-  /// are the `first` and half way else, for they could go back and forth together.
+  /// Takes over the forces that were found, in the order of append_rows. Friction's limits follow the `first` ones and
+  /// stay as they are then, for else both could go back and forth.
   void take_forces(const LimitedRows& rows, bool first);
   /// J, of what presses by the forces that were found last, or, of a substep that has just begun, remembered.
   double pressing_energy() const;
@@ -190,6 +193,7 @@ class Contacts {
   /// What a pass over all pairs reads of one.
   struct Corner {
     int disc, a, b;
+    int joined;  // 0 or 1: the end of the segment, 0 for a, near which they touch nowhere; −1 for none
     double reach, in;
     double passing;  // of the reach: nearer, and the cord's centre line is in what it touches
   };
@@ -218,7 +222,11 @@ class Contacts {
   double depth(const Active& active) const;
   bool is_minimum(const ContactPair& pair, const Gap& gap) const;
   void pose_pair(std::size_t k);
+  Gap gap_at(const ContactPair& pair, double share);
+  void go_between(std::span<const Vec2> from, std::span<const Vec2> to);
   void keep_pressing();
+  template <typename Condition>
+  void keep_before(Condition&& is_kept);
   double limit(const Posed& posed) const;
   int group(int anchor, std::span<const int> group_of) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;

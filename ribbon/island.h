@@ -133,6 +133,8 @@ class Island {
   static bool are_close(const Cord& cord, int k, int link);
   bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
+  static bool are_linked(const CordDef& def, int k, int i);
+  static int outline_size(const CordDef& def);
   bool widen();
   void let_go(double dt);
   void damp_deformation(const Member& member);
@@ -193,7 +195,8 @@ class Island {
   int first_dual(const Member& member) const;
   int hold_dual(std::size_t hold) const;
   double hold_potential(std::span<const Vec2> x) const;
-  Vec2 hold_tangent(const HeldBody& held) const;
+  Vec2 hold_tangent(const HeldBody& held, std::span<const Vec2> x) const;
+  double pressed_along(const HeldBody& held) const;
   void move(std::span<Vec2> x, double share) const;
   void close_arms(std::span<Vec2> x) const;
   bool full_steps(Stage& stage, CordReport& report);
@@ -208,9 +211,10 @@ class Island {
   double blow_time(double most) const;
   bool posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void begin_posed(double time, std::span<const Vec2> from);
-  bool solve_posed(Stage& stage, CordReport& report);
+  enum class Solve { failed, near, exact };
+  Solve solve_posed(Stage& stage, bool far, CordReport& report);
   bool solve_active_sets(Stage& stage, int most, CordReport& report);
-  bool solve_interior(Stage& stage, CordReport& report);
+  Solve solve_interior(Stage& stage, bool far, CordReport& report);
   void append_limited(const Stage& stage);
   double posed_merit(const Stage& stage, std::span<const Vec2> x);
   bool is_worse_than_best(const Stage& stage);

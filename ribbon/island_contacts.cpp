@@ -8,7 +8,9 @@
 namespace ribbon {
 namespace {
 
-constexpr int touching_iterations = 40;       // Newton steps of a stage near contacts
+// Newton steps of a stage near contacts: of those that end within 40, all but one in a hundred do within 14.
+constexpr int touching_iterations = 14;
+constexpr int patient_touching_iterations = 40;  // where there is work to spend
 constexpr std::size_t remembered_values = 3;  // of the merit, none of which a step has to go below but the greatest
 constexpr int patient_iterations = 10;
 constexpr double negligible_share = 1e-3;
@@ -36,8 +38,9 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   bool strict = false;
   const bool rough = is_rough();
   const double tolerated = rough ? unsettled_share * tolerance_ : 0.0;
+  const int most = is_patient() ? patient_touching_iterations : touching_iterations;
   int fulls = 0;
-  for (int iteration = 0; iteration < touching_iterations && !is_tried(report); ++iteration) {
+  for (int iteration = 0; iteration < most && !is_tried(report); ++iteration) {
     count_system(report);
     if (left > 0.0) {
       for (std::size_t p = 0; p < positions_.size(); ++p) {

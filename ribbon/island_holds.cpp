@@ -50,10 +50,8 @@ void Island::add_hold(Member& member, std::size_t index) {
   held.climb = std::clamp(held.column + grip.climb, 0.0, cord.def_.points - 1.0) - held.column;
   held.point = member.first + at(grip.point);
   held.next = held.point;
-  if (grip.along > 0.0) {
-    held.along = grip.along;
-    held.next += at(cord.def_.rows);
-  }
+  held.along = grip.along;
+  if (grip.along > 0.0 || (held.may_slip() && column + 1 < cord.def_.points)) held.next += at(cord.def_.rows);
   held.arm = held.hold(positions_) - body.position;
   const Vec2 off = grip.offset - held.arm;
   const double most = drawn_share * cord.rest_[0];
@@ -86,6 +84,17 @@ Vec2 Island::hold_gap(const HeldBody& held, std::span<const Vec2> x) const {
   return held.hold(x) - x[center(held.body)] - held.arm_at(x[angle(held.body)].x);
 }
 
+/// Where between its points a hold presses on the cord, as a share of the way. A hand that has slipped by w along t, the
+/// direction of a link of length L, stays on the line of the link as that turns: with n = perp(t) and the gap −w·t what
+/// closes across, n·c, changes by n·δc + δn·c = n·δc + w·n·(δb − δa)/L, as if it were held w/L further on.
+double Island::pressed_along(const HeldBody& held) const {
+  if (held.next == held.point || !(held.slides != 0.0 || is_limited(held))) return held.along;
+  const Vec2 ab = positions_[held.next] - positions_[held.point];
+  const double size2 = dot(ab, ab);
+  const double slid = size2 > 0.0 ? -dot(hold_gap(held, positions_), ab) / size2 : 0.0;
+  return held.along + std::clamp(slid, -1.0, 1.0);
+}
+
 /// A hold's pull λ on the body is an unknown: with c = x − X − s the gap, which is to close, ∂c/∂φ = −perp(s) and
 /// ∂²c/∂φ² = s. One that slips along the cord does so against its strength, and only closes across; so does one that
 /// may slip where contacts are posed once, for then a limited row holds it along the cord.
@@ -94,7 +103,7 @@ void Island::load_holds() {
     const HeldBody& held = held_[k];
     const Vec2 arm = held.arm_at(positions_[angle(held.body)].x);
     const Vec2 u = -perp(arm);
-    const Vec2 t = hold_tangent(held);
+    const Vec2 t = hold_tangent(held, positions_);
     const bool slips = held.slides != 0.0 || is_limited(held);
     const Block across = slips ? Block{t.y * t.y, -t.x * t.y, t.x * t.x} : Block{1.0, 0.0, 1.0};
     const auto closing = [&across](Vec2 v) {
@@ -102,13 +111,14 @@ void Island::load_holds() {
     };
     const int dual = hold_dual(k);
     const std::array<int, 4> slots = hold_slots(held);
-    const std::array<double, 3> weights = {1.0 - held.along, held.along, -1.0};
+    const double pressed = pressed_along(held);
+    const std::array<double, 3> pressing = {1.0 - pressed, pressed, -1.0};
+    const std::array<double, 3> pulling = {1.0 - held.along, held.along, -1.0};
     const Vec2 against = (held.slides * (slips ? held.strength : 0.0)) * t;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (weights[i] == 0.0) continue;
-      blocks_.add(slots[i], dual, weights[i] * across.xx, weights[i] * across.xy, weights[i] * across.xy,
-                  weights[i] * across.yy);
-      right_side_[at(slots[i])] -= weights[i] * against;
+      right_side_[at(slots[i])] -= pulling[i] * against;
+      const double w = pressing[i];
+      if (w != 0.0) blocks_.add(slots[i], dual, w * across.xx, w * across.xy, w * across.xy, w * across.yy);
     }
     const Vec2 turning = closing(u);
     blocks_.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
@@ -124,7 +134,7 @@ void Island::load_holds() {
 void Island::update_holds() {
   for (std::size_t k = 0; k < held_.size(); ++k) {
     HeldBody& held = held_[k];
-    const Vec2 t = hold_tangent(held);
+    const Vec2 t = hold_tangent(held, positions_);
     Vec2 pull = right_side_[at(hold_dual(k))];
     if (is_limited(held)) {
       pull += (held.along_pull - dot(pull, t)) * t;
@@ -143,7 +153,7 @@ void Island::update_holds() {
 void Island::append_slips() {
   for (HeldBody& held : held_) {
     if (!is_limited(held)) continue;
-    const Vec2 t = hold_tangent(held);
+    const Vec2 t = hold_tangent(held, positions_);
     const Vec2 u = -perp(held.arm_at(positions_[angle(held.body)].x));
     SlotRow row;
     row.add(static_cast<int>(held.point), (1.0 - held.along) * t);
@@ -169,7 +179,7 @@ void Island::take_slips() {
 bool Island::is_limited(const HeldBody& held) const { return posing_ && held.may_slip(); }
 
 /// Along the cord where it is held.
-Vec2 Island::hold_tangent(const HeldBody& held) const {
+Vec2 Island::hold_tangent(const HeldBody& held, std::span<const Vec2> x) const {
   std::size_t a = held.point;
   std::size_t b = held.next;
   for (const Member& member : members_) {
@@ -177,7 +187,7 @@ Vec2 Island::hold_tangent(const HeldBody& held) const {
     if (a != b || a < member.first || a >= member.first + member.count) continue;
     b + rows < member.first + member.count ? b += rows : a -= rows;
   }
-  const Vec2 ab = positions_[b] - positions_[a];
+  const Vec2 ab = x[b] - x[a];
   const double size = length(ab);
   return size > 0.0 ? (1.0 / size) * ab : Vec2{1.0, 0.0};
 }
@@ -186,7 +196,7 @@ Vec2 Island::hold_tangent(const HeldBody& held) const {
 void Island::slip() {
   for (HeldBody& held : held_) {
     if (held.slides == 0.0) continue;
-    const double along = -dot(hold_gap(held, positions_), hold_tangent(held));
+    const double along = -dot(hold_gap(held, positions_), hold_tangent(held, positions_));
     for (const Member& member : members_) {
       if (held.point >= member.first && held.point < member.first + member.count) {
         const double slid = along / member.cord->rest_[0];
@@ -207,11 +217,11 @@ double Island::hold_potential(std::span<const Vec2> x) const {
     const Vec2 gap = hold_gap(held_[k], x);
     const double most = length(hold_pull(most_tensions_, k));
     if (is_limited(held_[k])) {
-      sum += most * std::abs(cross(hold_tangent(held_[k]), gap));
+      sum += most * std::abs(cross(hold_tangent(held_[k], x), gap));
     } else if (held_[k].slides == 0.0) {
       sum += most * length(gap);
     } else {
-      const Vec2 t = hold_tangent(held_[k]);
+      const Vec2 t = hold_tangent(held_[k], x);
       sum += most * std::abs(cross(t, gap)) + held_[k].slides * held_[k].strength * dot(t, gap);
     }
   }

@@ -143,6 +143,8 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   // At a fold the link next to this one may be the point's neighbour: then none but this one can tell that it touches.
   if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
   if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
+  if (itself && are_linked(def, k, link.link)) pair.joined = pair.a;
+  if (itself && are_linked(def, k, link.link + 1)) pair.joined = pair.b;
   pair.reach = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
@@ -174,12 +176,20 @@ bool Island::are_close(const Cord& cord, int k, int link) {
   return std::min(apart, n + 1 - apart) <= close_links;
 }
 
+/// Whether the points k and i of an outline are the ends of one link.
+bool Island::are_linked(const CordDef& def, int k, int i) {
+  const int apart = k > i ? k - i : i - k;
+  return apart == 1 || (def.rows > 1 && apart == outline_size(def) - 1);
+}
+
+int Island::outline_size(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }
+
 /// Whether a point and a link of one outline lie so near each other at rest that they could not be kept apart.
 bool Island::are_neighbours(const CordDef& def, int k, int link) {
   const double along = def.length / (def.points - 1);
   const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
   const int n = def.points;
-  const int size = def.rows == 1 ? n : 2 * (n + def.rows - 2);
+  const int size = outline_size(def);
   const auto at_rest = [&](int i) {
     i = (i + size) % size;
     if (i < n) return Vec2{along * i, 0.0};

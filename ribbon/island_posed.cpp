@@ -13,8 +13,7 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 40;       // Newton steps in a step, and so many more
-constexpr int worth_trying_more = 40;  // a substep, before contacts are posed once
+constexpr int worth_trying = 40;       // Newton steps in a step, before its contacts are posed once
 constexpr double tied_share = 1e-3;    // of the tolerance, by which a row may be on the wrong side of its limit
 constexpr int most_pieces = 10;        // of a step
 constexpr int most_posed_work = 80;    // linear systems, after which no piece is taken again
@@ -24,10 +23,14 @@ constexpr int patient_work = 10'000;   // of Accuracy::max_work
 constexpr int posings = 3;             // times that contacts are looked for
 constexpr int most_linearisations = 8;
 constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
+constexpr int most_passing = 2;         // times that those are posed which it would have go through each other
 constexpr int active_sets = 5;          // tried before the interior point
+constexpr int few_rows = 2;             // of which it may not be so many that change
 constexpr int most_interior = 25;       // its iterations
 constexpr double polishing_gap = 1e-4;  // of the interior point, from where on its active set is tried
 constexpr double closed_gap = 1e-10;    // at which it has ended
+constexpr double far_gap = 1e-2;        // and at which it is good enough far from where the linearisations end,
+constexpr double far_share = 10.0;      // more than so many tolerances
 constexpr int full_linearisations = 5;  // after which a step has to lessen the potential
 
 constexpr double least_share = 1.0 / 64.0;
@@ -38,7 +41,7 @@ constexpr int room_halvings = 10;     // of a share, to find where something lea
 }  // namespace
 
 bool Island::is_tried(const CordReport& report) const {
-  return !is_patient() && report.iterations >= worth_trying + worth_trying_more * accuracy_.substeps;
+  return !is_patient() && report.iterations >= worth_trying;
 }
 
 /// Whether there is so much work to spend that what does not converge is taken by halves before its contacts are posed
@@ -59,15 +62,19 @@ void Island::posed_step(double dt, CordReport& report) {
   blown_ = blow_is_due_ = false;
   for (int piece = 1; time < dt; ++piece) {
     const double left = dt - time;
-    const bool last = piece >= most_pieces || report.iterations >= enough || is_spent(report, last_share);
+    const auto is_last = [&] {
+      return piece >= most_pieces || report.iterations >= enough || is_spent(report, last_share);
+    };
+    const bool last = is_last();
     const double share = last ? left : std::min(most, next_piece(time, left));
     if (last) blown_ = blow_is_due_ = false;
     const bool solved = posed_piece(time, share, report);
     const bool good = !was_cut_ && solved;
-    if (!good && !last) {
+    if (!good && !last && !(share == left && is_last())) {  // nor the same again
       return_to_start();
       most = 0.5 * share;
-      blown_ = blow_is_due_ = false;
+      blown_ = true;  // or nothing was in the way
+      blow_is_due_ = false;
       continue;
     }
     if (!solved) {
@@ -180,6 +187,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   left_open_ = std::numeric_limits<double>::infinity();
   left_force_ = 0.0;
   bool has_best = false;
+  int passes = 0;
   const int most = blown_ ? blow_linearisations : most_linearisations;
   for (int k = 0; k < most && !converged && (k == 0 || !is_spent(report)); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
@@ -188,7 +196,9 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       has_best = keep_best(stage, has_best);
       if (k == full_linearisations && go_to_best(stage)) append_limited(stage);
     }
-    if (!solve_posed(stage, report)) {
+    const bool far = k < posings && left_open_ > far_share * tolerance_;
+    const Solve solve = solve_posed(stage, far, report);
+    if (solve == Solve::failed) {
       // Tensions of what was torn apart make a matrix that is definite in no precision: once without them.
       if (k > 0) break;
       std::fill(tensions_.begin(), tensions_.end(), 0.0);
@@ -210,7 +220,11 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     tensions_.swap(next_);
     if (!contacts_.empty()) contacts_.take_forces(limited_, k < posings);
     take_slips();
-    converged = k > 0 && moved <= tolerance_ && !slips_ && !others && are_bars_settled(stage, k);
+    converged = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others && are_bars_settled(stage, k);
+    if (converged && passes < most_passing && !contacts_.empty() && contacts_.pose_passing(from, positions_)) {
+      ++passes;
+      converged = has_best = false;
+    }
   }
   if (!converged && has_best) {
     append_limited(stage);
@@ -257,27 +271,36 @@ bool Island::go_to_best(const Stage& stage) {
   return true;
 }
 
-/// The first of 1, ½, ¼ … of the direction that lessens the stage's potential; 0 if none does.
+/// The first of 1, ½, ¼ … of the direction that lessens the stage's potential, 2 if that lessens it further, for what
+/// is crushed is near its solution by half of the way that is left each time; 0 if none does.
 double Island::posed_share(const Stage& stage) {
-  const double value = merit(stage, positions_) + limited_.potential(direction_, 0.0);
-  for (double share = 1.0; share >= least_share; share *= 0.5) {
+  const auto value = [&](double share) {
     move(trial_, share);
-    if (merit(stage, trial_) + limited_.potential(direction_, share) < value) return share;
+    return merit(stage, trial_) + limited_.potential(direction_, share);
+  };
+  const double before = value(0.0);
+  for (double share = 1.0; share >= least_share; share *= 0.5) {
+    const double after = value(share);
+    if (!(after < before)) continue;
+    return share == 1.0 && value(2.0) < after ? 2.0 : share;
   }
   return 0.0;
 }
 
-/// The step of the convex problem about positions_, and the tensions after it.
-bool Island::solve_posed(Stage& stage, CordReport& report) {
+/// The step of the convex problem about positions_, and the tensions after it. One that is `far` from where the
+/// linearisations end need not be exact.
+Island::Solve Island::solve_posed(Stage& stage, bool far, CordReport& report) {
   slips_ = false;
   if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
   limited_.begin_active_set();
-  if (!solve_active_sets(stage, active_sets, report) && !solve_interior(stage, report)) return false;
+  Solve solve = solve_active_sets(stage, active_sets, report) ? Solve::exact : Solve::failed;
+  if (solve == Solve::failed) solve = solve_interior(stage, far, report);
+  if (solve == Solve::failed) return solve;
   take_direction();
-  if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return false;
+  if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return Solve::failed;
   update_together(stage);
-  return true;
+  return solve;
 }
 
 /// As long as they get better, each by half. False if none of them was the solution's.
@@ -290,14 +313,14 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
     if (!solve_together()) return false;
     const int changed = limited_.update_active_set(right_side_, tied_share * tolerance_);
     if (changed == 0) return true;
-    if (2 * changed > before) return false;
+    if (2 * changed > before && changed > few_rows) return false;
     before = changed;
   }
   return false;
 }
 
 /// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
-bool Island::solve_interior(Stage& stage, CordReport& report) {
+Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report) {
   limited_.begin_interior();
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
@@ -309,7 +332,7 @@ bool Island::solve_interior(Stage& stage, CordReport& report) {
     }
     limited_.load_interior(blocks_);
     limited_.load_interior_force(right_side_);
-    if (!solve_together()) return false;
+    if (!solve_together()) return Solve::failed;
     limited_.predict(right_side_);
     right_side_ = load_;
     limited_.load_interior_force(right_side_);
@@ -318,15 +341,19 @@ bool Island::solve_interior(Stage& stage, CordReport& report) {
     }
     blocks_.solve_again(right_side_);
     limited_.advance(right_side_);
+    if (far && limited_.gap() <= far_gap) {
+      limited_.end_interior();
+      return Solve::near;
+    }
     if (limited_.gap() > polished) continue;
-    if (limited_.gap() <= closed_gap) return true;
+    if (limited_.gap() <= closed_gap) return Solve::exact;
     load_ = right_side_;
     limited_.end_interior();
-    if (solve_active_sets(stage, active_sets, report)) return true;
+    if (solve_active_sets(stage, active_sets, report)) return Solve::exact;
     polished *= 1e-2;
     right_side_ = load_;
   }
-  return true;
+  return Solve::exact;
 }
 
 /// What holds a cord goes with it.

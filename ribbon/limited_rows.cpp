@@ -104,9 +104,10 @@ void LimitedRows::begin_interior() {
   inside_.assign(rows_.size(), Inside{});
   double forces = 0.0;
   double lengths = 0.0;
+  const bool presses = !std::all_of(rows_.begin(), rows_.end(), has_high);
   for (const LimitedRow& row : rows_) {
-    if (has_high(row)) continue;
-    forces = std::max(forces, row.force);
+    if (presses && has_high(row)) continue;
+    forces = std::max(forces, presses ? row.force : row.high);
     lengths = std::max(lengths, std::abs(row.value));
   }
   const double force = forces > 0.0 ? 0.1 * forces : 1.0;
@@ -245,11 +246,12 @@ void LimitedRows::advance(std::span<const Vec2> step) {
 /// A row is at a limit whose multiplier outweighs the force that is left to it, each in units of what it began with.
 void LimitedRows::end_interior() {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const LimitedRow& row = rows_[k];
+    LimitedRow& row = rows_[k];
     const Inside& inside = inside_[k];
     states_[k] = State::spring;
     if (inside.low > length_per_force_ * (inside.force - row.low)) states_[k] = State::low;
     if (has_high(row) && inside.high > length_per_force_ * (row.high - inside.force)) states_[k] = State::high;
+    if (states_[k] != State::spring) row.force = states_[k] == State::low ? row.low : row.high;
   }
 }
 
