@@ -30,15 +30,22 @@ bool Contacts::pose(std::span<const Vec2> from, std::span<const Vec2> to) {
                      [](const Posed& a, const Posed& b) { return a.pair == b.pair; });
 }
 
-bool Contacts::pose_passing(std::span<const Vec2> from, std::span<const Vec2> to) {
+bool Contacts::pose_missed(std::span<const Vec2> from, std::span<const Vec2> to, double tolerance) {
   go_between(from, to);
   posed_before_.swap(posed_);
   posed_.clear();
   count_visits(near_.size());
   for (const std::size_t k : near_) {
     const Corner& corner = corners_[k];
-    if (free_share(corner, corner.passing, 1.0, kept_share) == 1.0) continue;
-    posed_.push_back({k, gap_at(pairs_[k], free_share(corner, nearest_share, 1.0, approach_share))});
+    const ContactPair& pair = pairs_[k];
+    if (free_share(corner, corner.passing, 1.0, kept_share) < 1.0) {
+      posed_.push_back({k, gap_at(pair, free_share(corner, nearest_share, 1.0, approach_share))});
+      continue;
+    }
+    const Gap gap = gap_at(pair, 1.0);
+    const double pressed = forces_[k] / (posed_stiffness_ * pair.stiffness);
+    const bool deep = reach_now(pair.reach, pair.in) - gap.distance > pressed + tolerance;
+    if (deep && is_minimum(pair, gap)) posed_.push_back({k, gap});
   }
   const bool any = !posed_.empty();
   keep_before([](const Posed&) { return true; });

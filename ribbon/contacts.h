@@ -158,8 +158,9 @@ class Contacts {
   /// it ends, or of where it first touches if it would go through. Those posed before that press are posed again. True
   /// if others are posed than the last time.
   bool pose(std::span<const Vec2> from, std::span<const Vec2> to);
-  /// Poses those anew that go through each other on that way. True if there are any.
-  bool pose_passing(std::span<const Vec2> from, std::span<const Vec2> to);
+  /// Poses those anew, or besides, that go through each other on that way, or end deeper than their force says by more
+  /// than `tolerance` [m]: what turned or slid further than its row could tell. True if there are any.
+  bool pose_missed(std::span<const Vec2> from, std::span<const Vec2> to, double tolerance);
   /// Poses none.
   void pose_none();
   /// Normal forces and friction of the posed pairs as rows that are linear about x; friction by the normal forces that

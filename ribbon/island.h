@@ -205,7 +205,14 @@ class Island {
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
-  void end_piece(double dt);
+  void end_piece(double dt, bool good);
+  void go_back(const Energy& before);
+  void limit_speeds();
+  bool is_stretched() const;
+  double fastest_before() const;
+  double shortest_cord() const;
+  double most_stretched(std::span<const Vec2> x) const;
+  bool is_posed_out(const CordReport& report) const;
   double next_piece(double start, double left);
   double time_to_blow(double start, double most);
   double blow_time(double most) const;
@@ -305,6 +312,7 @@ class Island {
   bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
   bool blow_is_due_ = false;   // the next piece takes a blow
   bool blown_ = false;         // this one does,
+  int most_iterations_ = 0;    // of the report, after which it is linearised no more
   bool was_cut_ = false;       // in it something was kept from going through something
   LimitedRows limited_;        // of the posed problem
   double left_open_ = 0.0;     // m, that its last linear solve moved something by

@@ -9,9 +9,9 @@ namespace ribbon {
 namespace {
 
 // Newton steps of a stage near contacts: of those that end within 40, all but one in a hundred do within 14.
-constexpr int touching_iterations = 14;
+constexpr int touching_iterations = 20;
 constexpr int patient_touching_iterations = 40;  // where there is work to spend
-constexpr std::size_t remembered_values = 3;  // of the merit, none of which a step has to go below but the greatest
+constexpr std::size_t remembered_values = 3;     // of the merit, none of which a step has to go below but the greatest
 constexpr int patient_iterations = 10;
 constexpr double negligible_share = 1e-3;
 constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a rebound may gain

@@ -13,17 +13,19 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 40;       // Newton steps in a step, before its contacts are posed once
-constexpr double tied_share = 1e-3;    // of the tolerance, by which a row may be on the wrong side of its limit
-constexpr int most_pieces = 10;        // of a step
-constexpr int most_posed_work = 80;    // linear systems, after which no piece is taken again
-constexpr double last_share = 0.5;     // of the work that a step may take, after which none is, either
-constexpr double blow_share = 0.05;    // of the least reach, that anything goes in the piece that takes a blow
-constexpr int patient_work = 10'000;   // of Accuracy::max_work
-constexpr int posings = 3;             // times that contacts are looked for
-constexpr int most_linearisations = 8;
+constexpr int worth_trying = 48;      // Newton steps in a step, before its contacts are posed once
+constexpr double tied_share = 1e-3;   // of the tolerance, by which a row may be on the wrong side of its limit
+constexpr int most_pieces = 10;       // of a step
+constexpr int most_posed_work = 80;   // linear systems, after which no piece is taken again,
+constexpr int most_last_work = 60;    // and so many more, after which none is linearised again
+constexpr double last_share = 0.5;    // of the work that a step may take, after which none is, either
+constexpr double blow_share = 0.05;   // of the least reach, that anything goes in the piece that takes a blow
+constexpr int patient_work = 10'000;  // of Accuracy::max_work
+constexpr int posings = 3;            // times that contacts are looked for
+constexpr int most_linearisations = 12;
 constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
-constexpr int most_passing = 2;         // times that those are posed which it would have go through each other
+constexpr int miss_linearisations = 3;  // more, for each time of
+constexpr int most_misses = 4;          // times that contacts are posed anew that it would have missed
 constexpr int active_sets = 5;          // tried before the interior point
 constexpr int few_rows = 2;             // of which it may not be so many that change
 constexpr int most_interior = 25;       // its iterations
@@ -33,6 +35,10 @@ constexpr double far_gap = 1e-2;        // and at which it is good enough far fr
 constexpr double far_share = 10.0;      // more than so many tolerances
 constexpr int full_linearisations = 5;  // after which a step has to lessen the potential
 
+constexpr int most_backs = 6;          // times that a piece which was not solved goes half of its way back
+constexpr double gross_gain = 1e-3;    // of the scene's energy, that it may not have gained then
+constexpr double most_stretch = 5e-3;  // of an inextensible link, as little as it may be stretched then
+
 constexpr double least_share = 1.0 / 64.0;
 constexpr double penalty_factor = 2.0;
 constexpr double most_motion = 1e12;  // m
@@ -40,8 +46,10 @@ constexpr int room_halvings = 10;     // of a share, to find where something lea
 
 }  // namespace
 
-bool Island::is_tried(const CordReport& report) const {
-  return !is_patient() && report.iterations >= worth_trying;
+bool Island::is_tried(const CordReport& report) const { return !is_patient() && report.iterations >= worth_trying; }
+
+bool Island::is_posed_out(const CordReport& report) const {
+  return report.iterations >= most_iterations_ || is_spent(report);
 }
 
 /// Whether there is so much work to spend that what does not converge is taken by halves before its contacts are posed
@@ -57,6 +65,7 @@ void Island::posed_step(double dt, CordReport& report) {
   begin_substep(0.0, dt);
   const Energy before = driven_ ? Energy{} : total_energy();
   const int enough = report.iterations + most_posed_work;
+  most_iterations_ = enough + most_last_work;
   double time = 0.0;
   double most = dt;
   blown_ = blow_is_due_ = false;
@@ -83,7 +92,7 @@ void Island::posed_step(double dt, CordReport& report) {
       report.force_error = std::max(report.force_error, left_force_);
     }
     if (was_cut_) ++report.cuts;
-    end_piece(share);
+    end_piece(share, good);
     time = share == left ? dt : time + share;
     most = dt - time;
   }
@@ -142,16 +151,20 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
   }
   posing_ = true;
   has_pattern_ = false;
+  const double tolerance = tolerance_;
+  tolerance_ = std::max(dt / step_dt_ * tolerance_, std::min(least_tolerance_, tolerance_));
   const bool converged = implicit_euler(start, dt, report);
+  tolerance_ = tolerance;
   posing_ = false;
   has_pattern_ = false;
   return converged;
 }
 
 /// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
-void Island::end_piece(double dt) {
+void Island::end_piece(double dt, bool good) {
   const Energy before = piece_energy_;
   calm(before);
+  if (!good) go_back(before);
   if (!contacts_.empty()) {
     rebound(before, dt);
     keep_momentum(dt);
@@ -162,6 +175,79 @@ void Island::end_piece(double dt) {
   touch_changed_ = contacts_.changed();
   contacts_.finish(positions_);
   contacts_.scale_impulses(0.0);
+}
+
+/// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
+/// came, by halves, and in the end to where it was. Of what is driven no more is known than that nothing should be
+/// faster than anything was.
+void Island::go_back(const Energy& before) {
+  if (driven_) {
+    limit_speeds();
+    return;
+  }
+  if (most_stretched(x0_) > most_stretch) return;
+  for (int k = 1; k <= most_backs && (gained_energy(before, gross_gain) || is_stretched()); ++k) {
+    contacts_.pose_none();
+    const double share = k < most_backs ? 0.5 : 0.0;
+    for (std::size_t p = 0; p < positions_.size(); ++p) {
+      positions_[p] = x0_[p] + share * (positions_[p] - x0_[p]);
+      velocities_[p] = share * velocities_[p];
+    }
+    for (const Member& member : members_) {
+      member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
+                                              part(tensions_, member.first_tension, member.tensions));
+    }
+  }
+}
+
+/// Whether a link of an inextensible cord is as it may not be, and what hit it was not so fast that it goes further in
+/// a step than the cord is long: that is stopped by what it stretches.
+bool Island::is_stretched() const {
+  return most_stretched(positions_) > most_stretch && fastest_before() * step_dt_ < shortest_cord();
+}
+
+/// m/s, of all that moves, when the piece began.
+double Island::fastest_before() const {
+  double fastest = 0.0;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (!is_angle(p)) fastest = std::max(fastest, length(v0_[p]));
+    if (p < count_ && constrained_[p] != 0) fastest = std::max(fastest, length(drives_[p]));
+  }
+  return fastest;
+}
+
+/// m
+double Island::shortest_cord() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Member& member : members_) {
+    shortest = std::min(shortest, std::accumulate(member.cord->rest_.begin(), member.cord->rest_.end(), 0.0));
+  }
+  return shortest;
+}
+
+/// By how much of its length the link of an inextensible cord is off that is off most.
+double Island::most_stretched(std::span<const Vec2> x) const {
+  double most = 0.0;
+  for (const Member& member : members_) {
+    const CordDef& def = member.cord->def_;
+    if (std::isfinite(def.stretch_stiffness)) continue;
+    for (std::size_t link = 0; link + 1 < member.count; ++link) {
+      const std::size_t p = member.first + link;
+      const double strain = length(x[p + 1] - x[p]) / member.cord->rest_[link] - 1.0;
+      most = std::max(most, def.tension_only ? strain : std::abs(strain));
+    }
+  }
+  return most;
+}
+
+/// Takes what is faster than that back to it.
+void Island::limit_speeds() {
+  const double most = fastest_before() + length(gravity_) * step_dt_;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (is_angle(p) || constrained_[p] != 0) continue;
+    const double speed = length(velocities_[p]);
+    if (speed > most) velocities_[p] = (most / speed) * velocities_[p];
+  }
 }
 
 /// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
@@ -187,9 +273,9 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   left_open_ = std::numeric_limits<double>::infinity();
   left_force_ = 0.0;
   bool has_best = false;
-  int passes = 0;
+  int misses = 0;
   const int most = blown_ ? blow_linearisations : most_linearisations;
-  for (int k = 0; k < most && !converged && (k == 0 || !is_spent(report)); ++k) {
+  for (int k = 0; k < most + misses * miss_linearisations && !converged && (k == 0 || !is_posed_out(report)); ++k) {
     const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
     append_limited(stage);
     if (k >= posings) {
@@ -220,9 +306,11 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     tensions_.swap(next_);
     if (!contacts_.empty()) contacts_.take_forces(limited_, k < posings);
     take_slips();
-    converged = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others && are_bars_settled(stage, k);
-    if (converged && passes < most_passing && !contacts_.empty() && contacts_.pose_passing(from, positions_)) {
-      ++passes;
+    converged =
+        k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others && are_bars_settled(stage, k);
+    if (converged && misses < most_misses && !contacts_.empty() &&
+        contacts_.pose_missed(from, positions_, tolerance_)) {
+      ++misses;
       converged = has_best = false;
     }
   }
