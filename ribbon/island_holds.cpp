@@ -84,9 +84,9 @@ Vec2 Island::hold_gap(const HeldBody& held, std::span<const Vec2> x) const {
   return held.hold(x) - x[center(held.body)] - held.arm_at(x[angle(held.body)].x);
 }
 
-/// Where between its points a hold presses on the cord, as a share of the way. A hand that has slipped by w along t, the
-/// direction of a link of length L, stays on the line of the link as that turns: with n = perp(t) and the gap −w·t what
-/// closes across, n·c, changes by n·δc + δn·c = n·δc + w·n·(δb − δa)/L, as if it were held w/L further on.
+/// Where between its points a hold presses on the cord, as a share of the way. A hand that has slipped by w along t,
+/// the direction of a link of length L, stays on the line of the link as that turns: with n = perp(t) and the gap −w·t
+/// what closes across, n·c, changes by n·δc + δn·c = n·δc + w·n·(δb − δa)/L, as if it were held w/L further on.
 double Island::pressed_along(const HeldBody& held) const {
   if (held.next == held.point || !(held.slides != 0.0 || is_limited(held))) return held.along;
   const Vec2 ab = positions_[held.next] - positions_[held.point];
