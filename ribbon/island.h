@@ -40,6 +40,8 @@ class Island {
   // own.
   static constexpr int close_links = 6;
   static constexpr double near_share = 0.25;
+  // Of the scene's energy, that a cord may gain in all.
+  static constexpr double tolerated_gain = 5e-4;
 
   struct Member {
     Cord* cord;

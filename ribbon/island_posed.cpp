@@ -14,7 +14,6 @@ namespace ribbon {
 namespace {
 
 constexpr int worth_trying = 48;      // Newton steps in a step, before its contacts are posed once
-constexpr double tied_share = 1e-3;   // of the tolerance, by which a row may be on the wrong side of its limit
 constexpr int most_pieces = 10;       // of a step
 constexpr int most_posed_work = 80;   // linear systems, after which no piece is taken again,
 constexpr int most_last_work = 60;    // and so many more, after which none is linearised again
@@ -26,23 +25,12 @@ constexpr int most_linearisations = 12;
 constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
 constexpr int miss_linearisations = 3;  // more, for each time of
 constexpr int most_misses = 4;          // times that contacts are posed anew that it would have missed
-constexpr int active_sets = 5;          // tried before the interior point
-constexpr int few_rows = 2;             // of which it may not be so many that change
-constexpr int most_interior = 25;       // its iterations
-constexpr double polishing_gap = 1e-4;  // of the interior point, from where on its active set is tried
-constexpr double closed_gap = 1e-10;    // at which it has ended
-constexpr double far_gap = 1e-2;        // and at which it is good enough far from where the linearisations end,
 constexpr double far_share = 10.0;      // more than so many tolerances
 constexpr int full_linearisations = 5;  // after which a step has to lessen the potential
-
-constexpr int most_backs = 6;          // times that a piece which was not solved goes half of its way back
-constexpr double gross_gain = 1e-3;    // of the scene's energy, that it may not have gained then
-constexpr double most_stretch = 5e-3;  // of an inextensible link, as little as it may be stretched then
 
 constexpr double least_share = 1.0 / 64.0;
 constexpr double penalty_factor = 2.0;
 constexpr double most_motion = 1e12;  // m
-constexpr int room_halvings = 10;     // of a share, to find where something leaves its room
 
 }  // namespace
 
@@ -177,79 +165,6 @@ void Island::end_piece(double dt, bool good) {
   contacts_.scale_impulses(0.0);
 }
 
-/// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
-/// came, by halves, and in the end to where it was. Of what is driven no more is known than that nothing should be
-/// faster than anything was.
-void Island::go_back(const Energy& before) {
-  if (driven_) {
-    limit_speeds();
-    return;
-  }
-  if (most_stretched(x0_) > most_stretch) return;
-  for (int k = 1; k <= most_backs && (gained_energy(before, gross_gain) || is_stretched()); ++k) {
-    contacts_.pose_none();
-    const double share = k < most_backs ? 0.5 : 0.0;
-    for (std::size_t p = 0; p < positions_.size(); ++p) {
-      positions_[p] = x0_[p] + share * (positions_[p] - x0_[p]);
-      velocities_[p] = share * velocities_[p];
-    }
-    for (const Member& member : members_) {
-      member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
-                                              part(tensions_, member.first_tension, member.tensions));
-    }
-  }
-}
-
-/// Whether a link of an inextensible cord is as it may not be, and what hit it was not so fast that it goes further in
-/// a step than the cord is long: that is stopped by what it stretches.
-bool Island::is_stretched() const {
-  return most_stretched(positions_) > most_stretch && fastest_before() * step_dt_ < shortest_cord();
-}
-
-/// m/s, of all that moves, when the piece began.
-double Island::fastest_before() const {
-  double fastest = 0.0;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (!is_angle(p)) fastest = std::max(fastest, length(v0_[p]));
-    if (p < count_ && constrained_[p] != 0) fastest = std::max(fastest, length(drives_[p]));
-  }
-  return fastest;
-}
-
-/// m
-double Island::shortest_cord() const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Member& member : members_) {
-    shortest = std::min(shortest, std::accumulate(member.cord->rest_.begin(), member.cord->rest_.end(), 0.0));
-  }
-  return shortest;
-}
-
-/// By how much of its length the link of an inextensible cord is off that is off most.
-double Island::most_stretched(std::span<const Vec2> x) const {
-  double most = 0.0;
-  for (const Member& member : members_) {
-    const CordDef& def = member.cord->def_;
-    if (std::isfinite(def.stretch_stiffness)) continue;
-    for (std::size_t link = 0; link + 1 < member.count; ++link) {
-      const std::size_t p = member.first + link;
-      const double strain = length(x[p + 1] - x[p]) / member.cord->rest_[link] - 1.0;
-      most = std::max(most, def.tension_only ? strain : std::abs(strain));
-    }
-  }
-  return most;
-}
-
-/// Takes what is faster than that back to it.
-void Island::limit_speeds() {
-  const double most = fastest_before() + length(gravity_) * step_dt_;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (is_angle(p) || constrained_[p] != 0) continue;
-    const double speed = length(velocities_[p]);
-    if (speed > most) velocities_[p] = (most / speed) * velocities_[p];
-  }
-}
-
 /// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
 /// everything goes by itself.
 void Island::begin_posed(double time, std::span<const Vec2> from) {
@@ -373,146 +288,6 @@ double Island::posed_share(const Stage& stage) {
     return share == 1.0 && value(2.0) < after ? 2.0 : share;
   }
   return 0.0;
-}
-
-/// The step of the convex problem about positions_, and the tensions after it. One that is `far` from where the
-/// linearisations end need not be exact.
-Island::Solve Island::solve_posed(Stage& stage, bool far, CordReport& report) {
-  slips_ = false;
-  if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
-  has_pattern_ = true;
-  limited_.begin_active_set();
-  Solve solve = solve_active_sets(stage, active_sets, report) ? Solve::exact : Solve::failed;
-  if (solve == Solve::failed) solve = solve_interior(stage, far, report);
-  if (solve == Solve::failed) return solve;
-  take_direction();
-  if (!std::all_of(direction_.begin(), direction_.end(), [](Vec2 v) { return is_finite(v); })) return Solve::failed;
-  update_together(stage);
-  return solve;
-}
-
-/// As long as they get better, each by half. False if none of them was the solution's.
-bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
-  int before = static_cast<int>(limited_.rows().size()) + 1;
-  for (int k = 0; k < most; ++k) {
-    count_system(report);
-    load_together(stage);
-    limited_.load_active_set(blocks_, right_side_);
-    if (!solve_together()) return false;
-    const int changed = limited_.update_active_set(right_side_, tied_share * tolerance_);
-    if (changed == 0) return true;
-    if (2 * changed > before && changed > few_rows) return false;
-    before = changed;
-  }
-  return false;
-}
-
-/// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
-Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report) {
-  limited_.begin_interior();
-  double polished = polishing_gap;
-  for (int k = 0; k < most_interior; ++k) {
-    count_system(report);
-    load_together(stage);
-    load_ = right_side_;
-    for (std::size_t p = 0; p < positions_.size(); ++p) {
-      if (constrained_[p] != 0) load_[p] = {};
-    }
-    limited_.load_interior(blocks_);
-    limited_.load_interior_force(right_side_);
-    if (!solve_together()) return Solve::failed;
-    limited_.predict(right_side_);
-    right_side_ = load_;
-    limited_.load_interior_force(right_side_);
-    for (std::size_t p = 0; p < positions_.size(); ++p) {
-      if (constrained_[p] != 0) right_side_[p] = {};
-    }
-    blocks_.solve_again(right_side_);
-    limited_.advance(right_side_);
-    if (far && limited_.gap() <= far_gap) {
-      limited_.end_interior();
-      return Solve::near;
-    }
-    if (limited_.gap() > polished) continue;
-    if (limited_.gap() <= closed_gap) return Solve::exact;
-    load_ = right_side_;
-    limited_.end_interior();
-    if (solve_active_sets(stage, active_sets, report)) return Solve::exact;
-    polished *= 1e-2;
-    right_side_ = load_;
-  }
-  return Solve::exact;
-}
-
-/// What holds a cord goes with it.
-void Island::find_groups() {
-  groups_.assign(positions_.size(), -1);
-  const auto root = [&](std::size_t slot) {
-    while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
-    return slot;
-  };
-  for (const Member& member : members_) {
-    for (std::size_t p = member.first; p < member.first + member.count; ++p)
-      groups_[p] = static_cast<int>(member.first);
-  }
-  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[center(k)] = static_cast<int>(center(k));
-  for (const HeldBody& held : held_) {
-    const std::size_t a = root(held.point);
-    const std::size_t b = root(center(held.body));
-    groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
-  }
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
-  }
-  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[angle(k)] = groups_[center(k)];
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (constrained_[p] != 0) groups_[p] = -1;  // it goes its own way
-  }
-}
-
-/// Takes from the way of cords, and of what holds them, what would lead them through each other, or out of the room in
-/// which contacts were looked for. False if it had to.
-bool Island::keep_apart(std::span<const Vec2> from) {
-  find_groups();
-  group_shares_.assign(positions_.size(), 1.0);
-  const bool roomy = keep_to_room(from);
-  const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
-  if (apart && roomy) return true;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (constrained_[p] != 0 || groups_[p] < 0) continue;
-    positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
-  }
-  return false;
-}
-
-bool Island::keep_to_room(std::span<const Vec2> from) {
-  bool all = true;
-  const auto keep = [&](std::size_t slot, Vec2 start, Vec2 end, double room) {
-    if (constrained_[slot] != 0) return;
-    const auto is_out = [&](double share) {
-      return !(gap_between(from[slot] + share * (positions_[slot] - from[slot]), start, end).distance <= room);
-    };
-    if (!is_out(1.0)) return;
-    all = false;
-    double inside = 0.0;
-    double outside = 1.0;
-    for (int k = 0; k < room_halvings; ++k) {
-      const double middle = 0.5 * (inside + outside);
-      (is_out(middle) ? outside : inside) = middle;
-    }
-    double& share = group_shares_[at(groups_[slot])];
-    share = std::min(share, inside);
-  };
-  for (const Member& member : members_) {
-    for (std::size_t p = member.first; p < member.first + member.count; ++p) {
-      keep(p, step_start_[p], ends_[p], member.room);
-    }
-  }
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const RigidBody& body = rigid_[at(bodies_[k].index)];
-    keep(center(k), body.position, body.position + step_dt_ * body.velocity, body_room_);
-  }
-  return all;
 }
 
 }  // namespace ribbon

@@ -11,6 +11,7 @@ namespace {
 constexpr double widening = 8.0;  // of the room of what left it
 constexpr double most_widening = 500.0;
 constexpr double surely_kept = 0.9;  // of his room, that who is so near the end of his way has kept to, whatever rounds
+constexpr int room_halvings = 10;    // of a share, to find where something leaves its room
 
 }  // namespace
 
@@ -99,6 +100,77 @@ bool Island::parts_from_neighbours(const Member& member) const {
     }
   }
   return false;
+}
+
+/// What holds a cord goes with it.
+void Island::find_groups() {
+  groups_.assign(positions_.size(), -1);
+  const auto root = [&](std::size_t slot) {
+    while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
+    return slot;
+  };
+  for (const Member& member : members_) {
+    for (std::size_t p = member.first; p < member.first + member.count; ++p)
+      groups_[p] = static_cast<int>(member.first);
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[center(k)] = static_cast<int>(center(k));
+  for (const HeldBody& held : held_) {
+    const std::size_t a = root(held.point);
+    const std::size_t b = root(center(held.body));
+    groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
+  }
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) groups_[angle(k)] = groups_[center(k)];
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (constrained_[p] != 0) groups_[p] = -1;  // it goes its own way
+  }
+}
+
+/// Takes from the way of cords, and of what holds them, what would lead them through each other, or out of the room in
+/// which contacts were looked for. False if it had to.
+bool Island::keep_apart(std::span<const Vec2> from) {
+  find_groups();
+  group_shares_.assign(positions_.size(), 1.0);
+  const bool roomy = keep_to_room(from);
+  const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
+  if (apart && roomy) return true;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (constrained_[p] != 0 || groups_[p] < 0) continue;
+    positions_[p] = from[p] + group_shares_[at(groups_[p])] * (positions_[p] - from[p]);
+  }
+  return false;
+}
+
+bool Island::keep_to_room(std::span<const Vec2> from) {
+  bool all = true;
+  const auto keep = [&](std::size_t slot, Vec2 start, Vec2 end, double room) {
+    if (constrained_[slot] != 0) return;
+    const auto is_out = [&](double share) {
+      return !(gap_between(from[slot] + share * (positions_[slot] - from[slot]), start, end).distance <= room);
+    };
+    if (!is_out(1.0)) return;
+    all = false;
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int k = 0; k < room_halvings; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (is_out(middle) ? outside : inside) = middle;
+    }
+    double& share = group_shares_[at(groups_[slot])];
+    share = std::min(share, inside);
+  };
+  for (const Member& member : members_) {
+    for (std::size_t p = member.first; p < member.first + member.count; ++p) {
+      keep(p, step_start_[p], ends_[p], member.room);
+    }
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const RigidBody& body = rigid_[at(bodies_[k].index)];
+    keep(center(k), body.position, body.position + step_dt_ * body.velocity, body_room_);
+  }
+  return all;
 }
 
 }  // namespace ribbon
