@@ -79,7 +79,9 @@ class XServer {
     fs::remove(ready);
     display_ = ":";
     display_ += std::to_string(number);
-    process_.emplace("exec Xvfb " + display_ + " -displayfd 3 -screen 0 " + screen_ + " 3>" + ready + " 2>/dev/null");
+    // It would begin anew when its last client goes, one that looked for a window, and refuse who comes meanwhile.
+    process_.emplace("exec Xvfb " + display_ + " -noreset -displayfd 3 -screen 0 " + screen_ + " 3>" + ready +
+                     " 2>/dev/null");
     while (bytes_of(ready).find('\n') == std::string::npos) {
       if (!process_->runs()) return false;
     }
