@@ -64,6 +64,26 @@ void Cells::add_damping(const Motion& at, double sign, std::span<double> tension
   }
 }
 
+void Cells::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  Vec2 d{1.0, 0.0};
+  for (std::size_t i = 0; i < columns_; ++i) {
+    for (std::size_t j = 0; j < rows_; ++j) {
+      d = direction_of(modes(shapes_[i], corners(x, i, j)).z, d);
+      if (is_unlocked(i * rows_ + j)) continue;
+      tensions[i * rows_ + j] += shapes_[i].stretch * turning(stage, i, j, d);
+    }
+  }
+}
+
+/// β times the turning rate of z, which is a bar to it.
+double Cells::turning(const Stage& stage, std::size_t column, std::size_t row, Vec2 d) const {
+  if (damping_ == 0.0 || !stage.euler) return 0.0;
+  const std::size_t p = point(column, row);
+  const std::size_t q = point(column + 1, row);
+  const Corners start = {stage.start(p), stage.start(p + 1), stage.start(q), stage.start(q + 1)};
+  return damping_ * turning_rate(stage, modes(shapes_[column], start).z, d);
+}
+
 Corners Cells::corners(std::span<const Vec2> x, std::size_t column, std::size_t row) const {
   const std::size_t first = point(column, row);
   const std::size_t second = point(column + 1, row);
@@ -115,7 +135,7 @@ void Cells::load(const NewtonSystem& system, std::span<const double> tensions) {
         extra.shear = 0.0;
         assembler.add_constant(extra, stiff.hourglass - cell.hourglass, system.stiffening, first, second);
       } else {
-        push = forces(cell, at, (cell.stretch * (dot(d, at.z) - 2.0)) * d);
+        push = forces(cell, at, (cell.stretch * (dot(d, at.z) - turning(system.stage, i, j, d) - 2.0)) * d);
         assembler.add_spread(cell, d, system.stiffening * cell.stretch, pull / std::max(length(z), crushed_spread),
                              first, second);
       }
@@ -170,7 +190,8 @@ void Cells::update(const NewtonSystem& system, std::span<const double> /*tension
       d = direction_of(modes(cell, corners(system.x, i, j)).z, d);
       const Vec2 moved = modes(cell, corners(direction, i, j)).z;
       const Vec2 z = modes(cell, corners(system.damped, i, j)).z;
-      next[i * rows_ + j] = cell.stretch * (dot(d, z) - 2.0 + system.stiffening * dot(d, moved));
+      const double spread = dot(d, z) - turning(system.stage, i, j, d) - 2.0;
+      next[i * rows_ + j] = cell.stretch * (spread + system.stiffening * dot(d, moved));
     }
   }
 }
@@ -198,7 +219,8 @@ double Cells::potential(const Shape& shape, std::span<const double> most) const 
         const Vec2 away = at.z - 2.0 * toward_[i];
         sum += 0.5 * cell.stretch * dot(away, away) / shape.stiffening;
       } else {
-        const MixedBar bar{(dot(d, at.z) - 2.0) / shape.stiffening, 1.0 / (cell.stretch * shape.stiffening)};
+        const double spread = dot(d, at.z) - turning(shape.stage, i, j, d) - 2.0;
+        const MixedBar bar{spread / shape.stiffening, 1.0 / (cell.stretch * shape.stiffening)};
         sum += exact_penalty(bar, most[i * rows_ + j]);
       }
       sum += bending_and_shear_energy(cell, at) / shape.stiffening;

@@ -22,6 +22,7 @@ class Cells final : public Term {
   std::size_t tension_count() const override { return columns_ * rows_; }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
+  void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void add_constant(BandedMatrix& matrix) const override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
@@ -36,6 +37,7 @@ class Cells final : public Term {
   std::size_t point(std::size_t column, std::size_t row) const { return column * (rows_ + 1) + row; }
   Corners corners(std::span<const Vec2> x, std::size_t column, std::size_t row) const;
   bool is_unlocked(std::size_t cell) const { return any_unlocked_ && unlocked_[cell] != 0; }
+  double turning(const Stage& stage, std::size_t column, std::size_t row, Vec2 d) const;
   double unlock_hourglass(const Cell& cell) const;
   double mean_tension(std::size_t column, std::span<const double> tensions) const;
   void load_corner_areas(const NewtonSystem& system, std::size_t column, std::size_t row);

@@ -14,7 +14,6 @@ constexpr double kept_share = 0.25;      // of the reach, that who is watched is
 constexpr double nearest_share = 0.9;    // of the reach, nearer than which nobody comes in a move
 constexpr double passing_share = 0.5;    // of it, nearer than which who passes straight has gone through
 constexpr double approach_share = 0.98;  // of the distance, if that is less already
-constexpr double joined_looks = 8.0;     // at the way of what is near its joined end
 constexpr double arrived_share = 1e-3;   // of the reach: no use in creeping nearer to the limit than this
 constexpr int most_advances = 32;
 
@@ -131,16 +130,6 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
   };
   Gap now = gap(0.0);
   double share = 0.0;
-  // Near its joined end it touches nowhere, but it may come from there: looked at now and then.
-  const auto leave_joined_end = [&] {
-    while (pair.joined >= 0 && now.along == pair.joined) {
-      share += most / joined_looks;
-      if (share >= most) return false;
-      now = gap(share);
-    }
-    return true;
-  };
-  if (!leave_joined_end()) return most;
   const double nearest = std::min(share_of_reach * pair.reach, kept * now.distance);
   for (int k = 0; k < most_advances; ++k) {
     if (now.distance - nearest <= arrived_share * pair.reach && k > 0) break;
@@ -148,7 +137,6 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
     if (!(now.distance - nearest < approach * (most - share))) return most;
     share += (now.distance - nearest) / approach;
     now = gap(share);
-    if (!leave_joined_end()) return most;
   }
   return share;
 }

@@ -60,8 +60,7 @@ void Contacts::add(const ContactPair& pair) {
   corners_.reserve(pairs_.capacity());
   const double cord_radius = at(pair.disc) < points_ ? pair.disc_radius : pair.reach - pair.disc_radius;
   const double passing = std::clamp(1.0 - cord_radius / pair.reach, passing_share, most_passing_share);
-  const int joined = pair.joined < 0 ? -1 : pair.joined == pair.a ? 0 : 1;
-  corners_.push_back({pair.disc, pair.a, pair.b, joined, pair.reach, pair.in, passing});
+  corners_.push_back({pair.disc, pair.a, pair.b, pair.reach, pair.in, passing});
 }
 
 void Contacts::place(std::span<const Vec2> x, bool led, std::vector<Vec2>& anchors) const {
@@ -215,7 +214,7 @@ double Contacts::depth(const Active& active) const {
 bool Contacts::is_minimum(const ContactPair& pair, const Gap& gap) const {
   if (gap.inside()) return true;
   const int vertex = gap.along == 0.0 ? pair.a : pair.b;
-  if (!pair.ends || vertex == pair.joined || (pair.mutual && pair.disc > vertex)) return false;
+  if (!pair.ends || (pair.mutual && pair.disc > vertex)) return false;
   if (gap.along == 0.0) return pair.before < 0;
   if (pair.after < 0) return true;
   const Vec2 b = anchors_[at(pair.b)];

@@ -39,7 +39,6 @@ struct ContactPair {
   int b = 0;
   int before = -1;      ///< the anchor before a on what the segment is part of, −1 where that ends there
   int after = -1;       ///< the same after b
-  int joined = -1;      ///< of a and b that which a link joins to the disc: near that they touch nowhere
   bool ends = true;     ///< false where the segment's ends are somebody else's
   bool mutual = false;  ///< the disc is a point whose own links meet the segment's ends: one of both counts
   double reach = 0.0;   ///< m, the radii together
@@ -194,7 +193,6 @@ class Contacts {
   /// What a pass over all pairs reads of one.
   struct Corner {
     int disc, a, b;
-    int joined;  // 0 or 1: the end of the segment, 0 for a, near which they touch nowhere; −1 for none
     double reach, in;
     double passing;  // of the reach: nearer, and the cord's centre line is in what it touches
   };

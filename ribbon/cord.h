@@ -28,8 +28,9 @@ struct CordReport {
                          ///< from nowhere; not looked for while something but hands drives the cord
   int halvings = 0;      ///< substeps of implicit Euler that had not converged either, taken as two
   int impacts = 0;       ///< substeps in which somebody began or ceased to touch, taken by implicit Euler and BDF2
-  int posed = 0;        ///< substeps of implicit Euler with contacts that were posed once, for Newton steps did not end
-  int cuts = 0;         ///< of these, those in which something was kept from going through something, and lost velocity
+  int posed = 0;  ///< substeps of implicit Euler with contacts that were posed once, for Newton steps did not end
+  int cuts = 0;   ///< pieces of these in which something was kept from going through something, or taken back for what
+                  ///< it could not have gained, and lost velocity
   int unlocked = 0;     ///< steps in which cells that were inside out were turned back
   int unconverged = 0;  ///< substeps left as they are after all that
   /// What was done, in a unit that is the same on every machine: 1 for each 2 × 2 block of the matrix of a linear

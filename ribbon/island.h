@@ -135,7 +135,6 @@ class Island {
   static bool are_close(const Cord& cord, int k, int link);
   bool parts_from_neighbours(const Member& member) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
-  static bool are_linked(const CordDef& def, int k, int i);
   static int outline_size(const CordDef& def);
   bool widen();
   void let_go(double dt);
@@ -207,9 +206,9 @@ class Island {
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
-  void end_piece(double dt, bool good);
-  void go_back(const Energy& before);
-  void limit_speeds();
+  bool end_piece(double dt, bool good);
+  bool go_back(const Energy& before);
+  bool limit_speeds();
   bool is_stretched() const;
   double fastest_before() const;
   double shortest_cord() const;

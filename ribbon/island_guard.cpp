@@ -184,16 +184,14 @@ double Island::energy_scale(const Energy& energy) const {
 
 /// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
 /// came, by halves, and in the end to where it was. Of what is driven no more is known than that nothing should be
-/// faster than anything was.
-void Island::go_back(const Energy& before) {
-  if (driven_) {
-    limit_speeds();
-    return;
-  }
-  if (most_stretched(x0_) > most_stretch) return;
-  for (int k = 1; k <= most_backs && (gained_energy(before, unsolved_gain) || is_stretched()); ++k) {
+/// faster than anything was. True if something was taken back.
+bool Island::go_back(const Energy& before) {
+  if (driven_) return limit_speeds();
+  if (most_stretched(x0_) > most_stretch) return false;
+  int backs = 0;
+  for (; backs < most_backs && (gained_energy(before, unsolved_gain) || is_stretched()); ++backs) {
     contacts_.pose_none();
-    const double share = k < most_backs ? 0.5 : 0.0;
+    const double share = backs + 1 < most_backs ? 0.5 : 0.0;
     for (std::size_t p = 0; p < positions_.size(); ++p) {
       positions_[p] = x0_[p] + share * (positions_[p] - x0_[p]);
       velocities_[p] = share * velocities_[p];
@@ -202,7 +200,9 @@ void Island::go_back(const Energy& before) {
       member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
                                               part(tensions_, member.first_tension, member.tensions));
     }
+    add_damping(1.0);
   }
+  return backs > 0;
 }
 
 /// Whether a link of an inextensible cord is as it may not be, and what hit it was not so fast that it goes further in
@@ -245,14 +245,20 @@ double Island::most_stretched(std::span<const Vec2> x) const {
   return most;
 }
 
-/// Takes what is faster than that back to it.
-void Island::limit_speeds() {
+/// Takes what is faster than that back to it. True if something was.
+bool Island::limit_speeds() {
   const double most = fastest_before() + length(gravity_) * step_dt_;
+  bool any = false;
+  add_damping(-1.0);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (is_angle(p) || constrained_[p] != 0) continue;
     const double speed = length(velocities_[p]);
-    if (speed > most) velocities_[p] = (most / speed) * velocities_[p];
+    if (!(speed > most)) continue;
+    velocities_[p] = (most / speed) * velocities_[p];
+    any = true;
   }
+  add_damping(1.0);
+  return any;
 }
 
 }  // namespace ribbon

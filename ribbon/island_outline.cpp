@@ -143,8 +143,6 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   // At a fold the link next to this one may be the point's neighbour: then none but this one can tell that it touches.
   if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
   if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
-  if (itself && are_linked(def, k, link.link)) pair.joined = pair.a;
-  if (itself && are_linked(def, k, link.link + 1)) pair.joined = pair.b;
   pair.reach = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
@@ -174,12 +172,6 @@ bool Island::are_close(const Cord& cord, int k, int link) {
   if (cord.def_.rows == 1) return apart <= close_links;
   const int n = static_cast<int>(cord.outline_.size());
   return std::min(apart, n + 1 - apart) <= close_links;
-}
-
-/// Whether the points k and i of an outline are the ends of one link.
-bool Island::are_linked(const CordDef& def, int k, int i) {
-  const int apart = k > i ? k - i : i - k;
-  return apart == 1 || (def.rows > 1 && apart == outline_size(def) - 1);
 }
 
 int Island::outline_size(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }

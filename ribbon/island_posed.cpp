@@ -79,8 +79,7 @@ void Island::posed_step(double dt, CordReport& report) {
       report.position_error = std::max(report.position_error, std::min(left_open_, most_motion));
       report.force_error = std::max(report.force_error, left_force_);
     }
-    if (was_cut_) ++report.cuts;
-    end_piece(share, good);
+    if (end_piece(share, good) || was_cut_) ++report.cuts;
     time = share == left ? dt : time + share;
     most = dt - time;
   }
@@ -148,21 +147,23 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
   return converged;
 }
 
-/// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept.
-void Island::end_piece(double dt, bool good) {
+/// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept. True
+/// if some of a piece that is not good was taken back.
+bool Island::end_piece(double dt, bool good) {
   const Energy before = piece_energy_;
   calm(before);
-  if (!good) go_back(before);
+  const bool back = !good && go_back(before);
   if (!contacts_.empty()) {
     rebound(before, dt);
     keep_momentum(dt);
   }
   if (!driven_) energy_after_ = total_energy();
   restart_ = true;
-  if (contacts_.empty()) return;
+  if (contacts_.empty()) return back;
   touch_changed_ = contacts_.changed();
   contacts_.finish(positions_);
   contacts_.scale_impulses(0.0);
+  return back;
 }
 
 /// Cords start where they were, what drives them where it ends, and contacts are first looked for on the way that
