@@ -237,6 +237,8 @@ class Coupling {
   /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
   /// O(bodies) for one of those.
   ribbon::Vec2 velocity(const b2Body& body) const;
+  /// The same of its rotation, rad/s.
+  double angular_velocity(const b2Body& body) const;
   /// What the body holds.
   std::optional<CordPoint> held_by(const b2Body& body) const;
   /// Lets go of what the body holds and destroys it: the way to destroy a body that cords may know. (One that is
@@ -341,6 +343,7 @@ class Coupling {
   static ribbon::Vec2 given(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 pushed(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 ahead(const b2Body& body, const LedBody& led);
+  static double ahead_turning(const b2Body& body, const LedBody& led);
   LedBody& led_or_new(const b2Body& body);
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
   void lead(b2Body& body, const ribbon::RigidBody& rigid);

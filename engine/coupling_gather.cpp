@@ -244,7 +244,7 @@ int Coupling::body_index(b2Body& body, b2Vec2 gravity) {
     if (LedBody* before = led(body)) {
       rigid.velocity += ahead(body, *before);
       rigid.acceleration += reaction(body, *before);
-      rigid.angular_velocity += before->ahead_turning;
+      rigid.angular_velocity += ahead_turning(body, *before);
       // What single precision has lost of where it was led to.
       if (length(rigid.position - before->position) <= single_rounding(rigid.position))
         rigid.position = before->position;

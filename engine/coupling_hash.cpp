@@ -65,11 +65,10 @@ void add(Hasher& hasher, const CouplingState::Grip& grip) {
 }
 
 void add(Hasher& hasher, const CouplingState::Led& led) {
-  const auto& [ahead, ahead_turning, position, velocity, start, dt, pushed, expected_push] = led.memory;
+  const auto& [ahead, ahead_turning, position, velocity, turning, start, dt, pushed, expected_push] = led.memory;
   hasher.add(led.body);
   for (const ribbon::Vec2 v : {ahead, position, velocity, start, pushed, expected_push}) hasher.add(v);
-  hasher.add(ahead_turning);
-  hasher.add(dt);
+  for (const double number : {ahead_turning, turning, dt}) hasher.add(number);
 }
 
 void add(Hasher& hasher, const CouplingState::Fixture& known) {

@@ -82,6 +82,7 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
   const double end_turning = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
   const double ahead = (end_turning - static_cast<double>(body.GetAngularVelocity())) / divided_turning;
   led.ahead_turning = bounded({ahead, 0.0}, LedMemory::most_ahead).x;
+  led.turning = static_cast<double>(body.GetAngularVelocity()) / divided_turning;
 }
 
 /// Gives a body that no cord moves any more what Box2D could not show of its velocity.
@@ -89,7 +90,7 @@ void Coupling::let_run(b2Body& body) {
   const LedBody* before = led(body);
   if (before == nullptr) return;
   body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, *before)));
-  body.SetAngularVelocity(static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + before->ahead_turning));
+  body.SetAngularVelocity(static_cast<float>(angular_velocity(body)));
   led_.erase(led_place(body));
 }
 
@@ -153,6 +154,13 @@ Vec2 Coupling::ahead(const b2Body& body, const LedBody& led) {
   return led.ahead - (meets_anything(body) ? along : std::clamp(along, -size, size)) * n;
 }
 
+/// The same of the rotation: what a body met stops what it turns against.
+double Coupling::ahead_turning(const b2Body& body, const LedBody& led) {
+  const double by = static_cast<double>(body.GetAngularVelocity()) - led.turning;
+  const bool is_against = std::abs(by) > unworthy_push * (1.0 + std::abs(led.turning)) && by * led.ahead_turning < 0.0;
+  return meets_anything(body) && is_against ? 0.0 : led.ahead_turning;
+}
+
 /// What holds up a body that stands or leans, or draws it steadily, m/s²: what Box2D's contacts and forces have pushed
 /// it with in both of the last two ticks. The cord would let it fall otherwise, and be told after each tick that it did
 /// not.
@@ -177,6 +185,12 @@ Vec2 Coupling::velocity(const b2Body& body) const {
   const LedBody* found = led(body);
   const bool is_led = found != nullptr && is_there(&body);
   return to_double(body.GetLinearVelocity()) + (is_led ? ahead(body, *found) : Vec2{});
+}
+
+double Coupling::angular_velocity(const b2Body& body) const {
+  const LedBody* found = led(body);
+  const bool is_led = found != nullptr && is_there(&body);
+  return static_cast<double>(body.GetAngularVelocity()) + (is_led ? ahead_turning(body, *found) : 0.0);
 }
 
 }  // namespace engine

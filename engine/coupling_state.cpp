@@ -97,6 +97,7 @@ void check_memory(const LedMemory& led) {
   check_vectors("state.led.ahead", {led.ahead}, LedMemory::most_ahead);
   check_vectors("state.led", {led.position, led.velocity, led.start, led.pushed, led.expected_push}, most_single);
   ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -LedMemory::most_ahead, LedMemory::most_ahead);
+  ribbon::check_range("state.led.turning", led.turning, -most_single, most_single);
   ribbon::check_range("state.led.dt", led.dt, 0.0, 1.0);
 }
 

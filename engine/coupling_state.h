@@ -53,6 +53,7 @@ struct LedMemory {
   double ahead_turning = 0.0;  ///< rad/s, the same of the rotation
   ribbon::Vec2 position;       ///< m, of the centre of mass, where it was led to
   ribbon::Vec2 velocity;       ///< m/s, which Box2D leaves it with if it meets nothing
+  double turning = 0.0;        ///< rad/s, the same of the rotation
   ribbon::Vec2 start;          ///< m, of the centre of mass, from where,
   double dt = 0.0;             ///< s, and in what time
   ribbon::Vec2 pushed;         ///< m/s, by which it was more, in the tick before this one

@@ -54,7 +54,7 @@ class Island {
     std::size_t first_hold;     // of its grips among all, and the end of them
     std::size_t last_hold;
     std::uint64_t id;
-    double mass = 0.0;          // kg, of the cord and what hangs on it
+    double mass = 0.0;          // kg, that may press where it touches
     double room = 0.0;          // m, how far from its straight way a point of it may go in a step
     double near_room = 0.0;     // m, and how much further than one near it along the outline
     double longest_link = 0.0;  // m, of its outline

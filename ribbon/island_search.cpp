@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ribbon/island.h"
 
@@ -70,7 +71,6 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
   const Box box = widened(spot_box(body, circle.offset), reach);
   if (!overlap(box, reach_)) return;
   const Box near = widened(box, member.room);
-  const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
   // Between the points of so large a circle a cord is nowhere deeper than an eightieth of a link, L²/8R. On it,
   // straight by that little, it has one minimum of the distance, and bent by it one a link: as one became the other,
   // the energy of what presses would jump.
@@ -90,7 +90,7 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
     pair.disc_radius = circle.radius;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
-    add_pair(member, pair, mass, circle.friction, circle.restitution);
+    add_pair(member, pair, member.mass, circle.friction, circle.restitution);
   }
 }
 
@@ -111,7 +111,6 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
   const Box box = widened(joined(spot_box(body, segment.a), spot_box(body, segment.b)), reach);
   if (!overlap(box, reach_)) return;
   const Box near = widened(box, member.room);
-  const double mass = member.mass + (body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
   int a = -1;
   int b = -1;
   for (int k = 0; k < static_cast<int>(cord.outline_.size()); ++k) {
@@ -131,7 +130,7 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
     pair.disc_radius = cord.def_.radius;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
-    add_pair(member, pair, mass, segment.friction, segment.restitution);
+    add_pair(member, pair, member.mass, segment.friction, segment.restitution);
   }
 }
 
@@ -151,15 +150,20 @@ int Island::add_spot(int body, Vec2 arm) {
   return contacts_.add(spot);
 }
 
-/// kg, of a cord and what hangs on it. A body that nothing pushes does not hang on it.
+/// kg, of a cord, of what hangs on it, and of the heaviest body near it, which may press it against something else. A
+/// body that nothing pushes does neither.
 double Island::pressing_mass(const Member& member) const {
-  double mass = 0.0;
-  for (const double point : member.cord->masses_) mass += point;
-  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
-    const double inverse_mass = rigid_[at(held_[k].rigid)].inverse_mass;
-    if (inverse_mass > 0.0) mass += 1.0 / inverse_mass;
-  }
-  return mass;
+  const auto mass_of = [this](int body) {
+    const double inverse_mass = rigid_[at(body)].inverse_mass;
+    return inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
+  };
+  const std::vector<double>& points = member.cord->masses_;
+  double mass = std::accumulate(points.begin(), points.end(), 0.0);
+  for (std::size_t k = member.first_hold; k < member.last_hold; ++k) mass += mass_of(held_[k].rigid);
+  double heaviest = 0.0;
+  for (const RigidCircle& circle : member.met.circles) heaviest = std::max(heaviest, mass_of(circle.body));
+  for (const RigidSegment& segment : member.met.segments) heaviest = std::max(heaviest, mass_of(segment.body));
+  return mass + heaviest;
 }
 
 /// Adds a pair that the member remembers, of masses that press and surfaces as they are. Who is pressed in already, by

@@ -25,11 +25,12 @@ EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 hei
 EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) {
   heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
   kinetic_ = std::max(kinetic_, now.kinetic);
-  lowest_ = std::min(lowest_, now.total);
+  const double own = now.total - now.box2d;
+  lowest_ = std::min(lowest_, own);
   const double scale = kinetic_ + weight_ * (heights_.y - heights_.x);
-  const double gained = std::max(0.0, now.total - before_);
-  const double risen = now.total - lowest_;
-  before_ = now.total;
+  const double gained = std::max(0.0, own - before_);
+  const double risen = own - lowest_;
+  before_ = own;
   return scale > 0.0 ? Gain{gained / scale, risen / scale} : Gain{};
 }
 

@@ -46,6 +46,13 @@ Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived)
 
 }  // namespace
 
+/// A body at a moment.
+struct World::Moving {
+  Vec2 center;     // m
+  Vec2 velocity;   // m/s
+  double turning;  // rad/s
+};
+
 World::World(const Scene& scene) : scene_(scene), world_(to_float(scene.gravity)) {
   world_.SetAllowSleeping(scene.sleeping);
   for (const Solid& solid : scene.solids) add(solid);
@@ -130,7 +137,12 @@ double World::tick(int number) {
   coupling_.step();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
+  const std::vector<Moving> expectation = expected();
   world_.Step(static_cast<float>(dt), 8, 3);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k]->GetType() != b2_dynamicBody) continue;
+    box2d_work_ += energy(*bodies_[k], now(*bodies_[k])) - energy(*bodies_[k], expectation[k]);
+  }
   see_who_was_pushed();
   return time.count();
 }
@@ -149,6 +161,31 @@ Snapshot World::snapshot() const {
   return now;
 }
 
+World::Moving World::now(const b2Body& body) const {
+  return {to_double(body.GetWorldCenter()), coupling_.velocity(body), coupling_.angular_velocity(body)};
+}
+
+/// Where cords lead bodies in world.Step if these meet nothing; of other bodies, which are Box2D's alone, where they
+/// are now.
+std::vector<World::Moving> World::expected() const {
+  std::vector<Moving> all;
+  for (const b2Body* body : bodies_) all.push_back(now(*body));
+  for (const engine::CouplingState::Led& led : coupling_.save(world_).led) {
+    const engine::LedMemory& memory = led.memory;
+    if (!bodies_[slot(led.body)]->IsAwake()) continue;
+    all[slot(led.body)] = {memory.position, memory.velocity + memory.ahead, memory.turning + memory.ahead_turning};
+  }
+  return all;
+}
+
+/// J
+double World::energy(const b2Body& body, const Moving& moving) const {
+  const double mass = static_cast<double>(body.GetMass());
+  const double inertia = static_cast<double>(body.GetInertia());  // about its centre, where its origin is
+  return 0.5 * mass * dot(moving.velocity, moving.velocity) + 0.5 * inertia * moving.turning * moving.turning -
+         mass * dot(scene_.gravity, moving.center);
+}
+
 World::Energy World::energy() const {
   Energy sum;
   for (int c = 0; c < coupling_.size(); ++c) {
@@ -158,13 +195,11 @@ World::Energy World::energy() const {
   }
   for (const b2Body* body : bodies_) {
     if (body->GetType() != b2_dynamicBody) continue;
-    const Vec2 v = coupling_.velocity(*body);
-    const double mass = static_cast<double>(body->GetMass());
-    const double turning = static_cast<double>(body->GetAngularVelocity());
-    const double kinetic = 0.5 * mass * dot(v, v) + 0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
-    sum.kinetic += kinetic;
-    sum.total += kinetic - mass * dot(scene_.gravity, to_double(body->GetWorldCenter()));
+    const double all = energy(*body, now(*body));
+    sum.total += all;
+    sum.kinetic += all + static_cast<double>(body->GetMass()) * dot(scene_.gravity, to_double(body->GetWorldCenter()));
   }
+  sum.box2d = box2d_work_;
   return sum;
 }
 

@@ -34,6 +34,7 @@ class World {
   struct Energy {
     double total = 0.0;
     double kinetic = 0.0;
+    double box2d = 0.0;  ///< of `total`, what world.Step has given since the start
   };
   Energy energy() const;
   double weight() const;         ///< N, of all that moves
@@ -56,6 +57,10 @@ class World {
   bool has_slipped_off(double arc, const Hold& hold) const;
   double gap(std::size_t hold) const;
   void see_who_was_pushed();
+  struct Moving;
+  double energy(const b2Body& body, const Moving& moving) const;
+  Moving now(const b2Body& body) const;
+  std::vector<Moving> expected() const;
 
   const Scene scene_;
   b2World world_;
@@ -64,6 +69,7 @@ class World {
   std::vector<engine::GripId> grips_;
   std::vector<char> pushed_;  // by hold: Box2D has pushed its solid, and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
+  double box2d_work_ = 0.0;  // J
 };
 
 }  // namespace any_scene
