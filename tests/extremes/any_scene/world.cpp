@@ -137,12 +137,9 @@ double World::tick(int number) {
   coupling_.step();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
-  const std::vector<Moving> expectation = expected();
+  const double before = energy_of_free_bodies();
   world_.Step(static_cast<float>(dt), 8, 3);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    if (bodies_[k]->GetType() != b2_dynamicBody) continue;
-    box2d_work_ += energy(*bodies_[k], now(*bodies_[k])) - energy(*bodies_[k], expectation[k]);
-  }
+  box2d_work_ += energy_of_free_bodies() - before;
   see_who_was_pushed();
   return time.count();
 }
@@ -165,25 +162,23 @@ World::Moving World::now(const b2Body& body) const {
   return {to_double(body.GetWorldCenter()), coupling_.velocity(body), coupling_.angular_velocity(body)};
 }
 
-/// Where cords lead bodies in world.Step if these meet nothing; of other bodies, which are Box2D's alone, where they
-/// are now.
-std::vector<World::Moving> World::expected() const {
-  std::vector<Moving> all;
-  for (const b2Body* body : bodies_) all.push_back(now(*body));
-  for (const engine::CouplingState::Led& led : coupling_.save(world_).led) {
-    const engine::LedMemory& memory = led.memory;
-    if (!bodies_[slot(led.body)]->IsAwake()) continue;
-    all[slot(led.body)] = {memory.position, memory.velocity + memory.ahead, memory.turning + memory.ahead_turning};
-  }
-  return all;
-}
-
 /// J
 double World::energy(const b2Body& body, const Moving& moving) const {
   const double mass = static_cast<double>(body.GetMass());
   const double inertia = static_cast<double>(body.GetInertia());  // about its centre, where its origin is
   return 0.5 * mass * dot(moving.velocity, moving.velocity) + 0.5 * inertia * moving.turning * moving.turning -
          mass * dot(scene_.gravity, moving.center);
+}
+
+/// J, of bodies that cords have nothing to do with.
+double World::energy_of_free_bodies() const {
+  std::vector<char> is_led(bodies_.size(), 0);
+  for (const engine::CouplingState::Led& led : coupling_.save(world_).led) is_led[slot(led.body)] = 1;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k]->GetType() == b2_dynamicBody && is_led[k] == 0) sum += energy(*bodies_[k], now(*bodies_[k]));
+  }
+  return sum;
 }
 
 World::Energy World::energy() const {

@@ -34,7 +34,7 @@ class World {
   struct Energy {
     double total = 0.0;
     double kinetic = 0.0;
-    double box2d = 0.0;  ///< of `total`, what world.Step has given since the start
+    double box2d = 0.0;  ///< of `total`, what world.Step has given since the start to bodies that no cord moves
   };
   Energy energy() const;
   double weight() const;         ///< N, of all that moves
@@ -60,7 +60,7 @@ class World {
   struct Moving;
   double energy(const b2Body& body, const Moving& moving) const;
   Moving now(const b2Body& body) const;
-  std::vector<Moving> expected() const;
+  double energy_of_free_bodies() const;
 
   const Scene scene_;
   b2World world_;
