@@ -207,6 +207,7 @@ class Island {
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
   bool end_piece(double dt, bool good);
+  bool has_gained();
   bool go_back(const Energy& before);
   bool limit_speeds();
   bool is_stretched() const;

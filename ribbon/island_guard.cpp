@@ -14,7 +14,7 @@ namespace {
 // what it may take back of recent losses, and how much of those is forgotten a substep.
 constexpr double kept_gain = 5e-7;  // more than it ever had, that is left to it,
 constexpr double slow_gain = 1e-8;  // and may still grow by in a substep, as its order lets a smooth motion do
-constexpr double returnable_share = 2e-3;
+constexpr double returnable_share = 5e-4;
 constexpr double ledger_decay = 0.9;
 
 constexpr int most_backs = 6;           // times that a piece which was not solved goes half of its way back
@@ -182,6 +182,9 @@ double Island::energy_scale(const Energy& energy) const {
   return std::max(weight_scale_, energy.kinetic + energy.elastic);
 }
 
+/// Whether a posed piece has more energy than it may.
+bool Island::has_gained() { return gained_energy(piece_energy_, unsolved_gain); }
+
 /// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
 /// came, by halves, and in the end to where it was. Of what is driven no more is known than that nothing should be
 /// faster than anything was. True if something was taken back.
@@ -201,6 +204,7 @@ bool Island::go_back(const Energy& before) {
                                               part(tensions_, member.first_tension, member.tensions));
     }
     add_damping(1.0);
+    if (share == 0.0) tensions_ = tension0_;
   }
   return backs > 0;
 }

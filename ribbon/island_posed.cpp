@@ -66,7 +66,7 @@ void Island::posed_step(double dt, CordReport& report) {
     const double share = last ? left : std::min(most, next_piece(time, left));
     if (last) blown_ = blow_is_due_ = false;
     const bool solved = posed_piece(time, share, report);
-    const bool good = !was_cut_ && solved;
+    const bool good = !was_cut_ && solved && !has_gained();
     if (!good && !last && !(share == left && is_last())) {  // nor the same again
       return_to_start();
       most = 0.5 * share;
