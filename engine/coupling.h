@@ -340,6 +340,8 @@ class Coupling {
   ribbon::Vec2 reaction(const b2Body& body, LedBody& led) const;
   const LedBody* led(const b2Body& body) const;
   static double single_rounding(ribbon::Vec2 position);
+  static bool meets_anything(const b2Body& body);
+  ribbon::Vec2 drawn(Holder& held, ribbon::Vec2 center, ribbon::Vec2 hand) const;
   static ribbon::Vec2 given(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 pushed(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 ahead(const b2Body& body, const LedBody& led);

@@ -14,7 +14,10 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double same_place = 1e-6;  // columns
+constexpr double same_place = 1e-6;   // columns
+constexpr double drawn_share = 0.2;   // of its way, that a cord is drawn in a tick to a hand that Box2D holds up,
+constexpr double closed_way = 1e-6;   // m, of it, that rounds away
+constexpr double fastest_draw = 0.5;  // m/s, and at the most
 
 }  // namespace
 
@@ -202,7 +205,8 @@ double Coupling::arc_at(CordIndex cord, double column) const {
 void Coupling::gather_grips(b2Body& body, b2Vec2 gravity) {
   for (Holder& held : holders_) {
     if (held.body != &body) continue;
-    const Vec2 hand = to_double(body.GetWorldPoint(held.local_hand)) - to_double(body.GetWorldCenter());
+    const Vec2 center = to_double(body.GetWorldCenter());
+    const Vec2 hand = drawn(held, center, to_double(body.GetWorldPoint(held.local_hand)) - center);
     const Vec2 travel = to_double(body.GetWorldVector(held.next_hand - held.local_hand));
     ribbon::Grip grip{held.point, body_index(body, gravity), hand, travel};
     grip.along = held.along;
@@ -211,6 +215,21 @@ void Coupling::gather_grips(b2Body& body, b2Vec2 gravity) {
     cords_[at(held.cord)].grips.push_back(grip);
     held.local_hand = held.next_hand;
   }
+}
+
+/// The hand, m from the centre. That of a body which Box2D has kept from where its cord led it is taken to be where the
+/// cord is, and comes to its own place by and by: all at once it would throw what it holds, again in each tick.
+Vec2 Coupling::drawn(Holder& held, Vec2 center, Vec2 hand) const {
+  if (solver(held.cord) != Solver::direct) return hand;
+  const auto x = positions(held.cord);
+  const Vec2 point = x[at(held.point)];
+  const Vec2 next = held.along > 0.0 ? x[at(held.point + shape(held.cord).rows)] : point;
+  const Vec2 arm = point + held.along * (next - point) - center;
+  const Vec2 way = hand - arm;
+  held.held_up = length(way) > closed_way && (held.held_up || meets_anything(*held.body));
+  if (!held.held_up) return hand;
+  const double share = std::min(drawn_share, fastest_draw * dt_ / length(way));
+  return arm + share * way;
 }
 
 /// Columns.

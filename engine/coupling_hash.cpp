@@ -54,7 +54,7 @@ void add(Hasher& hasher, const CouplingState::Cord& cord) {
 
 void add(Hasher& hasher, const CouplingState::Grip& grip) {
   const auto& [id, cord, point, local_hand, next_hand, along, strength, lets_go, most_pull, climb_to, climb_speed, pull,
-               slips] = grip.memory;
+               slips, held_up] = grip.memory;
   for (const int number : {grip.body, id, cord, point}) hasher.add(number);
   add(hasher, local_hand);
   add(hasher, next_hand);
@@ -62,6 +62,7 @@ void add(Hasher& hasher, const CouplingState::Grip& grip) {
   hasher.add(pull);
   hasher.add(lets_go);
   hasher.add(slips);
+  hasher.add(held_up);
 }
 
 void add(Hasher& hasher, const CouplingState::Led& led) {

@@ -23,14 +23,6 @@ double damped(float damping, double dt) { return 1.0 + dt * static_cast<double>(
 /// What no cord could meet is left out, or the next step would refuse the body.
 Vec2 bounded(Vec2 v, double most) { return std::abs(v.x) <= most && std::abs(v.y) <= most ? v : Vec2{}; }
 
-bool meets_anything(const b2Body& body) {
-  if (body.GetJointList() != nullptr) return true;
-  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
-    if (edge->contact->IsTouching() && edge->contact->GetManifold()->pointCount > 0) return true;
-  }
-  return false;
-}
-
 /// Takes away from v what is along the normals of a body's contacts.
 Vec2 along_contacts(const b2Body& body, Vec2 v) {
   for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
@@ -104,6 +96,15 @@ void Coupling::lay_to_rest(b2Body& body) {
   rest.start = to_double(body.GetWorldCenter());
   rest.dt = dt_;
   static_cast<LedMemory&>(*found) = rest;
+}
+
+/// Whether a joint or a contact of Box2D's may push it.
+bool Coupling::meets_anything(const b2Body& body) {
+  if (body.GetJointList() != nullptr) return true;
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching() && edge->contact->GetManifold()->pointCount > 0) return true;
+  }
+  return false;
 }
 
 std::vector<Coupling::LedBody>::iterator Coupling::led_place(const b2Body& body) {

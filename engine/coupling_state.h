@@ -41,6 +41,7 @@ struct GripMemory {
   double climb_speed = 0.0;                                    ///< columns a second
   ribbon::Vec2 pull{};                                         ///< N, on the body in the last tick
   bool slips = false;                                          ///< in the last tick
+  bool held_up = false;  ///< Box2D has kept the body from where its cord led it, and the hand is not back there yet
 
   bool operator==(const GripMemory&) const = default;
 };

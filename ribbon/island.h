@@ -209,6 +209,7 @@ class Island {
   bool end_piece(double dt, bool good);
   bool has_gained();
   bool go_back(const Energy& before);
+  void find_tensions();
   bool limit_speeds();
   bool is_stretched() const;
   double fastest_before() const;

@@ -14,7 +14,8 @@ namespace {
 // what it may take back of recent losses, and how much of those is forgotten a substep.
 constexpr double kept_gain = 5e-7;  // more than it ever had, that is left to it,
 constexpr double slow_gain = 1e-8;  // and may still grow by in a substep, as its order lets a smooth motion do
-constexpr double returnable_share = 5e-4;
+constexpr double returnable_share = 2e-3;
+constexpr double returnable_contact_share = 5e-4;  // near contacts, where little of it is a wave's
 constexpr double ledger_decay = 0.9;
 
 constexpr int most_backs = 6;           // times that a piece which was not solved goes half of its way back
@@ -145,7 +146,8 @@ void Island::account(const Energy& before) {
   const double scale = energy_scale(before);
   const double lost = before.total() - energy_after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + work_of_hands(guarded_dt_)) : lost;
-  ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable_share * scale);
+  const double returnable = contacts_.empty() ? returnable_share : returnable_contact_share;
+  ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable * scale);
   if (contacts_.were_hit() && unexplained < 0.0) return;  // what comes out of something deep may gain
   balance_ += unexplained;
   const double excess = -balance_ - kept_gain * scale;
@@ -186,27 +188,43 @@ double Island::energy_scale(const Energy& energy) const {
 bool Island::has_gained() { return gained_energy(piece_energy_, unsolved_gain); }
 
 /// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
-/// came, by halves, and in the end to where it was. Of what is driven no more is known than that nothing should be
-/// faster than anything was. True if something was taken back.
+/// came, by halves, and in the end to where it was. Tensions change as the shape does meanwhile: those that the piece
+/// began with need not be the shape's. Of what is driven no more is known than that nothing should be faster than
+/// anything was. True if something was taken back.
 bool Island::go_back(const Energy& before) {
   if (driven_) return limit_speeds();
   if (most_stretched(x0_) > most_stretch) return false;
-  int backs = 0;
-  for (; backs < most_backs && (gained_energy(before, unsolved_gain) || is_stretched()); ++backs) {
-    contacts_.pose_none();
-    const double share = backs + 1 < most_backs ? 0.5 : 0.0;
+  const auto is_whole = [&] { return !gained_energy(before, unsolved_gain) && !is_stretched(); };
+  if (is_whole()) return false;
+  x1_ = positions_;
+  v1_ = velocities_;
+  const auto go = [this](double share) {
     for (std::size_t p = 0; p < positions_.size(); ++p) {
-      positions_[p] = x0_[p] + share * (positions_[p] - x0_[p]);
-      velocities_[p] = share * velocities_[p];
+      positions_[p] = x0_[p] + share * (x1_[p] - x0_[p]);
+      velocities_[p] = share * v1_[p];
     }
-    for (const Member& member : members_) {
-      member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
-                                              part(tensions_, member.first_tension, member.tensions));
-    }
-    add_damping(1.0);
-    if (share == 0.0) tensions_ = tension0_;
+    find_tensions();
+  };
+  contacts_.pose_none();
+  go(0.0);
+  best_tensions_ = tensions_;
+  double share = 1.0;
+  for (int k = 0; k < most_backs; ++k) {
+    share = k + 1 < most_backs ? 0.5 * share : 0.0;
+    go(share);
+    for (std::size_t e = 0; e < tensions_.size(); ++e) tensions_[e] += tension0_[e] - best_tensions_[e];
+    if (is_whole()) break;
   }
-  return backs > 0;
+  return true;
+}
+
+/// Tensions as the shape and the velocities have them.
+void Island::find_tensions() {
+  for (const Member& member : members_) {
+    member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
+                                            part(tensions_, member.first_tension, member.tensions));
+  }
+  add_damping(1.0);
 }
 
 /// Whether a link of an inextensible cord is as it may not be, and what hit it was not so fast that it goes further in

@@ -12,8 +12,7 @@ namespace ribbon {
 namespace {
 
 constexpr double grip_share = 1e-7;   // least compliance of a grip along the cord, as a share of the point's own give
-constexpr double drawn_share = 0.2;   // of its way, that a point is drawn to a hand that is elsewhere in a step,
-constexpr double fastest_draw = 0.5;  // m/s, and at the most: what Box2D keeps where it is would be thrown by it
+constexpr double drawn_share = 0.25;  // of a link, that a point is drawn to a hand that is elsewhere in a step
 constexpr double unworthy_travel = 1e-3;  // of a link, that a hand may move on its body without counting as work
 
 }  // namespace
@@ -54,8 +53,8 @@ void Island::add_hold(Member& member, std::size_t index) {
   held.along = grip.along;
   if (grip.along > 0.0 || (held.may_slip() && column + 1 < cord.def_.points)) held.next += at(cord.def_.rows);
   held.arm = held.hold(positions_) - body.position;
-  const Vec2 off = drawn_share * (grip.offset - held.arm);
-  const double most = fastest_draw * step_dt_;
+  const Vec2 off = grip.offset - held.arm;
+  const double most = drawn_share * cord.rest_[0];
   held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
   const double way = length(held.travel) + std::abs(held.climb) * cord.rest_[0];
   held.way = way > unworthy_travel * cord.rest_[0] ? way : 0.0;

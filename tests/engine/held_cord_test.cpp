@@ -160,6 +160,79 @@ TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
 
 INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6));
 
+/// J, of a body by its velocities at this moment.
+double energy(const World& scene, double turning) {
+  const Vec2 v = scene.coupling.velocity(*scene.body);
+  return 0.5 * static_cast<double>(scene.body->GetMass()) * dot(v, v) +
+         0.5 * static_cast<double>(scene.body->GetInertia()) * turning * turning +
+         9.81 * static_cast<double>(scene.body->GetMass() * scene.body->GetPosition().y);
+}
+
+/// A bar held at its end that swings as a pendulum: Box2D's angular velocity is the mean of a tick.
+TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
+  World scene;
+  ribbon::CordDef def;
+  def.points = 2;
+  def.length = 0.1;
+  def.mass_per_length = 1e-3;
+  def.positions = {{0.0, 0.0}, {0.1, 0.0}};
+  def.pins = {0};
+  def.accuracy = ribbon::Accuracy::accurate();
+  scene.coupling.add(ribbon::Cord(def));
+  scene.make_body({0.6, 0.0}, 2.0, 2.0 / 12.0);
+  scene.coupling.hold(0, 1, *scene.body, {-0.5F, 0.0F});
+  const double start = energy(scene, 0.0);
+  double off = 0.0;
+  double off_of_means = 0.0;
+  for (int k = 0; k < 120; ++k) {
+    scene.tick();
+    const double now = energy(scene, scene.coupling.angular_velocity(*scene.body)) +
+                       scene.coupling.cord(0).energy({0.0, -9.81}).total();
+    const double by_means = energy(scene, static_cast<double>(scene.body->GetAngularVelocity())) +
+                            scene.coupling.cord(0).energy({0.0, -9.81}).total();
+    off = std::max(off, std::abs(now - start));
+    off_of_means = std::max(off_of_means, std::abs(by_means - start));
+  }
+  EXPECT_LT(off, 0.02 * 2.0 * 9.81 * 0.6);
+  EXPECT_GT(off_of_means, 3.0 * off);
+}
+
+/// A bar that swings onto a rock: what it turned faster at the end of the tick than Box2D knew ends there.
+TEST(HeldCord, ATurnThatBox2DStopsIsOver) {
+  World scene;
+  ribbon::CordDef def;
+  def.points = 11;
+  def.length = 1.0;
+  def.pins = {0};
+  scene.coupling.add(ribbon::Cord(def));
+  scene.make_body({1.5, 0.0}, 2.0, 0.2);
+  b2PolygonShape bar;
+  bar.SetAsBox(0.5F, 0.05F);
+  b2FixtureDef fixture;
+  fixture.shape = &bar;
+  fixture.density = 10.0F;
+  scene.body->CreateFixture(&fixture);
+  b2BodyDef rock;
+  rock.position = {1.75F, -0.6F};
+  b2CircleShape round;
+  round.m_radius = 0.1F;
+  scene.world.CreateBody(&rock)->CreateFixture(&round, 0.0F);
+  scene.coupling.hold(0, 10, *scene.body, {-0.5F, 0.0F});
+  bool met = false;
+  for (int k = 0; k < 60; ++k) {
+    const double before = scene.coupling.angular_velocity(*scene.body);
+    scene.tick();
+    const double mean = static_cast<double>(scene.body->GetAngularVelocity());
+    const double now = scene.coupling.angular_velocity(*scene.body);
+    const bool touching =
+        scene.body->GetContactList() != nullptr && scene.body->GetContactList()->contact->IsTouching();
+    if (!touching || !(std::abs(mean - before) > 1.0)) continue;
+    met = true;
+    EXPECT_LE(std::abs(now), std::abs(mean) + 1e-3) << "tick " << k;
+  }
+  EXPECT_TRUE(met);
+}
+
 TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
   World scene;
   ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());

@@ -276,6 +276,26 @@ TEST(CordContact, ItLiesOnFlatGroundAtItsRadius) {
 
 /// Over the corner of a box, on a bracket, and over the end of an edge: where corners are sharp the cord still keeps
 /// its radius.
+/// What lies under a body is pressed into the ground by all of that, and not by its own weight alone.
+TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
+  CordDef def;
+  def.points = 21;
+  def.length = 2.0;
+  def.radius = 0.02;
+  def.mass_per_length = 0.05;
+  def.friction = 0.5;
+  for (int i = 0; i < 21; ++i) def.positions.push_back({0.1 * i, 0.02});
+  ContactWorld world(def);
+  world.add_edge(world.add_body({}, 0.0, 0.0), {-5.0, 0.0}, {5.0, 0.0}, 0.0, 0.5);
+  const int ball = world.add_ball({1.0, 0.39}, 0.25, 1000.0, 0.5);
+  for (int k = 0; k < 60; ++k) {
+    world.step();
+    for (const Vec2 x : world.cord.positions()) ASSERT_GT(x.y, 0.02 - 1e-3) << "tick " << k;
+  }
+  EXPECT_EQ(world.total.unconverged, 0);
+  EXPECT_NEAR(world.body(ball).position.y, 0.29, 1e-4);
+}
+
 TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
   for (const double speed : {0.0, 0.3}) {
     CordDef def;
