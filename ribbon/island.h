@@ -206,9 +206,9 @@ class Island {
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
   void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
-  bool end_piece(double dt, bool good);
-  bool has_gained();
+  bool end_piece(double dt);
   bool go_back(const Energy& before);
+  void go_to_start(double share);
   void find_tensions();
   bool limit_speeds();
   bool is_stretched() const;

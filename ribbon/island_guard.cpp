@@ -184,9 +184,6 @@ double Island::energy_scale(const Energy& energy) const {
   return std::max(weight_scale_, energy.kinetic + energy.elastic);
 }
 
-/// Whether a posed piece has more energy than it may.
-bool Island::has_gained() { return gained_energy(piece_energy_, unsolved_gain); }
-
 /// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
 /// came, by halves, and in the end to where it was. Tensions change as the shape does meanwhile: those that the piece
 /// began with need not be the shape's. Of what is driven no more is known than that nothing should be faster than
@@ -198,33 +195,45 @@ bool Island::go_back(const Energy& before) {
   if (is_whole()) return false;
   x1_ = positions_;
   v1_ = velocities_;
-  const auto go = [this](double share) {
-    for (std::size_t p = 0; p < positions_.size(); ++p) {
-      positions_[p] = x0_[p] + share * (x1_[p] - x0_[p]);
-      velocities_[p] = share * v1_[p];
-    }
-    find_tensions();
-  };
   contacts_.pose_none();
-  go(0.0);
-  best_tensions_ = tensions_;
   double share = 1.0;
   for (int k = 0; k < most_backs; ++k) {
     share = k + 1 < most_backs ? 0.5 * share : 0.0;
-    go(share);
-    for (std::size_t e = 0; e < tensions_.size(); ++e) tensions_[e] += tension0_[e] - best_tensions_[e];
+    go_to_start(share);
     if (is_whole()) break;
   }
   return true;
 }
 
-/// Tensions as the shape and the velocities have them.
+/// To a share of the way from the start of the piece to x1_, with that share of v1_.
+void Island::go_to_start(double share) {
+  positions_ = x0_;
+  velocities_ = v0_;
+  tensions_ = tension0_;
+  add_damping(-1.0);
+  best_tensions_ = tensions_;
+  find_tensions();
+  for (std::size_t e = 0; e < tensions_.size(); ++e) best_tensions_[e] -= tensions_[e];
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    positions_[p] += share * (x1_[p] - x0_[p]);
+    velocities_[p] = share * v1_[p];
+  }
+  find_tensions();
+  for (const Member& member : members_) {
+    for (std::size_t e = member.first_tension; e < member.first_tension + member.tensions; ++e) {
+      tensions_[e] += best_tensions_[e];
+      if (member.cord->def_.tension_only) tensions_[e] = std::max(0.0, tensions_[e]);
+    }
+  }
+  add_damping(1.0);
+}
+
+/// Those of the shape alone; what grips pull with is left.
 void Island::find_tensions() {
   for (const Member& member : members_) {
     member.cord->elasticity_->find_tensions(part(positions_, member.first, member.count),
                                             part(tensions_, member.first_tension, member.tensions));
   }
-  add_damping(1.0);
 }
 
 /// Whether a link of an inextensible cord is as it may not be, and what hit it was not so fast that it goes further in

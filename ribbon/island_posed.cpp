@@ -66,7 +66,7 @@ void Island::posed_step(double dt, CordReport& report) {
     const double share = last ? left : std::min(most, next_piece(time, left));
     if (last) blown_ = blow_is_due_ = false;
     const bool solved = posed_piece(time, share, report);
-    const bool good = !was_cut_ && solved && !has_gained();
+    const bool good = !was_cut_ && solved;
     if (!good && !last && !(share == left && is_last())) {  // nor the same again
       return_to_start();
       most = 0.5 * share;
@@ -79,7 +79,7 @@ void Island::posed_step(double dt, CordReport& report) {
       report.position_error = std::max(report.position_error, std::min(left_open_, most_motion));
       report.force_error = std::max(report.force_error, left_force_);
     }
-    if (end_piece(share, good) || was_cut_) ++report.cuts;
+    if (end_piece(share) || was_cut_) ++report.cuts;
     time = share == left ? dt : time + share;
     most = dt - time;
   }
@@ -149,10 +149,10 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
 
 /// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept. True
 /// if some of a piece that is not good was taken back.
-bool Island::end_piece(double dt, bool good) {
+bool Island::end_piece(double dt) {
   const Energy before = piece_energy_;
   calm(before);
-  const bool back = !good && go_back(before);
+  const bool back = go_back(before);
   if (!contacts_.empty()) {
     rebound(before, dt);
     keep_momentum(dt);
