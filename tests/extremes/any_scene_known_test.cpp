@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/extremes/any_scene/runs.h"
+
+// Scenes made at random that the solver once left unsolved, stretched, with energy from nowhere or gone through. Each
+// shows one of its parts at work: without it the figure is above its bar.
+
+namespace any_scene {
+namespace {
+
+struct Known {
+  const char* part;  ///< of the solver
+  Family family;
+  unsigned seed;
+  Preset preset;
+  const char* figure;
+  double (*value)(const Summary& run);
+  double bar;
+};
+
+double unconverged(const Summary& run) { return run.unconverged; }
+double stretch(const Summary& run) { return run.stretch; }
+double gain(const Summary& run) { return run.gain; }
+double depth(const Summary& run) { return run.penetration; }
+
+const Known scenes[] = {
+KNOWN_ROWS
+};
+
+class KnownScene : public testing::TestWithParam<Known> {};
+
+TEST_P(KnownScene, StaysWithinItsBar) {
+  const Known& known = GetParam();
+  const Which which{known.seed, known.family, Mood::gentle, known.preset};
+  const Summary run = run_guarded(which, generate(which), 60.0);
+  ASSERT_EQ(run.end, End::whole);
+  EXPECT_LE(known.value(run), known.bar) << known.figure;
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyScene, KnownScene, testing::ValuesIn(scenes),
+                         [](const auto& known) { return std::string(known.param.part); });
+
+}  // namespace
+}  // namespace any_scene
