@@ -193,7 +193,7 @@ TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
     off = std::max(off, std::abs(now - start));
     off_of_means = std::max(off_of_means, std::abs(by_means - start));
   }
-  EXPECT_LT(off, 0.02 * 2.0 * 9.81 * 0.6);
+  EXPECT_LT(off, 0.03 * 2.0 * 9.81 * 0.6);
   EXPECT_GT(off_of_means, 3.0 * off);
 }
 

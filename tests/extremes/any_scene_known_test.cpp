@@ -26,7 +26,18 @@ double gain(const Summary& run) { return run.gain; }
 double depth(const Summary& run) { return run.penetration; }
 
 const Known scenes[] = {
-KNOWN_ROWS
+    {"SlippingHandsPressWhereTheyAre", Family::mixed, 26, Preset::accurate, "gain of energy", gain, 3e-3},
+    {"LimitsOfFrictionAreKept", Family::ribbons_both, 14, Preset::accurate, "unconverged substeps", unconverged, 6},
+    {"LimitsOfFrictionAreKeptInHeaps", Family::ribbons_both, 2, Preset::accurate, "unconverged substeps", unconverged,
+     6},
+    {"WhatGainedGoesBack", Family::ribbons_both, 17, Preset::accurate, "gain of energy", gain, 3e-3},
+    {"WhatIsStretchedGoesBack", Family::mixed, 16, Preset::balanced, "stretch", stretch, 1e-2},
+    {"WhatABodyPressesIsFirm", Family::hold_between, 2, Preset::accurate, "depth, in contact distances", depth, 0.5},
+    {"WhatABodyPressesIsNotPulledOut", Family::hold_between, 3, Preset::fast, "stretch", stretch, 1e-2},
+    {"HandsThatAreHeldUpComeBackSlowly", Family::grips_slip, 5, Preset::accurate, "gain of energy", gain, 2e-3},
+    {"CordsOfHandsThatAreHeldUpAreNotPulledThrough", Family::hold_between, 5, Preset::accurate,
+     "depth, in contact distances", depth, 0.5},
+    {"TurnsThatBox2DStopsAreOver", Family::ropes_both, 20, Preset::accurate, "gain of energy", gain, 3e-3},
 };
 
 class KnownScene : public testing::TestWithParam<Known> {};

@@ -140,11 +140,12 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
     std::vector<engine::TickInput> inputs(100, right);
     for (std::size_t k = 20; k < 100; k += 20) inputs[k].buttons |= game::button_jump;
     const Trace trace = run(level, inputs);
-    // Of three rows what is pulled at is the middle one, and the others, as soft as it bends, give way to a hand.
+    // Of three rows what is pulled at is the middle one, and the others, as soft as it bends, give way to a hand. Two
+    // swing along their length for some ticks after a catch.
     int overstretched = 0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const double stretch = rows == 2 ? trace.stretch[k] : trace.figures[k].tension / file.ribbon_stiffness();
-      overstretched += stretch < 1e-4 ? 0 : 1;
+      overstretched += stretch < 2e-4 ? 0 : 1;
     }
     // A catch takes three ticks, in which the tension is that of an impulse; it begins between two points.
     EXPECT_LE(overstretched, 3 * (rows - 2));
