@@ -15,7 +15,6 @@ namespace {
 constexpr double kept_gain = 5e-7;  // more than it ever had, that is left to it,
 constexpr double slow_gain = 1e-8;  // and may still grow by in a substep, as its order lets a smooth motion do
 constexpr double returnable_share = 2e-3;
-constexpr double returnable_contact_share = 5e-4;  // near contacts, where little of it is a wave's
 constexpr double ledger_decay = 0.9;
 
 constexpr int most_backs = 6;           // times that a piece which was not solved goes half of its way back
@@ -146,8 +145,7 @@ void Island::account(const Energy& before) {
   const double scale = energy_scale(before);
   const double lost = before.total() - energy_after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + work_of_hands(guarded_dt_)) : lost;
-  const double returnable = contacts_.empty() ? returnable_share : returnable_contact_share;
-  ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable * scale);
+  ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable_share * scale);
   if (contacts_.were_hit() && unexplained < 0.0) return;  // what comes out of something deep may gain
   balance_ += unexplained;
   const double excess = -balance_ - kept_gain * scale;

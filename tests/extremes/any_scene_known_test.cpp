@@ -32,12 +32,10 @@ const Known scenes[] = {
      6},
     {"WhatGainedGoesBack", Family::ribbons_both, 17, Preset::accurate, "gain of energy", gain, 3e-3},
     {"WhatIsStretchedGoesBack", Family::mixed, 16, Preset::balanced, "stretch", stretch, 1e-2},
-    {"WhatABodyPressesIsFirm", Family::hold_between, 2, Preset::accurate, "depth, in contact distances", depth, 0.5},
     {"WhatABodyPressesIsNotPulledOut", Family::hold_between, 3, Preset::fast, "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", Family::grips_slip, 5, Preset::accurate, "gain of energy", gain, 2e-3},
     {"CordsOfHandsThatAreHeldUpAreNotPulledThrough", Family::hold_between, 5, Preset::accurate,
      "depth, in contact distances", depth, 0.5},
-    {"TurnsThatBox2DStopsAreOver", Family::ropes_both, 20, Preset::accurate, "gain of energy", gain, 3e-3},
 };
 
 class KnownScene : public testing::TestWithParam<Known> {};
