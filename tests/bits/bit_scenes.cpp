@@ -321,12 +321,12 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
-    {"contacts", build_contacts, nullptr, 150, 0x9e0b19d515bb9823},
-    {"grips", build_grips, drive_grips, 180, 0x6fc7a99e0790350e},
-    {"self_contact", build_self_contact, nullptr, 80, 0x84744784bbff1e2c},
-    {"thesis", build_thesis, drive_thesis, 180, 0xb6cafa87d5a848b4},
-    {"rough", build_rough, drive_rough, 120, 0xd6c63400d32ab968},
-    {"asleep", build_asleep, drive_asleep, 220, 0xdb8342b035e1421b},
+    {"contacts", build_contacts, nullptr, 150, 0x334165bd8ee4da68},
+    {"grips", build_grips, drive_grips, 180, 0x3151f44611f0f28d},
+    {"self_contact", build_self_contact, nullptr, 80, 0x8685f1fb01478e3b},
+    {"thesis", build_thesis, drive_thesis, 180, 0x211b1497f494cbe7},
+    {"rough", build_rough, drive_rough, 120, 0xdd88f063bea97cd0},
+    {"asleep", build_asleep, drive_asleep, 220, 0x1f85e0956a8befc8},
 }};
 
 }  // namespace
