@@ -82,7 +82,8 @@ void Coupling::let_run(b2Body& body) {
   const LedBody* before = led(body);
   if (before == nullptr) return;
   body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, *before)));
-  body.SetAngularVelocity(static_cast<float>(angular_velocity(body)));
+  body.SetAngularVelocity(
+      static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + ahead_turning(body, *before)));
   led_.erase(led_place(body));
 }
 

@@ -17,8 +17,8 @@ constexpr double slow_gain = 1e-8;  // and may still grow by in a substep, as it
 constexpr double returnable_share = 2e-3;
 constexpr double ledger_decay = 0.9;
 
-constexpr int most_backs = 6;           // times that a piece which was not solved goes half of its way back
-constexpr double unsolved_gain = 1e-3;  // of the scene's energy, that it may not have gained then
+constexpr int most_backs = 6;           // times that a posed piece goes half of its way back
+constexpr double unsolved_gain = 1e-3;  // of the scene's energy, that it may not have gained
 constexpr double most_stretch = 5e-3;   // of an inextensible link, as little as it may be stretched then
 
 }  // namespace
@@ -182,9 +182,8 @@ double Island::energy_scale(const Energy& energy) const {
   return std::max(weight_scale_, energy.kinetic + energy.elastic);
 }
 
-/// The last resort where a piece was not solved and what came from nowhere is not in velocities: back the way that it
-/// came, by halves, and in the end to where it was. Tensions change as the shape does meanwhile: those that the piece
-/// began with need not be the shape's. Of what is driven no more is known than that nothing should be faster than
+/// The last resort where what came from nowhere in a posed piece is not in velocities: back the way that it came, by
+/// halves, and in the end to where it was. Of what is driven no more is known than that nothing should be faster than
 /// anything was. True if something was taken back.
 bool Island::go_back(const Energy& before) {
   if (driven_) return limit_speeds();
@@ -203,7 +202,8 @@ bool Island::go_back(const Energy& before) {
   return true;
 }
 
-/// To a share of the way from the start of the piece to x1_, with that share of v1_.
+/// To a share of the way from the start of the piece to x1_, with that share of v1_. The elastic tensions change by as
+/// much as those of the shape do: what a piece begins with after one that was not solved is not the shape's own.
 void Island::go_to_start(double share) {
   positions_ = x0_;
   velocities_ = v0_;

@@ -148,7 +148,7 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
 }
 
 /// What presses is energy by its forces: how deep pairs are does not tell, for their normals and places are kept. True
-/// if some of a piece that is not good was taken back.
+/// if some of it was taken back.
 bool Island::end_piece(double dt) {
   const Energy before = piece_energy_;
   calm(before);

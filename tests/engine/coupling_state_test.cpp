@@ -153,6 +153,7 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
       {"state.led.ahead", [](State& s) { s.led[0].memory.ahead.y = 2e9; }},
       {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = 2e9; }},
       {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = nan; }},
+      {"state.led.turning", [](State& s) { s.led[0].memory.turning = nan; }},
       {"state.led.dt", [](State& s) { s.led[0].memory.dt = -1.0; }},
       {"state.fixtures.body", [](State& s) { s.fixtures[0].body = 2; }},
       {"state.fixtures.place", [](State& s) { s.fixtures[0].place = 1; }},

@@ -274,8 +274,6 @@ TEST(CordContact, ItLiesOnFlatGroundAtItsRadius) {
   }
 }
 
-/// Over the corner of a box, on a bracket, and over the end of an edge: where corners are sharp the cord still keeps
-/// its radius.
 /// What lies under a body is pressed into the ground by all of that, and not by its own weight alone.
 TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
   CordDef def;
@@ -296,6 +294,8 @@ TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
   EXPECT_NEAR(world.body(ball).position.y, 0.29, 1e-4);
 }
 
+/// Over the corner of a box, on a bracket, and over the end of an edge: where corners are sharp the cord still keeps
+/// its radius.
 TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
   for (const double speed : {0.0, 0.3}) {
     CordDef def;
