@@ -142,6 +142,20 @@ void Contacts::take_forces(const LimitedRows& rows, bool first) {
   }
 }
 
+void Contacts::keep_forces() {
+  kept_posed_ = posed_;
+  kept_forces_ = forces_;
+  kept_presses_ = presses_;
+  kept_rubs_ = rubs_;
+}
+
+void Contacts::return_forces() {
+  posed_ = kept_posed_;
+  forces_ = kept_forces_;
+  presses_ = kept_presses_;
+  rubs_ = kept_rubs_;
+}
+
 double Contacts::pressing_energy() const {
   double sum = 0.0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) sum += 0.5 * forces_[k] * forces_[k] / pairs_[k].stiffness;

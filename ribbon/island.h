@@ -225,6 +225,8 @@ class Island {
   Solve solve_posed(Stage& stage, bool far, CordReport& report);
   bool solve_active_sets(Stage& stage, int most, CordReport& report);
   Solve solve_interior(Stage& stage, bool far, CordReport& report);
+  void keep_solved();
+  void return_to_solved();
   void append_limited(const Stage& stage);
   double posed_merit(const Stage& stage, std::span<const Vec2> x);
   bool is_worse_than_best(const Stage& stage);
@@ -297,6 +299,9 @@ class Island {
   std::vector<double> next_;
   std::vector<double> most_tensions_;  // the slopes of the exact penalty
   std::vector<double> values_;         // of the merit, lately
+  std::vector<Vec2> solved_positions_;
+  std::vector<double> solved_tensions_;
+  std::vector<HeldBody> solved_held_;
   std::vector<Vec2> step_start_;
   std::vector<Vec2> ends_;  // of the step, if nothing is in the way
   std::vector<Box> link_boxes_;

@@ -14,6 +14,7 @@ namespace ribbon {
 namespace {
 
 constexpr int worth_trying = 48;      // Newton steps in a step, before its contacts are posed once
+constexpr double tried_share = 0.35;  // of the work that a step may take, or after that
 constexpr int most_pieces = 10;       // of a step
 constexpr int most_posed_work = 80;   // linear systems, after which no piece is taken again,
 constexpr int most_last_work = 60;    // and so many more, after which none is linearised again
@@ -34,7 +35,9 @@ constexpr double most_motion = 1e12;  // m
 
 }  // namespace
 
-bool Island::is_tried(const CordReport& report) const { return !is_patient() && report.iterations >= worth_trying; }
+bool Island::is_tried(const CordReport& report) const { 
+  return !is_patient() && (report.iterations >= worth_trying || is_spent(report, tried_share));
+}
 
 bool Island::is_posed_out(const CordReport& report) const {
   return report.iterations >= most_iterations_ || is_spent(report);
@@ -224,13 +227,17 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     take_slips();
     converged =
         k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others && are_bars_settled(stage, k);
-    if (converged && misses < most_misses && !contacts_.empty() &&
-        contacts_.pose_missed(from, positions_, tolerance_)) {
+    if (converged && misses < most_misses && !contacts_.empty()) {
+      keep_solved();
+      if (!contacts_.pose_missed(from, positions_, tolerance_)) break;
       ++misses;
       converged = has_best = false;
     }
   }
-  if (!converged && has_best) {
+  if (!converged && misses > 0) {
+    return_to_solved();
+    converged = true;
+  } else if (!converged && has_best) {
     append_limited(stage);
     go_to_best(stage);
   }
@@ -239,6 +246,21 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     contacts_.remember_hits(stage_weight_);
   }
   return converged || (blown_ && left_open_ < std::numeric_limits<double>::infinity());
+}
+
+/// What is solved, but for what it has missed.
+void Island::keep_solved() {
+  solved_positions_ = positions_;
+  solved_tensions_ = tensions_;
+  solved_held_ = held_;
+  contacts_.keep_forces();
+}
+
+void Island::return_to_solved() {
+  positions_ = solved_positions_;
+  tensions_ = solved_tensions_;
+  held_ = solved_held_;
+  contacts_.return_forces();
 }
 
 /// All limited rows about positions_.
