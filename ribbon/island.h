@@ -166,6 +166,7 @@ class Island {
   /// Whether as much was done in the step as is worth doing before its contacts are posed once.
   bool is_tried(const CordReport& report) const;
   bool is_patient() const;
+  bool is_halved_out(const CordReport& report) const;
   void halves(double start, double dt, int depth, Halving& halving, CordReport& report);
   bool will_touch(double start, double dt);
   bool is_good(bool converged, const Energy& before, CordReport& report);

@@ -155,10 +155,11 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
 bool Island::end_piece(double dt) {
   const Energy before = piece_energy_;
   calm(before);
-  const bool back = go_back(before);
+  bool back = go_back(before);
   if (!contacts_.empty()) {
     rebound(before, dt);
     keep_momentum(dt);
+    if (driven_) back = limit_speeds() || back;
   }
   if (!driven_) energy_after_ = total_energy();
   restart_ = true;

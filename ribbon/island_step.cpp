@@ -16,7 +16,8 @@ constexpr int most_vain_work = 4000;
 constexpr int most_halves = 10;
 constexpr int most_first_halves = 20;
 
-constexpr double halving_share = 0.5;  // of the work that a step may take
+constexpr double halving_share = 0.5;    // of the work that a step may take,
+constexpr int most_halving_systems = 100;  // and systems, unless there is work to spend
 
 constexpr double gross_gain = 1e-2;  // of the scene's energy, that a substep of implicit Euler may gain: there is
                                      // nothing more damped to turn to
@@ -93,6 +94,11 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
   return !is_tried(report) && implicit_euler(start, dt, report) && !gained_energy(before, gross_gain);
 }
 
+/// Whether a step has taken as much as it may take by halves.
+bool Island::is_halved_out(const CordReport& report) const {
+  return is_spent(report, halving_share) || (!is_patient() && report.iterations >= most_halving_systems);
+}
+
 /// Of a stiff cord what the tolerance leaves open, times a tension, can be energy too: then all of it again to a
 /// hundredth of the tolerance, in the end by halves.
 bool Island::halved_substep(double start, double dt, const Energy& before, CordReport& report) {
@@ -116,7 +122,7 @@ bool Island::halved_substep(double start, double dt, const Energy& before, CordR
     }
     if (!gained_energy(before, gross_gain)) break;
     converged = false;
-    if (k == sharper_tries || is_spent(report, halving_share)) break;
+    if (k == sharper_tries || is_halved_out(report)) break;
     ++report.energy_gains;
     return_to_start();
     tolerance_ = std::max(1e-2 * tolerance_, least_tolerance_);
@@ -230,7 +236,7 @@ void Island::halves(double start, double dt, int depth, Halving& halving, CordRe
     if (implicit_euler(from, 0.5 * dt, report)) continue;
     const int work = report.iterations - halving.begun;
     if (depth >= (from == halving.start ? most_first_halves : most_halves) ||
-        work > (halving.gave_up ? most_vain_work : most_work) || is_spent(report, halving_share)) {
+        work > (halving.gave_up ? most_vain_work : most_work) || is_halved_out(report)) {
       halving.gave_up = true;
       continue;
     }

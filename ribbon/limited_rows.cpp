@@ -60,6 +60,10 @@ void LimitedRows::begin_active_set() {
     if (states_[k] == State::low && -row.value > row.low * row.compliance) states_[k] = State::spring;
     most_force_ = std::max(most_force_, std::abs(force));
   }
+  known_force_ = 0.0;
+  for (const LimitedRow& row : rows_) {
+    if (!has_high(row)) known_force_ = std::max(known_force_, row.force);
+  }
 }
 
 void LimitedRows::load_active_set(BlockLdlt& matrix, std::span<Vec2> right_side) const {
@@ -100,7 +104,7 @@ int LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance)
 bool LimitedRows::has_high(const LimitedRow& row) { return row.high < std::numeric_limits<double>::infinity(); }
 
 /// Forces and multipliers well inside, as large as those that the last active set found.
-void LimitedRows::begin_interior() {
+void LimitedRows::begin_interior(std::span<const Vec2> step) {
   inside_.assign(rows_.size(), Inside{});
   double forces = 0.0;
   double lengths = 0.0;
@@ -108,8 +112,9 @@ void LimitedRows::begin_interior() {
   for (const LimitedRow& row : rows_) {
     if (presses && has_high(row)) continue;
     forces = std::max(forces, presses ? row.force : row.high);
-    lengths = std::max(lengths, std::abs(row.value));
+    lengths = std::max({lengths, std::abs(row.value), std::abs(row.value + row.row.along(step))});
   }
+  if (known_force_ > 0.0) forces = std::min(forces, known_force_);
   const double force = forces > 0.0 ? 0.1 * forces : 1.0;
   const double length = lengths > 0.0 ? 0.1 * lengths : 1.0;
   length_per_force_ = length / force;
