@@ -45,6 +45,18 @@ void BlockLdlt::couple(int a, int b) {
   couplings_.push_back({std::min(row_a, row_b), std::max(row_a, row_b)});
 }
 
+void BlockLdlt::reorder(std::span<const int> order) {
+  for (auto& coupling : couplings_) coupling = {order_[at(coupling[0])], order_[at(coupling[1])]};
+  order_.assign(order.begin(), order.end());
+  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  for (auto& coupling : couplings_) {
+    const int a = row_of_[at(coupling[0])];
+    const int b = row_of_[at(coupling[1])];
+    coupling = {std::min(a, b), std::max(a, b)};
+  }
+  end_pattern();
+}
+
 /// The columns of a row are its own and those of its children in the elimination tree, whose first column it is
 /// (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
 void BlockLdlt::end_pattern() {
@@ -148,9 +160,16 @@ void BlockLdlt::add_band(int first, const BandedMatrix& band, int reach) {
     const double* upper = band.row(2 * p);
     const double* lower = band.row(2 * p + 1);
     add(first + p, upper[0], upper[1], lower[0]);
-    std::size_t place = first_[at(row_of_[at(first + p)])];
+    const int row = row_of_[at(first + p)];
+    std::size_t place = first_[at(row)];
+    int before = row;
     for (int k = 1; k <= reach && p + k < n; ++k) {
       const int column = row_of_[at(first + p + k)];
+      if (column < before) {
+        add(first + p, first + p + k, upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]);
+        continue;
+      }
+      before = column;
       while (columns_[place] != column) ++place;
       blocks_[place] += {upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]};
     }

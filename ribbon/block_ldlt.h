@@ -22,6 +22,13 @@ class BlockLdlt {
   void couple(int a, int b);
   /// Completes the pattern by what elimination fills.
   void end_pattern();
+  /// Eliminates the slots in another order, and completes the pattern anew.
+  void reorder(std::span<const int> order);
+  /// Tells visit(slot, slot) what was coupled.
+  template <typename Visit>
+  void for_each_coupling(Visit&& visit) const {
+    for (const auto& [a, b] : couplings_) visit(order_[at(a)], order_[at(b)]);
+  }
   bool is_coupled(int a, int b) const;
   /// How many rows of blocks there are.
   std::size_t size() const { return order_.size(); }
@@ -38,7 +45,7 @@ class BlockLdlt {
   /// Adds factor·g·gᵀ, g having the part by[i] at slots[i].
   void add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by);
   /// Adds a band's blocks, the 2 × 2 entries from (2p, 2q) on to that of slots first + p and first + q for p ≤ q ≤
-  /// p + reach. The order has these slots rising.
+  /// p + reach.
   void add_band(int first, const BandedMatrix& band, int reach);
   /// Makes the slot's rows and columns those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }

@@ -34,6 +34,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   CordReport report;
   if (sleep_on(cords)) return report;
   widenings_.assign(cords.size(), 1.0);
+  near_widenings_.assign(cords.size(), 1.0);
   poses_ = false;
   for (;;) {
     begin_step(cords, dt);
@@ -58,6 +59,7 @@ bool Island::take_substeps(double dt, CordReport& report) {
     if (substep(n * substep_dt, substep_dt, report)) continue;
     poses_ = true;
     for (double& widening : widenings_) widening = std::max(widening, posed_widening);
+    for (double& widening : near_widenings_) widening = std::max(widening, posed_widening);
     return false;
   }
   return true;
@@ -67,6 +69,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   driven_ = winding_ = unlocking_ = restart_ = false;
   ledger_ = 0.0;
   balance_ = 0.0;
+  has_fill_order_ = false;
   members_.clear();
   bodies_.clear();
   held_.clear();
@@ -153,6 +156,7 @@ void Island::reserve(const Cord& cord, std::size_t grips) {
   carried_.reserve(grips);
   members_.reserve(1);
   widenings_.reserve(1);
+  near_widenings_.reserve(1);
   set_sizes(slots, cord.tensions_.size() + 2 * grips);
 }
 

@@ -10,6 +10,7 @@
 #include "ribbon/contacts.h"
 #include "ribbon/cord.h"
 #include "ribbon/elasticity.h"
+#include "ribbon/fill_order.h"
 #include "ribbon/held_body.h"
 #include "ribbon/island_cord.h"
 #include "ribbon/limited_rows.h"
@@ -133,7 +134,9 @@ class Island {
   bool may_meet(std::size_t disc, const OutlineLink& link, double distance) const;
   void meet_link(const Member& member, int k, const OutlineLink& link);
   static bool are_close(const Cord& cord, int k, int link);
-  bool parts_from_neighbours(const Member& member) const;
+  double rooms_went(const Member& member) const;
+  double near_rooms_went(const Member& member) const;
+  bool may_have_met(const Member& member, int k, int link) const;
   static bool are_neighbours(const CordDef& def, int k, int link);
   static int outline_size(const CordDef& def);
   bool widen();
@@ -186,6 +189,8 @@ class Island {
   void update_together(const Stage& stage);
   static Stage stage_of(const Stage& all, const Member& member);
   void make_pattern();
+  void find_natural_order();
+  void lessen_fill();
   void load_holds();
   void update_holds();
   void append_slips();
@@ -279,7 +284,8 @@ class Island {
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
   double begin_ = 0.0;             // s, of the substep
-  std::vector<double> widenings_;  // by member: of the room in which its contacts are looked for
+  std::vector<double> widenings_;  // by member: of the room in which its contacts are looked for,
+  std::vector<double> near_widenings_;  // and of that near by along its outline
   double body_room_ = 0.0;         // m, how far from its straight way a body may go in a step
   Energy energy_after_;
   double weight_scale_ = 0.0;  // J, M·g·L
@@ -336,6 +342,11 @@ class Island {
   // Of the solve by blocks.
   BlockLdlt blocks_;
   std::vector<int> order_;
+  bool has_fill_order_ = false;  // in this step,
+  std::size_t filled_ = 0;       // with so many blocks
+  FillOrder fill_order_;
+  std::vector<int> rows_;  // by slot: its place in the order, but for what is eliminated after all that it is coupled with
+  std::vector<std::array<int, 2>> late_;  // slot eliminated after, and the slot
   std::vector<Vec2> right_side_;
   std::size_t duals_ = 0;        // tensions that stay unknowns
   std::vector<int> last_point_;  // by body: the last point that it is coupled with

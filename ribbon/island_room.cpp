@@ -8,7 +8,10 @@
 namespace ribbon {
 namespace {
 
-constexpr double widening = 8.0;  // of the room of what left it
+// Of the room of what left it: as far as it went and a little more, but no less than this and no more than that.
+constexpr double spare_room = 1.5;
+constexpr double least_widening_once = 2.0;
+constexpr double most_widening_once = 8.0;
 constexpr double most_widening = 500.0;
 constexpr double surely_kept = 0.9;  // of his room, that who is so near the end of his way has kept to, whatever rounds
 constexpr int room_halvings = 10;    // of a share, to find where something leaves its room
@@ -54,35 +57,46 @@ Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
   return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_room_ : 0.0));
 }
 
-/// Gives who left his room in the step more of it. False if that was nobody, or he has all there is.
+/// Gives what left its room in the step more of it, as far as it went. False if nothing did, or has all there is.
 bool Island::widen() {
   if (!meets_ || poses_) return false;
-  bool body_left = false;
+  double bodies_went = 0.0;  // in rooms of theirs
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];
     const Vec2 end = body.position + step_dt_ * body.velocity;
-    body_left = body_left || !(gap_between(positions_[center(k)], body.position, end).distance <= body_room_);
+    const double went = gap_between(positions_[center(k)], body.position, end).distance / body_room_;
+    bodies_went = went <= bodies_went ? bodies_went : went;  // or no number
   }
   bool any = false;
+  const auto widen_by = [&any](double& widening, double went) {
+    if (went <= 1.0 || widening > most_widening) return;
+    widening *= went < most_widening_once ? std::max(least_widening_once, spare_room * went) : most_widening_once;
+    any = true;
+  };
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Member& member = members_[m];
-    bool left = body_left;
-    const double surely2 = surely_kept * surely_kept * member.room * member.room;
-    for (std::size_t p = member.first; p < member.first + member.count && !left; ++p) {
-      const Vec2 off = positions_[p] - ends_[p];
-      if (dot(off, off) <= surely2) continue;
-      left = !(gap_between(positions_[p], step_start_[p], ends_[p]).distance <= member.room);
-    }
-    left = left || (member.cord->def_.self_contact && parts_from_neighbours(member));
-    if (!left || widenings_[m] > most_widening) continue;
-    widenings_[m] *= widening;
-    any = true;
+    widen_by(widenings_[m], std::max(bodies_went, rooms_went(member)));
+    if (member.cord->def_.self_contact) widen_by(near_widenings_[m], near_rooms_went(member));
   }
   return any;
 }
 
-/// Whether a point of the outline has gone another way than one close to it, by more than their room.
-bool Island::parts_from_neighbours(const Member& member) const {
+/// How far from its straight way a point of the cord has gone, in rooms.
+double Island::rooms_went(const Member& member) const {
+  double most = 0.0;
+  const double surely2 = surely_kept * surely_kept * member.room * member.room;
+  for (std::size_t p = member.first; p < member.first + member.count; ++p) {
+    const Vec2 off = positions_[p] - ends_[p];
+    if (dot(off, off) <= surely2) continue;
+    const double went = gap_between(positions_[p], step_start_[p], ends_[p]).distance / member.room;
+    most = went <= most ? most : went;
+  }
+  return most;
+}
+
+/// How much further than one near it along the outline, which it may have met, a point has gone, in rooms of what is
+/// near.
+double Island::near_rooms_went(const Member& member) const {
   const std::vector<int>& outline = member.cord->outline_;
   const auto off = [&](std::size_t k) {
     const std::size_t p = member.first + at(outline[k % outline.size()]);
@@ -91,15 +105,40 @@ bool Island::parts_from_neighbours(const Member& member) const {
   double most2 = 0.0;
   for (std::size_t k = 0; k < outline.size(); ++k) most2 = std::max(most2, dot(off(k), off(k)));
   const double room2 = member.near_room * member.near_room;
-  if (4.0 * most2 <= room2) return false;
+  if (4.0 * most2 <= room2) return 0.0;
   const bool closed = member.cord->def_.rows > 1;
+  double apart2 = 0.0;
   for (std::size_t k = 0; k < outline.size(); ++k) {
     for (std::size_t other = k + 1; other <= k + at(close_links) && (closed || other < outline.size()); ++other) {
       const Vec2 apart = off(other) - off(k);
-      if (!(dot(apart, apart) <= room2)) return true;
+      if (dot(apart, apart) <= std::max(room2, apart2)) continue;
+      const int a = static_cast<int>(k);
+      const int b = static_cast<int>(other % outline.size());
+      if (may_have_met(member, a, b) || may_have_met(member, a, b - 1) || may_have_met(member, b, a) ||
+          may_have_met(member, b, a - 1)) {
+        apart2 = dot(apart, apart);
+      }
     }
   }
-  return false;
+  return std::sqrt(apart2) / member.near_room;
+}
+
+/// Whether a point of an outline may have come within reach of a link of it in the step.
+bool Island::may_have_met(const Member& member, int k, int link) const {
+  const Cord& cord = *member.cord;
+  const std::vector<int>& outline = cord.outline_;
+  const int n = static_cast<int>(outline.size());
+  if (cord.def_.rows == 1 && (link < 0 || link + 1 >= n)) return false;
+  if (are_neighbours(cord.def_, k, link)) return false;
+  const auto slot = [&](int i) { return member.first + at(outline[at((i + n) % n)]); };
+  const std::size_t disc = slot(k);
+  const std::size_t a = slot(link);
+  const std::size_t b = slot(link + 1);
+  const auto way = [&](std::size_t p) { return positions_[p] - step_start_[p]; };
+  const Vec2 past_a = way(disc) - way(a);
+  const Vec2 past_b = way(disc) - way(b);
+  const double most = 2.0 * cord.def_.radius + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
+  return !(gap_between(step_start_[disc], step_start_[a], step_start_[b]).distance > most);
 }
 
 /// What holds a cord goes with it.

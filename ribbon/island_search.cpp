@@ -37,7 +37,7 @@ void Island::find_contacts(double dt) {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     Member& member = members_[m];
     member.room = widenings_[m] * room_of({member.cord, member.met, member.id}, rigid_, dt, gravity_);
-    member.near_room = widenings_[m] * near_share * member.cord->rest_length(0);
+    member.near_room = near_widenings_[m] * near_share * member.cord->rest_length(0);
     body_room_ = std::max(body_room_, member.room);
   }
   for (Member& member : members_) {

@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstdio>
+#include <cstdlib>
 #include <cmath>
 
 #include "ribbon/island.h"
@@ -7,10 +11,39 @@
 // The linear solve of several cords, and of bodies that hold or touch them anywhere, as one system of blocks.
 
 namespace ribbon {
+namespace {
+
+constexpr std::size_t much_filled = 6;  // blocks a row, above which an order that fills less is looked for
+
+}  // namespace
+
+/// In the order that a step has found to fill little, or in the natural one unless that fills much.
+void Island::make_pattern() {
+  if (!has_fill_order_) find_natural_order();
+  blocks_.begin_pattern(order_);
+  for (const Member& member : members_) {
+    member.cord->elasticity_->couple(blocks_, static_cast<int>(member.first), first_dual(member));
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    blocks_.couple(static_cast<int>(center(k)), static_cast<int>(angle(k)));
+  }
+  for (std::size_t hold = 0; hold < held_.size(); ++hold) {
+    for (const int slot : hold_slots(held_[hold])) blocks_.couple(slot, hold_dual(hold));
+  }
+  if (posing_) {
+    limited_.couple(blocks_);
+  } else {
+    contacts_.couple(blocks_);
+  }
+  blocks_.end_pattern();
+  const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * blocks_.size();
+  if (blocks_.blocks() > much) lessen_fill();
+  if (getenv("TP")) fprintf(stderr,"pattern members %zu points %zu bodies %zu rows %zu per row %.2f\n",members_.size(),count_,bodies_.size(),blocks_.size(),static_cast<double>(blocks_.blocks())/static_cast<double>(blocks_.size()));
+}
 
 /// Points in their order, each body after the last point that it is coupled with, and then its holds: so what is
 /// coupled nearby fills little.
-void Island::make_pattern() {
+void Island::find_natural_order() {
   last_point_.assign(bodies_.size(), -1);
   const auto take = [this](int center_slot, int point) {
     int& last = last_point_[(at(center_slot) - count_) / 2];
@@ -39,22 +72,37 @@ void Island::make_pattern() {
   for (const Member& member : members_) {
     member.cord->elasticity_->order(static_cast<int>(member.first), first_dual(member), order_, append_bodies);
   }
-  blocks_.begin_pattern(order_);
-  for (const Member& member : members_) {
-    member.cord->elasticity_->couple(blocks_, static_cast<int>(member.first), first_dual(member));
+}
+
+/// Points and bodies in an order that fills little; tensions and pulls, which have no stiffness of their own before
+/// that, after all that they are coupled with.
+void Island::lessen_fill() {
+  const std::size_t slots = positions_.size();
+  fill_order_.begin(slots);
+  const auto is_late = [slots](int slot) { return at(slot) >= slots; };
+  blocks_.for_each_coupling([&](int a, int b) {
+    if (!is_late(a) && !is_late(b)) fill_order_.couple(a, b);
+  });
+  const std::span<const int> order = fill_order_.find();
+  rows_.resize(order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) rows_[at(order[row])] = static_cast<int>(row);
+  late_.assign(blocks_.size() - slots, {-1, -1});
+  blocks_.for_each_coupling([&](int a, int b) {
+    if (is_late(a)) std::swap(a, b);
+    if (!is_late(b)) return;
+    auto& late = late_[at(b) - slots];
+    late = {std::max(late[0], rows_[at(a)]), b};
+  });
+  std::sort(late_.begin(), late_.end());
+  order_.clear();
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    order_.push_back(order[row]);
+    for (; next < late_.size() && at(late_[next][0]) == row; ++next) order_.push_back(late_[next][1]);
   }
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    blocks_.couple(static_cast<int>(center(k)), static_cast<int>(angle(k)));
-  }
-  for (std::size_t hold = 0; hold < held_.size(); ++hold) {
-    for (const int slot : hold_slots(held_[hold])) blocks_.couple(slot, hold_dual(hold));
-  }
-  if (posing_) {
-    limited_.couple(blocks_);
-  } else {
-    contacts_.couple(blocks_);
-  }
-  blocks_.end_pattern();
+  blocks_.reorder(order_);
+  filled_ = blocks_.blocks();
+  has_fill_order_ = true;
 }
 
 /// Slots of unknown tensions follow those of points and bodies, those of holds follow them.
