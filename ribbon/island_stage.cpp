@@ -10,10 +10,6 @@ namespace {
 
 constexpr int searched_iterations = 24;  // Newton steps of a stage with a line search
 constexpr double penalty_factor = 2.0;   // by which the exact penalty of a search is above the tensions
-// Least geometric stiffness of a bar in a search, as a share of the inertia of its ends: what is pushed together has a
-// negative one, and without it Newton converges slowly; two bars a point of 2·share each leave the matrix positive
-// definite.
-constexpr double bearable_push = -0.24;
 constexpr double shortest_step = 1e-6;    // of a Newton step, below which a line search gives up
 constexpr int judging_iterations = 7;     // Newton steps in which a stage has to find out which bars are slack
 constexpr double misjudged_share = 1e-6;  // of the tolerance, by which one that is nearly slack may be misjudged
@@ -98,7 +94,7 @@ bool Island::free_steps(Stage& stage, CordReport& report) {
   ++report.searches;
   positions_ = guess_;
   tensions_ = tension_guess_;
-  stage.least_geometric = bearable_push;
+  stage.least_geometric = Stage::bearable_push;
   return searched_steps(stage, report);
 }
 

@@ -50,6 +50,10 @@ struct Stage {
   std::span<const Vec2> force;      ///< f − c·ṽ [N]
   std::span<const char> constrained;
   std::span<const CarriedLoad> carried = {};  ///< by point, ascending
+  /// What is pushed together has a negative geometric stiffness. A bar that is given none converges slowly; with no
+  /// less than this share of the inertia of its ends, two bars a point of 2·share each leave the matrix positive
+  /// definite.
+  static constexpr double bearable_push = -0.24;
   /// Of the inertia of its ends, ≤ 0: the least geometric stiffness that a bar of a chain is given.
   double least_geometric = 0.0;
   bool euler = false;  ///< implicit Euler: v = (x − x₀)/q with x₀ = x̃ − q·ṽ
