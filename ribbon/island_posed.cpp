@@ -22,7 +22,7 @@ constexpr double last_share = 0.5;    // of the work that a step may take, after
 constexpr double blow_share = 0.05;   // of the least reach, that anything goes in the piece that takes a blow
 constexpr int patient_work = 10'000;  // of Accuracy::max_work
 constexpr int posings = 3;            // times that contacts are looked for
-constexpr int most_linearisations = 12;
+constexpr int most_linearisations = 24;
 constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
 constexpr int miss_linearisations = 3;  // more, for each time of
 constexpr int most_misses = 4;          // times that contacts are posed anew that it would have missed
@@ -194,6 +194,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   left_open_ = std::numeric_limits<double>::infinity();
   left_force_ = 0.0;
   bool has_best = false;
+  bool is_near = false;  // but for bars that may be slack or taut
   int misses = 0;
   const int most = blown_ ? blow_linearisations : most_linearisations;
   for (int k = 0; k < most + misses * miss_linearisations && !converged && (k == 0 || !is_posed_out(report)); ++k) {
@@ -221,14 +222,17 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
     }
     const double share = k < full_linearisations ? 1.0 : posed_share(stage);
-    if (share == 0.0) break;
+    if (share == 0.0) {  // nearer than the potential can tell, or nowhere
+      is_near = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others;
+      break;
+    }
     move(trial_, share);
     positions_.swap(trial_);
     tensions_.swap(next_);
     if (!contacts_.empty()) contacts_.take_forces(limited_, k < posings);
     take_slips();
-    converged =
-        k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others && are_bars_settled(stage, k);
+    is_near = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others;
+    converged = is_near && are_bars_settled(stage, k);
     if (converged && misses < most_misses && !contacts_.empty()) {
       keep_solved();
       if (!contacts_.pose_missed(from, positions_, tolerance_)) break;
@@ -236,6 +240,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       converged = has_best = false;
     }
   }
+  converged = converged || is_near;
   if (!converged && misses > 0) {
     return_to_solved();
     converged = true;
