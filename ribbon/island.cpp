@@ -16,6 +16,7 @@ constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that 
 constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
 constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
 constexpr double posed_widening = 2.0;    // of the room, where contacts are posed once
+constexpr double posed_near_widening = 8.0;  // the same near by along an outline
 constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
@@ -59,7 +60,7 @@ bool Island::take_substeps(double dt, CordReport& report) {
     if (substep(n * substep_dt, substep_dt, report)) continue;
     poses_ = true;
     for (double& widening : widenings_) widening = std::max(widening, posed_widening);
-    for (double& widening : near_widenings_) widening = std::max(widening, posed_widening);
+    for (double& widening : near_widenings_) widening = std::max(widening, posed_near_widening);
     return false;
   }
   return true;

@@ -16,8 +16,8 @@ namespace {
 constexpr int worth_trying = 48;      // Newton steps in a step, before its contacts are posed once
 constexpr double tried_share = 0.35;  // of the work that a step may take, or after that
 constexpr int most_pieces = 10;       // of a step
-constexpr int most_posed_work = 80;   // linear systems, after which no piece is taken again,
-constexpr int most_last_work = 60;    // and so many more, after which none is linearised again
+constexpr int most_posed_work = 70;   // linear systems, after which no piece is taken again,
+constexpr int most_last_work = 45;    // and so many more, after which none is linearised again
 constexpr double last_share = 0.5;    // of the work that a step may take, after which none is, either
 constexpr double blow_share = 0.05;   // of the least reach, that anything goes in the piece that takes a blow
 constexpr int patient_work = 10'000;  // of Accuracy::max_work

@@ -71,7 +71,7 @@ Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report)
     }
     blocks_.solve_again(right_side_);
     limited_.advance(right_side_);
-    if (far && limited_.gap() <= far_gap) {
+    if ((far && limited_.gap() <= far_gap) || is_posed_out(report)) {
       limited_.end_interior();
       return Solve::near;
     }
