@@ -39,6 +39,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   poses_ = false;
   for (;;) {
     begin_step(cords, dt);
+    before_take_ = report;
     if (take_substeps(dt, report) && !widen()) break;
     unwind();
   }

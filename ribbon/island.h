@@ -166,6 +166,7 @@ class Island {
   bool halved_substep(double start, double dt, const Energy& before, CordReport& report);
   void count_system(CordReport& report);
   bool is_spent(const CordReport& report, double share = 1.0) const;
+  double most_work() const;
   /// Whether as much was done in the step as is worth doing before its contacts are posed once.
   bool is_tried(const CordReport& report) const;
   bool is_patient() const;
@@ -283,6 +284,7 @@ class Island {
   bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
+  CordReport before_take_;         // of the step, when it was begun or taken again
   double begin_ = 0.0;             // s, of the substep
   std::vector<double> widenings_;  // by member: of the room in which its contacts are looked for,
   std::vector<double> near_widenings_;  // and of that near by along its outline

@@ -35,8 +35,11 @@ constexpr double most_motion = 1e12;  // m
 
 }  // namespace
 
-bool Island::is_tried(const CordReport& report) const { 
-  return !is_patient() && (report.iterations >= worth_trying || is_spent(report, tried_share));
+bool Island::is_tried(const CordReport& report) const {
+  if (is_patient()) return false;
+  return report.iterations - before_take_.iterations >= worth_trying ||
+         static_cast<double>(report.work - before_take_.work) >= tried_share * most_work() ||
+         is_spent(report, last_share);
 }
 
 bool Island::is_posed_out(const CordReport& report) const {

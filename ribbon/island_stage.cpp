@@ -108,8 +108,13 @@ void Island::count_system(CordReport& report) {
 
 /// Whether the step's work has come to this share of what it may.
 bool Island::is_spent(const CordReport& report, double share) const {
+  return static_cast<double>(report.work) >= share * most_work();
+}
+
+/// What a step may take, in the unit of CordReport::work.
+double Island::most_work() const {
   const double points = static_cast<double>(count_ + bodies_.size());
-  return static_cast<double>(report.work) >= share * static_cast<double>(system_blocks) * points * accuracy_.max_work;
+  return static_cast<double>(system_blocks) * points * accuracy_.max_work;
 }
 
 /// How far the point that moves most goes, m; not finite if any of it is not.

@@ -10,7 +10,7 @@ namespace {
 constexpr int sharper_tries = 3;  // of a substep of implicit Euler that gained energy
 // Newton steps in the halves of a substep, as long as all of them are solved, and once one was given up. (5,000 slack
 // links on a load of 10⁶ kg turn about so much in steps of a second that they take 4,200.)
-constexpr int most_work = 16000;
+constexpr int most_halved_work = 16000;
 constexpr int most_vain_work = 4000;
 // Times it is halved; and its beginning, for who was thrown apart finds his way back at once.
 constexpr int most_halves = 10;
@@ -236,7 +236,7 @@ void Island::halves(double start, double dt, int depth, Halving& halving, CordRe
     if (implicit_euler(from, 0.5 * dt, report)) continue;
     const int work = report.iterations - halving.begun;
     if (depth >= (from == halving.start ? most_first_halves : most_halves) ||
-        work > (halving.gave_up ? most_vain_work : most_work) || is_halved_out(report)) {
+        work > (halving.gave_up ? most_vain_work : most_halved_work) || is_halved_out(report)) {
       halving.gave_up = true;
       continue;
     }
