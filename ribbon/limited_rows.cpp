@@ -123,7 +123,7 @@ void LimitedRows::begin_interior(std::span<const Vec2> step) {
     Inside& inside = inside_[k];
     const double width = row.high - row.low;
     const double margin = std::min(force, 0.25 * width);
-    inside.force = std::clamp(row.force, row.low + margin, row.high - margin);
+    inside.force = std::clamp(std::min(row.force, 10.0 * force), row.low + margin, row.high - margin);
     const double z = row.value + inside.force * row.compliance;
     inside.low = std::max(0.0, z) + length;
     inside.high = has_high(row) ? std::max(0.0, -z) + length : 0.0;
