@@ -149,7 +149,7 @@ void Contacts::keep_forces() {
   kept_rubs_ = rubs_;
 }
 
-void Contacts::return_forces() {
+void Contacts::return_to_forces() {
   posed_ = kept_posed_;
   forces_ = kept_forces_;
   presses_ = kept_presses_;
@@ -158,7 +158,9 @@ void Contacts::return_forces() {
 
 double Contacts::pressing_energy() const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) sum += 0.5 * forces_[k] * forces_[k] / pairs_[k].stiffness;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (forces_[k] != 0.0) sum += 0.5 * forces_[k] * forces_[k] / pairs_[k].stiffness;
+  }
   return is_posed_ ? sum / posed_stiffness_ : sum;
 }
 

@@ -168,9 +168,9 @@ class Contacts {
   /// Takes over the forces that were found, in the order of append_rows. Friction's limits follow the `first` ones and
   /// stay as they are then, for else both could go back and forth.
   void take_forces(const LimitedRows& rows, bool first);
-  /// Keeps the forces of the posed pairs, and returns to them.
+  /// Keeps what is posed and its forces, and returns to them.
   void keep_forces();
-  void return_forces();
+  void return_to_forces();
   /// J, of what presses by the forces that were found last, or, of a substep that has just begun, remembered.
   double pressing_energy() const;
   /// The share of the way from x to `to` on which nothing touches whose centre line would then go into what it touches,
@@ -252,9 +252,9 @@ class Contacts {
   std::vector<Posed> posed_, posed_before_;
   double posed_stiffness_ = 1.0;  // of what presses, times the pairs' own
   bool is_posed_ = false;         // the forces found last are those of posed pairs
-  std::vector<double> kept_forces_, kept_presses_, kept_rubs_;  // N, by pair
   std::vector<Posed> kept_posed_;
-  bool evaluated_ = false;        // active_ and touching_ are those who touch with anchors_ where they are
+  std::vector<double> kept_forces_, kept_presses_, kept_rubs_;  // N, by pair
+  bool evaluated_ = false;  // active_ and touching_ are those who touch with anchors_ where they are
   // Only these pairs may touch while no anchor is further than its slack [m] from where it was when it was found.
   std::vector<std::size_t> near_;
   std::vector<char> watched_;  // by pair: it is one of these

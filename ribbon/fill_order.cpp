@@ -1,6 +1,7 @@
 #include "ribbon/fill_order.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ribbon {
 

@@ -12,12 +12,12 @@
 namespace ribbon {
 namespace {
 
-constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share, that single precision explains
-constexpr double loosest_share = 0.2;     // of a link, above which no tolerance is taken
-constexpr double resolved_digits = 16.0;  // in roundings of the largest coordinate, below which none is
-constexpr double posed_widening = 2.0;    // of the room, where contacts are posed once
+constexpr double same_velocity = 1e-5;       // m/s or rad/s, and as a share, that single precision explains
+constexpr double loosest_share = 0.2;        // of a link, above which no tolerance is taken
+constexpr double resolved_digits = 16.0;     // in roundings of the largest coordinate, below which none is
+constexpr double posed_widening = 2.0;       // of the room, where contacts are posed once
 constexpr double posed_near_widening = 8.0;  // the same near by along an outline
-constexpr double noise_share = 0.1;       // of the tolerance, that a point may move in a step without meaning it
+constexpr double noise_share = 0.1;          // of the tolerance, that a point may move in a step without meaning it
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
   return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator, std::max(a.substeps, b.substeps),
@@ -287,6 +287,7 @@ void Island::finish_step(double dt, CordReport& report) {
   if (unlocking_) ++report.unlocked;
   if (together_) slip();
   for (const Member& member : members_) finish_member(member);
+  remember_contacts();
   let_go(dt);
 }
 
@@ -324,7 +325,6 @@ void Island::finish_member(const Member& member) {
                              velocities_[angle(body)].x, accelerations_[center(body)], accelerations_[angle(body)].x,
                              static_cast<int>(held_[k].grip), pull_of(k, step_dt_), held_[k].slid});
   }
-  remember_contacts(member);
   if (!unlocking_) return;
   cord.set_damping_apart();
   damp_deformation(member);

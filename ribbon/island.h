@@ -110,7 +110,7 @@ class Island {
   void count_rest(double dt, const CordReport& report);
   void finish_step(double dt, CordReport& report);
   void finish_member(const Member& member);
-  void remember_contacts(const Member& member);
+  void remember_contacts();
 
   void find_contacts(double dt);
   static bool may_touch(const Member& member);
@@ -284,11 +284,11 @@ class Island {
   bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
-  CordReport before_take_;         // of the step, when it was begun or taken again
-  double begin_ = 0.0;             // s, of the substep
-  std::vector<double> widenings_;  // by member: of the room in which its contacts are looked for,
+  CordReport before_take_;              // of the step, when it was last begun
+  double begin_ = 0.0;                  // s, of the substep
+  std::vector<double> widenings_;       // by member: of the room in which its contacts are looked for,
   std::vector<double> near_widenings_;  // and of that near by along its outline
-  double body_room_ = 0.0;         // m, how far from its straight way a body may go in a step
+  double body_room_ = 0.0;              // m, how far from its straight way a body may go in a step
   Energy energy_after_;
   double weight_scale_ = 0.0;  // J, M·g·L
   std::vector<HeldStep> held_steps_;
@@ -306,9 +306,9 @@ class Island {
   std::vector<Vec2> force_;
   std::vector<Vec2> direction_, trial_;
   std::vector<double> next_;
-  std::vector<double> most_tensions_;  // the slopes of the exact penalty
-  std::vector<double> values_;         // of the merit, lately
-  std::vector<Vec2> solved_positions_;
+  std::vector<double> most_tensions_;   // the slopes of the exact penalty
+  std::vector<double> values_;          // of the merit, lately
+  std::vector<Vec2> solved_positions_;  // of a posed problem that is solved, but for what it has missed
   std::vector<double> solved_tensions_;
   std::vector<HeldBody> solved_held_;
   std::vector<Vec2> step_start_;
@@ -347,8 +347,8 @@ class Island {
   bool has_fill_order_ = false;  // in this step,
   std::size_t filled_ = 0;       // with so many blocks
   FillOrder fill_order_;
-  std::vector<int> rows_;  // by slot: its place in the order, but for what is eliminated after all that it is coupled with
-  std::vector<std::array<int, 2>> late_;  // slot eliminated after, and the slot
+  std::vector<int> places_;               // by slot of points and bodies: in that order
+  std::vector<std::array<int, 2>> late_;  // tensions and pulls: the place after which it is eliminated, and its slot
   std::vector<Vec2> right_side_;
   std::size_t duals_ = 0;        // tensions that stay unknowns
   std::vector<int> last_point_;  // by body: the last point that it is coupled with

@@ -197,7 +197,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   left_open_ = std::numeric_limits<double>::infinity();
   left_force_ = 0.0;
   bool has_best = false;
-  bool is_near = false;  // but for bars that may be slack or taut
+  bool is_near = false;  // it is solved, but for bars that may be slack or taut
   int misses = 0;
   const int most = blown_ ? blow_linearisations : most_linearisations;
   for (int k = 0; k < most + misses * miss_linearisations && !converged && (k == 0 || !is_posed_out(report)); ++k) {
@@ -225,16 +225,13 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
     }
     const double share = k < full_linearisations ? 1.0 : posed_share(stage);
-    if (share == 0.0) {  // nearer than the potential can tell, or nowhere
-      is_near = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others;
-      break;
-    }
+    is_near = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others;
+    if (share == 0.0) break;  // nearer than the potential can tell, or nowhere
     move(trial_, share);
     positions_.swap(trial_);
     tensions_.swap(next_);
     if (!contacts_.empty()) contacts_.take_forces(limited_, k < posings);
     take_slips();
-    is_near = k > 0 && moved <= tolerance_ && solve == Solve::exact && !slips_ && !others;
     converged = is_near && are_bars_settled(stage, k);
     if (converged && misses < most_misses && !contacts_.empty()) {
       keep_solved();
@@ -258,7 +255,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   return converged || (blown_ && left_open_ < std::numeric_limits<double>::infinity());
 }
 
-/// What is solved, but for what it has missed.
+/// What is solved but for what it has missed is returned to if that cannot be solved.
 void Island::keep_solved() {
   solved_positions_ = positions_;
   solved_tensions_ = tensions_;
@@ -270,7 +267,7 @@ void Island::return_to_solved() {
   positions_ = solved_positions_;
   tensions_ = solved_tensions_;
   held_ = solved_held_;
-  contacts_.return_forces();
+  contacts_.return_to_forces();
 }
 
 /// All limited rows about positions_.

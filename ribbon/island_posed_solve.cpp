@@ -51,7 +51,7 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
 
 /// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
 Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report) {
-  limited_.begin_interior(right_side_);
+  limited_.begin_interior();
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
     count_system(report);

@@ -199,17 +199,20 @@ Vec2 Island::place_of(int anchor) const {
 }
 
 /// What touches at the end of the step, or did in it.
-void Island::remember_contacts(const Member& member) {
-  Cord& cord = *member.cord;
-  cord.touches_.clear();
-  if (!contacts_.empty()) cord.touches_.reserve(usual_touches);
-  cord.touch_changed_ = touch_changed_;
-  const auto index = static_cast<std::size_t>(&member - members_.data());
-  for (const ContactPair& pair : contacts_.pairs()) {
-    if (pair.cord == index && (pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) cord.touches_.push_back(pair.touch);
+void Island::remember_contacts() {
+  for (const Member& member : members_) {
+    member.cord->touches_.clear();
+    if (!contacts_.empty()) member.cord->touches_.reserve(usual_touches);
+    member.cord->touch_changed_ = touch_changed_;
   }
-  std::sort(cord.touches_.begin(), cord.touches_.end(),
-            [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  for (const ContactPair& pair : contacts_.pairs()) {
+    if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;
+    members_[pair.cord].cord->touches_.push_back(pair.touch);
+  }
+  for (const Member& member : members_) {
+    auto& touches = member.cord->touches_;
+    std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  }
 }
 
 }  // namespace ribbon

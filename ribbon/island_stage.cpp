@@ -8,8 +8,8 @@
 namespace ribbon {
 namespace {
 
-constexpr int searched_iterations = 24;  // Newton steps of a stage with a line search
-constexpr double penalty_factor = 2.0;   // by which the exact penalty of a search is above the tensions
+constexpr int searched_iterations = 24;   // Newton steps of a stage with a line search
+constexpr double penalty_factor = 2.0;    // by which the exact penalty of a search is above the tensions
 constexpr double shortest_step = 1e-6;    // of a Newton step, below which a line search gives up
 constexpr int judging_iterations = 7;     // Newton steps in which a stage has to find out which bars are slack
 constexpr double misjudged_share = 1e-6;  // of the tolerance, by which one that is nearly slack may be misjudged

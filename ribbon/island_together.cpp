@@ -1,8 +1,4 @@
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <cstdio>
-#include <cstdlib>
 #include <cmath>
 
 #include "ribbon/island.h"
@@ -38,7 +34,6 @@ void Island::make_pattern() {
   blocks_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * blocks_.size();
   if (blocks_.blocks() > much) lessen_fill();
-  if (getenv("TP")) fprintf(stderr,"pattern members %zu points %zu bodies %zu rows %zu per row %.2f\n",members_.size(),count_,bodies_.size(),blocks_.size(),static_cast<double>(blocks_.blocks())/static_cast<double>(blocks_.size()));
 }
 
 /// Points in their order, each body after the last point that it is coupled with, and then its holds: so what is
@@ -84,14 +79,15 @@ void Island::lessen_fill() {
     if (!is_late(a) && !is_late(b)) fill_order_.couple(a, b);
   });
   const std::span<const int> order = fill_order_.find();
-  rows_.resize(order.size());
-  for (std::size_t row = 0; row < order.size(); ++row) rows_[at(order[row])] = static_cast<int>(row);
-  late_.assign(blocks_.size() - slots, {-1, -1});
+  places_.resize(order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) places_[at(order[row])] = static_cast<int>(row);
+  late_.resize(blocks_.size() - slots);
+  for (std::size_t k = 0; k < late_.size(); ++k) late_[k] = {0, static_cast<int>(slots + k)};
   blocks_.for_each_coupling([&](int a, int b) {
     if (is_late(a)) std::swap(a, b);
     if (!is_late(b)) return;
     auto& late = late_[at(b) - slots];
-    late = {std::max(late[0], rows_[at(a)]), b};
+    late = {std::max(late[0], places_[at(a)]), b};
   });
   std::sort(late_.begin(), late_.end());
   order_.clear();

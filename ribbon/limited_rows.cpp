@@ -103,8 +103,10 @@ int LimitedRows::update_active_set(std::span<const Vec2> step, double tolerance)
 
 bool LimitedRows::has_high(const LimitedRow& row) { return row.high < std::numeric_limits<double>::infinity(); }
 
-/// Forces and multipliers well inside, as large as those that the last active set found.
-void LimitedRows::begin_interior(std::span<const Vec2> step) {
+/// Forces and multipliers well inside, as large as those that the last active set found, but no larger than those that
+/// there were before any was tried: one that is not the solution's may find forces beyond all measure, from which the
+/// interior point comes back slowly.
+void LimitedRows::begin_interior() {
   inside_.assign(rows_.size(), Inside{});
   double forces = 0.0;
   double lengths = 0.0;
@@ -112,7 +114,7 @@ void LimitedRows::begin_interior(std::span<const Vec2> step) {
   for (const LimitedRow& row : rows_) {
     if (presses && has_high(row)) continue;
     forces = std::max(forces, presses ? row.force : row.high);
-    lengths = std::max({lengths, std::abs(row.value), std::abs(row.value + row.row.along(step))});
+    lengths = std::max(lengths, std::abs(row.value));
   }
   if (known_force_ > 0.0) forces = std::min(forces, known_force_);
   const double force = forces > 0.0 ? 0.1 * forces : 1.0;

@@ -65,7 +65,7 @@ class LimitedRows {
 
   // Interior point, to be begun after an active set was tried.
 
-  void begin_interior(std::span<const Vec2> step);
+  void begin_interior();
   /// Each iteration: the matrix, then the right side, which predicts; after `predict` the one that corrects; and
   /// `advance` with its solution.
   void load_interior(BlockLdlt& matrix) const;
@@ -101,7 +101,7 @@ class LimitedRows {
   std::vector<LimitedRow> rows_;
   std::vector<State> states_;
   std::vector<Inside> inside_;
-  double known_force_ = 0.0;
+  double known_force_ = 0.0;       // N, the largest that presses, before an active set was tried
   double most_force_ = 0.0;        // N
   double centring_ = 0.0;          // N·m, σ·μ
   double first_mu_ = 0.0;          // N·m

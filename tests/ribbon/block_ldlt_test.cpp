@@ -121,10 +121,9 @@ TEST(BlockLdlt, RefusesWhatIsNotPositiveDefinite) {
 }
 
 /// A band among other slots, as a rope among bodies that touch it.
-TEST(BlockLdlt, TakesABandWhoseSlotsRiseInTheOrder) {
+void expect_to_take_a_band(const std::vector<int>& order) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
-  const std::vector<int> order{2, 3, 0, 4, 5, 1, 6};
   constexpr int first = 2;
   constexpr int points = 5;
   for (const int reach : {1, 2}) {
@@ -162,6 +161,40 @@ TEST(BlockLdlt, TakesABandWhoseSlotsRiseInTheOrder) {
       EXPECT_NEAR(x[static_cast<std::size_t>(slot)].x, expected(row(slot)), 1e-13) << "reach " << reach;
       EXPECT_NEAR(x[static_cast<std::size_t>(slot)].y, expected(row(slot) + 1), 1e-13) << "reach " << reach;
     }
+  }
+}
+
+TEST(BlockLdlt, TakesABandWhoseSlotsRiseInTheOrder) { expect_to_take_a_band({2, 3, 0, 4, 5, 1, 6}); }
+
+TEST(BlockLdlt, TakesABandWhoseSlotsComeInAnyOrder) {
+  expect_to_take_a_band({6, 5, 4, 3, 2, 1, 0});
+  expect_to_take_a_band({3, 0, 6, 2, 5, 1, 4});
+}
+
+TEST(BlockLdlt, SolvesTheSameInAnotherOrder) {
+  std::mt19937 random(3);
+  BlockLdlt matrix;
+  const std::vector<int> order{2, 0, 4, 1, 3};
+  matrix.begin_pattern(order);
+  const std::vector<std::pair<int, int>> couplings{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}};
+  for (const auto& [a, b] : couplings) matrix.couple(a, b);
+  matrix.end_pattern();
+  const auto solved = [&] {
+    matrix.set_zero();
+    for (int k = 0; k < 5; ++k) matrix.add(k, 9.0 + k, 0.5, 8.0);
+    for (const auto& [a, b] : couplings) matrix.add(a, b, 1.0, 0.3 * a, -0.2 * b, 0.7);
+    std::vector<Vec2> x{{1.0, 2.0}, {0.0, -1.0}, {3.0, 0.5}, {-2.0, 1.0}, {0.3, 0.0}};
+    EXPECT_TRUE(matrix.solve(x));
+    return x;
+  };
+  const std::vector<Vec2> before = solved();
+  for (int k = 0; k < 10; ++k) {
+    std::vector<int> other = order;
+    std::shuffle(other.begin(), other.end(), random);
+    matrix.reorder(other);
+    for (const auto& [a, b] : couplings) EXPECT_TRUE(matrix.is_coupled(a, b));
+    const std::vector<Vec2> after = solved();
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_LT(length(after[i] - before[i]), 1e-14);
   }
 }
 
