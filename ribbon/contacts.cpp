@@ -95,6 +95,8 @@ void Contacts::begin(std::span<const Vec2> x, double share) {
   frictions_.reserve(pairs_.capacity());
   posed_.reserve(pairs_.capacity());
   posed_before_.reserve(pairs_.capacity());
+  kept_posed_.reserve(pairs_.capacity());
+  for (auto* kept : {&kept_forces_, &kept_presses_, &kept_rubs_}) kept->reserve(pairs_.capacity());
   ends_.reserve(points_ + spots_.capacity());
   cuts_.reserve(x.size());
   place(x, false, starts_);

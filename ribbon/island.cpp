@@ -110,6 +110,9 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   if (meets_ || together_) {
     limited_.reserve(2 * contacts_.capacity() + held_.capacity());
     load_.reserve(positions_.capacity() + duals_ + held_.capacity());
+    solved_positions_.reserve(positions_.capacity());
+    solved_tensions_.reserve(tensions_.capacity());
+    solved_held_.reserve(held_.capacity());
   }
   driven_ = driven_ || (unlocking_ && !poses_);
   double mass = 0.0;

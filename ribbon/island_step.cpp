@@ -17,7 +17,7 @@ constexpr int most_halves = 10;
 constexpr int most_first_halves = 20;
 
 constexpr double halving_share = 0.5;      // of the work that a step may take,
-constexpr int most_halving_systems = 100;  // and systems, unless there is work to spend
+constexpr int most_halving_systems = 180;  // and systems, unless there is work to spend
 
 constexpr double gross_gain = 1e-2;  // of the scene's energy, that a substep of implicit Euler may gain: there is
                                      // nothing more damped to turn to

@@ -116,8 +116,8 @@ std::vector<Row> run_soak(const Scope& scope) {
   std::vector<Row> rows;
   for (const Method method : all_methods) {
     const int ticks = scope.full                   ? 1'000'000
-                      : method <= Method::balanced ? 10'000
-                      : method == Method::accurate ? 5'000
+                      : method <= Method::balanced ? 40'000
+                      : method == Method::accurate ? 20'000
                                                    : 1'500;
     const std::string what = std::to_string(ticks) + " ticks";
     Worst energy(what, "energy, last tenth / first", method, 2.0);
