@@ -24,7 +24,7 @@ struct Accuracy {
   /// as many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so.
   /// With 10,000 and more, what does not converge near contacts is taken by halves first: exact at any violence, and
   /// slow.
-  int max_work = 720;
+  int max_work = 600;
 
   /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,
   /// which in a heap takes a third of the solves: what lies there sinks by a hundredth of its fall in a step, not a
