@@ -240,6 +240,9 @@ bool Island::is_stretched() const {
   return most_stretched(positions_) > most_stretch && fastest_before() * step_dt_ < shortest_cord();
 }
 
+/// Whether a link of an inextensible cord has become as it may not be, so that all of it would go back.
+bool Island::stretches() const { return most_stretched(positions_) > std::max(most_stretch, most_stretched(x0_)); }
+
 /// m/s, of all that moves, when the piece began.
 double Island::fastest_before() const {
   double fastest = 0.0;

@@ -57,9 +57,11 @@ Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
   return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_room_ : 0.0));
 }
 
-/// Gives what left its room in the step more of it, as far as it went. False if nothing did, or has all there is.
-bool Island::widen() {
-  if (!meets_ || poses_) return false;
+/// Whether the step has to be taken again, for something left its room in it.
+bool Island::widen() { return meets_ && !poses_ && widen_rooms(); }
+
+/// Gives what left its room more of it, as far as it went. False if nothing did, or has all there is.
+bool Island::widen_rooms() {
   double bodies_went = 0.0;  // in rooms of theirs
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];
@@ -168,11 +170,13 @@ void Island::find_groups() {
 }
 
 /// Takes from the way of cords, and of what holds them, what would lead them through each other, or out of the room in
-/// which contacts were looked for. False if it had to.
+/// which contacts were looked for, unless the step can be taken again with more of it. False if it had to.
 bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
   const bool roomy = keep_to_room(from);
+  needs_room_ = !roomy && !has_room_ && may_be_posed_again_ && widen_rooms();
+  if (needs_room_) return false;
   const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
   if (apart && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {

@@ -22,8 +22,12 @@ double unconverged(const Summary& run) { return run.unconverged; }
 double stretch(const Summary& run) { return run.stretch; }
 double gain(const Summary& run) { return run.gain; }
 double depth(const Summary& run) { return run.penetration; }
+double crossings(const Summary& run) { return run.crossings; }
+double speed(const Summary& run) { return run.speed; }
+double work(const Summary& run) { return run.max_work; }
 
 Which gentle(Family family, unsigned seed, Preset preset) { return {seed, family, Mood::gentle, preset}; }
+Which wild(Family family, unsigned seed, Preset preset) { return {seed, family, Mood::wild, preset}; }
 
 const Known scenes[] = {
     {"SlippingHandsPressWhereTheyAre", gentle(Family::mixed, 26, Preset::accurate), "gain of energy", gain, 3e-3},
@@ -37,6 +41,15 @@ const Known scenes[] = {
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"CordsOfHandsThatAreHeldUpAreNotPulledThrough", gentle(Family::hold_between, 5, Preset::accurate),
      "depth, in contact distances", depth, 0.5},
+    {"WhatIsPushedTogetherConverges", gentle(Family::grips_slip, 182, Preset::accurate), "unconverged substeps",
+     unconverged, 10},
+    {"InteriorPointsBeginNearTheirForces", gentle(Family::ropes_both, 100, Preset::balanced), "unconverged substeps",
+     unconverged, 20},
+    {"NeighboursHaveRoomWherePosed", gentle(Family::ropes_both, 126, Preset::fast), "crossings", crossings, 0},
+    {"WhatHasConvergedIsKept", gentle(Family::ropes_both, 14, Preset::accurate), "unconverged substeps", unconverged,
+     30},
+    {"ReboundsOfWhatIsDrivenThrowNothing", wild(Family::ropes_both, 0, Preset::fast), "m/s", speed, 200},
+    {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
 class KnownScene : public testing::TestWithParam<Known> {};
