@@ -36,7 +36,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   if (sleep_on(cords)) return report;
   widenings_.assign(cords.size(), 1.0);
   near_widenings_.assign(cords.size(), 1.0);
-  poses_ = has_room_ = needs_room_ = false;
+  poses_ = false;
   for (;;) {
     begin_step(cords, dt);
     before_take_ = report;
@@ -50,12 +50,11 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
 }
 
 /// False if its contacts have to be posed once: then all of the step is taken again so, and looks for them further off,
-/// for that is taken again only once, where something leaves its room at first.
+/// for that is not to be taken again often.
 bool Island::take_substeps(double dt, CordReport& report) {
   if (poses_) {
-    if (posed_step(dt, report)) return true;
-    has_room_ = true;
-    return false;
+    posed_step(dt, report);
+    return true;
   }
   const double substep_dt = dt / accuracy_.substeps;
   for (int n = 0; n < accuracy_.substeps; ++n) {

@@ -26,7 +26,7 @@ class Island {
   /// Of its own way, that something may be turned aside in a step before that is taken again.
   static constexpr double turned_share = 0.3;
   /// m, how far from its straight way a point of a cord may go in a step unless something hits it hard: a quarter of a
-  /// link, a fall, part of its own way, and all of that of what may push it.
+  /// link, a fall, part of its own way, what loads pull it by, and all of the way of what may push it.
   static double room_of(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
 
   /// Advances the cords by dt seconds. All of them meet the same `bodies`.
@@ -140,7 +140,6 @@ class Island {
   static bool are_neighbours(const CordDef& def, int k, int link);
   static int outline_size(const CordDef& def);
   bool widen();
-  bool widen_rooms();
   void let_go(double dt);
   void damp_deformation(const Member& member);
 
@@ -212,7 +211,7 @@ class Island {
   bool are_bars_settled(const Stage& stage, int iteration);
   bool searched_steps(Stage& stage, CordReport& report);
   bool touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report);
-  bool posed_step(double dt, CordReport& report);
+  void posed_step(double dt, CordReport& report);
   bool posed_piece(double start, double dt, CordReport& report);
   bool end_piece(double dt);
   bool go_back(const Energy& before);
@@ -323,25 +322,22 @@ class Island {
   Box reach_;                       // of the cord whose contacts are looked for,
   std::vector<Box> outline_boxes_;  // and of its outline's points, but for the room
   bool has_pattern_ = false;
-  bool meets_ = false;               // there is something to touch
-  double stage_weight_ = 0.0;        // s, with which the stage's forces act
-  bool euler_ = false;               // the stage is one of implicit Euler
-  bool slips_ = false;               // a grip has begun to in the last linear solve
-  bool poses_ = false;               // in this step contacts are posed once,
-  bool posing_ = false;              // and a piece of it is being solved, see island_posed.cpp
-  bool blow_is_due_ = false;         // the next piece takes a blow
-  bool blown_ = false;               // this one does,
-  int most_iterations_ = 0;          // of the report, after which it is linearised no more
-  bool was_cut_ = false;             // in it something was kept from going through something
-  bool needs_room_ = false;          // or left its room, and has been given more
-  bool has_room_ = false;            // once in the step,
-  bool may_be_posed_again_ = false;  // if there is work left for that
-  LimitedRows limited_;              // of the posed problem
-  double left_open_ = 0.0;           // m, that its last linear solve moved something by
-  double left_force_ = 0.0;          // N, that this takes
-  Energy piece_energy_;              // when it began
-  std::vector<Vec2> load_;           // the right side without them
-  std::vector<Vec2> best_;           // positions, of those that they led to
+  bool meets_ = false;         // there is something to touch
+  double stage_weight_ = 0.0;  // s, with which the stage's forces act
+  bool euler_ = false;         // the stage is one of implicit Euler
+  bool slips_ = false;         // a grip has begun to in the last linear solve
+  bool poses_ = false;         // in this step contacts are posed once,
+  bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
+  bool blow_is_due_ = false;   // the next piece takes a blow
+  bool blown_ = false;         // this one does,
+  int most_iterations_ = 0;    // of the report, after which it is linearised no more
+  bool was_cut_ = false;       // in it something was kept from going through something
+  LimitedRows limited_;        // of the posed problem
+  double left_open_ = 0.0;     // m, that its last linear solve moved something by
+  double left_force_ = 0.0;    // N, that this takes
+  Energy piece_energy_;        // when it began
+  std::vector<Vec2> load_;     // the right side without them
+  std::vector<Vec2> best_;     // positions, of those that they led to
   std::vector<double> best_tensions_;
   std::vector<int> groups_;  // by slot: what goes together when it is kept apart from others
   std::vector<double> group_shares_;

@@ -13,16 +13,15 @@
 namespace ribbon {
 namespace {
 
-constexpr int worth_trying = 48;         // Newton steps in a step, before its contacts are posed once
-constexpr double tried_share = 0.35;     // of the work that a step may take, or after that
-constexpr int most_pieces = 10;          // of a step
-constexpr int most_posed_work = 70;      // linear systems, after which no piece is taken again,
-constexpr int most_last_work = 45;       // and so many more, after which none is linearised again
-constexpr int worth_posing_again = 100;  // systems before it, above which a step is not posed again for want of room
-constexpr double last_share = 0.5;       // of the work that a step may take, after which none is, either
-constexpr double blow_share = 0.05;      // of the least reach, that anything goes in the piece that takes a blow
-constexpr int patient_work = 10'000;     // of Accuracy::max_work
-constexpr int posings = 3;               // times that contacts are looked for
+constexpr int worth_trying = 48;      // Newton steps in a step, before its contacts are posed once
+constexpr double tried_share = 0.35;  // of the work that a step may take, or after that
+constexpr int most_pieces = 10;       // of a step
+constexpr int most_posed_work = 70;   // linear systems, after which no piece is taken again,
+constexpr int most_last_work = 45;    // and so many more, after which none is linearised again
+constexpr double last_share = 0.5;    // of the work that a step may take, after which none is, either
+constexpr double blow_share = 0.05;   // of the least reach, that anything goes in the piece that takes a blow
+constexpr int patient_work = 10'000;  // of Accuracy::max_work
+constexpr int posings = 3;            // times that contacts are looked for
 constexpr int most_linearisations = 24;
 constexpr int blow_linearisations = 2;  // of a piece that takes a blow: what moves so little changes no direction
 constexpr int miss_linearisations = 3;  // more, for each time of
@@ -54,11 +53,11 @@ bool Island::is_patient() const { return accuracy_.max_work >= patient_work; }
 /// The whole step, in pieces: where something would go through something on the way that all goes by itself, a piece
 /// ends there, and a very short one takes the blow, by which nothing moves far. A piece that is not solved, or in which
 /// something had to be kept from going through something, is taken again by half. Few pieces, and then all of the rest
-/// as it comes. False if something left its room, and has been given more.
-bool Island::posed_step(double dt, CordReport& report) {
+/// as it comes.
+void Island::posed_step(double dt, CordReport& report) {
+  ++report.posed;
   begin_substep(0.0, dt);
   const Energy before = driven_ ? Energy{} : total_energy();
-  may_be_posed_again_ = report.iterations <= worth_posing_again && !is_spent(report, last_share);
   const int enough = report.iterations + most_posed_work;
   most_iterations_ = enough + most_last_work;
   double time = 0.0;
@@ -73,7 +72,6 @@ bool Island::posed_step(double dt, CordReport& report) {
     const double share = last ? left : std::min(most, next_piece(time, left));
     if (last) blown_ = blow_is_due_ = false;
     const bool solved = posed_piece(time, share, report);
-    if (needs_room_) return false;
     const bool good = !was_cut_ && solved;
     if (!good && !last && !(share == left && is_last())) {  // nor the same again
       return_to_start();
@@ -92,8 +90,6 @@ bool Island::posed_step(double dt, CordReport& report) {
     most = dt - time;
   }
   if (!driven_) account(before);
-  ++report.posed;
-  return true;
 }
 
 /// s, up to a blow, or through it, or all that is left where there is none, or one that has just been taken.

@@ -22,6 +22,10 @@ double Island::room_of(const IslandCord& island_cord, std::span<const RigidBody>
   const Cord& cord = *island_cord.cord;
   double own2 = 0.0;
   double other2 = 0.0;
+  double pulled = 0.0;  // m/s²
+  for (std::size_t p = 0; p < cord.loads_.size(); ++p) {
+    pulled = std::max(pulled, length(cord.loads_[p]) / cord.masses_[p]);
+  }
   for (std::size_t p = 0; p < cord.count(); ++p) {
     const bool is_free = cord.kinds_[p] == PointKind::free;
     const Vec2 v = is_free ? cord.velocities_[p] : (1.0 / dt) * (cord.targets_[p] - cord.positions_[p]);
@@ -34,7 +38,8 @@ double Island::room_of(const IslandCord& island_cord, std::span<const RigidBody>
   for (const RigidCircle& circle : island_cord.met.circles) take(circle.body);
   for (const RigidSegment& segment : island_cord.met.segments) take(segment.body);
   const double turned = dt * (turned_share * std::sqrt(own2) + std::sqrt(other2));
-  return 0.25 * cord.rest_length(0) + 2.0 * dt * dt * length(gravity) + turned;
+  const double pull = std::min(cord.rest_length(0), dt * dt * pulled);  // further goes only what its links let go
+  return 0.25 * cord.rest_length(0) + 2.0 * dt * dt * length(gravity) + turned + pull;
 }
 
 /// The boxes in which the cord and the points of its outline stay.
@@ -57,11 +62,9 @@ Box Island::spot_box(const RigidBody& body, Vec2 arm) const {
   return box_around(here, there, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_room_ : 0.0));
 }
 
-/// Whether the step has to be taken again, for something left its room in it.
-bool Island::widen() { return meets_ && !poses_ && widen_rooms(); }
-
-/// Gives what left its room more of it, as far as it went. False if nothing did, or has all there is.
-bool Island::widen_rooms() {
+/// Gives what left its room in the step more of it, as far as it went. False if nothing did, or has all there is.
+bool Island::widen() {
+  if (!meets_ || poses_) return false;
   double bodies_went = 0.0;  // in rooms of theirs
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];
@@ -170,13 +173,11 @@ void Island::find_groups() {
 }
 
 /// Takes from the way of cords, and of what holds them, what would lead them through each other, or out of the room in
-/// which contacts were looked for, unless the step can be taken again with more of it. False if it had to.
+/// which contacts were looked for. False if it had to.
 bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
   const bool roomy = keep_to_room(from);
-  needs_room_ = !roomy && !has_room_ && may_be_posed_again_ && widen_rooms();
-  if (needs_room_) return false;
   const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
   if (apart && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {

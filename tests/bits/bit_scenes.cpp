@@ -323,9 +323,9 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
     {"contacts", build_contacts, nullptr, 150, 0xb456051ca678789d},
     {"grips", build_grips, drive_grips, 180, 0xa38dfd19c37bf017},
-    {"self_contact", build_self_contact, nullptr, 80, 0x752a23f5930f6bd7},
+    {"self_contact", build_self_contact, nullptr, 80, 0x18858f40b8ed8302},
     {"thesis", build_thesis, drive_thesis, 180, 0x211b1497f494cbe7},
-    {"rough", build_rough, drive_rough, 120, 0xf32e84467a472913},
+    {"rough", build_rough, drive_rough, 120, 0x5f695bd1c480e936},
     {"asleep", build_asleep, drive_asleep, 220, 0x1f85e0956a8befc8},
 }};
 
