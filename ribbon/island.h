@@ -285,6 +285,7 @@ class Island {
   bool driven_ = false;           // something moves or turns a cord that the energy guard does not know
   bool winding_ = false;          // a reel changes rest lengths
   bool unlocking_ = false;
+  bool has_fill_order_ = false;         // order_ is one that fills little, found in this step
   CordReport before_take_;              // of the step, when it was last begun
   double begin_ = 0.0;                  // s, of the substep
   std::vector<double> widenings_;       // by member: of the room in which its contacts are looked for,
@@ -345,8 +346,7 @@ class Island {
   // Of the solve by blocks.
   BlockLdlt blocks_;
   std::vector<int> order_;
-  bool has_fill_order_ = false;  // in this step,
-  std::size_t filled_ = 0;       // with so many blocks
+  std::size_t filled_ = 0;  // blocks, when an order was found that fills little
   FillOrder fill_order_;
   std::vector<int> places_;               // by slot of points and bodies: in that order
   std::vector<std::array<int, 2>> late_;  // tensions and pulls: the place after which it is eliminated, and its slot
