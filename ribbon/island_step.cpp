@@ -94,9 +94,9 @@ bool Island::damped_substep(double start, double dt, const Energy& before, CordR
   return !is_tried(report) && implicit_euler(start, dt, report) && !gained_energy(before, gross_gain);
 }
 
-/// Whether a step has taken as much as it may take by halves.
+/// Whether a step has taken as much as it may take by halves. Cells that turn back take what there is.
 bool Island::is_halved_out(const CordReport& report) const {
-  return is_spent(report, halving_share) || (!is_patient() && report.iterations >= most_halving_systems);
+  return is_spent(report, halving_share) || (!is_patient() && !unlocking_ && report.iterations >= most_halving_systems);
 }
 
 /// Of a stiff cord what the tolerance leaves open, times a tension, can be energy too: then all of it again to a
