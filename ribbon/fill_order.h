@@ -9,7 +9,7 @@ namespace ribbon {
 /// An order in which elimination of a sparse symmetric matrix fills little: of approximate minimum degree (Amestoy,
 /// Davis & Duff 1996). What is eliminated is an element, whose variables are coupled with each other; elements that
 /// another one covers are absorbed by it, so that what is filled is never stored. Once it has been as large as it gets,
-/// it takes no memory.
+/// it takes no memory, as a library's would in every step.
 class FillOrder {
  public:
   /// Begins a graph of so many variables that are not coupled.
