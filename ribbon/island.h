@@ -336,7 +336,8 @@ class Island {
   LimitedRows limited_;        // of the posed problem
   double left_open_ = 0.0;     // m, that its last linear solve moved something by
   double left_force_ = 0.0;    // N, that this takes
-  Energy piece_energy_;        // when it began
+  Energy piece_energy_;        // when it began,
+  double pressed_ = 0.0;       // J, and of that what pressed, as stiff as it was in the piece before
   std::vector<Vec2> load_;     // the right side without them
   std::vector<Vec2> best_;     // positions, of those that they led to
   std::vector<double> best_tensions_;

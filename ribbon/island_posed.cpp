@@ -60,6 +60,7 @@ void Island::posed_step(double dt, CordReport& report) {
   const Energy before = driven_ ? Energy{} : total_energy();
   const int enough = report.iterations + most_posed_work;
   most_iterations_ = enough + most_last_work;
+  pressed_ = contacts_.pressing_energy();
   double time = 0.0;
   double most = dt;
   blown_ = blow_is_due_ = false;
@@ -140,7 +141,7 @@ bool Island::posed_piece(double start, double dt, CordReport& report) {
   was_cut_ = false;
   if (!driven_) {
     piece_energy_ = total_energy();
-    piece_energy_.elastic += contacts_.pressing_energy() - contacts_.energy();
+    piece_energy_.elastic += pressed_ - contacts_.energy();
   }
   posing_ = true;
   has_pattern_ = false;
@@ -167,6 +168,7 @@ bool Island::end_piece(double dt) {
   if (!driven_) energy_after_ = total_energy();
   restart_ = true;
   if (contacts_.empty()) return back;
+  pressed_ = contacts_.energy();
   touch_changed_ = contacts_.changed();
   contacts_.finish(positions_);
   contacts_.scale_impulses(0.0);

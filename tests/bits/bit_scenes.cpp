@@ -321,7 +321,7 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
-    {"contacts", build_contacts, nullptr, 150, 0xb456051ca678789d},
+    {"contacts", build_contacts, nullptr, 150, 0xb587e69ca196f678},
     {"grips", build_grips, drive_grips, 180, 0xa38dfd19c37bf017},
     {"self_contact", build_self_contact, nullptr, 80, 0x18858f40b8ed8302},
     {"thesis", build_thesis, drive_thesis, 180, 0x211b1497f494cbe7},
