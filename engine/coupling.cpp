@@ -19,7 +19,9 @@ std::uint64_t cord_id(std::size_t index) { return (std::uint64_t{1} << 63U) + in
 void Coupling::make_room(CoupledCord& coupled) {
   coupled.circles.reserve(usual_bodies);
   coupled.segments.reserve(usual_bodies);
+  coupled.near.reserve(usual_bodies);
   coupled.grips.reserve(usual_grips);
+  coupled.grip_ids.reserve(usual_grips);
   coupled.touching.reserve(usual_touches);
   coupled.touched.reserve(usual_touches);
 }
@@ -40,7 +42,15 @@ CordIndex Coupling::add(CoupledCord coupled) {
   gathered_.reserve(usual_bodies);
   rigid_.reserve(usual_bodies);
   touch_events_.reserve(usual_touches);
-  roster_.reserve(usual_bodies);
+  body_places_.reserve(usual_bodies);
+  fixture_ids_.reserve(usual_bodies);
+  new_fixtures_.reserve(usual_bodies);
+  new_bodies_.reserve(usual_bodies);
+  wanted_.reserve(usual_bodies);
+  by_x_.reserve(cords_.size());
+  if (lookouts_.empty()) lookouts_.emplace_back();
+  lookouts_.front().leaves.reserve(usual_bodies);
+  lookouts_.front().further.reserve(usual_bodies);
   return size() - 1;
 }
 
@@ -111,6 +121,12 @@ void Coupling::step_direct() {
   find_touch_events();
 }
 
+void Coupling::use(const ribbon::ParallelFor& parallel_for) {
+  ribbon::check(parallel_for);
+  parallel_for_ = parallel_for;
+  direct_solver_.use(parallel_for);
+}
+
 void Coupling::estimate_errors(bool wanted) {
   if (wanted == estimates_errors()) return;
   probe_.reset();
@@ -124,7 +140,7 @@ void Coupling::apply() {
     b2Body& body = *gathered_[b].body;
     if (rigid_[b].rests) {
       lay_to_rest(body);
-    } else if (rigid_[b].met || holder(body) != nullptr) {
+    } else if (rigid_[b].met || (gathered_[b].holds && holder(body) != nullptr)) {
       lead(body, rigid_[b]);
     } else {
       let_run(body);

@@ -7,16 +7,20 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "engine/coupling_roster.h"
+#include "engine/address_table.h"
+#include "engine/coupling_near.h"
 #include "engine/coupling_state.h"
 #include "engine/fixture_ids.h"
 #include "engine/step_watcher.h"
+#include "engine/still_there.h"
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"
+#include "ribbon/parallel_for.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis_cord.h"
 
@@ -110,10 +114,16 @@ struct TouchEvent {
 /// A cord that is allowed to sleeps, and who holds or touches it goes to sleep with it: Box2D's b2Body::SetAwake. What
 /// wakes such a body in Box2D wakes the cord.
 ///
+/// What a tick costs follows what is near the cords: gather asks the world's own broad phase for that. It goes through
+/// the world's list of bodies only where a body holds a cord, to see whether it is still there, unless the user tells
+/// that (`trust_forget`); where so much lies around the cords that to look around each of them for what comes from
+/// further off takes longer; and in the tick in which several bodies come near for the first time, or one that was led
+/// or touched is near no more.
+///
 /// No listener of the world is taken over. Between ticks bodies and fixtures may come and go, and no call looks into
 /// the memory of one that is gone: what a cord remembers of a body or fixture ends with it. One that Box2D makes at the
-/// address of another one that is gone is told from it by the order of the world's list (WorldRoster) whenever
-/// something that was made later than the one that is gone is still there. Where the newest body of the world, or the
+/// address of another one that is gone is told from it by what is behind it in the world's list (SeenBody), as long as
+/// the one made just before that, and some one made later, are still there. Where the newest body of the world, or the
 /// newest fixture of its body, is replaced by another one, that cannot be seen: destroy it by `destroy`, or call
 /// `forget` before, or the new one inherits grip, carried velocity and fixture number. The world outlives all calls but
 /// the destructor, unless the next world is gathered first.
@@ -180,10 +190,15 @@ class Coupling {
   /// Calls the watcher around each step of the direct solver from now on, with what the solver is given; null, as at
   /// first: nothing. It has to outlive the steps. It is no part of the state; where there is none, nothing is copied.
   void watch(StepWatcher* watcher) { watcher_ = watcher; }
+  /// Gathers for many cords, and steps their islands, side by side from now on, to the same bits. It is no part of the
+  /// state. Throws ribbon::DefinitionError, and changes nothing, for fewer workers than one.
+  void use(const ribbon::ParallelFor& parallel_for);
   /// How many islands the cords of the direct solver made in the last step.
   int islands() const { return direct_solver_.islands(); }
   /// How many circles and edges were gathered for a cord in the last tick, because they may touch it.
   int gathered_near(CordIndex index) const;
+  /// What that is, by fixture's number. Valid until the next gather, as long as the fixtures are.
+  std::span<const NearShape> near(CordIndex index) const { return cords_[at(index)].near; }
   /// What happened in the last step of a cord of the thesis's solver.
   const ribbon::StepReport& thesis_report(CordIndex index) const { return cords_[at(index)].report; }
   /// What has happened to it since it was added, summed up.
@@ -247,6 +262,10 @@ class Coupling {
   /// Knows nothing any more of a body that is about to be destroyed, of its grips and fixtures: what `destroy` does
   /// before it destroys. A b2DestructionListener may call both of these from SayGoodbye.
   void forget(const b2Body& body);
+  /// Says that one of `forget` and `destroy` is called for every body, and every fixture, before it is destroyed, from
+  /// now on: then nobody walks through the world's list of bodies in each tick in which a body holds a cord, to see who
+  /// is still there. At first it is not so.
+  void trust_forget(bool trusted) { trusts_forget_ = trusted; }
   /// The same of one fixture: events of the last step, and `fixture`, have null in its place.
   void forget(const b2Fixture& fixture);
 
@@ -287,42 +306,75 @@ class Coupling {
     double direct_error = 0.0;
     ribbon::StepReport report{};
     ribbon::StepReport total{};
-    ribbon::Box reach{};  // of this tick
+    ribbon::Box reach{};            // of this tick
+    bool reach_rests = false;       // it is that of a cord that sleeps
+    std::vector<NearShape> near{};  // what is in it
     std::vector<ribbon::RigidCircle> circles{};
     std::vector<ribbon::RigidSegment> segments{};
     std::vector<ribbon::Grip> grips{};
+    std::vector<GripId> grip_ids{};        // of each
     std::vector<FixtureTouch> touching{};  // by fixture, in the last tick
     std::vector<FixtureTouch> touched{};   // and in the one before
   };
   struct Holder : GripMemory {
     b2Body* body;
+    SeenBody seen;
   };
   struct LedBody : LedMemory {
-    const b2Body* body;
-    bool led;  // in this tick
+    b2Body* body;
+    SeenBody seen;
+    bool left = false;  // no cord is near it any more
   };
   struct GatheredBody {
     b2Body* body;
-    CordIndex met;  // the last cord of the thesis's that it came near or holds
+    CordIndex met;       // the last cord of the thesis's that it came near or holds
+    bool holds = false;  // some cord
   };
+  /// What one task finds that looks around for some cords.
+  struct Lookout {
+    std::vector<int> leaves;                         // of the world's tree, further off from a cord
+    std::vector<std::pair<CordIndex, int>> further;  // the same of all of the cords,
+    bool about_each = true;                          // which were not too many
+  };
+  struct Around {
+    const b2World& world;
+    bool as_before;           // gravity and the length of the tick
+    std::size_t most_leaves;  // to be listed further off
+  };
+  // Of an address in wanted_:
+  static constexpr int wanted_body = 0;
+  static constexpr int found_body = 1;
 
   void check_state(const State& state, const std::vector<b2Body*>& bodies) const;
   void drop(const b2Body& body);
-  void drop_what_is_gone_from(const b2World& world);
-  void drop_new_fixtures_of(const b2World& world, const b2Body* first);
-  bool is_there(const b2Body* body) const;
+  void enter(const b2World& world);
+  void drop_if_replaced(const b2Body& body);
+  bool world_has(const SeenBody& seen) const;
+  void look_for_wanted();
+  void drop_gone_holders();
+  void look_at_holders();
+  void let_run_who_left();
   static void make_room(CoupledCord& coupled);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-  void drop_disabled_holders();
-  void gather_body(b2Body& body, b2Vec2 gravity, double dt);
-  void gather_fixture(b2Body& body, const b2Fixture& fixture, b2Vec2 gravity, double dt);
-  int body_index(b2Body& body, b2Vec2 gravity);
+  void find_reach(CoupledCord& coupled, bool as_before) const;
+  Look look_of(const CoupledCord& coupled) const;
+  void look_around(b2World& world, bool as_before);
+  void look_around(Lookout& lookout, CordIndex first, CordIndex last, const Around& around);
+  void look_for_what_moves(b2World& world);
+  void sort_by_x();
+  void look_from(const b2World& world, b2Fixture& fixture, int child);
+  void number_new_fixtures(const b2World& world);
+  template <typename Number>
+  void number_by_body(const b2World& world, const Number& number_those_of);
+  void meet(CoupledCord& coupled);
+  void meet_circle(CoupledCord& coupled, const b2Fixture& fixture, int body);
+  int body_index(b2Body& body);
   void step_direct();
   void check_cord(CordIndex cord) const;
   void check_enabled(CordIndex cord) const;
   void check_arc(CordIndex cord, double arc) const;
-  void gather_grips(b2Body& body, b2Vec2 gravity);
+  void gather_grips();
   double climb_in_tick(Holder& holder) const;
   double column(const Holder& holder) const;
   void set_column(Holder& holder, double column) const;
@@ -332,6 +384,8 @@ class Coupling {
   void let_go_who_must();
   void find_touch_events();
   static void add_touches(const ribbon::Cord& cord, std::vector<FixtureTouch>& touching);
+  Holder* find_holder(GripId grip);
+  const Holder* find_holder(GripId grip) const;
   Holder& grip_of_direct(GripId grip);
   Holder* holder(const b2Body& body);
   const Holder* holder(const b2Body& body) const;
@@ -346,14 +400,14 @@ class Coupling {
   static ribbon::Vec2 pushed(const b2Body& body, const LedBody& led);
   static ribbon::Vec2 ahead(const b2Body& body, const LedBody& led);
   static double ahead_turning(const b2Body& body, const LedBody& led);
-  LedBody& led_or_new(const b2Body& body);
+  LedBody& led_or_new(b2Body& body);
   void push(const GatheredBody& gathered, const ribbon::RigidBody& rigid);
   void lead(b2Body& body, const ribbon::RigidBody& rigid);
   void let_run(b2Body& body);
+  static void add_ahead(b2Body& body, const LedBody& led);
   void lay_to_rest(b2Body& body);
   void let_go_of(CordIndex cord);
   void look_for_the_missing(b2World& world);
-  bool is_touching(std::uint64_t fixture) const;
 
   std::vector<CoupledCord> cords_;
   std::vector<Holder> holders_;
@@ -361,8 +415,16 @@ class Coupling {
   std::vector<TouchEvent> touch_events_;
   std::vector<LedBody> led_;  // by address, which serves to find one and for nothing else
   FixtureIds fixture_ids_;
-  const b2World* world_ = nullptr;  // that holders_ and led_ are in, as
-  WorldRoster roster_;              // it was recorded last
+  const b2World* world_ = nullptr;  // that holders_ and led_ are in
+  bool trusts_forget_ = false;
+  ribbon::ParallelFor parallel_for_;
+  std::vector<Lookout> lookouts_;  // one a task
+  std::vector<CordIndex> by_x_;    // by where their reaches begin, nearly, and
+  double widest_ = 0.0;            // m, of these the widest
+  AddressTable wanted_;            // bodies that are looked for in the world's list
+  // Without numbers yet, in a tick, and their bodies: by address, to find them by.
+  std::vector<const b2Fixture*> new_fixtures_;
+  std::vector<const b2Body*> new_bodies_;
   ribbon::DirectSolver direct_solver_;
   std::optional<ribbon::ErrorProbe> probe_;
   StepWatcher* watcher_ = nullptr;
@@ -371,6 +433,7 @@ class Coupling {
   // This tick's bodies: Box2D's and the cord's view of each, at the same index.
   std::vector<GatheredBody> gathered_;
   std::vector<ribbon::RigidBody> rigid_;
+  AddressTable body_places_;  // in both
   std::vector<ribbon::IslandCord> direct_cords_;
   std::vector<ribbon::CordReport> direct_reports_;
 };

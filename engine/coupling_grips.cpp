@@ -55,7 +55,8 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
   check_enabled(cord);
   std::visit([point](const auto& held) { held.check_point(point); }, cords_[at(cord)].cord);
   ribbon::check_coordinates("local_hand", to_double(local_hand));
-  drop_what_is_gone_from(*body.GetWorld());
+  enter(*body.GetWorld());
+  drop_if_replaced(body);
   if (Holder* held = holder(body)) {
     if (held->cord != cord || held->point != point) held->local_hand = local_hand;
     held->cord = cord;
@@ -64,7 +65,7 @@ void Coupling::hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand) 
     held->climb_to = -1.0;
     held->next_hand = local_hand;
   } else {
-    holders_.push_back({{next_grip_++, cord, point, local_hand, local_hand}, &body});
+    holders_.push_back({{next_grip_++, cord, point, local_hand, local_hand}, &body, SeenBody(body)});
   }
 }
 
@@ -83,8 +84,9 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   check_arc(def.cord, def.arc);
   ribbon::check_coordinates("local_hand", to_double(def.local_hand));
   if (!(def.strength >= 0.0)) ribbon::refuse("strength", def.strength, "0 or more");
-  drop_what_is_gone_from(*body.GetWorld());
-  Holder held{{next_grip_, def.cord, def.row, def.local_hand, def.local_hand}, &body};
+  enter(*body.GetWorld());
+  drop_if_replaced(body);
+  Holder held{{next_grip_, def.cord, def.row, def.local_hand, def.local_hand}, &body, SeenBody(body)};
   held.strength = def.lets_go ? std::numeric_limits<double>::infinity() : def.strength;
   held.lets_go = def.lets_go;
   held.most_pull = def.strength;
@@ -99,9 +101,20 @@ GripId Coupling::grip(b2Body& body, const GripDef& def) {
   return next_grip_++;
 }
 
+/// Null if there is none of that number. They are in the order in which they were taken, and so of their numbers.
+const Coupling::Holder* Coupling::find_holder(GripId grip) const {
+  const auto held = std::lower_bound(holders_.begin(), holders_.end(), grip,
+                                     [](const Holder& holder, GripId id) { return holder.id < id; });
+  return held != holders_.end() && held->id == grip ? &*held : nullptr;
+}
+
+Coupling::Holder* Coupling::find_holder(GripId grip) {
+  return const_cast<Holder*>(std::as_const(*this).find_holder(grip));
+}
+
 Coupling::Holder& Coupling::grip_of_direct(GripId grip) {
-  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
-  if (held != holders_.end() && solver(held->cord) == Solver::direct) return *held;
+  Holder* const held = find_holder(grip);
+  if (held != nullptr && solver(held->cord) == Solver::direct) return *held;
   throw ribbon::DefinitionError("grip is " + std::to_string(grip) +
                                 "; accepted is one of a cord of the direct solver that has not been let go");
 }
@@ -123,11 +136,12 @@ void Coupling::move_hand(GripId grip, b2Vec2 local_hand) {
 }
 
 bool Coupling::let_go(GripId grip) {
-  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
-  if (held == holders_.end()) return false;
+  const Holder* const held = find_holder(grip);
+  if (held == nullptr) return false;
   b2Body* const body = held->body;
-  holders_.erase(held);
-  if (!is_there(body)) return true;
+  const SeenBody seen = held->seen;
+  holders_.erase(holders_.begin() + (held - holders_.data()));
+  if (!world_has(seen)) return true;
   body->SetAwake(true);
   if (holder(*body) == nullptr) let_run(*body);
   return true;
@@ -144,8 +158,8 @@ void Coupling::let_go_of(CordIndex cord) {
 }
 
 std::optional<GripState> Coupling::state(GripId grip) const {
-  const auto held = std::find_if(holders_.begin(), holders_.end(), [grip](const Holder& h) { return h.id == grip; });
-  if (held == holders_.end()) return std::nullopt;
+  const Holder* const held = find_holder(grip);
+  if (held == nullptr) return std::nullopt;
   const CordPoint place{held->cord, held->point, 0.0, held->along};
   return GripState{held->cord, arc_at(held->cord, column(*held)), position(place), held->pull, held->slips};
 }
@@ -160,7 +174,7 @@ bool Coupling::release(b2Body& body) {
 
 const Coupling::Holder* Coupling::holder(const b2Body& body) const {
   for (const Holder& holder : holders_) {
-    if (holder.body == &body) return &holder;
+    if (holder.body == &body && holder.seen.is(body)) return &holder;
   }
   return nullptr;
 }
@@ -171,7 +185,7 @@ Coupling::Holder* Coupling::holder(const b2Body& body) {
 
 std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
   const Holder* held = holder(body);
-  if (held == nullptr || !is_there(&body)) return std::nullopt;
+  if (held == nullptr) return std::nullopt;
   return CordPoint{held->cord, held->point, 0.0, held->along};
 }
 
@@ -202,17 +216,21 @@ double Coupling::arc_at(CordIndex cord, double column) const {
   return whole + 1 < direct.def().points ? arc + (column - whole) * direct.rest_length(whole) : arc;
 }
 
-void Coupling::gather_grips(b2Body& body, b2Vec2 gravity) {
+void Coupling::gather_grips() {
   for (Holder& held : holders_) {
-    if (held.body != &body) continue;
+    const b2Body& body = *held.body;
+    if (!can_be_met(body)) continue;
     const Vec2 center = to_double(body.GetWorldCenter());
     const Vec2 hand = drawn(held, center, to_double(body.GetWorldPoint(held.local_hand)) - center);
     const Vec2 travel = to_double(body.GetWorldVector(held.next_hand - held.local_hand));
-    ribbon::Grip grip{held.point, body_index(body, gravity), hand, travel};
+    ribbon::Grip grip{held.point, body_index(*held.body), hand, travel};
+    gathered_[at(grip.body)].holds = true;
     grip.along = held.along;
     grip.climb = climb_in_tick(held);
     grip.strength = held.strength;
-    cords_[at(held.cord)].grips.push_back(grip);
+    CoupledCord& coupled = cords_[at(held.cord)];
+    coupled.grips.push_back(grip);
+    coupled.grip_ids.push_back(held.id);
     held.local_hand = held.next_hand;
   }
 }
@@ -244,26 +262,21 @@ double Coupling::climb_in_tick(Holder& holder) const {
 void Coupling::follow_grips() {
   for (CordIndex c = 0; c < size(); ++c) {
     if (solver(c) != Solver::direct) continue;
-    const auto& grips = cords_[at(c)].grips;
-    std::size_t index = 0;
-    // Grips were gathered body by body, those of a body in the order of holders_.
-    for (std::size_t k = 0; k < grips.size(); ++k) {
-      b2Body* body = gathered_[at(grips[k].body)].body;
-      index = k > 0 && grips[k - 1].body == grips[k].body ? index + 1 : 0;
-      while (index < holders_.size() && (holders_[index].body != body || holders_[index].cord != c)) ++index;
-      if (index == holders_.size()) continue;  // let go of since the tick was gathered for
-      Holder& held = holders_[index];
-      held.pull = {};
+    const CoupledCord& coupled = cords_[at(c)];
+    for (std::size_t k = 0; k < coupled.grips.size(); ++k) {
+      Holder* const held = find_holder(coupled.grip_ids[k]);
+      if (held == nullptr) continue;  // let go of since the tick was gathered for
+      held->pull = {};
       double slid = 0.0;
       for (const ribbon::Cord::Holder& solved : cord(c).holders()) {
         if (solved.grip != static_cast<int>(k)) continue;
-        held.pull = solved.pull;
+        held->pull = solved.pull;
         slid = solved.slid;
       }
-      held.slips = slid != 0.0;
-      const double moved = grips[k].climb + slid;
-      if (moved != 0.0) set_column(held, column(held) + moved);
-      if (held.climb_to >= 0.0 && std::abs(held.climb_to - column(held)) <= same_place) held.climb_to = -1.0;
+      held->slips = slid != 0.0;
+      const double moved = coupled.grips[k].climb + slid;
+      if (moved != 0.0) set_column(*held, column(*held) + moved);
+      if (held->climb_to >= 0.0 && std::abs(held->climb_to - column(*held)) <= same_place) held->climb_to = -1.0;
     }
   }
 }

@@ -3,50 +3,119 @@
 #include <algorithm>
 
 #include "engine/coupling.h"
+#include "engine/coupling_near.h"
 
 namespace engine {
+namespace {
 
-/// Drops what is known of bodies and fixtures that are gone, also where others are at their addresses, and records the
-/// world as it is.
-void Coupling::drop_what_is_gone_from(const b2World& world) {
-  const b2Body* const first = roster_.first_kept(world);
-  const auto is_gone = [first](const Holder& holder) {
-    for (const b2Body* body = first; body != nullptr; body = body->GetNext()) {
-      if (body == holder.body) return false;
-    }
-    return true;
+/// The fixture that was seen, null if the world has it no more. O(bodies + fixtures of its body).
+b2Fixture* find(b2Body* newest, const SeenFixture& seen) {
+  b2Body* body = newest;
+  while (body != nullptr && body != seen.owner.body) body = body->GetNext();
+  if (body == nullptr) return nullptr;
+  b2Fixture* fixture = body->GetFixtureList();
+  while (fixture != nullptr && fixture != seen.fixture) fixture = fixture->GetNext();
+  return fixture != nullptr && seen.is(*fixture) ? fixture : nullptr;
+}
+
+}  // namespace
+
+/// Of another world than before nothing is known but who holds.
+void Coupling::enter(const b2World& world) {
+  if (world_ == &world) return;
+  world_ = &world;
+  led_.clear();
+  fixture_ids_.forget_all();
+  drop_gone_holders();
+}
+
+/// What was at the address of a body that holds nothing yet is known no more.
+void Coupling::drop_if_replaced(const b2Body& body) {
+  const auto is_other = [&body](const auto& known) { return known.body == &body && !known.seen.is(body); };
+  if (std::any_of(holders_.begin(), holders_.end(), is_other) || std::any_of(led_.begin(), led_.end(), is_other)) {
+    drop(body);
+  }
+}
+
+/// Whether a body that was seen is still in its world. O(bodies), unless the user tells who goes.
+bool Coupling::world_has(const SeenBody& seen) const {
+  if (world_ == nullptr) return false;
+  if (trusts_forget_) return true;
+  const b2Body* body = world_->GetBodyList();
+  while (body != nullptr && body != seen.body) body = body->GetNext();
+  return body != nullptr && seen.is(*body);
+}
+
+/// Finds which of the wanted addresses are bodies of the world. O(bodies).
+void Coupling::look_for_wanted() {
+  for (const b2Body* body = world_->GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (wanted_.find(body) == wanted_body) wanted_.set(body, found_body);
+  }
+}
+
+void Coupling::drop_gone_holders() {
+  if (holders_.empty()) return;
+  wanted_.clear();
+  for (const Holder& holder : holders_) wanted_.set(holder.body, wanted_body);
+  look_for_wanted();
+  const auto is_gone = [this](const Holder& holder) {
+    return wanted_.find(holder.body) != found_body || !holder.seen.is(*holder.body);
   };
   holders_.erase(std::remove_if(holders_.begin(), holders_.end(), is_gone), holders_.end());
-  for (LedBody& led : led_) led.led = false;
-  for (const b2Body* body = first; body != nullptr; body = body->GetNext()) {
-    if (LedBody* found = led(*body)) found->led = true;
-  }
-  led_.erase(std::remove_if(led_.begin(), led_.end(), [](const LedBody& led) { return !led.led; }), led_.end());
-  drop_new_fixtures_of(world, first);
-  roster_.record(world);
-  world_ = &world;
 }
 
-/// A fixture that is new has no number yet; `first` is the first body that is not.
-void Coupling::drop_new_fixtures_of(const b2World& world, const b2Body* first) {
-  bool is_kept = false;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    is_kept = is_kept || body == first;
-    for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-      if (fixture_ids_.find(*fixture) == nullptr || (is_kept && roster_.keeps(*body, fixture))) continue;
-      fixture_ids_.forget(*fixture);
+/// Drops who holds and is gone, unless the user tells that, or cannot hold as it is.
+void Coupling::look_at_holders() {
+  if (!trusts_forget_) drop_gone_holders();
+  const auto holds_nothing = [](const Holder& holder) { return !holder.body->IsEnabled() || !is_sound(*holder.body); };
+  holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds_nothing), holders_.end());
+  for (Holder& holder : holders_) holder.seen = SeenBody(*holder.body);
+}
+
+/// Gives those that were led, and that no cord comes near any more, what Box2D could not show of their velocity.
+void Coupling::let_run_who_left() {
+  wanted_.clear();
+  bool any_left = false;
+  for (LedBody& led : led_) {
+    const int place = body_places_.find(led.seen.body);
+    if (place >= 0) {
+      led.left = !led.seen.is(*gathered_[at(place)].body);
+      if (!led.left) led.seen = SeenBody(*led.seen.body);
+      continue;
+    }
+    led.left = any_left = true;
+    wanted_.set(led.seen.body, trusts_forget_ ? found_body : wanted_body);
+  }
+  if (any_left && !trusts_forget_) look_for_wanted();
+  for (LedBody& led : led_) {
+    if (!led.left || wanted_.find(led.seen.body) != found_body || !led.seen.is(*led.seen.body)) continue;
+    if (is_sound(*led.seen.body)) add_ahead(*led.body, led);
+  }
+  led_.erase(std::remove_if(led_.begin(), led_.end(), [](const LedBody& led) { return led.left; }), led_.end());
+}
+
+/// Fixtures that touched a cord and are not near any more. A body that was carried by one and is asleep wakes, as where
+/// a contact of Box2D ends.
+void Coupling::look_for_the_missing(b2World& world) {
+  if (!fixture_ids_.misses_some()) return;
+  for (const CoupledCord& coupled : cords_) {
+    for (const FixtureTouch& touch : coupled.touching) {
+      FixtureIds::Known* const known = fixture_ids_.missed(touch.fixture);
+      if (known == nullptr || known->exists) continue;
+      b2Fixture* const fixture = find(world.GetBodyList(), known->seen_as);
+      if (fixture == nullptr) continue;
+      known->exists = true;
+      if (!fixture->GetBody()->IsAwake()) fixture->GetBody()->SetAwake(true);
     }
   }
 }
 
-/// Whether a body that holds or is led is still in its world. Does not look through the pointer.
-bool Coupling::is_there(const b2Body* body) const { return world_ != nullptr && roster_.keeps(*world_, body); }
-
-/// Lets go of what a body holds, without a word to it.
+/// Lets go of what a body holds, without a word to it, and of what was at its address.
 void Coupling::drop(const b2Body& body) {
   const auto holds = [&body](const Holder& holder) { return holder.body == &body; };
   holders_.erase(std::remove_if(holders_.begin(), holders_.end(), holds), holders_.end());
-  if (led(body) != nullptr) led_.erase(led_place(body));
+  const auto place = led_place(body);
+  if (place != led_.end() && place->body == &body) led_.erase(place);
 }
 
 void Coupling::forget(const b2Body& body) {
@@ -72,14 +141,9 @@ void Coupling::destroy(b2World& world, b2Body& body) {
 }
 
 const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) const {
-  const b2Fixture* const known = fixture_ids_.fixture(number);
-  if (known == nullptr) return nullptr;
-  for (const b2Body* body = roster_.first_kept(world); body != nullptr; body = body->GetNext()) {
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
-      if (f == known) return roster_.keeps(*body, f) ? f : nullptr;
-    }
-  }
-  return nullptr;
+  const FixtureIds::Known* const known = fixture_ids_.known(number);
+  if (known == nullptr || !known->exists) return nullptr;
+  return find(const_cast<b2Body*>(world.GetBodyList()), known->seen_as);
 }
 
 }  // namespace engine

@@ -65,7 +65,6 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
   led.position = rigid.position + rigid.moved;
   const Vec2 weight = (dt_ * static_cast<double>(body.GetGravityScale())) * gravity_;
   led.velocity = (1.0 / divided) * (to_double(body.GetLinearVelocity()) + weight);
-  led.led = true;
   if (rigid.inverse_inertia == 0.0) return;
   const double turning = static_cast<double>(body.GetAngularVelocity());
   const double divided_turning = damped(body.GetAngularDamping(), dt_);
@@ -81,10 +80,14 @@ void Coupling::lead(b2Body& body, const RigidBody& rigid) {
 void Coupling::let_run(b2Body& body) {
   const LedBody* before = led(body);
   if (before == nullptr) return;
-  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, *before)));
-  body.SetAngularVelocity(
-      static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + ahead_turning(body, *before)));
+  add_ahead(body, *before);
   led_.erase(led_place(body));
+}
+
+void Coupling::add_ahead(b2Body& body, const LedBody& led) {
+  body.SetLinearVelocity(to_float(to_double(body.GetLinearVelocity()) + ahead(body, led)));
+  body.SetAngularVelocity(
+      static_cast<float>(static_cast<double>(body.GetAngularVelocity()) + ahead_turning(body, led)));
 }
 
 /// Puts a body to sleep with the cords at it. Where it was led to stays known, and that there is nothing ahead of it.
@@ -115,7 +118,7 @@ std::vector<Coupling::LedBody>::iterator Coupling::led_place(const b2Body& body)
 
 Coupling::LedBody* Coupling::led(const b2Body& body) {
   const auto place = led_place(body);
-  return place != led_.end() && place->body == &body ? &*place : nullptr;
+  return place != led_.end() && place->body == &body && place->seen.is(body) ? &*place : nullptr;
 }
 
 const Coupling::LedBody* Coupling::led(const b2Body& body) const { return const_cast<Coupling*>(this)->led(body); }
@@ -178,21 +181,21 @@ Vec2 Coupling::reaction(const b2Body& body, LedBody& led) const {
   return bounded((1.0 / dt_) * led.expected_push, most_reaction);
 }
 
-Coupling::LedBody& Coupling::led_or_new(const b2Body& body) {
+Coupling::LedBody& Coupling::led_or_new(b2Body& body) {
   if (LedBody* before = led(body)) return *before;
-  return *led_.insert(led_place(body), {{}, &body, true});
+  const auto place = led_place(body);
+  if (place != led_.end() && place->body == &body) return *place = {{}, &body, SeenBody(body)};
+  return *led_.insert(place, {{}, &body, SeenBody(body)});
 }
 
 Vec2 Coupling::velocity(const b2Body& body) const {
   const LedBody* found = led(body);
-  const bool is_led = found != nullptr && is_there(&body);
-  return to_double(body.GetLinearVelocity()) + (is_led ? ahead(body, *found) : Vec2{});
+  return to_double(body.GetLinearVelocity()) + (found != nullptr ? ahead(body, *found) : Vec2{});
 }
 
 double Coupling::angular_velocity(const b2Body& body) const {
   const LedBody* found = led(body);
-  const bool is_led = found != nullptr && is_there(&body);
-  return static_cast<double>(body.GetAngularVelocity()) + (is_led ? ahead_turning(body, *found) : 0.0);
+  return static_cast<double>(body.GetAngularVelocity()) + (found != nullptr ? ahead_turning(body, *found) : 0.0);
 }
 
 }  // namespace engine

@@ -60,10 +60,14 @@ class Outline {
 
 std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / most_features; }
 
-void add_shape(const b2Fixture& fixture, int body, std::uint64_t id, const Box& reach,
-               std::vector<ribbon::RigidCircle>& circles, std::vector<ribbon::RigidSegment>& segments) {
-  const Outline outline(fixture, body, id, reach);
+void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, std::vector<ribbon::RigidCircle>& circles,
+                std::vector<ribbon::RigidSegment>& segments) {
+  const NearShape& first = parts.front();
+  const b2Fixture& fixture = *first.fixture;
   const b2Shape* shape = fixture.GetShape();
+  double way = 0.0;
+  for (const NearShape& part : parts) way = std::max(way, part.way);
+  const Outline outline(fixture, body, first.number, widened(reach, way));
   const auto add_line = [&](const b2Vec2* vertices, int count, bool closed) {
     for (int k = 0; k < count; ++k) {
       const auto feature = static_cast<std::uint64_t>(k);
@@ -91,7 +95,15 @@ void add_shape(const b2Fixture& fixture, int body, std::uint64_t id, const Box& 
     case b2Shape::e_chain: {
       // A loop's last vertex is its first once more: a corner more where there is one already.
       const auto& chain = static_cast<const b2ChainShape&>(*shape);
-      add_line(chain.m_vertices, chain.m_count, false);
+      int next_corner = 0;
+      for (const NearShape& part : parts) {
+        for (int k = std::max(next_corner, part.child); k <= part.child + 1; ++k) {
+          outline.add_corner(chain.m_vertices[k], shape->m_radius, static_cast<std::uint64_t>(k), circles);
+        }
+        next_corner = part.child + 2;
+        outline.add_edge(chain.m_vertices[part.child], chain.m_vertices[part.child + 1], shape->m_radius,
+                         static_cast<std::uint64_t>(part.child), segments);
+      }
       break;
     }
     default: break;

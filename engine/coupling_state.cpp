@@ -122,22 +122,16 @@ CouplingState Coupling::save(const b2World& world) const {
   }
   std::vector<int> places(holders_.size(), -1);
   int body_place = state.bodies;
-  const b2Body* const first = roster_.first_kept(world);
-  bool is_kept = false;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     --body_place;
-    is_kept = is_kept || body == first;
-    if (!is_kept) continue;
     for (std::size_t k = 0; k < holders_.size(); ++k) {
-      if (holders_[k].body == body) places[k] = body_place;
+      if (holders_[k].seen.is(*body)) places[k] = body_place;
     }
     if (const LedBody* found = led(*body)) state.led.push_back({body_place, *found});
     int place = 0;
     for (const b2Fixture* fixture : fixtures_of(*body)) {
       const auto* known = fixture_ids_.find(*fixture);
-      if (known != nullptr && roster_.keeps(*body, fixture)) {
-        state.fixtures.push_back({body_place, place, known->id, known->seen});
-      }
+      if (known != nullptr) state.fixtures.push_back({body_place, place, known->id, known->seen});
       ++place;
     }
   }
@@ -192,7 +186,6 @@ void Coupling::check_state(const State& state, const std::vector<b2Body*>& bodie
     check_memory(grip.memory, shape(grip.memory.cord), solver(grip.memory.cord) == Solver::direct);
     numbers.push_back(grip.memory.id);
   }
-  std::sort(numbers.begin(), numbers.end());
   check_order("state.grips.id", numbers, [](int id) { return id; });
   check_order("state.led.body", state.led, [](const State::Led& led) { return led.body; });
   for (const State::Led& led : state.led) {
@@ -231,21 +224,28 @@ void Coupling::restore(const State& state, b2World& world) {
     to.circles.clear();
     to.segments.clear();
     to.grips.clear();
+    to.grip_ids.clear();
+    to.reach_rests = false;
   }
   gathered_.clear();
   rigid_.clear();
+  body_places_.clear();
 
   holders_.clear();
-  for (const State::Grip& grip : state.grips) holders_.push_back({grip.memory, bodies[at(grip.body)]});
+  for (const State::Grip& grip : state.grips) {
+    b2Body* const body = bodies[at(grip.body)];
+    holders_.push_back({grip.memory, body, SeenBody(*body)});
+  }
   next_grip_ = state.next_grip;
   led_.clear();
   for (const State::Led& led : state.led) {
-    const b2Body& body = *bodies[at(led.body)];
-    led_.insert(led_place(body), {led.memory, &body, true});
+    b2Body& body = *bodies[at(led.body)];
+    led_.insert(led_place(body), {led.memory, &body, SeenBody(body)});
   }
   std::vector<FixtureIds::Known> known;
   for (const State::Fixture& fixture : state.fixtures) {
-    known.push_back({fixtures_of(*bodies[at(fixture.body)])[at(fixture.place)], fixture.id, fixture.seen});
+    const b2Fixture* const known_fixture = fixtures_of(*bodies[at(fixture.body)])[at(fixture.place)];
+    known.push_back({SeenFixture(*known_fixture), fixture.id, fixture.seen});
   }
   fixture_ids_.restore(std::move(known), state.next_fixture);
   touch_events_.clear();
@@ -254,7 +254,6 @@ void Coupling::restore(const State& state, b2World& world) {
     touch_events_.push_back({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
                              fixture != nullptr ? event.fixture : 0});
   }
-  roster_.record(world);
   world_ = &world;
 }
 

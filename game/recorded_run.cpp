@@ -77,9 +77,15 @@ void RecordedRun::watch(engine::StepWatcher* watcher) {
   simulation_->watch(watcher);
 }
 
+void RecordedRun::use(const ribbon::ParallelFor& parallel_for) {
+  parallel_for_ = parallel_for;
+  simulation_->use(parallel_for);
+}
+
 void RecordedRun::make_simulation() {
   simulation_.emplace(level_);
   simulation_->watch(watcher_);
+  simulation_->use(parallel_for_);
 }
 
 void RecordedRun::end_recording() {

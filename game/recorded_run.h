@@ -27,6 +27,8 @@ class RecordedRun {
   void estimate_errors(bool wanted) { simulation_->scene().coupling().estimate_errors(wanted); }
   /// Is called around each step of the cords from now on, those of a seek too: Simulation::watch. Outlives the run.
   void watch(engine::StepWatcher* watcher);
+  /// Moves the cords side by side from now on: Simulation::use.
+  void use(const ribbon::ParallelFor& parallel_for);
   bool has_replay() const { return replay_.has_value(); }
   /// True when the replay has ended, or has differed while being verified. Never without a replay.
   bool is_over() const;
@@ -74,6 +76,7 @@ class RecordedRun {
   Level level_;
   std::optional<Simulation> simulation_;
   engine::StepWatcher* watcher_ = nullptr;
+  ribbon::ParallelFor parallel_for_;
   std::size_t next_ = 0;  // tick of the replay
   bool is_tuned_ = false;
   bool level_is_tuned_ = false;

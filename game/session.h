@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/step_watcher.h"
+#include "engine/workers.h"
 #include "game/records.h"
 #include "game/run_folder.h"
 #include "game/settings.h"
@@ -46,6 +47,7 @@ struct Session {
   bool uses_pad = false;                   ///< the last thing that was pressed was on a gamepad: hints name its buttons
   std::string last_level{};                ///< that was played, for the level select
   engine::StepWatcher* watcher = nullptr;  ///< of all runs that are played; outlives them
+  engine::Workers workers;                 ///< that move their cords: one a core
 
  private:
   SettingsFile settings_file_;

@@ -81,11 +81,17 @@ void Simulation::watch(engine::StepWatcher* watcher) {
   scene_->coupling().watch(watcher);
 }
 
+void Simulation::use(const ribbon::ParallelFor& parallel_for) {
+  parallel_for_ = parallel_for;
+  scene_->coupling().use(parallel_for);
+}
+
 void Simulation::restart() {
   move_ = {};
   player_.reset();
   scene_ = level_->make_scene();
   scene_->coupling().watch(watcher_);
+  scene_->coupling().use(parallel_for_);
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
   tuning.reach = level_->assists.player_reach.value_or(tuning.reach);

@@ -56,6 +56,8 @@ class Simulation {
   engine::Scene& scene() { return *scene_; }
   /// Is called around each step of the scene's cords, and of those of scenes to come: engine::Coupling::watch.
   void watch(engine::StepWatcher* watcher);
+  /// Moves the cords of this scene, and of those to come, side by side: engine::Coupling::use.
+  void use(const ribbon::ParallelFor& parallel_for);
   const Player& player() const { return *player_; }
   Player& player() { return *player_; }                          ///< as for the scene
   const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
@@ -89,6 +91,7 @@ class Simulation {
   const Level* level_;
   MakeMover make_mover_;
   engine::StepWatcher* watcher_ = nullptr;
+  ribbon::ParallelFor parallel_for_;
   std::unique_ptr<engine::Scene> scene_;
   std::unique_ptr<Player> player_;
   Mover move_;

@@ -123,6 +123,21 @@ Cord::Energy Cord::energy(Vec2 gravity) const {
   return sum;
 }
 
+Cord::Sweep Cord::find_sweep() const {
+  Sweep sweep{
+      {positions_[0], positions_[0]}, 0.0, asleep_ ? 0.0 : elasticity_->energy({positions_, velocities_}, tensions_)};
+  const auto take = [&box = sweep.box](Vec2 x) {
+    box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
+    box.high = {std::max(box.high.x, x.x), std::max(box.high.y, x.y)};
+  };
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    take(positions_[p]);
+    if (kinds_[p] != PointKind::free) take(targets_[p]);
+    sweep.speed2 = std::max(sweep.speed2, dot(velocities_[p], velocities_[p]));
+  }
+  return sweep;
+}
+
 /// A tension is elastic and damping together, and the damping one jumps with a velocity that is set from outside: the
 /// elastic one does not.
 void Cord::set_damping_apart() {
@@ -142,10 +157,12 @@ void Cord::check_point(int point) const { check_range("point", point, 0, size() 
 /// What changes a cord from outside has it begin anew.
 void Cord::disturb() {
   restart_ = true;
+  sweep_.reset();
   wake();
 }
 
 void Cord::wake() {
+  if (asleep_) sweep_.reset();
   rested_ = 0.0;
   asleep_ = false;
 }
@@ -154,6 +171,7 @@ void Cord::wake() {
 void Cord::fall_asleep() {
   if (asleep_) return;
   asleep_ = true;
+  sweep_.reset();
   set_damping_apart();
   std::fill(velocities_.begin(), velocities_.end(), Vec2{});
   std::fill(accelerations_.begin(), accelerations_.end(), Vec2{});
@@ -324,6 +342,7 @@ void Cord::check_state(const State& state) const {
 
 void Cord::restore(const State& state) {
   check_state(state);
+  sweep_.reset();
   positions_ = state.positions;
   velocities_ = state.velocities;
   accelerations_ = state.accelerations;

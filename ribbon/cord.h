@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "ribbon/box.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/definition.h"
 #include "ribbon/rigid_circle.h"
@@ -87,6 +89,17 @@ class Cord {
   };
   /// J, in this gravity [m/s²].
   Energy energy(Vec2 gravity) const;
+
+  /// Where a cord is, and how it moves.
+  struct Sweep {
+    Box box;               ///< m, of its points and of where they are driven to
+    double speed2 = 0.0;   ///< m²/s², of the fastest point, squared
+    double elastic = 0.0;  ///< J, what it is stretched and bent by; 0 while it sleeps
+  };
+  /// O(1) after a step of a DirectSolver, until something changes the cord; else O(points).
+  Sweep sweep() const { return sweep_ ? *sweep_ : find_sweep(); }
+  /// Has `sweep` take no time until something changes the cord.
+  void remember_sweep() { sweep_ = sweep(); }
 
   /// s, for which a cord that is allowed to has to rest before it sleeps, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;
@@ -195,6 +208,7 @@ class Cord {
   void fall_asleep();
   bool is_winding() const { return !rest_targets_.empty() && rest_ != rest_targets_; }
   double own_mass(std::size_t point) const;
+  Sweep find_sweep() const;
 
   CordDef def_;
   std::unique_ptr<Elasticity> elasticity_;
@@ -218,6 +232,7 @@ class Cord {
   bool touch_changed_ = false;     // in the last step
   bool damping_apart_ = false;     // tensions_ are the elastic ones alone, for velocities may be changed
   bool restart_ = true;            // accelerations_ are not those of this state
+  std::optional<Sweep> sweep_;     // of this state, if it was found
   double rested_ = 0.0;            // s, for which it has rested,
   bool asleep_ = false;            // in the last step,
   std::uint64_t still_among_ = 0;  // among what: see State

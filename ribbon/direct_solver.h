@@ -8,10 +8,13 @@
 #include "ribbon/box.h"
 #include "ribbon/cord.h"
 #include "ribbon/island_cord.h"
+#include "ribbon/parallel_for.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
+
+class Quadtree;
 
 /// Steps many cords of the direct solver that share bodies or meet each other: those that do are one island, solved at
 /// once; the others are solved one by one. It keeps memory only.
@@ -28,27 +31,45 @@ class DirectSolver {
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 
+  /// Steps islands side by side from now on, to the same bits. Throws DefinitionError for fewer workers than one.
+  void use(const ParallelFor& parallel_for);
+
   /// How many islands the cords of the last step made.
-  int islands() const;
+  int islands() const { return static_cast<int>(first_members_.size()) - 1; }
   /// What happened in the last step, each island counted once.
   const CordReport& total() const { return total_; }
 
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void share(std::size_t cord, int body, std::span<const RigidBody> bodies);
+  void find_reaches(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
   Box take_reach(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
+  void join_near();
   bool links_meet(std::size_t a, std::size_t b) const;
-  std::size_t root(std::size_t cord) const;
+  std::size_t root(std::size_t cord);
   void join(std::size_t a, std::size_t b);
+  void list_members(std::span<const IslandCord> cords);
+  int divide();
 
+  ParallelFor parallel_for_;
   std::vector<std::size_t> parents_;  // by cord: another of its island, in the end its first one, or itself
-  std::vector<Box> reaches_;          // by cord, of those that meet others
-  std::vector<Box> links_;            // of their links; and the first of each cord's, and the end of the last's
+  // Of cords that meet others: which, their boxes, those of their links, and the first of each one's links, and the end
+  // of the last's.
+  std::vector<std::size_t> meeting_;
+  std::vector<Box> reaches_;
+  std::vector<Box> links_;
   std::vector<std::size_t> first_links_;
-  std::vector<int> first_cords_;  // by body: the first cord that it is near, −1 if none
+  std::unique_ptr<Quadtree> tree_;  // of reaches_
+  std::size_t tree_room_ = 0;       // that it has, boxes
+  std::vector<int> first_cords_;    // by body: the first cord that it is near, −1 if none
+  // By island, in the order of their first cords: the cords, and the first of each island, and the end of the last.
   std::vector<IslandCord> members_;
+  std::vector<std::size_t> cords_of_members_;
+  std::vector<std::size_t> first_members_;
+  std::vector<std::size_t> places_;       // by first cord of an island: where its next member goes
+  std::vector<std::size_t> first_parts_;  // islands: the first of each part that is done by one task, and the end
   CordReport total_;
-  std::unique_ptr<Island> island_;
+  std::vector<std::unique_ptr<Island>> workplaces_;  // by part, so that each has the memory that it needs
 };
 
 }  // namespace ribbon

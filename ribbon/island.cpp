@@ -313,6 +313,7 @@ void Island::finish_member(const Member& member) {
   cord.ledger_ = share(ledger_);
   cord.balance_ = share(balance_);
   cord.restart_ = restart_;
+  cord.sweep_.reset();
   for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
     cord.restart_ =
         cord.restart_ || (cord.rest_end_[e] == cord.rest_targets_[e] && cord.rest_start_[e] != cord.rest_end_[e]);

@@ -87,11 +87,15 @@ bool Island::sleep_on(std::span<const IslandCord> cords) const {
   for (const IslandCord& cord : cords) {
     if (stillness(cord.met, rigid_, gravity_, asleep) != cord.cord->still_among_) return wake(cords);
   }
+  // What nothing pushes is other islands' as well.
+  const auto rest = [this](int body) {
+    if (rigid_[at(body)].inverse_mass > 0.0) rigid_[at(body)].rests = true;
+  };
   for (const IslandCord& cord : cords) {
     cord.cord->fall_asleep();
-    for (const RigidCircle& circle : cord.met.circles) rigid_[at(circle.body)].rests = true;
-    for (const RigidSegment& segment : cord.met.segments) rigid_[at(segment.body)].rests = true;
-    for (const Grip& grip : cord.met.grips) rigid_[at(grip.body)].rests = true;
+    for (const RigidCircle& circle : cord.met.circles) rest(circle.body);
+    for (const RigidSegment& segment : cord.met.segments) rest(segment.body);
+    for (const Grip& grip : cord.met.grips) rest(grip.body);
   }
   return true;
 }

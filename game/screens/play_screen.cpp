@@ -32,6 +32,7 @@ void PlayScreen::shown() {
   controls_.forget();
   if (std::exchange(started_, true)) return;
   run_.watch(session_->watcher);
+  run_.use(session_->workers.parallel_for());
   if (keeps_runs()) {
     session_->last_level = run_.level().name;
     begin_run();

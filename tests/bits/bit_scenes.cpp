@@ -321,11 +321,11 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
-    {"contacts", build_contacts, nullptr, 150, 0xb587e69ca196f678},
-    {"grips", build_grips, drive_grips, 180, 0xa38dfd19c37bf017},
+    {"contacts", build_contacts, nullptr, 150, 0xc597ec3c71ffcd81},
+    {"grips", build_grips, drive_grips, 180, 0xa3a76ff7a65d3bca},
     {"self_contact", build_self_contact, nullptr, 80, 0x18858f40b8ed8302},
-    {"thesis", build_thesis, drive_thesis, 180, 0x211b1497f494cbe7},
-    {"rough", build_rough, drive_rough, 120, 0x5f695bd1c480e936},
+    {"thesis", build_thesis, drive_thesis, 180, 0x60c02759fffca4d2},
+    {"rough", build_rough, drive_rough, 120, 0xd2a6ed2e886765eb},
     {"asleep", build_asleep, drive_asleep, 220, 0x1f85e0956a8befc8},
 }};
 

@@ -1,0 +1,355 @@
+#include <box2d/box2d.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "engine/convert.h"
+#include "engine/coupling.h"
+#include "engine/workers.h"
+#include "tests/support/contact_scenes.h"
+#include "tests/support/dice.h"
+#include "tests/support/thesis_scenes.h"
+#include "tests/tradeoff/contact_run.h"
+#include "tests/tradeoff/scene_lists.h"
+
+namespace tradeoff {
+namespace {
+
+using ribbon::Vec2;
+using test_support::earth_gravity;
+using test_support::frame_dt;
+
+constexpr int points = 21;
+constexpr double link = 0.05;             // m
+constexpr double spacing = 3.0;           // m, from cord to cord
+constexpr double far_away = 2000.0;       // m
+constexpr double box_half = 0.1;          // m
+constexpr double least_clearance = 0.02;  // m, from a box to a cord
+constexpr int many_boxes = 10'000;
+constexpr int many_edges = 20'000;
+constexpr int many_sleepers = 10'000;
+constexpr int many_fast = 100;
+constexpr int settling_ticks = 60;
+constexpr int measured_ticks = 20;
+
+/// A world with cords of 21 points that hang down at rest, 3 m apart in as many rows as columns.
+class Place {
+ public:
+  Place(int cords, bool may_sleep) : columns_(static_cast<int>(std::ceil(std::sqrt(cords)))) {
+    for (int k = 0; k < cords; ++k) hang_cord(k, may_sleep);
+    settled_ = may_sleep ? settling_ticks : 2;
+  }
+
+  void use(engine::Workers& workers) { coupling_.use(workers.parallel_for()); }
+  void trust_forget() { coupling_.trust_forget(true); }
+  void gather() { coupling_.gather(world_, frame_dt); }
+  void step() {
+    coupling_.step();
+    coupling_.apply();
+  }
+  void step_world() { world_.Step(static_cast<float>(frame_dt), 8, 3); }
+  void rest() {
+    step();
+    step_world();
+  }
+  void settle() {
+    for (; settled_ > 0; --settled_) {
+      gather();
+      rest();
+    }
+  }
+  int cords() const { return coupling_.size(); }
+  /// µs, of a step of the cords and of the world's: medians.
+  std::pair<double, double> step_and_world() {
+    std::vector<double> steps;
+    std::vector<double> worlds;
+    for (int k = 0; k < measured_ticks; ++k) {
+      gather();
+      steps.push_back(microseconds([this] { step(); }));
+      worlds.push_back(microseconds([this] { step_world(); }));
+    }
+    return {median(steps), median(worlds)};
+  }
+
+  /// As many as 10,000 static boxes, a metre apart.
+  void add_boxes_far_away() {
+    for (int k = 0; k < many_boxes; ++k) add_box(far_place(k));
+  }
+  /// The same wherever no cord is, on the area that the cords hang on.
+  void add_boxes_among() {
+    test_support::Dice dice(1);
+    const double side = spacing * columns_;
+    for (int k = 0; k < many_boxes;) {
+      const Vec2 place{dice(-0.5 * spacing, side - 0.5 * spacing), dice(-side + 0.5 * spacing, 0.5 * spacing)};
+      if (is_clear(place)) {
+        add_box(place);
+        ++k;
+      }
+    }
+  }
+  /// A chain of 20,000 edges of half a metre, below the first cord.
+  void add_chain() {
+    std::vector<b2Vec2> vertices;
+    for (int k = 0; k <= many_edges; ++k) {
+      const double x = 0.5 * (k - 0.5 * many_edges);
+      vertices.push_back(engine::to_float(Vec2{x, -(points * link) - 0.05 - 0.02 * (k % 2)}));
+    }
+    b2ChainShape chain;
+    chain.CreateChain(vertices.data(), many_edges + 1, vertices.front() - b2Vec2(1.0F, 0.0F),
+                      vertices.back() + b2Vec2(1.0F, 0.0F));
+    b2BodyDef def;
+    world_.CreateBody(&def)->CreateFixture(&chain, 0.0F);
+  }
+  void add_sleepers() {
+    for (int k = 0; k < many_sleepers; ++k) {
+      b2BodyDef def;
+      def.type = b2_dynamicBody;
+      def.awake = false;
+      def.position = engine::to_float(far_place(k));
+      add_circle(def);
+    }
+  }
+  /// They fly around in a circle of 6 m about the first cord, 20 m/s.
+  void add_fast() {
+    for (int k = 0; k < many_fast; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / many_fast;
+      const Vec2 place = 6.0 * Vec2{std::cos(angle), std::sin(angle)};
+      b2BodyDef def;
+      def.type = b2_dynamicBody;
+      def.gravityScale = 0.0F;
+      def.allowSleep = false;
+      def.position = engine::to_float(place);
+      fast_.push_back(add_circle(def));
+    }
+  }
+  void turn_the_fast() {
+    for (b2Body* body : fast_) {
+      const Vec2 place = engine::to_double(body->GetPosition());
+      body->SetLinearVelocity(engine::to_float((20.0 / length(place)) * perp(place)));
+    }
+  }
+  void let_a_body_hold() {
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position = engine::to_float(Vec2{0.0, -link * (points - 1) - box_half});
+    coupling_.hold(0, points - 1, *add_circle(def), {0.0F, static_cast<float>(box_half)});
+  }
+
+ private:
+  static double microseconds(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  }
+  static double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  /// A metre from the next, a hundred in a row.
+  static Vec2 far_place(int k) {
+    const int row = k / 100;
+    return {far_away + k % 100, static_cast<double>(row)};
+  }
+  Vec2 pin(int k) const {
+    const int row = k / columns_;
+    return {spacing * (k % columns_), -spacing * row};
+  }
+  void hang_cord(int k, bool may_sleep) {
+    ribbon::CordDef def;
+    def.points = points;
+    def.length = link * (points - 1);
+    def.radius = 0.01;
+    def.allow_sleep = may_sleep;
+    for (int p = 0; p < points; ++p) def.positions.push_back(pin(k) - Vec2{0.0, link * p});
+    def.pins = {0};
+    coupling_.add(ribbon::Cord(def));
+  }
+  bool is_clear(Vec2 place) const {
+    for (int k = 0; k < coupling_.size(); ++k) {
+      const Vec2 off = place - pin(k);
+      const double below = std::clamp(off.y, -link * (points - 1), 0.0);
+      if (std::max(std::abs(off.x), std::abs(off.y - below)) < box_half + least_clearance) return false;
+    }
+    return true;
+  }
+  void add_box(Vec2 place) {
+    b2PolygonShape shape;
+    shape.SetAsBox(static_cast<float>(box_half), static_cast<float>(box_half));
+    b2BodyDef def;
+    def.position = engine::to_float(place);
+    world_.CreateBody(&def)->CreateFixture(&shape, 0.0F);
+  }
+  b2Body* add_circle(const b2BodyDef& def) {
+    b2CircleShape circle;
+    circle.m_radius = static_cast<float>(box_half);
+    b2Body* body = world_.CreateBody(&def);
+    b2FixtureDef fixture;
+    fixture.shape = &circle;
+    fixture.density = 10.0F;
+    fixture.filter.groupIndex = -1;
+    body->CreateFixture(&fixture);
+    return body;
+  }
+
+  b2World world_{engine::to_float(earth_gravity)};
+  engine::Coupling coupling_;
+  std::vector<b2Body*> fast_;
+  int columns_;
+  int settled_ = 0;
+};
+
+struct Layout {
+  const char* setting;
+  int cords;
+  bool asleep;
+  std::function<void(Place&)> furnish;
+};
+
+Contestant contestant(const Layout& layout) {
+  // Made when it is first asked for: some of them are large.
+  const auto made = std::make_shared<std::unique_ptr<Place>>();
+  const auto place = [made, layout]() -> Place& {
+    if (*made == nullptr) {
+      *made = std::make_unique<Place>(layout.cords, layout.asleep);
+      if (layout.furnish) layout.furnish(**made);
+      (*made)->settle();
+    }
+    return **made;
+  };
+  return {"coupling",
+          layout.setting,
+          layout.cords * points,
+          [] {},
+          [place] { place().gather(); },
+          [place] {
+            const auto [step, world] = place().step_and_world();
+            return std::vector{step, world, static_cast<double>(place().cords())};
+          },
+          [place] {
+            place().turn_the_fast();
+            place().rest();
+          },
+          {},
+          {}};
+}
+
+std::vector<Contestant> places() {
+  const auto far = [](Place& place) { place.add_boxes_far_away(); };
+  const auto among = [](Place& place) { place.add_boxes_among(); };
+  const auto held = [](Place& place) { place.let_a_body_hold(); };
+  std::vector<Contestant> list;
+  for (const Layout& layout : std::vector<Layout>{
+           {"1 cord, nothing else", 1, false, {}},
+           {"1 cord, 10,000 boxes", 1, false, far},
+           {"1 cord that a body holds, 10,000 boxes", 1, false,
+            [=](Place& place) {
+              far(place);
+              held(place);
+            }},
+           {"the same, and destructions are told", 1, false,
+            [=](Place& place) {
+              far(place);
+              held(place);
+              place.trust_forget();
+            }},
+           {"1 cord, a chain of 20,000 edges near it", 1, false, [](Place& place) { place.add_chain(); }},
+           {"1 cord, 10,000 sleeping bodies", 1, false, [](Place& place) { place.add_sleepers(); }},
+           {"1 cord, 100 fast bodies", 1, false, [](Place& place) { place.add_fast(); }},
+           {"10 cords, nothing else", 10, false, {}},
+           {"100 cords, nothing else", 100, false, {}},
+           {"1,000 cords, nothing else", 1000, false, {}},
+           {"1,000 cords, 10,000 boxes far away", 1000, false, far},
+           {"1,000 cords among 10,000 boxes", 1000, false, among},
+           {"1,000 cords asleep, nothing else", 1000, true, {}},
+           {"1,000 cords asleep among 10,000 boxes", 1000, true, among},
+           {"10,000 cords, nothing else", 10'000, false, {}},
+       }) {
+    list.push_back(contestant(layout));
+  }
+  return list;
+}
+
+Column gather_us() {
+  return {"gather_us", 2, [](const Row& row) { return row.timing.share_us; }};
+}
+
+Column ns_a_cord() {
+  return {"gather_and_step_ns_a_cord", 0,
+          [](const Row& row) { return 1e3 * (row.timing.share_us + row.figures[0]) / row.figures[2]; }};
+}
+
+/// Cords that meet nobody, in a world that goes on.
+Contestant free_cords(int count) {
+  const auto workers = std::make_shared<engine::Workers>(count);
+  const auto place = std::make_shared<Place>(1000, false);
+  place->use(*workers);
+  return {"coupling",
+          std::to_string(count) + (count == 1 ? " worker" : " workers"),
+          1000 * points,
+          [] {},
+          [place, workers] {
+            place->gather();
+            place->step();
+          },
+          [] { return std::vector<double>{}; },
+          [place] { place->step_world(); },
+          "1,000 free cords",
+          {}};
+}
+
+Contestant meeting(int count, const std::string& name, const SetUp& set_up) {
+  const auto workers = std::make_shared<engine::Workers>(count);
+  NamedMethod method = presets({"fast"}).front();
+  method.setting = std::to_string(count) + (count == 1 ? " worker" : " workers");
+  return tradeoff::contestant(ContactContestant{method,
+                                                name,
+                                                [=](test_support::CoupledWorld& world) {
+                                                  set_up(world);
+                                                  world.coupling.use(workers->parallel_for());
+                                                },
+                                                false,
+                                                {0.0, -9.81},
+                                                [](test_support::CoupledWorld&) { return std::vector<double>{}; }});
+}
+
+std::vector<Contestant> by_workers() {
+  std::vector<Contestant> list;
+  for (const int count : {1, 2}) list.push_back(free_cords(count));
+  for (const int count : {1, 2}) {
+    list.push_back(meeting(count, "cords_and_circles", [](auto& world) { test_support::hang_hall(world); }));
+  }
+  for (const int count : {1, 2}) {
+    list.push_back(meeting(count, "30 strips", [](auto& world) { test_support::drop_strips(world, 30, true); }));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<Scene> scale_scenes() {
+  return {
+      {"scale",
+       "cords that hang in large worlds: what gathering what is near them costs, and a step of many of them",
+       20,
+       places,
+       {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_a_cord()}},
+      {"workers",
+       "many cords by one worker and by two: free ones, a hall of cords and balls, and strips that fall on each other",
+       120,
+       by_workers,
+       {us_per_tick(), our_us(), our_worst_us()},
+       "1 worker",
+       {},
+       {},
+       5}};
+}
+
+}  // namespace tradeoff
