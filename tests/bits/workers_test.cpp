@@ -18,23 +18,24 @@ namespace {
 
 constexpr int ticks = 40;
 
-/// Sixty cords, some of which meet each other, and balls that fall on them: many islands and some large ones.
+/// So many cords that gathering is divided, some of which meet each other, and balls that fall on them: many islands
+/// and some large ones.
 void build(BitWorld& made) {
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 160; ++k) {
     ribbon::CordDef def;
     def.points = 21;
     def.length = 1.0;
     def.radius = 0.02;
-    def.cord_contact = k % 4 == 0;
+    def.cord_contact = k % 8 < 2;
     def.allow_sleep = k % 3 == 0;
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.3 * k + 0.05 * p, 0.1 * (k % 7)});
+    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.75 * k + 0.05 * p, 0.1 * (k % 7)});
     def.pins = {0};
     made.coupling.add(ribbon::Cord(def));
   }
-  for (int k = 0; k < 80; ++k) {
+  for (int k = 0; k < 120; ++k) {
     b2BodyDef def;
     def.type = k % 5 == 0 ? b2_staticBody : b2_dynamicBody;
-    def.position.Set(0.23F * static_cast<float>(k), k % 5 == 0 ? -0.75F : 1.5F + 0.125F * static_cast<float>(k % 3));
+    def.position.Set(0.5F * static_cast<float>(k), k % 5 == 0 ? -0.75F : 1.0F + 0.125F * static_cast<float>(k % 3));
     b2CircleShape circle;
     circle.m_radius = 0.1F;
     made.world.CreateBody(&def)->CreateFixture(&circle, 5.0F);
