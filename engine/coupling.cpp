@@ -115,7 +115,7 @@ void Coupling::step_direct() {
     if (direct == nullptr || !coupled.enabled) continue;
     if (probe_) coupled.direct_error = probe_->error(k, *direct);
     coupled.direct_report = direct_reports_[k++];
-    coupled.direct_total += coupled.direct_report;
+    if (!direct->is_asleep()) coupled.direct_total += coupled.direct_report;
   }
   follow_grips();
   find_touch_events();

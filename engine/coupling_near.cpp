@@ -95,7 +95,7 @@ double NearSearch::way_of(const b2Body& body, const Box& box, Vec2 gravity, doub
 void NearSearch::look_around() {
   if (broad_phase_->GetProxyCount() == 0) return;
   const auto take = [this](int proxy) { take_leaf(proxy); };
-  LeafCalls calls{take};
+  const LeafCalls<decltype(take)> calls{take};
   broad_phase_->Query(&calls, further_ != nullptr ? to_aabb(widened(look_->reach, most_way_)) : still_);
 }
 

@@ -99,7 +99,9 @@ class Cord {
   /// O(1) after a step of a DirectSolver, until something changes the cord; else O(points).
   Sweep sweep() const { return sweep_ ? *sweep_ : find_sweep(); }
   /// Has `sweep` take no time until something changes the cord.
-  void remember_sweep() { sweep_ = sweep(); }
+  void remember_sweep() {
+    if (!sweep_) sweep_ = find_sweep();
+  }
 
   /// s, for which a cord that is allowed to has to rest before it sleeps, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;

@@ -52,7 +52,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   });
   for (std::size_t k = 0; k < cords.size(); ++k) {
     if (parents_[k] == k) {
-      total_ += reports[k];
+      if (!cords[k].cord->is_asleep()) total_ += reports[k];
     } else {
       reports[k] = reports[parents_[k]];
     }
