@@ -47,10 +47,8 @@ CordIndex Coupling::add(CoupledCord coupled) {
   new_fixtures_.reserve(usual_bodies);
   new_bodies_.reserve(usual_bodies);
   wanted_.reserve(usual_bodies);
-  by_x_.reserve(cords_.size());
-  if (lookouts_.empty()) lookouts_.emplace_back();
-  lookouts_.front().leaves.reserve(usual_bodies);
-  lookouts_.front().further.reserve(usual_bodies);
+  near_finder_.reserve(usual_bodies, cords_.size());
+  looks_.reserve(cords_.size());
   return size() - 1;
 }
 

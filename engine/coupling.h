@@ -262,12 +262,12 @@ class Coupling {
   /// Knows nothing any more of a body that is about to be destroyed, of its grips and fixtures: what `destroy` does
   /// before it destroys. A b2DestructionListener may call both of these from SayGoodbye.
   void forget(const b2Body& body);
-  /// Says that one of `forget` and `destroy` is called for every body, and every fixture, before it is destroyed, from
-  /// now on: then nobody walks through the world's list of bodies in each tick in which a body holds a cord, to see who
-  /// is still there. At first it is not so.
-  void trust_forget(bool trusted) { trusts_forget_ = trusted; }
   /// The same of one fixture: events of the last step, and `fixture`, have null in its place.
   void forget(const b2Fixture& fixture);
+  /// Says that one of `forget` and `destroy` is called for every body, and every fixture, before it is destroyed, from
+  /// now on: then gather does not walk through the world's list of bodies in each tick in which a body holds a cord, to
+  /// see whether that body is still there. At first it is not so.
+  void trust_forget(bool trusted) { trusts_forget_ = trusted; }
 
   /// What save gives and restore takes.
   using State = CouplingState;
@@ -307,7 +307,6 @@ class Coupling {
     ribbon::StepReport report{};
     ribbon::StepReport total{};
     ribbon::Box reach{};            // of this tick
-    bool reach_rests = false;       // it is that of a cord that sleeps
     std::vector<NearShape> near{};  // what is in it
     std::vector<ribbon::RigidCircle> circles{};
     std::vector<ribbon::RigidSegment> segments{};
@@ -330,17 +329,6 @@ class Coupling {
     CordIndex met;       // the last cord of the thesis's that it came near or holds
     bool holds = false;  // some cord
   };
-  /// What one task finds that looks around for some cords.
-  struct Lookout {
-    std::vector<int> leaves;                         // of the world's tree, further off from a cord
-    std::vector<std::pair<CordIndex, int>> further;  // the same of all of the cords,
-    bool about_each = true;                          // which were not too many
-  };
-  struct Around {
-    const b2World& world;
-    bool as_before;           // gravity and the length of the tick
-    std::size_t most_leaves;  // to be listed further off
-  };
   // Of an address in wanted_:
   static constexpr int wanted_body = 0;
   static constexpr int found_body = 1;
@@ -357,13 +345,7 @@ class Coupling {
   static void make_room(CoupledCord& coupled);
   CordIndex add(CoupledCord coupled);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-  void find_reach(CoupledCord& coupled, bool as_before) const;
-  Look look_of(const CoupledCord& coupled) const;
-  void look_around(b2World& world, bool as_before);
-  void look_around(Lookout& lookout, CordIndex first, CordIndex last, const Around& around);
-  void look_for_what_moves(b2World& world);
-  void sort_by_x();
-  void look_from(const b2World& world, b2Fixture& fixture, int child);
+  void look_around(b2World& world);
   void number_new_fixtures(const b2World& world);
   template <typename Number>
   void number_by_body(const b2World& world, const Number& number_those_of);
@@ -418,10 +400,9 @@ class Coupling {
   const b2World* world_ = nullptr;  // that holders_ and led_ are in
   bool trusts_forget_ = false;
   ribbon::ParallelFor parallel_for_;
-  std::vector<Lookout> lookouts_;  // one a task
-  std::vector<CordIndex> by_x_;    // by where their reaches begin, nearly, and
-  double widest_ = 0.0;            // m, of these the widest
-  AddressTable wanted_;            // bodies that are looked for in the world's list
+  NearFinder near_finder_;
+  std::vector<Look> looks_;  // of cords that are switched on
+  AddressTable wanted_;      // bodies that are looked for in the world's list
   // Without numbers yet, in a tick, and their bodies: by address, to find them by.
   std::vector<const b2Fixture*> new_fixtures_;
   std::vector<const b2Body*> new_bodies_;

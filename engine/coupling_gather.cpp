@@ -18,8 +18,6 @@ using ribbon::Vec2;
 
 constexpr double direct_reach = 4.0;  // times the way that a cord goes in a tick
 constexpr double snap = 2.0;          // times the speed that all of the elastic energy gives all of a cord
-constexpr int cords_a_part = 64;      // at least, that are one task
-constexpr int bodies_a_leaf = 30;     // that are gone through in the time in which a leaf of a tree is looked at
 
 /// m, that what goes at such a speed squared [m²/s²], and falls, goes in dt.
 double way_of(double speed2, Vec2 gravity, double dt) { return std::sqrt(speed2) * dt + length(gravity) * dt * dt; }
@@ -72,10 +70,8 @@ RigidBody rigid_body(const b2Body& body, Vec2 gravity) {
 
 void Coupling::gather(b2World& world, double dt) {
   if (world.IsLocked()) throw ribbon::DefinitionError("world is locked; accepted is one that is not inside its Step");
-  const Vec2 gravity = to_double(world.GetGravity());
-  ribbon::check_step(dt, gravity);
-  const bool as_before = gravity == gravity_ && dt == dt_;
-  gravity_ = gravity;
+  ribbon::check_step(dt, to_double(world.GetGravity()));
+  gravity_ = to_double(world.GetGravity());
   dt_ = dt;
   gathered_.clear();
   rigid_.clear();
@@ -83,7 +79,7 @@ void Coupling::gather(b2World& world, double dt) {
   fixture_ids_.begin_tick();
   enter(world);
   look_at_holders();
-  look_around(world, as_before);
+  look_around(world);
   number_new_fixtures(world);
   for (CoupledCord& coupled : cords_) meet(coupled);
   gather_grips();
@@ -91,103 +87,21 @@ void Coupling::gather(b2World& world, double dt) {
   look_for_the_missing(world);
 }
 
-/// That of a cord that sleeps stays as it is.
-void Coupling::find_reach(CoupledCord& coupled, bool as_before) const {
-  const auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
-  const bool asleep = coupled.enabled && direct != nullptr && direct->is_asleep();
-  if (asleep && coupled.reach_rests && as_before) return;
-  coupled.reach_rests = asleep;
-  coupled.reach = {};
-  if (!coupled.enabled) return;
-  coupled.reach = std::visit([&](const auto& cord) { return reach_of(cord, gravity_, dt_); }, coupled.cord);
-}
-
-Look Coupling::look_of(const CoupledCord& coupled) const {
-  const bool is_thesis = std::holds_alternative<ribbon::ThesisCord>(coupled.cord);
-  return {coupled.reach, coupled.filter, is_thesis, gravity_, dt_};
-}
-
-/// Finds what each cord may reach. What comes from further off is looked for about each cord as long as
-/// that takes less than to go through all bodies once.
-void Coupling::look_around(b2World& world, bool as_before) {
-  const int parts = parallel_for_.parts(size(), cords_a_part);
-  lookouts_.resize(std::max(lookouts_.size(), at(parts)));
-  const auto most = at(world.GetBodyCount() / (bodies_a_leaf * parts));
-  parallel_for_(parts, [&](int part) {
-    const auto share = [&](int k) { return static_cast<CordIndex>(std::int64_t{size()} * k / parts); };
-    look_around(lookouts_[at(part)], share(part), share(part + 1), {world, as_before, most});
-  });
-  const auto first = lookouts_.begin();
-  if (!std::all_of(first, first + parts, [](const Lookout& lookout) { return lookout.about_each; })) {
-    look_for_what_moves(world);
-    return;
-  }
-  for (auto lookout = first; lookout != first + parts; ++lookout) {
-    for (const auto& [c, leaf] : lookout->further) {
-      const Look look = look_of(cords_[at(c)]);
-      NearSearch(world, look, cords_[at(c)].near, nullptr).look_at(leaf);
-    }
-  }
-}
-
-/// For the cords first … last − 1. It changes nothing but theirs.
-void Coupling::look_around(Lookout& lookout, CordIndex first, CordIndex last, const Around& around) {
-  lookout.further.clear();
-  lookout.about_each = true;
-  for (CordIndex c = first; c < last; ++c) {
-    CoupledCord& coupled = cords_[at(c)];
-    find_reach(coupled, around.as_before);
+/// Finds what each cord may reach.
+void Coupling::look_around(b2World& world) {
+  looks_.clear();
+  for (CoupledCord& coupled : cords_) {
     coupled.near.clear();
+    coupled.reach = {};
     if (!coupled.enabled) continue;
-    const Look look = look_of(coupled);
-    lookout.leaves.clear();
-    std::vector<int>* const leaves = lookout.about_each ? &lookout.leaves : nullptr;
-    NearSearch(around.world, look, coupled.near, leaves).look_around();
-    for (const int leaf : lookout.leaves) lookout.further.emplace_back(c, leaf);
-    lookout.about_each = lookout.further.size() <= around.most_leaves;
+    coupled.reach = std::visit([&](const auto& cord) { return reach_of(cord, gravity_, dt_); }, coupled.cord);
+    const bool is_thesis = std::holds_alternative<ribbon::ThesisCord>(coupled.cord);
+    looks_.push_back({coupled.reach, coupled.filter, is_thesis, &coupled.near});
   }
+  near_finder_.find(world, looks_, gravity_, dt_, parallel_for_);
 }
 
-/// Goes through all bodies. What is near a cord anyway is found once more.
-void Coupling::look_for_what_moves(b2World& world) {
-  sort_by_x();
-  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (!NearSearch::moves(*body) || !body->IsEnabled()) continue;
-    for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-      for (int child = 0; child < fixture->GetShape()->GetChildCount(); ++child) look_from(world, *fixture, child);
-    }
-  }
-}
-
-/// The cords by where their reaches begin, as nearly as they were before.
-void Coupling::sort_by_x() {
-  while (by_x_.size() < cords_.size()) by_x_.push_back(static_cast<CordIndex>(by_x_.size()));
-  const auto low = [this](CordIndex c) { return cords_[at(c)].reach.low.x; };
-  widest_ = 0.0;
-  for (std::size_t k = 0; k < by_x_.size(); ++k) {
-    const CordIndex c = by_x_[k];
-    const Box& reach = cords_[at(c)].reach;
-    widest_ = std::max(widest_, reach.high.x - reach.low.x);
-    std::size_t place = k;
-    for (; place > 0 && low(by_x_[place - 1]) > low(c); --place) by_x_[place] = by_x_[place - 1];
-    by_x_[place] = c;
-  }
-}
-
-/// Whoever may reach a part of a fixture.
-void Coupling::look_from(const b2World& world, b2Fixture& fixture, int child) {
-  const Box way = NearSearch::way_box(fixture, child, gravity_, dt_);
-  const auto begins_before = [this](CordIndex c, double x) { return cords_[at(c)].reach.low.x < x; };
-  auto c = std::lower_bound(by_x_.begin(), by_x_.end(), way.low.x - widest_, begins_before);
-  for (; c != by_x_.end() && cords_[at(*c)].reach.low.x <= way.high.x; ++c) {
-    CoupledCord& coupled = cords_[at(*c)];
-    if (!coupled.enabled || !overlap(coupled.reach, way)) continue;
-    const Look look = look_of(coupled);
-    NearSearch(world, look, coupled.near, nullptr).look_at(fixture, child);
-  }
-}
-
-/// In the world's own order: it depends on when they were made, never on where they lie in memory or who is far away.
+/// In the world's own order: it depends on when they were made, never on where they lie in memory or what is far away.
 void Coupling::number_new_fixtures(const b2World& world) {
   new_fixtures_.clear();
   for (CoupledCord& coupled : cords_) {

@@ -20,7 +20,7 @@ b2Fixture* find(b2Body* newest, const SeenFixture& seen) {
 
 }  // namespace
 
-/// Of another world than before nothing is known but who holds.
+/// Of another world than before nothing is known but the bodies that hold.
 void Coupling::enter(const b2World& world) {
   if (world_ == &world) return;
   world_ = &world;
@@ -37,7 +37,7 @@ void Coupling::drop_if_replaced(const b2Body& body) {
   }
 }
 
-/// Whether a body that was seen is still in its world. O(bodies), unless the user tells who goes.
+/// Whether a body that was seen is still in its world. O(bodies), unless the user tells of destructions.
 bool Coupling::world_has(const SeenBody& seen) const {
   if (world_ == nullptr) return false;
   if (trusts_forget_) return true;
@@ -64,7 +64,7 @@ void Coupling::drop_gone_holders() {
   holders_.erase(std::remove_if(holders_.begin(), holders_.end(), is_gone), holders_.end());
 }
 
-/// Drops who holds and is gone, unless the user tells that, or cannot hold as it is.
+/// Drops the grips of bodies that are gone, unless the user tells of that, and of those that cannot hold as they are.
 void Coupling::look_at_holders() {
   if (!trusts_forget_) drop_gone_holders();
   const auto holds_nothing = [](const Holder& holder) { return !holder.body->IsEnabled() || !is_sound(*holder.body); };

@@ -2,10 +2,14 @@
 
 #include <box2d/box2d.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "ribbon/box.h"
+#include "ribbon/parallel_for.h"
 #include "ribbon/vec2.h"
 
 namespace engine {
@@ -18,13 +22,12 @@ struct NearShape {
   std::uint64_t number = 0;  ///< the fixture's: FixtureIds
 };
 
-/// Where a cord looks, and what it meets.
+/// Where a cord looks, what it meets, and what it finds.
 struct Look {
-  ribbon::Box reach;     ///< m, of the cord in the tick
-  b2Filter filter;       ///< as between two Box2D fixtures
-  bool circles = false;  ///< alone are met, as a cord of the thesis's does
-  ribbon::Vec2 gravity;  ///< m/s²
-  double dt = 0.0;       ///< s
+  ribbon::Box reach;             ///< m, of the cord in the tick
+  b2Filter filter;               ///< as between two Box2D fixtures
+  bool circles;                  ///< alone are met, as a cord of the thesis's does
+  std::vector<NearShape>* near;  ///< what is found is added here, in no order; some of it may be there twice
 };
 
 /// Whether the numbers of a body are such that a cord can meet it.
@@ -32,40 +35,37 @@ bool is_sound(const b2Body& body);
 /// Whether they are, and it is no dynamic body without mass.
 bool can_be_met(const b2Body& body);
 
-/// Finds what a cord may reach in a tick, by the broad phase of a world, in no order: what is static where it is, the
-/// rest on its way. Box2D takes a body no further than b2_maxTranslation in a tick, so what is further off than that,
-/// though it turn, is left for the next. What the tree of the broad phase has near is looked at; what it has further
-/// off matters only if it is fast, and may be listed and looked at later, or found by going through all that moves.
-class NearSearch {
+/// Finds what cords may reach in a tick, by the broad phase of a world: what is static where it is, the rest on its
+/// way. Box2D takes a body no further than b2_maxTranslation in a tick, so what is further off than that, though it
+/// turn, is left for the next. It keeps memory only.
+class NearFinder {
  public:
-  /// Adds to `near`. Null for `further`: nothing further off is listed.
-  NearSearch(const b2World& world, const Look& look, std::vector<NearShape>& near, std::vector<int>* further);
-
-  /// Looks at all that is near, and lists the proxies of what is further off.
-  void look_around();
-  /// Looks at one of these.
-  void look_at(int proxy);
-  /// Looks at a child of a fixture of a body that moves, wherever it is.
-  void look_at(b2Fixture& fixture, int child);
-
-  /// Whether a body moves, so that it may be near though the tree has it further off: in a box that it need not leave
-  /// where it goes on.
-  static bool moves(const b2Body& body);
-  /// m, around a child of a fixture, and the way that it may go in a tick of dt seconds; empty if it has numbers that
-  /// no cord can meet.
-  static ribbon::Box way_box(const b2Fixture& fixture, int child, ribbon::Vec2 gravity, double dt);
+  /// Takes the memory for so many leaves of the world's tree about a cord, and for so many cords.
+  void reserve(std::size_t leaves, std::size_t cords);
+  /// In a tick of dt seconds under `gravity` [m/s²]; no two looks find into the same list.
+  void find(b2World& world, std::span<const Look> looks, ribbon::Vec2 gravity, double dt,
+            const ribbon::ParallelFor& parallel_for);
 
  private:
-  void take_leaf(int proxy);
-  void look_at(b2Fixture& fixture, int child, const b2AABB& box);
-  static double way_of(const b2Body& body, const ribbon::Box& box, ribbon::Vec2 gravity, double dt);
+  /// What one task finds that looks around for some cords.
+  struct Lookout {
+    std::vector<int> leaves;                           // of the world's tree, further off from a cord
+    std::vector<std::pair<std::size_t, int>> further;  // the same of all of the cords,
+    bool about_each = true;                            // which were not too many
+  };
 
-  const b2BroadPhase* broad_phase_;
-  const Look* look_;
-  std::vector<NearShape>* near_;
-  std::vector<int>* further_;
-  double most_way_;  // m, of a part of a body in the tick
-  b2AABB still_;     // in which the cord may reach what does not move
+  void look_around(Lookout& lookout, std::span<const Look> looks, std::size_t first, std::size_t last);
+  void look_for_what_moves(b2World& world, std::span<const Look> looks);
+  void sort_by_x(std::span<const Look> looks);
+  void look_from(std::span<const Look> looks, b2Fixture& fixture, int child);
+
+  const b2BroadPhase* broad_phase_ = nullptr;
+  double dt_ = 0.0;                // s
+  double fall_ = 0.0;              // m, in the tick
+  std::size_t most_leaves_ = 0;    // to be listed further off by one task
+  std::vector<Lookout> lookouts_;  // one a task
+  std::vector<std::size_t> by_x_;  // looks, by where their reaches begin
+  double widest_ = 0.0;            // m, of these the widest
 };
 
 }  // namespace engine

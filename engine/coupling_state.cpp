@@ -225,7 +225,6 @@ void Coupling::restore(const State& state, b2World& world) {
     to.segments.clear();
     to.grips.clear();
     to.grip_ids.clear();
-    to.reach_rests = false;
   }
   gathered_.clear();
   rigid_.clear();

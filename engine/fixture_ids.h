@@ -30,7 +30,7 @@ class FixtureIds {
   std::uint64_t of(const b2Fixture& fixture);
   /// A new number for one that has none.
   std::uint64_t add(const b2Fixture& fixture);
-  /// Whether some are not forgotten yet that nobody has asked for since begin_tick, and who knows whether they exist.
+  /// Whether some are not forgotten yet that were not asked for since begin_tick, and may exist or not.
   bool misses_some() const;
   /// One of these by its number; null for any other.
   Known* missed(std::uint64_t id);
@@ -43,7 +43,7 @@ class FixtureIds {
   /// What is known of the number; null if nothing is.
   const Known* known(std::uint64_t id) const;
 
-  /// Null for one that nobody has asked for lately.
+  /// Null for one that was not asked for lately.
   const Known* find(const b2Fixture& fixture) const;
   /// The number that the next new one gets.
   std::uint64_t next() const { return next_; }

@@ -8,8 +8,8 @@ namespace engine {
 /// Tells a body or fixture that is still there from one that was made since at the same address. Box2D puts a new body
 /// at the head of its world's list, a new fixture at the head of its body's, and moves none: what is behind one in the
 /// list was made before it, and only goes when it is destroyed. So `then`, what was behind this one when it was looked
-/// at last, is behind it still or is gone; where it comes later in the list, or there was nothing, somebody made
-/// another one at the same address.
+/// at last, is behind it still or is gone; where it comes later in the list, or there was nothing, this is
+/// another one, made at the same address.
 ///
 /// Not recognised is what takes the place of one that had nothing newer before it in the list, and of one that goes
 /// together with the next, if that is made anew after it. O(1), unless what was behind it is gone. `then` is compared

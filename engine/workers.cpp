@@ -37,11 +37,11 @@ void Workers::run(int count, Task task, void* things) {
   has_work_.notify_all();
   work();
   std::unique_lock lock(mutex_);
-  open_ = false;  // who wakes up now finds nothing left
+  open_ = false;  // a thread that wakes up now finds nothing left
   is_left_.wait(lock, [this] { return helpers_ == 0; });
 }
 
-/// Does what nobody does yet, until there is nothing left.
+/// Does what no thread does yet, until there is nothing left.
 void Workers::work() {
   for (int index = next_++; index < count_; index = next_++) task_(things_, index);
 }

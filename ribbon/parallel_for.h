@@ -14,7 +14,7 @@ struct ParallelFor {
   using Task = void (*)(void* things, int index);
   /// Calls task(things, index) once for each index of 0 … count − 1, from any threads, in any order and at the same
   /// time, and returns when all of these calls have returned: else builds with assertions stop there. The tasks throw
-  /// nothing, allocate only when there is more to do than ever before, and wait for nobody.
+  /// nothing, allocate only when there is more to do than ever before, and do not wait.
   void (*run)(void* context, int count, Task task, void* things) = nullptr;
   void* context = nullptr;  ///< handed to `run`
   int workers = 1;          ///< how many calls may be done at the same time, which decides how work is divided; above 0
