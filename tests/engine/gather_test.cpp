@@ -322,6 +322,37 @@ TEST(Gather, ABodyThatIsTakenAwayGetsWhatBox2DCouldNotShow) {
   }
 }
 
+/// A cord that sleeps looks around where it is, though it was put there asleep.
+TEST(Gather, ACordThatSleepsAndIsPutElsewhereLooksAroundThere) {
+  const auto hanging = [](double x) {
+    CordDef def;
+    def.points = 5;
+    def.length = 1.0;
+    def.radius = 0.02;
+    def.drag = 1.0;
+    def.allow_sleep = true;
+    for (int p = 0; p < def.points; ++p) def.positions.push_back({x, -0.25 * p});
+    def.pins = {0};
+    return ribbon::Cord(def);
+  };
+  test_support::ShapeWorld here;
+  here.coupling.add(hanging(0.0));
+  test_support::ShapeWorld there;
+  there.coupling.add(hanging(5.0));
+  test_support::add_shape(here.add_body({5.3, -0.5}, b2_staticBody), test_support::box(0.2, 0.2), 0.0, 0.5);
+  for (int k = 0; k < 600; ++k) {
+    here.tick();
+    there.tick();
+  }
+  ASSERT_TRUE(here.coupling.cord(0).is_asleep() && there.coupling.cord(0).is_asleep());
+  ASSERT_EQ(here.coupling.gathered_near(0), 0);
+  here.coupling.cord(0).restore(there.coupling.cord(0).save());
+  ASSERT_TRUE(here.coupling.cord(0).is_asleep());
+  here.tick();
+  EXPECT_NEAR(here.coupling.reach(0).low.x, 5.0, 0.5);
+  EXPECT_GT(here.coupling.gathered_near(0), 0);
+}
+
 TEST(Gather, FewerWorkersThanOneAreRefused) {
   Coupling coupling;
   try {
