@@ -222,7 +222,7 @@ class Coupling {
   const ribbon::Box& reach(CordIndex index) const { return cords_[at(index)].reach; }
 
   /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first. Of cords that are
-  /// switched on, as below.
+  /// switched on, as below; of one that is further off as a whole no point is looked at.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
   /// The same between the points too, of all cords but `except`; of a cord of the thesis's solver points only.
   std::optional<CordPoint> nearest_place(ribbon::Vec2 position, double reach,
@@ -289,6 +289,7 @@ class Coupling {
   void meet_circle(CoupledCord& coupled, const b2Fixture& fixture, int body);
   int body_index(b2Body& body);
   void step_direct();
+  bool may_be_within(CordIndex index, ribbon::Vec2 position, double distance) const;
   void check_cord(CordIndex cord) const;
   void check_enabled(CordIndex cord) const;
   void check_arc(CordIndex cord, double arc) const;

@@ -40,10 +40,16 @@ ribbon::PointKind Coupling::kind(CordIndex index, int point) const {
   return std::visit([point](const auto& cord) { return cord.kind(point); }, cords_[at(index)].cord);
 }
 
+bool Coupling::may_be_within(CordIndex index, Vec2 position, double distance) const {
+  if (!is_enabled(index)) return false;
+  if (solver(index) == Solver::thesis) return true;
+  return overlap(widened(cord(index).sweep().box, distance), {position, position});
+}
+
 std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) const {
   std::optional<CordPoint> nearest;
   for (CordIndex c = 0; c < size(); ++c) {
-    if (!is_enabled(c)) continue;
+    if (!may_be_within(c, position, nearest ? nearest->distance : reach)) continue;
     const auto positions = this->positions(c);
     for (std::size_t p = 0; p < positions.size(); ++p) {
       const double distance = length(positions[p] - position);
@@ -57,7 +63,7 @@ std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) co
 std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, std::optional<CordIndex> except) const {
   std::optional<CordPoint> nearest;
   for (CordIndex c = 0; c < size(); ++c) {
-    if (c == except || !is_enabled(c)) continue;
+    if (c == except || !may_be_within(c, position, nearest ? nearest->distance : reach)) continue;
     const auto x = positions(c);
     const int rows = shape(c).rows;
     for (int p = 0; p < static_cast<int>(x.size()); ++p) {

@@ -34,7 +34,8 @@ void slow_down(Cord& cord) {
 /// Where a cord without positions lies.
 std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
   if (!def.positions.empty()) return def.positions;
-  return {ribbon::Cord(def).positions().begin(), ribbon::Cord(def).positions().end()};
+  const ribbon::Cord cord(def);
+  return {cord.positions().begin(), cord.positions().end()};
 }
 
 /// The same cord as the thesis makes it. Its springs are as stiff as give back their share of a link's error whatever
