@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/peers/players.h"
+#include "tests/peers/scenes.h"
+
+namespace peers {
+
+/// An engine at a setting.
+struct Contestant {
+  std::string engine;   ///< ours, Box2D 2.4, Rapier
+  std::string setting;  ///< balanced, substeps=16
+  std::function<Recording(const Scene&, const Plan&)> play;
+};
+
+/// What runs and how: for the page.
+struct Engine {
+  std::string name;
+  std::string version;
+  std::string kind;  ///< native, WebAssembly, JavaScript
+};
+
+/// All that take part, with versions as the packages tell them.
+std::vector<Engine> engines(const NodePlayer& node);
+
+/// All that can play a scene; ours first. `quick` leaves out all but one setting of each engine. A large scene has no
+/// settings with dials above 4: they would take minutes each.
+std::vector<Contestant> contestants(const Scene& scene, const NodePlayer& node, bool quick);
+
+/// The setting that costs are compared with.
+inline constexpr const char* our_name = "ours";
+inline constexpr const char* compared_setting = "balanced";
+
+}  // namespace peers

@@ -1,0 +1,36 @@
+#include <chrono>
+
+#include "engine/convert.h"
+#include "tests/peers/players.h"
+
+namespace peers {
+
+using test_support::CoupledWorld;
+
+double dial_or(const Dials& dials, const std::string& name, double fallback) {
+  for (const Dial& dial : dials) {
+    if (dial.name == name) return dial.value;
+  }
+  return fallback;
+}
+
+Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support::CordMethod& method) {
+  CoupledWorld world(method, plan.gravity);
+  set_up(world);
+  const std::vector<b2Body*> movers = movers_of(world.world);
+  world.calm(plan.calm_ticks);
+  Recording recording;
+  for (int tick = 0; tick < plan.ticks; ++tick) {
+    const auto start = std::chrono::steady_clock::now();
+    world.tick();
+    Frame frame;
+    frame.us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    for (int c = 0; c < world.cords(); ++c) frame.cords.push_back(world.points(c));
+    for (const b2Body* body : movers) frame.movers.push_back(engine::to_double(body->GetPosition()));
+    recording.push_back(std::move(frame));
+    if (!is_somewhere(recording.back())) break;
+  }
+  return recording;
+}
+
+}  // namespace peers

@@ -1,0 +1,166 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/peers/contestants.h"
+#include "tests/peers/table.h"
+#include "tests/study/progress_bar.h"
+#include "tests/study/report.h"
+#include "tests/study/words.h"
+
+namespace {
+
+using peers::Contestant;
+using peers::Result;
+using peers::Scene;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return peers::Figures::none;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double percentile_99(std::vector<double> values) {
+  if (values.empty()) return peers::Figures::none;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(0.99 * static_cast<double>(values.size() - 1))];
+}
+
+std::vector<double> times_of(const peers::Recording& recording) {
+  std::vector<double> times;
+  for (const peers::Frame& frame : recording) times.push_back(frame.us);
+  return times;
+}
+
+/// What a setting comes to in a scene: figures of its first run, times of all.
+struct Runs {
+  Result result;
+  std::vector<double> medians;
+  std::vector<double> p99s;
+  bool takes_long = false;  ///< and is not played again
+};
+
+constexpr double long_seconds = 20.0;
+
+void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& contestant, Runs& runs) {
+  if (!runs.result.failure.empty() || runs.takes_long) return;
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    const peers::Recording recording = contestant.play(scene, plan);
+    runs.takes_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > long_seconds;
+    const std::vector<double> times = times_of(recording);
+    runs.medians.push_back(median(times));
+    runs.p99s.push_back(percentile_99(times));
+    if (runs.medians.size() > 1) return;
+    runs.result.figures = peers::judge(scene.set_up, plan, recording);
+    if (runs.result.figures.blew_up > 0) {
+      runs.result.failure = "blew up in tick " + std::to_string(runs.result.figures.blew_up);
+    } else if (runs.result.figures.let_through && scene.name == "bridge") {
+      runs.result.failure = "let the ball through";
+    } else {
+      runs.result.error_m = scene.error(runs.result.figures, recording);
+    }
+  } catch (const std::runtime_error& error) {
+    runs.result.failure = error.what();
+    std::replace(runs.result.failure.begin(), runs.result.failure.end(), ',', ';');
+  }
+}
+
+/// All settings take turns, so that a slow moment of a shared machine strikes all alike.
+std::vector<Result> play(const Scene& scene, const std::vector<Contestant>& contestants, int rounds) {
+  const peers::Plan plan = peers::plan_of(scene.set_up, scene.calm_ticks, scene.ticks);
+  std::vector<Runs> runs(contestants.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t k = 0; k < contestants.size(); ++k) {
+      const double done = static_cast<double>(static_cast<std::size_t>(round) * contestants.size() + k);
+      study::show_progress((scene.name + " " + scene.group).c_str(),
+                           done / static_cast<double>(contestants.size() * static_cast<std::size_t>(rounds)));
+      play_once(scene, plan, contestants[k], runs[k]);
+    }
+  }
+  study::show_progress((scene.name + " " + scene.group).c_str(), 1.0);
+  std::vector<Result> results;
+  for (std::size_t k = 0; k < contestants.size(); ++k) {
+    Result result = runs[k].result;
+    result.engine = contestants[k].engine;
+    result.setting = contestants[k].setting;
+    result.group = scene.group;
+    result.cost_us = median(runs[k].medians);
+    result.p99_us = median(runs[k].p99s);
+    results.push_back(result);
+  }
+  return results;
+}
+
+struct Options {
+  std::string folder;
+  std::string script;
+  std::vector<std::string> only;
+  int rounds = 3;
+  bool quick = false;
+};
+
+int run(const Options& options) {
+  std::filesystem::create_directories(options.folder);
+  const peers::NodePlayer node(options.script, options.folder);
+  const std::vector<peers::Engine> engines = peers::engines(node);
+  std::vector<std::string> names;  // of scenes, each once
+  std::map<std::string, std::vector<Result>> results;
+  for (const Scene& scene : peers::scenes()) {
+    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), scene.name) == options.only.end())
+      continue;
+    if (names.empty() || names.back() != scene.name) names.push_back(scene.name);
+    const std::vector<Result> more = play(scene, peers::contestants(scene, node, options.quick), options.rounds);
+    std::vector<Result>& all = results[scene.name];
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::ofstream(options.folder + "/peers.csv") << peers::csv_of(names, results);
+  std::ofstream(options.folder + "/table.md") << peers::table_of(engines, names, results);
+  std::fputs(peers::csv_of(names, results).c_str(), stdout);
+  for (const std::string& name : names) {
+    study::write_report(peers::report_of(name, engines, results[name]), options.folder + "/" + name);
+  }
+  for (const char* scratch : {"/plan.json", "/recording", "/node.log"}) {
+    std::filesystem::remove(options.folder + scratch);
+  }
+  std::printf("written: %s\n", options.folder.c_str());
+  return 0;
+}
+
+}  // namespace
+
+/// 0 if all was measured and drawn, 1 if a plot could not be, or a file, 2 for a bad argument.
+int main(int argc, char** argv) {
+  CLI::App app{"Our cords and other engines' ropes in the same scenes, by the same measures"};
+  Options options;
+  std::vector<std::string> names;
+  for (const Scene& scene : peers::scenes()) {
+    if (names.empty() || names.back() != scene.name) names.push_back(scene.name);
+  }
+  app.add_option("--out", options.folder, "A folder for CSV, plots and the table")->required();
+  app.add_option("--script", options.script, "tests/peers/play.mjs, beside its node_modules")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--scene", options.only, "These scenes alone")->check(CLI::IsMember(names));
+  app.add_option("--rounds", options.rounds, "Times that all settings take turns; costs are medians of them")
+      ->check(CLI::Range(1, 99));
+  app.add_flag("--quick", options.quick, "One setting of each engine");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "peers: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,53 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/peers/players.h"
+#include "tests/study/words.h"
+
+namespace peers {
+namespace {
+
+/// What Node says went wrong: the first line that names an error, or the last that says anything.
+std::string fault_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("Error") != std::string::npos) return line;
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+std::string without_newline(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void NodePlayer::run(const std::string& arguments) const {
+  const std::string log = path("node.log");
+  const std::string command = "timeout 600 node '" + script_ + "' " + arguments + " > '" + log + "' 2>&1";
+  if (std::system(command.c_str()) != 0) {
+    throw std::runtime_error(fault_of(study::content_of(log)));
+  }
+}
+
+Recording NodePlayer::play(const std::string& engine, const Plan& plan, const Dials& dials) const {
+  std::ofstream(path("plan.json")) << to_json(plan);
+  std::filesystem::remove(path("recording"));
+  std::string settings;
+  for (const Dial& dial : dials) settings += " " + dial.name + "=" + study::significant(dial.value, 6);
+  run(engine + " '" + path("plan.json") + "' '" + path("recording") + "'" + settings);
+  return read_recording(path("recording"), plan);
+}
+
+std::string NodePlayer::version(const std::string& engine) const {
+  run(engine + " --version");
+  return without_newline(study::content_of(path("node.log")));
+}
+
+}  // namespace peers

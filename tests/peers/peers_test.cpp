@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "tests/peers/judge.h"
+#include "tests/peers/players.h"
+#include "tests/peers/recording.h"
+#include "tests/peers/scenes.h"
+#include "tests/support/contact_scenes.h"
+
+namespace peers {
+namespace {
+
+using ribbon::Vec2;
+using test_support::CoupledWorld;
+
+const Scene& scene(const std::string& name) {
+  for (const Scene& s : scenes()) {
+    if (s.name == name) return s;
+  }
+  throw std::invalid_argument("no scene is named " + name);
+}
+
+Plan plan_for(const Scene& s) { return plan_of(s.set_up, s.calm_ticks, s.ticks); }
+
+Vec2 end_of(const BodyPlan& link, double side) {
+  return link.position + side * link.half_length * Vec2{std::cos(link.angle), std::sin(link.angle)};
+}
+
+/// Everything where the plan puts it.
+Frame at_start(const Plan& plan) {
+  Frame frame;
+  frame.us = 1.0;
+  for (const CordPlan& cord : plan.cords) frame.cords.push_back(cord.def.positions);
+  for (const int mover : plan.movers()) frame.movers.push_back(plan.bodies[static_cast<std::size_t>(mover)].position);
+  return frame;
+}
+
+TEST(PeersPlan, AChainLiesAndWeighsAsItsCord) {
+  for (const Scene& s : scenes()) {
+    const Plan plan = plan_for(s);
+    for (const CordPlan& cord : plan.cords) {
+      if (cord.def.rows > 1) continue;
+      ASSERT_EQ(cord.links.size() + 1, cord.def.positions.size()) << s.name;
+      double mass = 0.0;
+      for (std::size_t k = 0; k < cord.links.size(); ++k) {
+        const BodyPlan& link = plan.bodies[static_cast<std::size_t>(cord.links[k])];
+        EXPECT_NEAR(length(end_of(link, -1.0) - cord.def.positions[k]), 0.0, 2e-6) << s.name;
+        EXPECT_NEAR(length(end_of(link, 1.0) - cord.def.positions[k + 1]), 0.0, 2e-6) << s.name;
+        EXPECT_NEAR(link.inertia, link.mass * link.half_length * link.half_length, 1e-6 * link.inertia) << s.name;
+        mass += link.mass;
+      }
+      EXPECT_NEAR(mass, cord.def.mass_per_length * cord.def.length, 1e-5 * mass) << s.name;
+    }
+  }
+}
+
+TEST(PeersPlan, EveryLinkIsHingedToTheNextAndWherePinnedOrHeld) {
+  for (const Scene& s : scenes()) {
+    const Plan plan = plan_for(s);
+    std::size_t hinges = 0;
+    for (const CordPlan& cord : plan.cords) {
+      if (cord.def.rows == 1) hinges += cord.links.size() - 1 + cord.def.pins.size() + cord.held.size();
+    }
+    EXPECT_EQ(plan.hinges.size(), hinges) << s.name;
+    for (const HingePlan& hinge : plan.hinges) {
+      const BodyPlan& link = plan.bodies[static_cast<std::size_t>(hinge.b)];
+      const double from_ends =
+          std::min(length(end_of(link, -1.0) - hinge.place), length(end_of(link, 1.0) - hinge.place));
+      EXPECT_NEAR(from_ends, 0.0, 2e-6) << s.name;
+    }
+  }
+}
+
+TEST(PeersPlan, WhatHoldsACordIsTold) {
+  const Plan plan = plan_of([](CoupledWorld& world) { test_support::hang_load(world, 168.0, INFINITY); }, 0, 1);
+  ASSERT_EQ(plan.cords.size(), 1U);
+  ASSERT_EQ(plan.cords[0].held.size(), 1U);
+  EXPECT_EQ(plan.cords[0].held[0].first, 30);
+  EXPECT_EQ(plan.cords[0].held[0].second, plan.movers().back());
+  EXPECT_NEAR(plan.bodies[static_cast<std::size_t>(plan.movers().back())].mass, 168.0, 1e-9);
+  EXPECT_EQ(plan.cords[0].def.pins, std::vector<int>{0});
+}
+
+TEST(PeersPlan, APolygonHasNoPlaceInAPlan) {
+  const auto set_up = [](CoupledWorld& world) {
+    b2PolygonShape box;
+    box.SetAsBox(1.0F, 1.0F);
+    world.add_load(b2_staticBody, {}, 0.0, 0.0).CreateFixture(&box, 0.0F);
+  };
+  EXPECT_THROW(plan_of(set_up, 0, 1), std::invalid_argument);
+}
+
+TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
+  const nlohmann::json json = nlohmann::json::parse(to_json(plan_for(scene("bridge"))));
+  EXPECT_EQ(json["calmTicks"], 600);
+  EXPECT_EQ(json["cords"].size(), 1U);
+  EXPECT_EQ(json["cords"][0]["links"].size(), 40U);
+  EXPECT_EQ(json["cords"][0]["positions"].size(), 41U);
+  EXPECT_EQ(json["hinges"].size(), 41U);
+  EXPECT_EQ(json["movers"].size(), 1U);
+  const nlohmann::json& ball = json["bodies"][json["movers"][0].get<std::size_t>()];
+  EXPECT_EQ(ball["radius"], 0.25);
+  EXPECT_EQ(ball["dynamic"], true);
+}
+
+TEST(PeersJudge, WhatLiesWhereItWasPutHasNoError) {
+  const Scene& drape = scene("drape");
+  const Plan plan = plan_for(drape);
+  const Figures figures = judge(drape.set_up, plan, {at_start(plan)});
+  EXPECT_EQ(figures.blew_up, 0);
+  EXPECT_NEAR(figures.stretch, 0.0, 1e-12);
+  EXPECT_EQ(figures.penetration, 0.0);
+}
+
+TEST(PeersJudge, ALinkThatIsPulledOutCountsAsStretch) {
+  const Scene& drape = scene("drape");
+  const Plan plan = plan_for(drape);
+  Frame frame = at_start(plan);
+  frame.cords[0].back().x += 0.5;
+  const Figures figures = judge(drape.set_up, plan, {at_start(plan), frame, at_start(plan)});
+  EXPECT_NEAR(figures.stretch_m, 0.5, 1e-9);
+  EXPECT_NEAR(figures.stretch, 0.1, 1e-9);
+}
+
+TEST(PeersJudge, ABallThatIsPressedInAndComesBackHasPenetratedAndDrifted) {
+  const Scene& bridge = scene("bridge");
+  const Plan plan = plan_for(bridge);
+  const Frame start = at_start(plan);
+  Frame lower = start;
+  lower.movers[0].y -= 0.03;
+  const Figures above = judge(bridge.set_up, plan, {start});
+  const Figures pressed = judge(bridge.set_up, plan, {start, lower, start});
+  EXPECT_GT(pressed.penetration, above.penetration + 0.01);
+  EXPECT_NEAR(pressed.drift, 0.03, 1e-9);
+  EXPECT_NEAR(pressed.jitter, 0.03, 1e-9);
+  EXPECT_FALSE(pressed.let_through);
+}
+
+TEST(PeersJudge, ABallBelowItsCordWasLetThrough) {
+  const Scene& bridge = scene("bridge");
+  const Plan plan = plan_for(bridge);
+  Frame below = at_start(plan);
+  below.movers[0].y -= 10.0;
+  EXPECT_TRUE(judge(bridge.set_up, plan, {below}).let_through);
+}
+
+TEST(PeersJudge, WhatIsNoNumberOrFarAwayBlewUp) {
+  const Scene& bridge = scene("bridge");
+  const Plan plan = plan_for(bridge);
+  for (const double value : {std::nan(""), 1e5}) {
+    Frame wild = at_start(plan);
+    wild.cords[0][7].x = value;
+    EXPECT_EQ(judge(bridge.set_up, plan, {at_start(plan), wild}).blew_up, 2);
+  }
+}
+
+TEST(PeersJudge, RibbonsThatLieAcrossEachOtherCross) {
+  const Scene& strips = scene("strips");
+  const Plan plan = plan_for(strips);
+  Frame frame = at_start(plan);
+  EXPECT_EQ(judge(strips.set_up, plan, {frame}).crossings, 0);
+  for (Vec2& p : frame.cords[1])
+    p = frame.cords[0][33] + Vec2{p.y - frame.cords[1][0].y, frame.cords[1][0].x - p.x} + Vec2{0.0, 0.8};
+  EXPECT_GE(judge(strips.set_up, plan, {frame}).crossings, 4);
+}
+
+TEST(PeersJudge, ARecordingThatEndsEarlyHasNoPath) { EXPECT_TRUE(std::isinf(path_error({}, {{0.0, 0.0}}))); }
+
+class PeersRecording : public testing::Test {
+ protected:
+  void write(const std::vector<double>& numbers) const {
+    std::ofstream out(path_, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(numbers.data()),
+              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+  }
+  ~PeersRecording() override { std::remove(path_.c_str()); }
+
+  const Plan plan_ = plan_for(scene("bridge"));
+  const std::string path_ = testing::TempDir() + "peers_recording";
+};
+
+TEST_F(PeersRecording, IsReadAsItWasWritten) {
+  std::vector<double> numbers(2 * (1 + 2 * 42));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  write(numbers);
+  const Recording recording = read_recording(path_, plan_);
+  ASSERT_EQ(recording.size(), 2U);
+  EXPECT_EQ(recording[0].us, 0.0);
+  EXPECT_EQ(recording[0].cords[0][0], (Vec2{1.0, 2.0}));
+  EXPECT_EQ(recording[0].movers[0], (Vec2{83.0, 84.0}));
+  EXPECT_EQ(recording[1].us, 85.0);
+}
+
+TEST_F(PeersRecording, OfAnotherPlanIsRefused) {
+  write(std::vector<double>(7, 1.0));
+  try {
+    read_recording(path_, plan_);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("has 56 bytes; accepted are frames of 680"), std::string::npos)
+        << error.what();
+  }
+  std::remove(path_.c_str());
+  EXPECT_THROW(read_recording(path_, plan_), std::runtime_error);
+}
+
+TEST(PeersPlayers, OursKeepsToTheExactPathOfAHeavyLoad) {
+  const Scene& swing = scene("heavy_swing");
+  const Plan plan = plan_for(swing);
+  const Recording recording = play_coupled(swing.set_up, plan, test_support::CordMethod{});
+  ASSERT_EQ(recording.size(), 300U);
+  EXPECT_LT(swing.error(judge(swing.set_up, plan, recording), recording), 0.05);
+}
+
+TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
+  const Scene& swing = scene("heavy_swing");
+  const Plan plan = plan_for(swing);
+  test_support::CordMethod how;
+  how.chain = true;
+  how.substeps = 64;
+  const Recording recording = play_coupled(swing.set_up, plan, how);
+  ASSERT_EQ(recording.front().cords[0].size(), 51U);
+  ASSERT_EQ(recording.front().movers.size(), 1U);
+  EXPECT_LT(swing.error(judge(swing.set_up, plan, recording), recording), 1.0);
+}
+
+}  // namespace
+}  // namespace peers

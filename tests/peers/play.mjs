@@ -1,0 +1,98 @@
+// play.mjs ENGINE PLAN RECORDING [dial=value …]: plays a plan (tests/peers/plan.h) with an engine from npm, and writes
+// what each tick took and where all was after it (tests/peers/recording.h).
+// play.mjs ENGINE --version
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+// An engine's module exports packages: { name: the npm package } and, as make(plan, dials, name), makes what has
+//   step()             a tick
+//   pose(body, out)    x, y and angle of a body of the plan into out
+//   slowDown(share)    multiplies all velocities
+//   points(cord, out)  optional: a cord's points into out, if the plan's cords are no chains of links
+const modules = {
+  box2d3: './box2d3.mjs',
+  rapier: './rapier.mjs',
+  rapier_simd: './rapier.mjs',
+  planck: './planck.mjs',
+  matter: './matter.mjs',
+};
+
+const [name, planPath, recordingPath, ...settings] = process.argv.slice(2);
+if (!modules[name]) {
+  console.error(`no engine is named '${name}'; accepted are ${Object.keys(modules).join(', ')}`);
+  process.exit(2);
+}
+const engine = await import(modules[name]);
+if (planPath === '--version') {
+  // Not every package lets its package.json be imported.
+  const require = createRequire(import.meta.url);
+  const folders = require.resolve.paths(engine.packages[name]);
+  for (const folder of folders) {
+    try {
+      console.log(JSON.parse(readFileSync(`${folder}/${engine.packages[name]}/package.json`)).version);
+      process.exit(0);
+    } catch { /* not in this folder */ }
+  }
+  process.exit(1);
+}
+
+const plan = JSON.parse(readFileSync(planPath));
+const dials = Object.fromEntries(settings.map((text) => {
+  const [key, value] = text.split('=');
+  return [key, Number(value)];
+}));
+
+const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.movers.length);
+
+/// Where each cord's points are, or the front end of its first link and the hind ends of all.
+function record(world, row) {
+  let at = 1;
+  const pose = [0, 0, 0];
+  const put = (x, y) => {
+    row[at++] = x;
+    row[at++] = y;
+  };
+  for (const [c, cord] of plan.cords.entries()) {
+    if (world.points) {
+      at += world.points(c, row.subarray(at));
+      continue;
+    }
+    const end = (link, side) => {
+      world.pose(link, pose);
+      const half = side * plan.bodies[link].halfLength;
+      put(pose[0] + half * Math.cos(pose[2]), pose[1] + half * Math.sin(pose[2]));
+    };
+    end(cord.links[0], -1);
+    for (const link of cord.links) end(link, 1);
+  }
+  for (const mover of plan.movers) {
+    world.pose(mover, pose);
+    put(pose[0], pose[1]);
+  }
+}
+
+async function play() {
+  const world = await engine.make(plan, dials, name);
+  for (let tick = 0; tick < plan.calmTicks; ++tick) {
+    world.step();
+    world.slowDown(0.9);
+  }
+  const frames = [];
+  for (let tick = 0; tick < plan.ticks; ++tick) {
+    const row = new Float64Array(columns);
+    const start = process.hrtime.bigint();
+    world.step();
+    row[0] = Number(process.hrtime.bigint() - start) / 1000;
+    record(world, row);
+    frames.push(row);
+    if (!row.subarray(1).every((value) => Math.abs(value) < 1e4)) break;
+  }
+  return frames;
+}
+
+// The first run warms up what compiles the code, and the second is recorded, unless that would take long.
+const began = process.hrtime.bigint();
+let frames = await play();
+if (Number(process.hrtime.bigint() - began) < 5e9) frames = await play();
+writeFileSync(recordingPath, Buffer.concat(frames.map((row) => Buffer.from(row.buffer))));
+process.exit(0);

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/peers/plan.h"
+#include "tests/peers/recording.h"
+#include "tests/support/coupled_world.h"
+
+// The engines, each of which plays a scene and records it.
+
+namespace peers {
+
+/// How an engine is set: its dials by name, such as substeps=4, each of which its player knows.
+struct Dial {
+  std::string name;
+  double value = 0.0;
+};
+using Dials = std::vector<Dial>;
+/// The dial of that name, or what it is without.
+double dial_or(const Dials& dials, const std::string& name, double fallback);
+
+/// Ours, or Box2D 2.4's joints.
+Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support::CordMethod& method);
+
+/// Chipmunk's pivot joints between segments. Dials: substeps (1) and iterations (10).
+Recording play_chipmunk(const Plan& plan, const Dials& dials);
+/// 7.0.3
+std::string chipmunk_version();
+
+/// Another program that reads a plan and writes a recording: tests/peers/play.mjs.
+class NodePlayer {
+ public:
+  /// Scratch files go to `folder`, which is there.
+  NodePlayer(std::string script, std::string folder) : script_(std::move(script)), folder_(std::move(folder)) {}
+
+  /// Throws std::runtime_error with the fault that the program named, if it fails or takes more than ten minutes.
+  Recording play(const std::string& engine, const Plan& plan, const Dials& dials) const;
+  std::string version(const std::string& engine) const;
+
+ private:
+  void run(const std::string& arguments) const;
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  std::string script_;
+  std::string folder_;
+};
+
+}  // namespace peers
