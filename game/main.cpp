@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/video_writer.h"
-#include "game/run.h"
+#include "engine/draw/video_writer.h"
+#include "game/simulation/run.h"
 
 namespace {
 

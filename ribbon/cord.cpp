@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "ribbon/chain.h"
-#include "ribbon/island.h"
-#include "ribbon/lattice.h"
+#include "ribbon/elastic/chain.h"
+#include "ribbon/elastic/lattice.h"
+#include "ribbon/island/island.h"
 
 namespace ribbon {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ribbon/island.h"
-#include "ribbon/quadtree.h"
+#include "ribbon/geometry/quadtree.h"
+#include "ribbon/island/island.h"
 
 namespace ribbon {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "engine/convert.h"   // Box2D's vectors from the cords', and back
-#include "engine/coupling.h"  // cords in a Box2D world
-#include "ribbon/layout.h"    // how a cord lies at first
+#include "ribbon/box2d/convert.h"   // Box2D's vectors from the cords', and back
+#include "ribbon/box2d/coupling.h"  // cords in a Box2D world
+#include "ribbon/layout.h"          // how a cord lies at first
 
 namespace {
 constexpr float dt = 1.0F / 60.0F;

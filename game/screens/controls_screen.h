@@ -6,7 +6,7 @@
 #include "game/screens/menu.h"
 #include "game/screens/rebinding.h"
 #include "game/screens/screen.h"
-#include "game/session.h"
+#include "game/screens/session.h"
 
 namespace game {
 

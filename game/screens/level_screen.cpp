@@ -5,12 +5,12 @@
 #include <exception>
 #include <utility>
 
-#include "game/help.h"
-#include "game/hud.h"
-#include "game/level_facts.h"
+#include "game/screens/help.h"
+#include "game/screens/level_facts.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/style.h"
 #include "game/screens/title_screen.h"
+#include "game/view/hud.h"
 
 namespace game {
 namespace {

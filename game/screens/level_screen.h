@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/tick.h"
-#include "game/level.h"
+#include "engine/tick/tick.h"
 #include "game/screens/card.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
-#include "game/session.h"
-#include "game/view.h"
+#include "game/screens/session.h"
+#include "game/simulation/level.h"
+#include "game/view/view.h"
 
 namespace game {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/canvas.h"
-#include "game/medals.h"
+#include "engine/draw/canvas.h"
 #include "game/screens/menu_input.h"
+#include "game/simulation/medals.h"
 
 namespace game {
 

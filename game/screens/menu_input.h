@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "engine/window_input.h"
+#include "engine/window/window_input.h"
 
 namespace game {
 

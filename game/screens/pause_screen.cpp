@@ -1,6 +1,6 @@
 #include "game/screens/pause_screen.h"
 
-#include "game/level_facts.h"
+#include "game/screens/level_facts.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"
 #include "game/screens/play_screen.h"

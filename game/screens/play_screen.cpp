@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <utility>
 
-#include "engine/sdl_window.h"
-#include "game/buttons.h"
-#include "game/help.h"
-#include "game/hud.h"
+#include "engine/window/sdl_window.h"
+#include "game/screens/help.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/results_screen.h"
+#include "game/simulation/buttons.h"
+#include "game/view/hud.h"
 
 namespace game {
 namespace {

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "engine/file_watch.h"
-#include "engine/tick.h"
-#include "game/controls.h"
-#include "game/ghost.h"
-#include "game/meter.h"
-#include "game/recorded_run.h"
+#include "engine/files/file_watch.h"
+#include "engine/tick/tick.h"
 #include "game/screens/screen.h"
-#include "game/session.h"
+#include "game/screens/session.h"
+#include "game/settings/controls.h"
+#include "game/simulation/ghost.h"
+#include "game/simulation/meter.h"
+#include "game/simulation/recorded_run.h"
 #include "game/tuning/tuning_panel.h"
-#include "game/view.h"
+#include "game/view/view.h"
 
 namespace game {
 

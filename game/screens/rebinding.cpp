@@ -1,6 +1,6 @@
 #include "game/screens/rebinding.h"
 
-#include "engine/input_names.h"
+#include "engine/window/input_names.h"
 
 namespace game {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/window_input.h"
-#include "game/bindings.h"
+#include "engine/window/window_input.h"
+#include "game/settings/bindings.h"
 
 namespace game {
 

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <exception>
 
-#include "game/hud.h"
-#include "game/level_facts.h"
+#include "game/screens/level_facts.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/play_screen.h"
+#include "game/view/hud.h"
 
 namespace game {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "game/records.h"
 #include "game/screens/card.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
-#include "game/session.h"
+#include "game/screens/session.h"
+#include "game/settings/records.h"
 
 namespace game {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/canvas.h"
-#include "engine/window_input.h"
+#include "engine/draw/canvas.h"
+#include "engine/window/window_input.h"
 #include "game/screens/menu_input.h"
 
 namespace game {

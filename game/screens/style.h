@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/canvas.h"
-#include "game/medals.h"
+#include "engine/draw/canvas.h"
+#include "game/simulation/medals.h"
 
 /// What all menus look like.
 namespace game::style {

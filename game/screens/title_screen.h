@@ -2,12 +2,12 @@
 
 #include <optional>
 
-#include "engine/tick.h"
-#include "game/recorded_run.h"
+#include "engine/tick/tick.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
-#include "game/session.h"
-#include "game/view.h"
+#include "game/screens/session.h"
+#include "game/simulation/recorded_run.h"
+#include "game/view/view.h"
 
 namespace game {
 

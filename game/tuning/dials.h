@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/coupling.h"
-#include "engine/tiled_map.h"
+#include "engine/scene/tiled_map.h"
+#include "ribbon/box2d/coupling.h"
 
 namespace game {
 

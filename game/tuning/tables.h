@@ -1,7 +1,7 @@
 #pragma once
 
-#include "game/meter.h"
-#include "game/simulation.h"
+#include "game/simulation/meter.h"
+#include "game/simulation/simulation.h"
 
 namespace game {
 

@@ -4,9 +4,9 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/regular_file.h"
-#include "engine/scene_tuning.h"
-#include "engine/state_hash.h"
+#include "engine/files/regular_file.h"
+#include "engine/scene/scene_tuning.h"
+#include "ribbon/box2d/state_hash.h"
 
 namespace game {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "engine/tiled_edit.h"
-#include "game/level.h"
-#include "game/simulation.h"
+#include "engine/scene/tiled_edit.h"
+#include "game/simulation/level.h"
+#include "game/simulation/simulation.h"
 
 namespace game {
 

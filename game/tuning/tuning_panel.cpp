@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/sdl_canvas.h"
+#include "engine/window/sdl_canvas.h"
 #include "game/tuning/dials.h"
 #include "game/tuning/tables.h"
 

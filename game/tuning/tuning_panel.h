@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/debug_panel.h"
-#include "game/meter.h"
-#include "game/recorded_run.h"
+#include "engine/panel/debug_panel.h"
+#include "game/simulation/meter.h"
+#include "game/simulation/recorded_run.h"
 #include "game/tuning/tuned_level.h"
 
 namespace game {

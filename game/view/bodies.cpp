@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/convert.h"
 #include "game/view/marks.h"
+#include "ribbon/box2d/convert.h"
 
 namespace game {
 namespace {

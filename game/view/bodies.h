@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "game/simulation.h"
+#include "game/simulation/simulation.h"
 #include "game/view/pen.h"
 
 namespace game {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/coupling.h"
 #include "game/view/pen.h"
+#include "ribbon/box2d/coupling.h"
 
 namespace game {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 
 namespace game {
 namespace {

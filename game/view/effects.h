@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "game/simulation.h"
+#include "game/simulation/simulation.h"
 #include "game/view/camera.h"
 #include "game/view/particles.h"
 #include "game/view/pen.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/color.h"
+#include "engine/draw/color.h"
 
 namespace game {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/color.h"
+#include "engine/draw/color.h"
 #include "ribbon/vec2.h"
 
 namespace game {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/canvas.h"
+#include "engine/draw/canvas.h"
 #include "game/view/palette.h"
 #include "game/view/textures.h"
 

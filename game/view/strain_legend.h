@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/canvas.h"
+#include "engine/draw/canvas.h"
 
 namespace game {
 

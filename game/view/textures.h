@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/image.h"
+#include "engine/draw/image.h"
 #include "game/view/palette.h"
 
 namespace game {

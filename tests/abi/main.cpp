@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/bits/bit_scenes.h"
 
 int main() {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "game/level.h"
-#include "game/recorded_run.h"
+#include "game/simulation/level.h"
+#include "game/simulation/recorded_run.h"
 
 namespace baseline {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 
 namespace baseline {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/state_hash.h"
-#include "ribbon/complex.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/state_hash.h"
+#include "ribbon/geometry/rotation.h"
 
 namespace bits {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 
 // Small worlds that between them take every way through the solvers, made of numbers that are the same everywhere: no
 // function of the C library but √ has a part in them.

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/replay.h"
-#include "game/level.h"
-#include "game/player.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/level.h"
+#include "game/simulation/player.h"
+#include "game/simulation/simulation.h"
+#include "ribbon/box2d/convert.h"
 
 namespace bits {
 

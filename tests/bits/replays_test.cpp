@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "engine/state_hash.h"
-#include "engine/tick.h"
+#include "engine/tick/tick.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/bits/bit_scenes.h"
 #include "tests/bits/golden_replays.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/bits/bit_scenes.h"
 #include "tests/bits/golden_replays.h"
 

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/bits/bit_scenes.h"
 
 // The same bits of every scene: of any compiler and machine, again and again, and in threads.

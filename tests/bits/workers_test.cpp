@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/workers.h"
+#include "engine/tick/workers.h"
 #include "tests/bits/bit_scenes.h"
 
 // The same bits however many workers there are, and whatever they do first.

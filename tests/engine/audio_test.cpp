@@ -1,6 +1,6 @@
 // The device, which SDL can write to a file instead (its disk driver).
 
-#include "engine/sdl_audio.h"
+#include "engine/window/sdl_audio.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

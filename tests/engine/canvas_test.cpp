@@ -1,4 +1,4 @@
-#include "engine/canvas.h"
+#include "engine/draw/canvas.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/canvas_raster.h"
+#include "engine/draw/canvas_raster.h"
 
 using engine::Align;
 using engine::Color;

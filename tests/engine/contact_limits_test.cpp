@@ -9,8 +9,8 @@
 #include <random>
 #include <string>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/allocations.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/contact_world.h"

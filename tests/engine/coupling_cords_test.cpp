@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 
 // What a coupling tells of a cord, whichever solver moves it.
 

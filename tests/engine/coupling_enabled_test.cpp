@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/shape_world.h"
 
 // Cords that are switched off and on.

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/shape_world.h"
 
 // Cords that fall asleep, and the bodies that do so with them: CordDef::allow_sleep.

@@ -1,4 +1,4 @@
-#include "engine/coupling_state.h"
+#include "ribbon/box2d/coupling_state.h"
 
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/coupling.h"
-#include "engine/state_hash.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/state_hash.h"
 
 // What Coupling::restore refuses, and what it does with bodies that come and go. That a restored coupling runs on to
 // the same bits, tests/bits/restore_test.cpp holds.

@@ -1,4 +1,4 @@
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/allocations.h"
 #include "tests/support/dice.h"
 #include "tests/support/thesis_scenes.h"

@@ -1,4 +1,4 @@
-#include "engine/debug_panel.h"
+#include "engine/panel/debug_panel.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "engine/sdl_canvas.h"
+#include "engine/window/sdl_canvas.h"
 
 namespace {
 

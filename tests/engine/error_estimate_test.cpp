@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
 

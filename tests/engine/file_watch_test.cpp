@@ -1,4 +1,4 @@
-#include "engine/file_watch.h"
+#include "engine/files/file_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/flight_recorder.h"
+#include "engine/replay/flight_recorder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

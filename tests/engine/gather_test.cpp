@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/dice.h"
 #include "tests/support/shape_world.h"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
-#include "engine/coupling_grips.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/coupling_grips.h"
 #include "tests/support/freed_body.h"
 
 // Grips at any place of a cord of the direct solver, and what they do.

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/allocations.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"

@@ -1,4 +1,4 @@
-#include "engine/mixer.h"
+#include "engine/sound/mixer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

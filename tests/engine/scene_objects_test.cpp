@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "engine/convert.h"
-#include "engine/scene.h"
+#include "engine/scene/scene.h"
+#include "ribbon/box2d/convert.h"
 
 namespace engine {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/scene_tuning.h"
+#include "engine/scene/scene_tuning.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "engine/scene.h"
-#include "engine/tiled_edit.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/tiled_edit.h"
 #include "tests/support/mixed_level.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 
 #include <gtest/gtest.h>
 

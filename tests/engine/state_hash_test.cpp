@@ -1,4 +1,4 @@
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/textured_mesh.h"
+#include "engine/draw/textured_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/canvas_raster.h"
+#include "engine/draw/canvas_raster.h"
 
 namespace engine {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/tick.h"
+#include "engine/tick/tick.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/input.h"
+#include "engine/tick/input.h"
 
 namespace engine {
 namespace {

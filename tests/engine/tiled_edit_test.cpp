@@ -1,4 +1,4 @@
-#include "engine/tiled_edit.h"
+#include "engine/scene/tiled_edit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/tiled_map.h"
+#include "engine/scene/tiled_map.h"
 
 namespace {
 

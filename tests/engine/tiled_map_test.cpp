@@ -1,4 +1,4 @@
-#include "engine/tiled_map.h"
+#include "engine/scene/tiled_map.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 
 namespace engine {
 namespace {

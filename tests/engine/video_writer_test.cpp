@@ -1,6 +1,6 @@
 // Videos, by an ffmpeg of the test's own: a script that does what it is told.
 
-#include "engine/video_writer.h"
+#include "engine/draw/video_writer.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "engine/wav.h"
+#include "engine/sound/wav.h"
 
 #include <gtest/gtest.h>
 

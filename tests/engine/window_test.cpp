@@ -1,4 +1,4 @@
-#include "engine/sdl_window.h"
+#include "engine/window/sdl_window.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/window_input.h"
+#include "engine/window/window_input.h"
 #include "tests/support/environment.h"
 
 using engine::Align;

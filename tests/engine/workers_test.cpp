@@ -1,4 +1,4 @@
-#include "engine/workers.h"
+#include "engine/tick/workers.h"
 
 #include <gtest/gtest.h>
 

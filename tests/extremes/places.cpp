@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "ribbon/complex.h"
+#include "ribbon/geometry/rotation.h"
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
 

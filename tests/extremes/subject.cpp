@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ribbon/cell.h"
+#include "ribbon/elastic/cell.h"
 #include "tests/support/thesis_scenes.h"
 
 namespace extremes {

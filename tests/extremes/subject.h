@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ribbon/cord.h"
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 
 namespace extremes {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/ranges.h"
-#include "engine/solver_step_fields.h"
+#include "engine/files/ranges.h"
+#include "engine/replay/solver_step_fields.h"
 
 namespace flight {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 #include "tests/flight/replay.h"
 
 namespace flight {

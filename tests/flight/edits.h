@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 
 namespace flight {
 

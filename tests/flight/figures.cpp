@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cord_extremes.h"
-#include "ribbon/complex.h"
-#include "ribbon/gap.h"
-#include "ribbon/held_body.h"
+#include "engine/replay/cord_extremes.h"
+#include "ribbon/contact/held_body.h"
+#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/rotation.h"
 
 namespace flight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 #include "ribbon/cord.h"
 #include "ribbon/rigid_circle.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/flight_recorder.h"
+#include "engine/replay/flight_recorder.h"
 #include "tests/bits/bit_scenes.h"
 #include "tests/flight/code.h"
 #include "tests/flight/figures.h"

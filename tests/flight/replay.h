@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 #include "ribbon/direct_solver.h"
 
 /// Recorded steps of the direct solver: taken again, looked at, made smaller and printed.

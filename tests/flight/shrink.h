@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "engine/solver_step.h"
+#include "engine/replay/solver_step.h"
 
 namespace flight {
 

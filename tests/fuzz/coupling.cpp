@@ -1,7 +1,7 @@
 // engine::Coupling, its calls in any order with any numbers, on cords of both solvers among bodies that come and go:
 // each is done, or refused with nothing changed; and cords and bodies stay finite.
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 
 #include <cmath>
 #include <cstddef>

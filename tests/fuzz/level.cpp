@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "game/level.h"
+#include "game/simulation/level.h"
 #include "tests/fuzz/demand.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

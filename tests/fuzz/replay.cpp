@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 #include "tests/fuzz/demand.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/replay_format.h"
+#include "engine/replay/replay_format.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 

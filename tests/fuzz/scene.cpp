@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "game/simulation.h"
+#include "game/simulation/simulation.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/demand.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ribbon/cord_def.h"
-#include "ribbon/thesis_def.h"
+#include "ribbon/thesis/thesis_def.h"
 #include "tests/fuzz/bytes.h"
 
 namespace fuzz {

@@ -1,7 +1,7 @@
 // ribbon::ThesisCord, its calls in any order with any numbers: each is done, or refused with nothing changed; and after
 // every step the cord is finite, and the same that a restored copy of it becomes.
 
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 
 #include <cstddef>
 #include <cstdint>

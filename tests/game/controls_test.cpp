@@ -1,10 +1,10 @@
 // From what was pressed to a tick's input.
 
-#include "game/controls.h"
+#include "game/settings/controls.h"
 
 #include <gtest/gtest.h>
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 
 namespace game {
 namespace {

@@ -1,6 +1,6 @@
 // What the pointer can take hold of, and how it is moved: everything but the ground.
 
-#include "game/drag.h"
+#include "game/simulation/drag.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/convert.h"
-#include "game/buttons.h"
-#include "game/simulation.h"
+#include "game/simulation/buttons.h"
+#include "game/simulation/simulation.h"
+#include "ribbon/box2d/convert.h"
 
 namespace game {
 namespace {

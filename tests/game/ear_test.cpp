@@ -1,4 +1,4 @@
-#include "game/ear.h"
+#include "game/sound/ear.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/replay.h"
-#include "game/buttons.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/buttons.h"
 #include "tests/game/program.h"
 #include "tests/support/autopilot.h"
 

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/replay.h"
-#include "game/buttons.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/buttons.h"
+#include "game/simulation/simulation.h"
 #include "tests/support/dice.h"
 
 namespace game {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 #include "tests/game/process.h"
 #include "tests/game/program.h"
 

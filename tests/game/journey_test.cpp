@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "game/app.h"
-#include "game/buttons.h"
-#include "game/level_facts.h"
+#include "game/program/app.h"
+#include "game/screens/level_facts.h"
 #include "game/screens/play_screen.h"
+#include "game/simulation/buttons.h"
 #include "tests/game/process.h"
 #include "tests/game/program.h"
 #include "tests/support/sdl_events.h"

@@ -1,15 +1,15 @@
 // Every level of the game: its recorded winning run, and the scripted player that made it.
 
-#include "game/level.h"
+#include "game/simulation/level.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
-#include "engine/replay.h"
-#include "game/medals.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/medals.h"
+#include "game/simulation/simulation.h"
 #include "tests/support/dice.h"
 #include "tests/support/scripted_player.h"
 

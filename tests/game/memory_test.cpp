@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/replay.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/simulation.h"
 #include "tests/support/allocations.h"
 
 namespace game {

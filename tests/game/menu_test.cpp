@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/sdl_canvas.h"
+#include "engine/window/sdl_canvas.h"
 #include "game/screens/card.h"
 #include "game/screens/rebinding.h"
 #include "game/screens/screen.h"

@@ -1,8 +1,8 @@
-#include "game/meter.h"
+#include "game/simulation/meter.h"
 
 #include <gtest/gtest.h>
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 
 namespace game {
 namespace {

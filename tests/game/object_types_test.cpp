@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "game/level.h"
-#include "game/simulation.h"
+#include "game/simulation/level.h"
+#include "game/simulation/simulation.h"
 #include "tests/game/program.h"
 
 namespace game {

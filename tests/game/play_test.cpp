@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "engine/convert.h"
-#include "game/buttons.h"
-#include "game/level.h"
-#include "game/simulation.h"
+#include "game/simulation/buttons.h"
+#include "game/simulation/level.h"
+#include "game/simulation/simulation.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/scripted_player.h"
 
 namespace game {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/replay.h"
-#include "game/buttons.h"
-#include "game/level_facts.h"
+#include "engine/replay/replay.h"
+#include "game/screens/level_facts.h"
+#include "game/simulation/buttons.h"
 #include "tests/game/process.h"
 #include "tests/game/program.h"
 

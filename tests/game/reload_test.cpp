@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/tiled_edit.h"
-#include "game/app.h"
+#include "engine/scene/tiled_edit.h"
+#include "game/program/app.h"
 #include "game/screens/play_screen.h"
 #include "tests/game/program.h"
 #include "tests/support/environment.h"

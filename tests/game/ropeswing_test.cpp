@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 #include "tests/game/program.h"
 #include "tests/support/mixed_level.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/sdl_canvas.h"
+#include "engine/window/sdl_canvas.h"
 #include "game/screens/controls_screen.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"

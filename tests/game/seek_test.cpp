@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "engine/replay.h"
-#include "game/recorded_run.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/recorded_run.h"
 
 namespace game {
 namespace {

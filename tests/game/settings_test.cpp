@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/input_names.h"
-#include "game/help.h"
-#include "game/level_facts.h"
-#include "game/medals.h"
-#include "game/records.h"
-#include "game/run_folder.h"
-#include "game/session.h"
-#include "game/settings_file.h"
-#include "game/user_files.h"
+#include "engine/window/input_names.h"
+#include "game/screens/help.h"
+#include "game/screens/level_facts.h"
+#include "game/screens/session.h"
+#include "game/settings/records.h"
+#include "game/settings/run_folder.h"
+#include "game/settings/settings_file.h"
+#include "game/settings/user_files.h"
+#include "game/simulation/medals.h"
 #include "tests/game/program.h"
 
 namespace game {

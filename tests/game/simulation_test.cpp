@@ -1,4 +1,4 @@
-#include "game/simulation.h"
+#include "game/simulation/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/tick.h"
-#include "game/buttons.h"
-#include "game/level.h"
+#include "engine/tick/tick.h"
+#include "game/simulation/buttons.h"
+#include "game/simulation/level.h"
 #include "tests/support/autopilot.h"
 #include "tests/support/mixed_level.h"
 

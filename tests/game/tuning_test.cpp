@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/replay.h"
-#include "engine/sdl_canvas.h"
+#include "engine/replay/replay.h"
+#include "engine/window/sdl_canvas.h"
 #include "game/tuning/dials.h"
 #include "game/tuning/tables.h"
 #include "game/tuning/tuned_level.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "game/film.h"
+#include "game/program/film.h"
 #include "tests/game/program.h"
 #include "tests/support/environment.h"
 

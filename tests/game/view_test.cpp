@@ -1,4 +1,4 @@
-#include "game/view.h"
+#include "game/view/view.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sdl_canvas.h"
-#include "game/buttons.h"
+#include "engine/window/sdl_canvas.h"
+#include "game/simulation/buttons.h"
 #include "tests/support/mixed_level.h"
 
 namespace game {

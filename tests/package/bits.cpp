@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "engine/coupling.h"
-#include "engine/state_hash.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/state_hash.h"
 #include "ribbon/layout.h"
 
 int main() {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 #include "ribbon/version.h"
 #include "tests/study/words.h"
 

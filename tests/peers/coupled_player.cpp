@@ -1,6 +1,6 @@
 #include <chrono>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/peers/players.h"
 
 namespace peers {

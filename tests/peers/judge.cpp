@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/heavy_swing.h"
 

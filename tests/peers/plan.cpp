@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 
 namespace peers {
 namespace {

@@ -1,4 +1,4 @@
-#include "ribbon/banded_ldlt.h"
+#include "ribbon/linear/banded_ldlt.h"
 
 #include <gtest/gtest.h>
 

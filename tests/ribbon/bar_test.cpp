@@ -1,4 +1,4 @@
-#include "ribbon/bar.h"
+#include "ribbon/thesis/bar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ribbon/block_ldlt.h"
+#include "ribbon/linear/block_ldlt.h"
 
 #include <gtest/gtest.h>
 

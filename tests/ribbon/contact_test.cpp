@@ -1,4 +1,4 @@
-#include "ribbon/contact.h"
+#include "ribbon/thesis/contact.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "ribbon/broad_phase.h"
-#include "ribbon/quadtree.h"
+#include "ribbon/geometry/quadtree.h"
+#include "ribbon/thesis/broad_phase.h"
 
 namespace ribbon {
 namespace {

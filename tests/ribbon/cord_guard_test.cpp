@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ribbon/cell.h"
 #include "ribbon/cord.h"
+#include "ribbon/elastic/cell.h"
 #include "tests/support/dice.h"
 
 namespace ribbon {

@@ -1,4 +1,4 @@
-#include "ribbon/corrections.h"
+#include "ribbon/thesis/corrections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ribbon/fill_order.h"
+#include "ribbon/linear/fill_order.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ribbon/block_ldlt.h"
+#include "ribbon/linear/block_ldlt.h"
 
 namespace ribbon {
 namespace {

@@ -1,4 +1,4 @@
-#include "ribbon/held_body.h"
+#include "ribbon/contact/held_body.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ribbon/complex.h"
 #include "ribbon/cord.h"
+#include "ribbon/geometry/rotation.h"
 #include "tests/support/allocations.h"
 #include "tests/support/heavy_swing.h"
 

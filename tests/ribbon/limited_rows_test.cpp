@@ -1,4 +1,4 @@
-#include "ribbon/limited_rows.h"
+#include "ribbon/contact/limited_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ribbon/mesh.h"
+#include "ribbon/thesis/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-#include "ribbon/corrections.h"
+#include "ribbon/thesis/corrections.h"
 
 namespace ribbon {
 namespace {

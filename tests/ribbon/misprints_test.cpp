@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "ribbon/contact.h"
-#include "ribbon/corrections.h"
-#include "ribbon/mesh.h"
+#include "ribbon/thesis/contact.h"
+#include "ribbon/thesis/corrections.h"
+#include "ribbon/thesis/mesh.h"
 #include "tests/support/thesis_scenes.h"
 
 namespace ribbon {

@@ -1,4 +1,4 @@
-#include "ribbon/tangle.h"
+#include "ribbon/thesis/tangle.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "ribbon/mesh.h"
+#include "ribbon/thesis/mesh.h"
 
 namespace ribbon {
 namespace {

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
-#include "ribbon/bends.h"
-#include "ribbon/cells.h"
-#include "ribbon/links.h"
-#include "ribbon/spine.h"
+#include "ribbon/elastic/bends.h"
+#include "ribbon/elastic/cells.h"
+#include "ribbon/elastic/links.h"
+#include "ribbon/elastic/spine.h"
 
 namespace ribbon {
 namespace {

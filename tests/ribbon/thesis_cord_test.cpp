@@ -1,4 +1,4 @@
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "ribbon/thesis_def.h"
+#include "ribbon/thesis/thesis_def.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 
 namespace ribbon {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/convert.h"
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/joint_chain.h"
 
 namespace study {

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "engine/input.h"
-#include "game/level.h"
+#include "engine/tick/input.h"
+#include "game/simulation/level.h"
 #include "tests/study/dials.h"
 #include "tests/study/trace.h"
 

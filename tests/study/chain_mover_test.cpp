@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 #include "tests/study/level_file.h"
 #include "tests/study/level_study.h"
 #include "tests/study/trace.h"

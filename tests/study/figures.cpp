@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 
 namespace study {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/contact_figures.h"
 
 namespace study {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <type_traits>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/study/words.h"
 
 namespace study {

@@ -5,8 +5,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/state_hash.h"
-#include "engine/tiled_edit.h"
+#include "engine/scene/tiled_edit.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/study/figures.h"
 #include "tests/study/words.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "game/level.h"
+#include "game/simulation/level.h"
 #include "tests/study/dials.h"
 
 namespace study {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 #include "tests/study/chain_mover.h"
 #include "tests/study/results.h"
 #include "tests/study/words.h"

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "engine/replay.h"
-#include "game/buttons.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/buttons.h"
 #include "tests/study/command.h"
 #include "tests/study/kept_trace.h"
 #include "tests/study/plot.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/study/trace.h"
 #include "tests/support/contact_figures.h"
 

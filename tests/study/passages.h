@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 
 namespace study {
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <random>
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 #include "tests/study/words.h"
 
 namespace study {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/state_hash.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/study/kept_trace.h"
 #include "tests/study/words.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "engine/replay.h"
+#include "engine/replay/replay.h"
 #include "tests/study/words.h"
 #include "tests/support/contact_figures.h"
 #include "tests/tradeoff/measure.h"

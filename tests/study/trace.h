@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/input.h"
-#include "engine/replay.h"
-#include "game/level.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "engine/tick/input.h"
+#include "game/simulation/level.h"
+#include "game/simulation/simulation.h"
 #include "tests/study/figures.h"
 #include "tests/study/passages.h"
 #include "tests/tradeoff/measure.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 
 namespace study {
 namespace {

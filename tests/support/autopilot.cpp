@@ -1,7 +1,7 @@
 #include "tests/support/autopilot.h"
 
-#include "engine/convert.h"
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
+#include "ribbon/box2d/convert.h"
 
 namespace test_support {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "game/simulation.h"
+#include "game/simulation/simulation.h"
 
 namespace test_support {
 

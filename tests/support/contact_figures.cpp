@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/convert.h"
-#include "ribbon/cell.h"
-#include "ribbon/gap.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/elastic/cell.h"
+#include "ribbon/geometry/gap.h"
 
 namespace test_support {
 namespace {

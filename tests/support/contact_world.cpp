@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ribbon/complex.h"
-#include "ribbon/gap.h"
-#include "ribbon/held_body.h"
+#include "ribbon/contact/held_body.h"
+#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/rotation.h"
 
 namespace test_support {
 

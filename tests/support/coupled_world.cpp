@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/contact_figures.h"
 
 namespace test_support {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 #include "ribbon/cord.h"
 #include "tests/support/joint_chain.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 
 namespace test_support {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "game/level.h"
+#include "game/simulation/level.h"
 
 namespace test_support {
 

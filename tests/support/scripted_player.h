@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/input.h"
-#include "game/simulation.h"
+#include "engine/tick/input.h"
+#include "game/simulation/simulation.h"
 
 namespace test_support {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/window_input.h"
+#include "engine/window/window_input.h"
 
 /// A person at keyboard, mouse and gamepad, by way of SDL's queue of events.
 namespace test_support {

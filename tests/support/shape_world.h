@@ -2,8 +2,8 @@
 
 #include <box2d/box2d.h>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "ribbon/vec2.h"
 
 namespace test_support {

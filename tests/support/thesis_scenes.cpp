@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ribbon/corrections.h"
+#include "ribbon/thesis/corrections.h"
 
 namespace test_support {
 namespace {

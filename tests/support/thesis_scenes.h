@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 
 namespace test_support {
 

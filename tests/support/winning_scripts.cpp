@@ -1,6 +1,6 @@
 // How each level of the game is won.
 
-#include "game/buttons.h"
+#include "game/simulation/buttons.h"
 #include "tests/support/autopilot.h"
 #include "tests/support/scripted_player.h"
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/sdl_canvas.h"
-#include "game/recorded_run.h"
-#include "game/view.h"
+#include "engine/window/sdl_canvas.h"
+#include "game/simulation/recorded_run.h"
+#include "game/view/view.h"
 
 namespace {
 

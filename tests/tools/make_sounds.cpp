@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/wav.h"
+#include "engine/sound/wav.h"
 #include "tests/tools/synth.h"
 
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "engine/replay.h"
-#include "game/medals.h"
-#include "game/simulation.h"
+#include "engine/replay/replay.h"
+#include "game/simulation/medals.h"
+#include "game/simulation/simulation.h"
 #include "tests/support/scripted_player.h"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "ribbon/banded_ldlt.h"
+#include "ribbon/linear/banded_ldlt.h"
 
 namespace tradeoff {
 

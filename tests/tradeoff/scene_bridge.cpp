@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"
 #include "tests/tradeoff/scenes_contact.h"

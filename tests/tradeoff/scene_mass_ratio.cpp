@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/thesis_scenes.h"
 #include "tests/tradeoff/scene_lists.h"
 

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/convert.h"
-#include "engine/coupling.h"
-#include "engine/workers.h"
+#include "engine/tick/workers.h"
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/dice.h"
 #include "tests/support/thesis_scenes.h"

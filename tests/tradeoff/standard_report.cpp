@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "game/level.h"
+#include "game/simulation/level.h"
 #include "tests/study/command.h"
 #include "tests/study/report.h"
 #include "tests/tradeoff/run_scene.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/exact_chain.h"
 
 namespace tradeoff {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ribbon/thesis_cord.h"
+#include "ribbon/thesis/thesis_cord.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/convert.h"
+#include "ribbon/box2d/convert.h"
 
 namespace any_scene {
 

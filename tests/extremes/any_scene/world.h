@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/coupling.h"
+#include "ribbon/box2d/coupling.h"
 #include "tests/extremes/any_scene/geometry.h"
 #include "tests/extremes/any_scene/scene.h"
 

@@ -1,0 +1,273 @@
+#include "engine/draw/canvas_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "engine/draw/line_profile.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double farthest = 1e12;       // px; beyond, a pixel is lost in rounding
+constexpr double smallest_area = 1e-9;  // px²; twice the area of a triangle worth drawing
+constexpr double same_place = 0.01;     // px; points closer than this are one
+constexpr double roundness = 0.05;      // px; how far a chord may stay behind its arc
+
+bool drawable(double x) { return std::abs(x) <= farthest; }  // false for NaN
+bool drawable(Vec2 p) { return drawable(p.x) && drawable(p.y); }
+bool drawable(std::span<const Vec2> points) {
+  return std::all_of(points.begin(), points.end(), [](Vec2 p) { return drawable(p); });
+}
+
+Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+int add_vertex(Mesh& mesh, Vec2 at, double cover) {
+  mesh.vertices.push_back({at, cover});
+  return static_cast<int>(mesh.vertices.size()) - 1;
+}
+
+void add_triangle(Mesh& mesh, int a, int b, int c) {
+  const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(i)].at; };
+  if (std::abs(cross(at(b) - at(a), at(c) - at(a))) < smallest_area) return;
+  mesh.indices.insert(mesh.indices.end(), {a, b, c});
+}
+
+void add_quad(Mesh& mesh, int a, int b, int c, int d) {
+  add_triangle(mesh, a, b, c);
+  add_triangle(mesh, a, c, d);
+}
+
+// A cone cut off at core c and outer o, height 1, holds π/3 (o² + oc + c²) = π (r² + 1/12) with o, c = r ± 1/2.
+Profile disc_profile(double radius) {
+  const double squared = radius * radius - 1.0 / 12.0;
+  if (squared < 0.25) return {0.0, 1.0, std::min(1.0, 3.0 * radius * radius)};
+  return {std::sqrt(squared) - 0.5, std::sqrt(squared) + 0.5, 1.0};
+}
+
+int arc_steps(double radius, double sweep) {
+  const double step = 2.0 * std::acos(1.0 - std::min(roundness / radius, 0.5));
+  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / step), 1.0, 512.0));
+}
+
+/// Chords cut off part of a disc; this much further out, they enclose its area again.
+double chord_compensation(double step) {
+  const double angle = std::abs(step);
+  return angle > 1e-6 ? std::sqrt(angle / std::sin(angle)) : 1.0;
+}
+
+/// A slice of a disc, and the border along its arc.
+void add_sector(Mesh& mesh, Vec2 center, const Profile& profile, double start, double sweep) {
+  const int steps = arc_steps(profile.outer, sweep);
+  const double step = sweep / steps;
+  const double grow = chord_compensation(step);
+  const int middle = add_vertex(mesh, center, profile.cover);
+  for (int k = 0; k <= steps; ++k) {
+    const Vec2 out = direction_of(start + k * step);
+    const int core = add_vertex(mesh, center + profile.core * grow * out, profile.cover);
+    const int outer = add_vertex(mesh, center + profile.outer * grow * out, 0.0);
+    if (k == 0) continue;
+    add_triangle(mesh, middle, core - 2, core);
+    add_quad(mesh, core - 2, outer - 2, outer, core);
+  }
+}
+
+void add_full_disc(Mesh& mesh, Vec2 center, const Profile& profile) {
+  add_sector(mesh, center, profile, 0.0, 2.0 * std::numbers::pi);
+}
+
+/// A straight piece of line with square ends, and the borders along its two sides.
+void add_bar(Mesh& mesh, Vec2 from, Vec2 to, const Profile& profile) {
+  const Vec2 across = perp((1.0 / length(to - from)) * (to - from));
+  const std::array<std::pair<double, double>, 4> rails{
+      {{profile.outer, 0.0}, {profile.core, profile.cover}, {-profile.core, profile.cover}, {-profile.outer, 0.0}}};
+  int previous = -1;
+  for (const auto& [offset, cover] : rails) {
+    const int at_from = add_vertex(mesh, from + offset * across, cover);
+    const int at_to = add_vertex(mesh, to + offset * across, cover);
+    if (previous >= 0) add_quad(mesh, previous, previous + 1, at_to, at_from);
+    previous = at_from;
+  }
+}
+
+/// Fills the wedge that two bars leave open on the outside of a bend. Nothing more is ever missing, however tight the
+/// bend: a point near the line is nearest either to the inside of a piece, then in its bar, or to a joint, and then in
+/// front of the one piece's end and behind the other's start, which is this wedge.
+void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& profile) {
+  const Vec2 in = at - before;
+  const Vec2 out = after - at;
+  const double turn = std::atan2(cross(in, out), dot(in, out));
+  const Vec2 outside = turn > 0.0 ? -perp(in) : perp(in);
+  add_sector(mesh, at, profile, std::atan2(outside.y, outside.x), turn);
+}
+
+/// The points without those that stand where the one before does. They are copied only where there are such: most lines
+/// have none, and there are hundreds in a frame.
+std::span<const Vec2> distinct(std::span<const Vec2> points, std::vector<Vec2>& copy) {
+  const auto is_same = [](Vec2 a, Vec2 b) { return !(length(b - a) > same_place); };
+  if (std::adjacent_find(points.begin(), points.end(), is_same) == points.end()) return points;
+  copy.reserve(points.size());
+  for (const Vec2 p : points)
+    if (copy.empty() || !is_same(copy.back(), p)) copy.push_back(p);
+  return copy;
+}
+
+double signed_area(std::span<const Vec2> corners) {
+  double twice = 0.0;
+  for (std::size_t i = 2; i < corners.size(); ++i) twice += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  return twice / 2.0;
+}
+
+double perimeter(std::span<const Vec2> corners) {
+  double sum = length(corners.front() - corners.back());
+  for (std::size_t i = 1; i < corners.size(); ++i) sum += length(corners[i] - corners[i - 1]);
+  return sum;
+}
+
+/// How a corner moves when both its edges move outwards by 1; bounded where the corner is a needle.
+Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double orientation) {
+  const Vec2 in = (-orientation / length(at - before)) * perp(at - before);
+  const Vec2 out = (-orientation / length(after - at)) * perp(after - at);
+  return (1.0 / std::max(1.0 + dot(in, out), 0.25)) * (in + out);
+}
+
+using Edge = std::pair<int, int>;
+
+/// The edges that belong to one triangle only.
+std::vector<Edge> boundary(std::span<const int> indices) {
+  std::vector<Edge> edges;
+  edges.reserve(indices.size());
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    for (const auto& [a, b] :
+         {Edge{indices[i], indices[i + 1]}, Edge{indices[i + 1], indices[i + 2]}, Edge{indices[i + 2], indices[i]}})
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> single;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next == i + 1) single.push_back(edges[i]);
+    i = next;
+  }
+  return single;
+}
+
+}  // namespace
+
+bool is_paintable(const Mesh& mesh) {
+  const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < mesh.vertices.size(); };
+  const auto sound = [](const MeshVertex& v) { return drawable(v.at) && v.cover >= 0.0 && v.cover <= 1.0; };
+  return std::all_of(mesh.indices.begin(), mesh.indices.end(), known) &&
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), sound);
+}
+
+void add_disc(Mesh& mesh, Vec2 center, double radius) {
+  if (!drawable(center) || !drawable(radius) || radius <= 0.0) return;
+  add_full_disc(mesh, center, disc_profile(radius));
+}
+
+void add_ring(Mesh& mesh, Vec2 center, double radius, double width) {
+  if (!drawable(center) || !drawable(radius) || !drawable(width) || radius <= 0.0 || width <= 0.0) return;
+  const Profile profile = line_profile(width);
+  if (profile.outer >= radius) return add_disc(mesh, center, radius + width / 2.0);
+  const int steps = arc_steps(radius + profile.outer, 2.0 * std::numbers::pi);
+  const double step = 2.0 * std::numbers::pi / steps;
+  const double grow = chord_compensation(step);
+  for (int k = 0; k <= steps; ++k) {
+    const Vec2 out = grow * direction_of(k * step);
+    const int rail = add_vertex(mesh, center + (radius - profile.outer) * out, 0.0);
+    add_vertex(mesh, center + (radius - profile.core) * out, profile.cover);
+    add_vertex(mesh, center + (radius + profile.core) * out, profile.cover);
+    add_vertex(mesh, center + (radius + profile.outer) * out, 0.0);
+    if (k == 0) continue;
+    for (int i = rail; i < rail + 3; ++i) add_quad(mesh, i - 4, i - 3, i + 1, i);
+  }
+}
+
+void add_polyline(Mesh& mesh, std::span<const Vec2> points, double width) {
+  if (!drawable(points) || !drawable(width) || width <= 0.0) return;
+  std::vector<Vec2> copy;
+  const std::span<const Vec2> p = distinct(points, copy);
+  if (p.size() < 2) return;
+  const Profile profile = line_profile(width);
+  for (std::size_t i = 1; i < p.size(); ++i) add_bar(mesh, p[i - 1], p[i], profile);
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) add_joint(mesh, p[i - 1], p[i], p[i + 1], profile);
+  const auto add_cap = [&](Vec2 end, Vec2 inner) {
+    const Vec2 side = perp(inner - end);
+    add_sector(mesh, end, profile, std::atan2(side.y, side.x), std::numbers::pi);
+  };
+  add_cap(p.front(), p[1]);
+  add_cap(p.back(), p[p.size() - 2]);
+}
+
+void add_convex(Mesh& mesh, std::span<const Vec2> corners) {
+  if (!drawable(corners)) return;
+  std::vector<Vec2> copy;
+  std::span<const Vec2> p = distinct(corners, copy);
+  while (p.size() > 1 && length(p.front() - p.back()) <= same_place) p = p.first(p.size() - 1);
+  const double area = signed_area(p);
+  if (p.size() < 3 || std::abs(area) < smallest_area) return;
+  // Area over perimeter is never more than the inscribed circle's radius, so the core cannot turn inside out; for a
+  // sliver it is half the width.
+  const double inset = std::min(0.5, std::abs(area) / perimeter(p));
+  const Profile profile = line_profile(2.0 * inset);
+  const int first = static_cast<int>(mesh.vertices.size());
+  const int count = static_cast<int>(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec2 outwards =
+        mitre(p[(i + p.size() - 1) % p.size()], p[i], p[(i + 1) % p.size()], std::copysign(1.0, area));
+    add_vertex(mesh, p[i] - inset * outwards, profile.cover);
+    add_vertex(mesh, p[i] + (profile.outer - inset) * outwards, 0.0);
+  }
+  for (int i = 0; i < count; ++i) {
+    const int core = first + 2 * i;
+    const int next = first + 2 * ((i + 1) % count);
+    add_triangle(mesh, first, core, next);
+    add_quad(mesh, core, core + 1, next + 1, next);
+  }
+}
+
+void add_triangles(Mesh& mesh, std::span<const Vec2> vertices, std::span<const int> indices) {
+  const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < vertices.size(); };
+  if (!drawable(vertices) || !std::all_of(indices.begin(), indices.end(), known)) return;
+  const int first = static_cast<int>(mesh.vertices.size());
+  for (const Vec2 v : vertices) add_vertex(mesh, v, 1.0);
+  const std::size_t before = mesh.indices.size();
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    add_triangle(mesh, first + indices[i], first + indices[i + 1], first + indices[i + 2]);
+
+  constexpr Profile rim{0.0, 1.0, 1.0};
+  for (const auto& [a, b] :
+       boundary(std::vector<int>(mesh.indices.begin() + static_cast<std::ptrdiff_t>(before), mesh.indices.end()))) {
+    const Vec2 from = mesh.vertices[static_cast<std::size_t>(a)].at;
+    const Vec2 to = mesh.vertices[static_cast<std::size_t>(b)].at;
+    add_bar(mesh, from, to, rim);
+    add_full_disc(mesh, from, rim);
+    add_full_disc(mesh, to, rim);
+  }
+}
+
+void add_rounded_rectangle(Mesh& mesh, Vec2 corner, Vec2 size, double corner_radius) {
+  if (!drawable(corner) || !drawable(size) || !drawable(corner_radius) || size.x <= 0.0 || size.y <= 0.0) return;
+  const double r = std::clamp(corner_radius, 0.0, std::min(size.x, size.y) / 2.0);
+  constexpr double quarter = std::numbers::pi / 2.0;
+  const std::array<Vec2, 4> middles{{{corner.x + size.x - r, corner.y + size.y - r},
+                                     {corner.x + r, corner.y + size.y - r},
+                                     {corner.x + r, corner.y + r},
+                                     {corner.x + size.x - r, corner.y + r}}};
+  const int steps = r > 0.0 ? arc_steps(r, quarter) : 0;
+  std::vector<Vec2> outline;
+  outline.reserve(middles.size() * static_cast<std::size_t>(steps + 1));
+  for (std::size_t i = 0; i < middles.size(); ++i)
+    for (int k = 0; k <= steps; ++k)
+      outline.push_back(middles[i] + r * direction_of(quarter * (static_cast<double>(i) +
+                                                                 static_cast<double>(k) / std::max(steps, 1))));
+  add_convex(mesh, outline);
+}
+
+}  // namespace engine

@@ -1,0 +1,158 @@
+#include "engine/draw/canvas_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace engine {
+namespace {
+
+/// The color over the pixel below it, alpha 0 … 255; exact at both ends, within one level between.
+std::uint32_t blend(std::uint32_t below, std::uint32_t color, int alpha) {
+  const auto over = static_cast<std::uint32_t>(alpha + (alpha >> 7));  // 0 … 256
+  const std::uint32_t under = 256U - over;
+  // Red and blue have room for each other's carry, so they are done in one go.
+  const std::uint32_t red_blue = (color & 0xff00ffU) * over + (below & 0xff00ffU) * under + 0x800080U;
+  const std::uint32_t green = (color & 0x00ff00U) * over + (below & 0x00ff00U) * under + 0x008000U;
+  return ((red_blue >> 8) & 0xff00ffU) | ((green >> 8) & 0x00ff00U);
+}
+
+/// cover · opacity, both 0 … 255 for 0 … 1.
+int alpha_of(std::uint8_t cover, int opacity) { return (cover * opacity + 127) / 255; }
+
+/// The first pixel whose middle is at x or after it, kept to 0 … limit.
+int first_pixel(double x, int limit) {
+  return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(limit)));
+}
+
+/// Where an edge passes a height. Always computed from its upper end, so that two triangles that share an edge find
+/// the same x, and no pixel between them is missed.
+double edge_x(const MeshVertex& upper, const MeshVertex& lower, double y) {
+  const double slope = (lower.at.x - upper.at.x) / (lower.at.y - upper.at.y);
+  return upper.at.x + (y - upper.at.y) * slope;
+}
+
+bool above(const MeshVertex& a, const MeshVertex& b) {
+  return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x);
+}
+
+/// 0 … 255 for 0 … 1, to the nearest; by hand, because lround is a call for every pixel.
+std::uint8_t byte_of(double cover) {
+  constexpr double half = 0.5;
+  return static_cast<std::uint8_t>(std::clamp(cover, 0.0, 1.0) * 255.0 + half);
+}
+
+/// The cover of a triangle as a plane over the picture.
+struct CoverPlane {
+  CoverPlane(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) : origin(a) {
+    const ribbon::Vec2 u = b.at - a.at;
+    const ribbon::Vec2 v = c.at - a.at;
+    const double det = cross(u, v);
+    per_x = ((b.cover - a.cover) * v.y - (c.cover - a.cover) * u.y) / det;
+    per_y = ((c.cover - a.cover) * u.x - (b.cover - a.cover) * v.x) / det;
+  }
+  double at(double x, double y) const { return origin.cover + per_x * (x - origin.at.x) + per_y * (y - origin.at.y); }
+  bool flat() const { return per_x == 0.0 && per_y == 0.0; }
+
+  MeshVertex origin;
+  double per_x;
+  double per_y;
+};
+
+void raise(std::span<std::uint8_t> cover, const CoverPlane& plane, double x, double y) {
+  if (plane.flat()) {
+    const std::uint8_t value = byte_of(plane.origin.cover);
+    if (value == 255) {
+      std::fill(cover.begin(), cover.end(), value);
+    } else {
+      for (std::uint8_t& c : cover) c = std::max(c, value);
+    }
+    return;
+  }
+  double here = plane.at(x, y);
+  for (std::uint8_t& c : cover) {
+    c = std::max(c, byte_of(here));
+    here += plane.per_x;
+  }
+}
+
+}  // namespace
+
+Raster::Raster(int width, int height)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      cover_(pixels_.size()),
+      rows_(static_cast<std::size_t>(height)) {}
+
+void Raster::fill_row(int row, std::uint32_t rgb) {
+  std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(row) * width_, width_, rgb);
+}
+
+void Raster::fill(const Mesh& mesh, std::uint32_t rgb, int opacity) {
+  const auto vertex = [&](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(mesh.indices[i])]; };
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) cover_triangle(vertex(i), vertex(i + 1), vertex(i + 2));
+  for (int y = touched_.begin; y < touched_.end; ++y) blend_row(y, rgb, opacity);
+  touched_ = {};
+}
+
+void Raster::cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
+  std::array<MeshVertex, 3> v{a, b, c};
+  std::sort(v.begin(), v.end(), above);
+  // A mesh holds no triangle without area, but far outside one may come to that when its corners are sorted.
+  if (cross(v[1].at - v[0].at, v[2].at - v[0].at) == 0.0) return;
+  const CoverPlane plane(v[0], v[1], v[2]);
+  const int first = first_pixel(v[0].at.y, height_);
+  const int last = first_pixel(v[2].at.y, height_);
+  if (first >= last) return;
+  touched_.add(first, last);
+  for (int y = first; y < last; ++y) {
+    const double middle = y + 0.5;
+    const double long_x = edge_x(v[0], v[2], middle);
+    const double short_x = middle < v[1].at.y ? edge_x(v[0], v[1], middle) : edge_x(v[1], v[2], middle);
+    const int begin = first_pixel(std::min(long_x, short_x), width_);
+    const int end = first_pixel(std::max(long_x, short_x), width_);
+    if (begin >= end) continue;
+    rows_[static_cast<std::size_t>(y)].add(begin, end);
+    std::uint8_t* line = cover_.data() + static_cast<std::ptrdiff_t>(y) * width_;
+    raise({line + begin, line + end}, plane, begin + 0.5, middle);
+  }
+}
+
+void Raster::blend_row(int y, std::uint32_t rgb, int opacity) {
+  Range& row = rows_[static_cast<std::size_t>(y)];
+  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(y) * width_;
+  std::uint8_t* cover = cover_.data() + line;
+  std::uint32_t* pixel = pixels_.data() + line;
+  // Most of a shape is covered fully, and most of a line's row lies between its flanks: eight pixels at a time there.
+  for (int x = row.begin; x < row.end;) {
+    std::uint64_t eight = 1;
+    if (x + 8 <= row.end) std::memcpy(&eight, cover + x, 8);
+    const bool full = opacity == 255 && eight == ~std::uint64_t{0};
+    if (full) std::fill_n(pixel + x, 8, rgb);
+    if (full || eight == 0) {
+      x += 8;
+    } else {
+      if (cover[x] > 0) pixel[x] = blend(pixel[x], rgb, alpha_of(cover[x], opacity));
+      ++x;
+    }
+  }
+  std::fill(cover + row.begin, cover + row.end, std::uint8_t{0});
+  row = {};
+}
+
+void Raster::stamp(std::span<const std::uint8_t> mask, int mask_width, int left, int top, std::uint32_t rgb,
+                   int opacity) {
+  if (mask_width <= 0) return;
+  const int mask_height = static_cast<int>(mask.size()) / mask_width;
+  for (int y = std::max(top, 0); y < std::min(top + mask_height, height_); ++y) {
+    const std::uint8_t* from = mask.data() + static_cast<std::ptrdiff_t>(y - top) * mask_width;
+    std::uint32_t* pixel = pixels_.data() + static_cast<std::ptrdiff_t>(y) * width_;
+    for (int x = std::max(left, 0); x < std::min(left + mask_width, width_); ++x)
+      if (from[x - left] > 0) pixel[x] = blend(pixel[x], rgb, alpha_of(from[x - left], opacity));
+  }
+}
+
+}  // namespace engine

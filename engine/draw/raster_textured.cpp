@@ -1,0 +1,354 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "engine/draw/canvas_raster.h"
+#include "engine/draw/lanes.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+/// The first pixel whose middle is at x or after it, kept to low … high.
+int first_pixel(double x, int low, int high) {
+  return static_cast<int>(std::clamp(std::ceil(x - 0.5), static_cast<double>(low), static_cast<double>(high)));
+}
+
+/// What is interpolated over a triangle: the place in the image, in texels, and the colour times alpha and cover,
+/// 0 … 255, blue, red, green, alpha as in Lanes.
+constexpr int quantities = 6;
+using Quantities = std::array<double, quantities>;
+struct Corner {
+  Vec2 at;
+  Quantities value;
+};
+
+Corner corner_of(const TexturedVertex& v, double width, double height) {
+  const double alpha = v.color.a * v.cover;
+  const auto channel = [alpha](std::uint8_t c) { return c * alpha / 255.0; };
+  return {v.at, {v.uv.x * width, v.uv.y * height, channel(v.color.b), channel(v.color.r), channel(v.color.g), alpha}};
+}
+
+/// Where an edge passes a height. Always computed from its upper end, so that two triangles that share an edge find
+/// the same x: no pixel between them is missed, and none taken twice.
+double edge_x(const Corner& upper, const Corner& lower, double y) {
+  const double slope = (lower.at.x - upper.at.x) / (lower.at.y - upper.at.y);
+  return upper.at.x + (y - upper.at.y) * slope;
+}
+
+bool above(const Corner& a, const Corner& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); }
+
+/// The quantities as planes over the picture, kept to what the corners have: a sliver's are steep, and the middle of a
+/// pixel that it just reaches may lie outside it by rounding.
+class Planes {
+ public:
+  Planes(const Corner& a, const Corner& b, const Corner& c) : origin_(a) {
+    const Vec2 u = b.at - a.at;
+    const Vec2 v = c.at - a.at;
+    const double det = cross(u, v);
+    for (std::size_t k = 0; k < quantities; ++k) {
+      const double ub = b.value[k] - a.value[k];
+      const double vc = c.value[k] - a.value[k];
+      per_x_[k] = (ub * v.y - vc * u.y) / det;
+      per_y_[k] = (vc * u.x - ub * v.x) / det;
+      low_[k] = std::min({a.value[k], b.value[k], c.value[k]});
+      high_[k] = std::max({a.value[k], b.value[k], c.value[k]});
+    }
+  }
+  double at(std::size_t k, double x, double y) const {
+    const double value = origin_.value[k] + per_x_[k] * (x - origin_.at.x) + per_y_[k] * (y - origin_.at.y);
+    return std::clamp(value, low_[k], high_[k]);
+  }
+  double low(std::size_t k) const { return low_[k]; }
+  bool flat(std::size_t k) const { return low_[k] == high_[k]; }
+  /// Whether all colours stay the same along rows, as those of a vertical gradient do.
+  bool even() const {
+    return std::all_of(per_x_.begin() + 2, per_x_.end(), [](double slope) { return std::abs(slope) < 1e-7; });
+  }
+  /// How far the place in the image goes for a pixel: the side of the square that a pixel covers of it on average.
+  double texels_a_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
+
+ private:
+  Corner origin_;
+  Quantities per_x_{}, per_y_{}, low_{}, high_{};
+};
+
+/// A quantity along a row, in 1/65536.
+struct Ramp {
+  std::int64_t here = 0;
+  std::int64_t step = 0;
+};
+
+std::int64_t fixed(double x) { return static_cast<std::int64_t>(std::floor(x * 65536.0 + 0.5)); }
+
+Ramp ramp_of(double first, double last, int pixels) {
+  return {fixed(first), pixels > 1 ? (fixed(last) - fixed(first)) / (pixels - 1) : 0};
+}
+
+/// Which texels of an image lie around a place, in texels.
+class Texels {
+ public:
+  Texels(const Image::Level& level, const Texture& texture)
+      : texels_(level.pixels.data()),
+        width_(level.width),
+        height_(level.height),
+        repeat_u_(texture.along_u == Wrap::repeat),
+        repeat_v_(texture.along_v == Wrap::repeat) {}
+
+  std::ptrdiff_t column(std::int64_t x) const {
+    return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
+  }
+  const std::uint32_t* row(std::int64_t y) const {
+    return texels_ + (repeat_v_ ? y & (height_ - 1) : std::clamp<std::int64_t>(y, 0, height_ - 1)) * width_;
+  }
+
+ private:
+  const std::uint32_t* texels_;
+  std::int64_t width_;
+  std::int64_t height_;
+  bool repeat_u_;
+  bool repeat_v_;
+};
+
+// The samplers below give the colour of an image at a place of 1/65536 texels.
+constexpr std::int64_t half_texel = 32768;
+
+struct Nearest {
+  Texels texels;
+  Lanes operator()(std::int64_t u, std::int64_t v) const { return spread(texels.row(v >> 16)[texels.column(u >> 16)]); }
+};
+
+Lanes share_of(std::int64_t x) { return static_cast<Lanes>(x & 0xffff) >> 8U; }
+
+struct Linear {
+  Texels texels;
+  Lanes operator()(std::int64_t u, std::int64_t v) const {
+    const std::int64_t x = u - half_texel;  // between the middles of texels
+    const std::int64_t y = v - half_texel;
+    const std::uint32_t* const upper = texels.row(y >> 16);
+    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
+    const std::ptrdiff_t left = texels.column(x >> 16);
+    const std::ptrdiff_t right = texels.column((x >> 16) + 1);
+    return mixed(mixed(spread(upper[left]), spread(upper[right]), share_of(x)),
+                 mixed(spread(lower[left]), spread(lower[right]), share_of(x)), share_of(y));
+  }
+};
+
+/// Along a row of the image: what two rows mix to in a column serves for the pixels on both sides of it.
+class LinearRow {
+ public:
+  LinearRow(const Texels& texels, std::int64_t v)
+      : texels_(texels),
+        upper_(texels.row((v - half_texel) >> 16)),
+        lower_(texels.row(((v - half_texel) >> 16) + 1)),
+        share_(share_of(v - half_texel)) {}
+
+  Lanes operator()(std::int64_t u, std::int64_t) {
+    const std::int64_t x = u - half_texel;
+    if (const std::int64_t left = x >> 16; left != left_of_) {
+      left_ = left == left_of_ + 1 ? right_ : column(left);
+      right_ = column(left + 1);
+      left_of_ = left;
+    }
+    return left_ == right_ ? left_ : mixed(left_, right_, share_of(x));
+  }
+
+ private:
+  Lanes column(std::int64_t x) const {
+    const std::ptrdiff_t at = texels_.column(x);
+    return upper_[at] == lower_[at] ? spread(upper_[at]) : mixed(spread(upper_[at]), spread(lower_[at]), share_);
+  }
+
+  const Texels& texels_;
+  const std::uint32_t* upper_;
+  const std::uint32_t* lower_;
+  Lanes share_;
+  std::int64_t left_of_ = std::numeric_limits<std::int64_t>::min() / 2;  // nowhere
+  Lanes left_ = 0;
+  Lanes right_ = 0;
+};
+
+/// No image: white everywhere.
+struct Plain {
+  Lanes operator()(std::int64_t, std::int64_t) const { return white_lanes; }
+};
+
+/// The pixels of a row that lie in the triangle, and what is interpolated along them.
+struct Span {
+  std::uint32_t* pixel;
+  int count;
+  std::array<Ramp, quantities> ramp;
+};
+
+void blend(std::uint32_t& pixel, Lanes color) {
+  if (color >= 0x00ff000000000000U) {
+    pixel = packed(color) & 0xffffffU;
+  } else if (color != 0) {
+    pixel = over(color, pixel);
+  }
+}
+
+/// The image as `change` makes its colours, the same all along the row.
+template <typename Sample, typename Change>
+void paint_evenly(Span span, Sample sample, Change change) {
+  auto [u, v] = std::array{span.ramp[0], span.ramp[1]};
+  for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel) {
+    blend(*span.pixel, change(sample(u.here, v.here)));
+    u.here += u.step;
+    v.here += v.step;
+  }
+}
+
+template <typename Sample>
+void paint_tinted(Span span, Sample sample) {
+  auto& [u, v, b, r, g, a] = span.ramp;
+  for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel) {
+    if (const Lanes color = sample(u.here, v.here); color != 0)
+      blend(*span.pixel, tinted(color, b.here, r.here, g.here, a.here));
+    for (Ramp& ramp : span.ramp) ramp.here += ramp.step;
+  }
+}
+
+/// In the cheapest way that the row allows.
+template <typename Sample>
+void paint_image(const Span& span, const Sample& sample, bool flat) {
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  if (!flat) return paint_tinted(span, sample);
+  constexpr std::int64_t white = 255 << 16;
+  const bool grey = b.here == r.here && b.here == g.here;
+  if (grey && b.here == a.here) {
+    if (a.here == white) return paint_evenly(span, sample, [](Lanes color) { return color; });
+    const auto scale = static_cast<Lanes>(a.here * 257 >> 24U);
+    return paint_evenly(span, sample, [scale](Lanes color) { return scaled(color, scale); });
+  }
+  if (grey && a.here == white) {
+    const auto scale = static_cast<Lanes>(b.here * 257 >> 24U);
+    return paint_evenly(span, sample, [scale](Lanes color) { return darkened(color, scale); });
+  }
+  paint_evenly(span, sample, [b = b.here, r = r.here, g = g.here, a = a.here](Lanes color) {
+    return color != 0 ? tinted(color, b, r, g, a) : color;
+  });
+}
+
+void paint_flat(Span span, Lanes color) {
+  if (color >> 48U == 255U) {
+    std::fill_n(span.pixel, span.count, packed(color) & 0xffffffU);
+    return;
+  }
+  for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel)
+    *span.pixel = over(color, *span.pixel);
+}
+
+Lanes first_color(const Span& span) {
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  return tinted(white_lanes, b.here, r.here, g.here, a.here);
+}
+
+}  // namespace
+
+/// Paints one mesh on a raster's pixels.
+class Raster::Painter {
+ public:
+  Painter(Raster& raster, const Texture& texture, const PixelBox& clip)
+      : pixels_(raster.pixels_.data()),
+        width_(raster.width_),
+        texture_(texture),
+        left_(std::max(clip.left, 0)),
+        top_(std::max(clip.top, 0)),
+        right_(std::min(clip.right, raster.width_)),
+        bottom_(std::min(clip.bottom, raster.height_)) {}
+
+  void triangle(const TexturedVertex& a, const TexturedVertex& b, const TexturedVertex& c) {
+    if (left_ >= right_ || top_ >= bottom_ || is_outside(a, b, c)) return;
+    const Image* const image = texture_.image;
+    const double width = image != nullptr ? image->width() : 1.0;
+    const double height = image != nullptr ? image->height() : 1.0;
+    std::array<Corner, 3> v{corner_of(a, width, height), corner_of(b, width, height), corner_of(c, width, height)};
+    std::sort(v.begin(), v.end(), above);
+    if (cross(v[1].at - v[0].at, v[2].at - v[0].at) == 0.0) return;
+    const Planes planes(v[0], v[1], v[2]);
+    if (image == nullptr) {
+      paint(v, planes, 1.0, 1.0, Plain{});
+      return;
+    }
+    const Image::Level& level = image->level(planes.texels_a_pixel());
+    const double u_scale = level.width / width;
+    const double v_scale = level.height / height;
+    const Texels texels(level, texture_);
+    if (texture_.filter == Filter::linear) {
+      paint(v, planes, u_scale, v_scale, Linear{texels});
+    } else {
+      paint(v, planes, u_scale, v_scale, Nearest{texels});
+    }
+  }
+
+ private:
+  bool is_outside(const TexturedVertex& a, const TexturedVertex& b, const TexturedVertex& c) const {
+    const auto [x_low, x_high] = std::minmax({a.at.x, b.at.x, c.at.x});
+    const auto [y_low, y_high] = std::minmax({a.at.y, b.at.y, c.at.y});
+    return x_high < left_ || x_low > right_ || y_high < top_ || y_low > bottom_;
+  }
+
+  template <typename Sample>
+  void paint(const std::array<Corner, 3>& v, const Planes& planes, double u_scale, double v_scale,
+             const Sample& sample) {
+    const bool flat = planes.flat(2) && planes.flat(3) && planes.flat(4) && planes.flat(5);
+    if (flat && planes.low(5) == 0.0) return;
+    std::array<Ramp, 4> colors;
+    for (std::size_t k = 0; k < colors.size(); ++k) colors[k].here = fixed(planes.low(k + 2));
+    const bool even = flat || planes.even();
+    const int last = first_pixel(v[2].at.y, top_, bottom_);
+    for (int y = first_pixel(v[0].at.y, top_, bottom_); y < last; ++y) {
+      const double middle = y + 0.5;
+      const double long_x = edge_x(v[0], v[2], middle);
+      const double short_x = middle < v[1].at.y ? edge_x(v[0], v[1], middle) : edge_x(v[1], v[2], middle);
+      const int begin = first_pixel(std::min(long_x, short_x), left_, right_);
+      const int end = first_pixel(std::max(long_x, short_x), left_, right_);
+      if (begin >= end) continue;
+      Span span{pixels_ + static_cast<std::ptrdiff_t>(y) * width_ + begin, end - begin, {}};
+      const auto ramp = [&](std::size_t k, double scale) {
+        return ramp_of(scale * planes.at(k, begin + 0.5, middle), scale * planes.at(k, end - 0.5, middle), span.count);
+      };
+      if (flat) {
+        std::copy(colors.begin(), colors.end(), span.ramp.begin() + 2);
+      } else if (even) {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k].here = fixed(planes.at(k, begin + 0.5, middle));
+      } else {
+        for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
+      }
+      if constexpr (std::is_same_v<Sample, Plain>) {
+        if (even) {
+          paint_flat(span, first_color(span));
+        } else {
+          paint_tinted(span, sample);
+        }
+      } else {
+        span.ramp[0] = ramp(0, u_scale);
+        span.ramp[1] = ramp(1, v_scale);
+        if (std::is_same_v<Sample, Linear> && span.ramp[1].step == 0) {
+          paint_image(span, LinearRow(sample.texels, span.ramp[1].here), even);
+        } else {
+          paint_image(span, sample, even);
+        }
+      }
+    }
+  }
+
+  std::uint32_t* pixels_;
+  int width_;
+  const Texture& texture_;
+  int left_, top_, right_, bottom_;
+};
+
+void Raster::fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) {
+  Painter painter(*this, texture, clip);
+  const auto vertex = [&mesh](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(mesh.indices[i])]; };
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    painter.triangle(vertex(i), vertex(i + 1), vertex(i + 2));
+}
+
+}  // namespace engine

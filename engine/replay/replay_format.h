@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+/// What the writer and the reader of replays share; the layout itself is described in engine/replay/replay.h.
+namespace engine::replay_format {
+
+inline constexpr std::string_view magic = "ropeswing-replay ";
+inline constexpr int version = 1;
+
+inline constexpr std::size_t max_header_bytes = 65536;  // of the JSON line, its line feed included
+inline constexpr std::size_t max_parts = 4096;
+inline constexpr int max_tick_rate = 1'000'000;
+
+inline constexpr std::uint8_t tick_tag = 'T';
+inline constexpr std::uint8_t end_tag = 'E';
+
+inline constexpr std::size_t checksum_bytes = 4;
+inline constexpr std::size_t tick_head_bytes = 1 + 2 + 2;
+inline constexpr std::size_t input_bytes = 6;
+inline constexpr std::size_t part_bytes = 1 + 2 + 4;
+inline constexpr std::size_t combined_bytes = 8;
+inline constexpr std::size_t end_bytes = 1 + 4 + checksum_bytes;
+
+/// Bytes of a tick's record after its head.
+constexpr std::size_t tick_body_bytes(std::size_t parts) {
+  return input_bytes + parts * part_bytes + combined_bytes + checksum_bytes;
+}
+
+/// CRC-32 as in zlib and PNG (reflected, polynomial 0xEDB88320): `crc` of the bytes so far (0 at the start), continued
+/// over `bytes`. It notices every change confined to 32 consecutive bits.
+constexpr std::uint32_t crc32(std::uint32_t crc, std::span<const std::uint8_t> bytes) {
+  constexpr auto remainders = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
+      std::uint32_t entry = i;
+      for (int bit = 0; bit < 8; ++bit) entry = (entry >> 1) ^ ((entry & 1U) != 0U ? 0xEDB8'8320U : 0U);
+      table[i] = entry;
+    }
+    return table;
+  }();
+  crc = ~crc;
+  for (const std::uint8_t byte : bytes) crc = (crc >> 8) ^ remainders[(crc ^ byte) & 0xFFU];
+  return ~crc;
+}
+
+}  // namespace engine::replay_format

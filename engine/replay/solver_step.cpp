@@ -1,0 +1,85 @@
+#include "engine/replay/solver_step.h"
+
+#include <algorithm>
+
+#include "ribbon/box2d/state_hash.h"
+#include "ribbon/definition.h"
+
+namespace engine {
+namespace {
+
+/// What it throws for one cord begins with which one it is.
+template <typename Check>
+void check_cord(std::size_t index, Check check) {
+  try {
+    check();
+  } catch (const ribbon::DefinitionError& error) {
+    throw SolverStepError("cords[" + std::to_string(index) + "]: " + error.what());
+  }
+}
+
+/// Before a cord is made: a short text may ask for a long one.
+void check_points(const SolverStep::Cord& cord) {
+  ribbon::check_size(cord.def);
+  const auto points = static_cast<std::size_t>(cord.def.points) * static_cast<std::size_t>(cord.def.rows);
+  if (cord.state.positions.size() == points) return;
+  throw ribbon::DefinitionError("state.positions has " + std::to_string(cord.state.positions.size()) +
+                                " entries; accepted is one a point: " + std::to_string(points));
+}
+
+void check_ids(const std::vector<SolverStep::Cord>& cords) {
+  std::vector<std::uint64_t> ids;
+  for (const SolverStep::Cord& cord : cords) ids.push_back(cord.id);
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice == ids.end()) return;
+  throw SolverStepError("two cords have the id " + std::to_string(*twice) + "; accepted is another one for each");
+}
+
+}  // namespace
+
+void capture(const SolverInput& input, SolverStep& step) {
+  step.dt = input.dt;
+  step.gravity = input.gravity;
+  step.bodies.assign(input.bodies.begin(), input.bodies.end());
+  step.cords.resize(input.cords.size());
+  for (std::size_t k = 0; k < input.cords.size(); ++k) {
+    const ribbon::IslandCord& from = input.cords[k];
+    SolverStep::Cord& to = step.cords[k];
+    to.def = from.cord->def();
+    from.cord->save(to.state);
+    to.circles.assign(from.met.circles.begin(), from.met.circles.end());
+    to.segments.assign(from.met.segments.begin(), from.met.segments.end());
+    to.grips.assign(from.met.grips.begin(), from.met.grips.end());
+    to.id = from.id;
+  }
+}
+
+std::uint64_t hash_of_positions(std::span<const ribbon::IslandCord> cords) {
+  Hasher hasher;
+  for (const ribbon::IslandCord& cord : cords) {
+    for (const ribbon::Vec2 position : cord.cord->positions()) hasher.add(position);
+    for (const ribbon::Vec2 velocity : cord.cord->velocities()) hasher.add(velocity);
+  }
+  return hasher.value();
+}
+
+void check(const SolverStep& step) {
+  try {
+    ribbon::check_step(step.dt, step.gravity);
+    ribbon::check_bodies(step.bodies);
+  } catch (const ribbon::DefinitionError& error) {
+    throw SolverStepError(error.what());
+  }
+  check_ids(step.cords);
+  for (std::size_t k = 0; k < step.cords.size(); ++k) {
+    check_cord(k, [&cord = step.cords[k], &step] {
+      check_points(cord);
+      const ribbon::Cord made(cord.def);
+      made.check_state(cord.state);
+      ribbon::check_met({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(), cord.def.rows);
+    });
+  }
+}
+
+}  // namespace engine

@@ -1,0 +1,210 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "engine/replay/solver_step.h"
+
+/// The fields of a SolverStep by name, once, for whatever writes, reads or prints them: `fields(archive, value)` calls
+/// archive("name", field) for each. Everything is named, one and all: what is new in a state or a definition does not
+/// compile until it is added here, and then solver_step_version is another one.
+namespace engine::step_fields {
+
+inline constexpr int solver_step_version = 1;
+
+/// T, const or not.
+template <typename T, typename Plain>
+concept Is = std::same_as<std::remove_const_t<T>, Plain>;
+
+/// The names of an enumeration's values, from 0.
+template <typename Enum>
+inline constexpr std::array<std::string_view, 0> names_of{};
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<ribbon::PointKind>{"free", "operated", "constrained"};
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ribbon::Integrator>{"tr_bdf2", "implicit_euler"};
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ribbon::Elements>{"cells", "bars"};
+
+template <typename Archive, Is<ribbon::Accuracy> T>
+void fields(Archive& archive, T& accuracy) {
+  auto& [integrator, substeps, max_iterations, tolerance, max_work] = accuracy;
+  archive("integrator", integrator);
+  archive("substeps", substeps);
+  archive("max_iterations", max_iterations);
+  archive("tolerance", tolerance);
+  archive("max_work", max_work);
+}
+
+template <typename Archive, Is<ribbon::CordDef> T>
+void fields(Archive& archive, T& def) {
+  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
+         area_stiffness, damping, drag, tension_only, friction, restitution, self_contact, cord_contact, allow_sleep,
+         elements, accuracy, positions, pins] = def;
+  archive("points", points);
+  archive("rows", rows);
+  archive("length", length);
+  archive("width", width);
+  archive("radius", radius);
+  archive("mass_per_length", mass_per_length);
+  archive("stretch_stiffness", stretch_stiffness);
+  archive("bending_stiffness", bending_stiffness);
+  archive("poisson_ratio", poisson_ratio);
+  archive("area_stiffness", area_stiffness);
+  archive("damping", damping);
+  archive("drag", drag);
+  archive("tension_only", tension_only);
+  archive("friction", friction);
+  archive("restitution", restitution);
+  archive("self_contact", self_contact);
+  archive("cord_contact", cord_contact);
+  archive("allow_sleep", allow_sleep);
+  archive("elements", elements);
+  archive("accuracy", accuracy);
+  archive("positions", positions);
+  archive("pins", pins);
+}
+
+template <typename Archive, Is<ribbon::Cord::Holder> T>
+void fields(Archive& archive, T& holder) {
+  auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] = holder;
+  archive("point", point);
+  archive("velocity", velocity);
+  archive("turning", turning);
+  archive("acceleration", acceleration);
+  archive("angular_acceleration", angular_acceleration);
+  archive("grip", grip);
+  archive("pull", pull);
+  archive("slid", slid);
+}
+
+template <typename Archive, Is<ribbon::Touch> T>
+void fields(Archive& archive, T& touch) {
+  auto& [other, feature, other_feature, force, stuck, impulse, point, normal] = touch;
+  archive("other", other);
+  archive("feature", feature);
+  archive("other_feature", other_feature);
+  archive("force", force);
+  archive("stuck", stuck);
+  archive("impulse", impulse);
+  archive("point", point);
+  archive("normal", normal);
+}
+
+template <typename Archive, Is<ribbon::Cord::State> T>
+void fields(Archive& archive, T& state) {
+  auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
+         unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested, asleep,
+         still_among] = state;
+  archive("positions", positions);
+  archive("velocities", velocities);
+  archive("accelerations", accelerations);
+  archive("targets", targets);
+  archive("kinds", kinds);
+  archive("masses", masses);
+  archive("loads", loads);
+  archive("tensions", tensions);
+  archive("rest", rest);
+  archive("rest_targets", rest_targets);
+  archive("rest_speeds", rest_speeds);
+  archive("unlocked", unlocked);
+  archive("holders", holders);
+  archive("touches", touches);
+  archive("touch_changed", touch_changed);
+  archive("ledger", ledger);
+  archive("balance", balance);
+  archive("damping_apart", damping_apart);
+  archive("restart", restart);
+  archive("rested", rested);
+  archive("asleep", asleep);
+  archive("still_among", still_among);
+}
+
+template <typename Archive, Is<ribbon::RigidBody> T>
+void fields(Archive& archive, T& body) {
+  auto& [position, velocity, angular_velocity, inverse_mass, inverse_inertia, acceleration, impulse, angular_impulse,
+         moved, turned, met, awake, may_sleep, rests] = body;
+  archive("position", position);
+  archive("velocity", velocity);
+  archive("angular_velocity", angular_velocity);
+  archive("inverse_mass", inverse_mass);
+  archive("inverse_inertia", inverse_inertia);
+  archive("acceleration", acceleration);
+  archive("impulse", impulse);
+  archive("angular_impulse", angular_impulse);
+  archive("moved", moved);
+  archive("turned", turned);
+  archive("met", met);
+  archive("awake", awake);
+  archive("may_sleep", may_sleep);
+  archive("rests", rests);
+}
+
+template <typename Archive, Is<ribbon::RigidCircle> T>
+void fields(Archive& archive, T& circle) {
+  auto& [body, offset, radius, friction, restitution, id] = circle;
+  archive("body", body);
+  archive("offset", offset);
+  archive("radius", radius);
+  archive("friction", friction);
+  archive("restitution", restitution);
+  archive("id", id);
+}
+
+template <typename Archive, Is<ribbon::RigidSegment> T>
+void fields(Archive& archive, T& segment) {
+  auto& [body, a, b, radius, friction, restitution, id] = segment;
+  archive("body", body);
+  archive("a", a);
+  archive("b", b);
+  archive("radius", radius);
+  archive("friction", friction);
+  archive("restitution", restitution);
+  archive("id", id);
+}
+
+template <typename Archive, Is<ribbon::Grip> T>
+void fields(Archive& archive, T& grip) {
+  auto& [point, body, offset, travel, along, climb, strength] = grip;
+  archive("point", point);
+  archive("body", body);
+  archive("offset", offset);
+  archive("travel", travel);
+  archive("along", along);
+  archive("climb", climb);
+  archive("strength", strength);
+}
+
+template <typename Archive, Is<SolverStep::Cord> T>
+void fields(Archive& archive, T& cord) {
+  auto& [def, state, circles, segments, grips, id] = cord;
+  archive("id", id);
+  archive("def", def);
+  archive("state", state);
+  archive("circles", circles);
+  archive("segments", segments);
+  archive("grips", grips);
+}
+
+template <typename Archive, Is<SolverStep::Outcome> T>
+void fields(Archive& archive, T& outcome) {
+  auto& [why, work, unconverged, positions] = outcome;
+  archive("why", why);
+  archive("work", work);
+  archive("unconverged", unconverged);
+  archive("positions", positions);
+}
+
+template <typename Archive, Is<SolverStep> T>
+void fields(Archive& archive, T& step) {
+  auto& [dt, gravity, bodies, cords, outcome] = step;
+  archive("outcome", outcome);
+  archive("dt", dt);
+  archive("gravity", gravity);
+  archive("bodies", bodies);
+  archive("cords", cords);
+}
+
+}  // namespace engine::step_fields

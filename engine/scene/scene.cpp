@@ -1,0 +1,193 @@
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "engine/scene/scene_bodies.h"
+#include "engine/scene/scene_cord.h"
+#include "ribbon/box2d/convert.h"
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr std::size_t most_objects = 2000;     // far more than a level needs, few enough to run whatever they are
+constexpr std::int64_t most_points = 100'000;  // of all cords together: a few hundred megabytes at the most
+constexpr double anchor_reach = 0.25;          // m, from an anchor to the cord point that it holds
+constexpr double load_reach = 0.5;             // m, from a load's rim to the end of the cord that it hangs from
+
+b2Vec2 gravity_of(const TiledMap& map) {
+  return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};
+}
+
+bool is_cord(const MapObject& object) { return object.kind == "cord" || object.kind == "ribbon"; }
+
+/// Before any of them is laid out: few objects can ask for all the memory there is.
+void check_points(const TiledMap& map) {
+  std::int64_t points = 0;
+  for (const MapObject& object : map.objects) {
+    if (is_cord(object)) points += points_of(object);
+    if (points <= most_points) continue;
+    throw object.error("the cords up to this one have " + std::to_string(points) +
+                       " points, columns times rows; accepted are at most " + std::to_string(most_points));
+  }
+}
+
+void check_map(const TiledMap& map, const std::vector<std::string>& other_properties) {
+  map.properties.check_known_properties({"gravity_y", "pixels_per_metre"}, other_properties);
+  if (map.objects.size() > most_objects) {
+    throw MapError(map.file + ": the map has " + std::to_string(map.objects.size()) +
+                   " objects; accepted are at most " + std::to_string(most_objects));
+  }
+  check_points(map);
+}
+
+void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
+  Hasher hasher;
+  const b2Transform& transform = body.GetTransform();
+  for (const float value : {transform.p.x, transform.p.y, transform.q.s, transform.q.c, body.GetAngle(),
+                            body.GetLinearVelocity().x, body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
+    hasher.add(value);
+  }
+  hasher.add(static_cast<int>(body.IsAwake()));
+  hash.add(Subsystem::body, index, hasher);
+}
+
+}  // namespace
+
+Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter,
+             const std::vector<std::string>& other_properties)
+    : world_(gravity_of(map)) {
+  check_map(map, other_properties);
+  for (const MapObject& object : map.objects) build(object, other_kinds, cord_filter);
+  for (const MapObject& object : map.objects) {  // these need the cords to be there
+    if (object.kind == "anchor") fix_anchor(object, map);
+    if (object.kind == "load" && object.properties.has("cord")) hang_load(object, map);
+  }
+}
+
+void Scene::build(const MapObject& object, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter) {
+  if (object.kind == "ground") {
+    bodies_.push_back({&build_ground(object, world_), BodyKind::ground, object.id});
+  } else if (object.kind == "circle") {
+    bodies_.push_back({&build_circle(object, world_), BodyKind::circle, object.id});
+  } else if (object.kind == "load") {
+    bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id});
+  } else if (is_cord(object)) {
+    build_cord(object, cord_filter);
+  } else if (object.kind != "anchor" &&
+             std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
+    std::string accepted = "ground, circle, cord, ribbon, anchor, load";
+    for (const std::string& kind : other_kinds) accepted += ", " + kind;
+    throw object.error("class is " + in_quotes(object.kind) + "; accepted is " + accepted);
+  }
+}
+
+void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
+  const CordDefinition definition = read_cord(object);
+  const b2Filter wanted = is_solid(object) ? b2Filter{} : filter;
+  try {
+    if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+      coupling_.add(ribbon::Cord(*direct), wanted);
+    } else {
+      coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), wanted);
+    }
+  } catch (const ribbon::DefinitionError& error) {
+    throw object.error(error.what());
+  }
+  cord_objects_.push_back(object.id);
+}
+
+/// The cord that an object names in its property `cord`.
+CordIndex Scene::named_cord(const MapObject& object, const TiledMap& map) const {
+  const std::int64_t id = object.properties.integer("cord");
+  const auto found = std::find(cord_objects_.begin(), cord_objects_.end(), id);
+  if (found != cord_objects_.end()) return static_cast<CordIndex>(found - cord_objects_.begin());
+  const MapObject* other = map.find(static_cast<int>(id));
+  throw object.error(
+      "property \"cord\" is " + std::to_string(id) + ", " +
+      (other == nullptr ? "and there is no such object" : "an object of class " + in_quotes(other->kind)) +
+      "; accepted is the id of a cord or ribbon");
+}
+
+/// Constrains the cord point nearest to the anchor, of the cord it names or of any.
+void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
+  object.properties.check_known_properties({"cord"});
+  if (object.shape != MapShape::point) {
+    throw object.error("the shape of an anchor is " + std::string(shape_name(object.shape)) + "; accepted is point");
+  }
+  std::optional<CordPoint> nearest = coupling_.nearest_point(object.position, anchor_reach);
+  if (object.properties.has("cord")) nearest = nearest_of(named_cord(object, map), object.position, anchor_reach);
+  if (!nearest) {
+    throw object.error("is further from its cord than an anchor reaches; accepted is one within " +
+                       number_in_words(anchor_reach) + " m of a cord's point");
+  }
+  coupling_.constrain(nearest->cord, nearest->point, object.position);
+}
+
+std::optional<CordPoint> Scene::nearest_of(CordIndex cord, Vec2 position, double reach) const {
+  std::optional<CordPoint> nearest;
+  const auto x = coupling_.positions(cord);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    const double distance = length(x[p] - position);
+    if (distance <= (nearest ? nearest->distance : reach)) nearest = {cord, static_cast<int>(p), distance};
+  }
+  return nearest;
+}
+
+/// The load takes in hand the end of its cord that is nearer.
+void Scene::hang_load(const MapObject& object, const TiledMap& map) {
+  const CordIndex cord = named_cord(object, map);
+  const auto x = coupling_.positions(cord);
+  const bool first = length(x.front() - object.position) < length(x.back() - object.position);
+  const Vec2 end = first ? x.front() : x.back();
+  if (length(end - object.position) > 0.5 * length(object.size) + load_reach) {
+    throw object.error("is " + number_in_words(length(end - object.position)) +
+                       " m from the end of its cord; accepted is one whose rim is within " +
+                       number_in_words(load_reach) + " m of it");
+  }
+  const auto made = std::find_if(bodies_.begin(), bodies_.end(),
+                                 [&object](const SceneBody& body) { return body.object == object.id; });
+  const b2Vec2 hand = made->body->GetLocalPoint(to_float(end));
+  coupling_.hold(cord, first ? 0 : static_cast<int>(x.size()) - 1, *made->body, hand);
+}
+
+int Scene::cord_object(CordIndex cord) const {
+  const auto index = static_cast<std::size_t>(cord);
+  return index < cord_objects_.size() ? cord_objects_[index] : 0;
+}
+
+void Scene::tick(double dt) {
+  coupling_.gather(world_, dt);
+  coupling_.step();
+  coupling_.apply();
+  world_.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
+}
+
+void Scene::add_cord_to(StateHash& hash, CordIndex cord) {
+  Hasher hasher;
+  if (coupling_.solver(cord) == Solver::direct) {
+    coupling_.cord(cord).save(hashed_);
+    engine::add_to(hasher, hashed_);
+  } else {
+    coupling_.thesis_cord(cord).save(hashed_thesis_);
+    engine::add_to(hasher, hashed_thesis_);
+  }
+  hash.add(Subsystem::cord, static_cast<std::uint16_t>(cord), hasher);
+}
+
+void Scene::add_to(StateHash& hash) {
+  for (CordIndex c = 0; c < coupling_.size(); ++c) add_cord_to(hash, c);
+  // Box2D lists the newest body first.
+  int index = world_.GetBodyCount();
+  for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    hash_body(hash, static_cast<std::uint16_t>(--index), *body);
+  }
+}
+
+}  // namespace engine

@@ -1,0 +1,70 @@
+#include "engine/scene/scene_tuning.h"
+
+#include <utility>
+#include <variant>
+
+#include "engine/scene/scene_cord.h"
+
+namespace engine {
+namespace {
+
+/// The state that the old cord is in, as the new one can have it.
+ribbon::Cord::State carried_over(const ribbon::Cord& old, const ribbon::Cord& made) {
+  const ribbon::Cord::State from = old.save();
+  const ribbon::Cord::State bare = ribbon::Cord(old.def()).save();
+  ribbon::Cord::State to = made.save();
+  to.positions = from.positions;
+  to.velocities = from.velocities;
+  to.targets = from.targets;
+  to.kinds = from.kinds;
+  to.loads = from.loads;
+  to.rest = from.rest;
+  to.rest_targets = from.rest_targets;
+  to.rest_speeds = from.rest_speeds;
+  to.holders = from.holders;
+  to.touches = from.touches;
+  for (std::size_t p = 0; p < to.masses.size(); ++p) to.masses[p] += from.masses[p] - bare.masses[p];  // attached
+  to.restart = true;
+  return to;
+}
+
+void retune(ribbon::Cord& cord, const ribbon::CordDef& def) {
+  ribbon::Cord made(def);
+  made.restore(carried_over(cord, made));
+  cord = std::move(made);
+}
+
+void retune(ribbon::ThesisCord& cord, const ribbon::ThesisDef& def) {
+  ribbon::ThesisCord made(def);
+  made.restore(cord.save());
+  cord = std::move(made);
+}
+
+bool same_grid(const CordShape& shape, const CordDefinition& wanted) {
+  if (const auto* direct = std::get_if<ribbon::CordDef>(&wanted)) {
+    return shape.columns == direct->points && shape.rows == direct->rows;
+  }
+  const auto& thesis = std::get<ribbon::ThesisDef>(wanted);
+  return shape.columns == thesis.w && shape.rows == thesis.h;
+}
+
+}  // namespace
+
+void retune(Coupling& coupling, CordIndex cord, const MapObject& object) {
+  const CordDefinition wanted = read_cord(object);
+  const bool is_direct = std::holds_alternative<ribbon::CordDef>(wanted);
+  if ((coupling.solver(cord) == Solver::direct) != is_direct || !same_grid(coupling.shape(cord), wanted)) {
+    throw object.error("its solver, columns or rows change; accepted, while it moves, are those it began with");
+  }
+  try {
+    if (is_direct) {
+      retune(coupling.cord(cord), std::get<ribbon::CordDef>(wanted));
+    } else {
+      retune(coupling.thesis_cord(cord), std::get<ribbon::ThesisDef>(wanted));
+    }
+  } catch (const ribbon::DefinitionError& error) {
+    throw object.error(error.what());
+  }
+}
+
+}  // namespace engine

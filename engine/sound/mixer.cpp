@@ -1,0 +1,121 @@
+#include "engine/sound/mixer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace engine {
+namespace {
+
+constexpr double settling_time = 0.012;  // s, in which a volume goes most of its way: longer than a click
+constexpr float inaudible = 1e-5F;
+constexpr float knee = 0.7F;  // up to here what comes out is what goes in
+
+/// Bends what is above the knee so that it never reaches 1, with the same slope at the knee.
+float bend(float x) {
+  const float size = std::abs(x);
+  if (size <= knee) return x;
+  const float room = 1.0F - knee;
+  const float above = (size - knee) / room;
+  return std::copysign(knee + room * above / (1.0F + above), x);
+}
+
+/// NaN counts as the least.
+double within(double x, double least, double most) { return x > least ? std::min(x, most) : least; }
+
+float approached(float from, float to, float share) {
+  const float next = from + share * (to - from);
+  return std::abs(to - next) < inaudible ? to : next;
+}
+
+}  // namespace
+
+Mixer::Mixer(int rate) : rate_(rate), approach_(static_cast<float>(1.0 / (settling_time * rate))) {
+  voices_.reserve(most_voices);
+}
+
+SoundId Mixer::add(Sound sound) {
+  sounds_.push_back(std::move(sound));
+  return static_cast<SoundId>(sounds_.size()) - 1;
+}
+
+/// Equally loud wherever it is.
+Mixer::Gains Mixer::gains_of(const Playing& how) {
+  const double volume = within(how.volume, 0.0, 4.0);
+  const double pan = std::isnan(how.pan) ? 0.0 : within(how.pan, -1.0, 1.0);
+  return {static_cast<float>(volume * std::sqrt(0.5 * (1.0 - pan))),
+          static_cast<float>(volume * std::sqrt(0.5 * (1.0 + pan)))};
+}
+
+double Mixer::step_of(SoundId sound, double pitch) const {
+  return within(pitch, 0.125, 8.0) * sounds_[static_cast<std::size_t>(sound)].rate / rate_;
+}
+
+void Mixer::play(SoundId sound, const Playing& how) {
+  if (voices() == most_voices) voices_.erase(voices_.begin());
+  voices_.push_back({sound, 0.0, step_of(sound, how.pitch), gains_of(how)});
+}
+
+LoopId Mixer::start_loop(SoundId sound) {
+  const double step = step_of(sound, 1.0);
+  loops_.push_back({sound, 0.0, step, step, {}, {}});
+  return static_cast<LoopId>(loops_.size()) - 1;
+}
+
+void Mixer::set_loop(LoopId loop, const Playing& how) {
+  Loop& set = loops_[static_cast<std::size_t>(loop)];
+  set.wanted = gains_of(how);
+  set.step_wanted = step_of(set.sound, how.pitch);
+}
+
+void Mixer::hush() {
+  for (Voice& voice : voices_) voice.ends = true;
+  for (Loop& loop : loops_) loop.wanted = {};
+}
+
+void Mixer::set_volume(double volume) { volume_wanted_ = static_cast<float>(within(volume, 0.0, 1.0)); }
+
+void Mixer::add_voice(Voice& voice, std::span<float> stereo) const {
+  const std::vector<float>& x = samples(voice.sound);
+  for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
+    const auto here = static_cast<std::size_t>(voice.at);
+    voice.is_over = here + 1 >= x.size() || voice.fade == 0.0F;
+    if (voice.is_over) return;
+    const auto part = static_cast<float>(voice.at - static_cast<double>(here));
+    const float value = voice.fade * (x[here] + part * (x[here + 1] - x[here]));
+    stereo[k] += voice.gains.left * value;
+    stereo[k + 1] += voice.gains.right * value;
+    voice.at += voice.step;
+    if (voice.ends) voice.fade = approached(voice.fade, 0.0F, approach_);
+  }
+}
+
+void Mixer::add_loop(Loop& loop, std::span<float> stereo) const {
+  const std::vector<float>& x = samples(loop.sound);
+  for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
+    loop.gains.left = approached(loop.gains.left, loop.wanted.left, approach_);
+    loop.gains.right = approached(loop.gains.right, loop.wanted.right, approach_);
+    loop.step += static_cast<double>(approach_) * (loop.step_wanted - loop.step);
+    const auto here = static_cast<std::size_t>(loop.at);
+    const float next = x[here + 1 < x.size() ? here + 1 : 0];
+    const auto part = static_cast<float>(loop.at - static_cast<double>(here));
+    const float value = x[here] + part * (next - x[here]);
+    stereo[k] += loop.gains.left * value;
+    stereo[k + 1] += loop.gains.right * value;
+    loop.at = std::fmod(loop.at + loop.step, static_cast<double>(x.size()));
+  }
+}
+
+void Mixer::mix(std::span<float> stereo) {
+  std::fill(stereo.begin(), stereo.end(), 0.0F);
+  for (Voice& voice : voices_) add_voice(voice, stereo);
+  std::erase_if(voices_, [](const Voice& voice) { return voice.is_over; });
+  for (Loop& loop : loops_) add_loop(loop, stereo);
+  for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
+    volume_ = approached(volume_, volume_wanted_, approach_);
+    stereo[k] = bend(volume_ * stereo[k]);
+    stereo[k + 1] = bend(volume_ * stereo[k + 1]);
+  }
+}
+
+}  // namespace engine

@@ -1,0 +1,199 @@
+#define SDL_MAIN_HANDLED  // keeps SDL from renaming main
+
+#include "engine/window/sdl_window.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "engine/window/sdl_display.h"
+#include "engine/window/sdl_events.h"
+
+namespace engine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void no_display(const std::string& reason) {
+  throw std::runtime_error("there is no display to open a window on (" + reason +
+                           "): start it from a desktop session, or run with --headless");
+}
+
+/// Without a display SDL settles for a window that nobody sees; that is wanted only by who asks for it by name.
+bool unseen(std::string_view driver) { return driver == "offscreen" || driver == "dummy" || driver == "evdev"; }
+
+/// Holds SDL's video part open; a member before all that needs it.
+struct Video {
+  Video() {
+    SDL_SetMainReady();
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) no_display(SDL_GetError());
+    if (SDL_GetHint(SDL_HINT_VIDEODRIVER) != nullptr || !unseen(SDL_GetCurrentVideoDriver())) return;
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    no_display("neither DISPLAY nor WAYLAND_DISPLAY leads to one");
+  }
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
+  ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
+};
+
+template <typename T>
+T* need(T* made, const char* what) {
+  if (made == nullptr) throw std::runtime_error(std::string("cannot open ") + what + ": " + SDL_GetError());
+  return made;
+}
+
+SDL_Renderer* make_renderer(SDL_Window* window) {
+  SDL_Renderer* made = SDL_CreateRenderer(window, -1, SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC);
+  if (made == nullptr) made = SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE);
+  return need(made, "a renderer for the window");
+}
+
+/// Only hardware is believed: the software renderer says so too, and then waits under some drivers only.
+bool waits_for_display(SDL_Renderer* renderer) {
+  constexpr std::uint32_t both = SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC;
+  SDL_RendererInfo info{};
+  return SDL_GetRendererInfo(renderer, &info) == 0 && (info.flags & both) == both;
+}
+
+Clock::duration frame_time(SDL_Window* window) {
+  SDL_DisplayMode mode{};
+  const bool known = SDL_GetWindowDisplayMode(window, &mode) == 0 && mode.refresh_rate > 0;
+  return std::chrono::nanoseconds(1'000'000'000 / (known ? std::clamp(mode.refresh_rate, 30, 240) : 60));
+}
+
+}  // namespace
+
+struct Window::Impl {
+  Impl(const std::string& title, int width, int height);
+
+  void check_display() const;
+  template <typename Question>
+  int ask_display(const Question& question);
+
+  void follow_size();
+
+  DisplayLoss loss;
+  HeadlessCanvas canvas;
+  Video video;
+  std::unique_ptr<SDL_Window, decltype(&SDL_DestroyWindow)> window;
+  std::unique_ptr<SDL_Renderer, decltype(&SDL_DestroyRenderer)> renderer;
+  std::unique_ptr<SDL_Texture, decltype(&SDL_DestroyTexture)> texture{nullptr, SDL_DestroyTexture};
+  ribbon::Vec2 scale{1.0, 1.0};  // pixels per desktop unit
+  EventReader events;
+  InputState input;
+  bool vsync;
+  Clock::duration period;
+  Clock::time_point shown = Clock::now();
+};
+
+Window::Impl::Impl(const std::string& title, int width, int height)
+    : canvas(width, height),
+      window(need(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
+                  "the window"),
+             SDL_DestroyWindow),
+      renderer(make_renderer(window.get()), SDL_DestroyRenderer),
+      vsync(waits_for_display(renderer.get())),
+      period(frame_time(window.get())) {
+  note_loss_of_display(window.get(), loss);
+  follow_size();
+}
+
+void Window::Impl::check_display() const {
+  if (loss.lost) throw std::runtime_error("the display was lost: the X server that showed the window has gone");
+}
+
+/// Throws where the display is lost before or meanwhile. The question calls C alone: it may be left by a jump.
+template <typename Question>
+int Window::Impl::ask_display(const Question& question) {
+  check_display();
+  std::jmp_buf escape;
+  volatile int answer = 0;
+  if (setjmp(escape) == 0) {
+    loss.escape = &escape;
+    answer = question();
+  }
+  loss.escape = nullptr;
+  check_display();
+  return answer;
+}
+
+void Window::Impl::follow_size() {
+  int pixels_x = 0, pixels_y = 0, units_x = 0, units_y = 0;
+  SDL_GetWindowSize(window.get(), &units_x, &units_y);
+  if (SDL_GetRendererOutputSize(renderer.get(), &pixels_x, &pixels_y) != 0) return;
+  if (pixels_x < 1 || pixels_y < 1 || units_x < 1 || units_y < 1) return;  // while it is minimised
+  scale = {static_cast<double>(pixels_x) / units_x, static_cast<double>(pixels_y) / units_y};
+  if (texture && pixels_x == canvas.width() && pixels_y == canvas.height()) return;
+  canvas.resize(pixels_x, pixels_y);
+  texture.reset(
+      need(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING, pixels_x, pixels_y),
+           "a texture for the window"));
+}
+
+Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
+
+Window::~Window() {
+  // Whatever closes a window asks its display, and may wait for the answer: with that gone, it is left as it is.
+  static std::vector<Impl*> left;
+  if (impl_->loss.lost) left.push_back(impl_.release());
+}
+
+Canvas& Window::canvas() { return impl_->canvas; }
+const Canvas& Window::canvas() const { return impl_->canvas; }
+
+const Raster& Window::raster() const { return impl_->canvas.raster(); }
+
+double Window::pixel_scale() const { return std::max(impl_->scale.y, 1.0); }
+
+WindowInput Window::poll() {
+  SDL_Event event;
+  while (impl_->ask_display([&event] { return SDL_PollEvent(&event); }) != 0) {
+    impl_->events.read(event, impl_->scale, impl_->input);
+  }
+  impl_->follow_size();
+  return impl_->input.take();
+}
+
+void Window::present() {
+  impl_->ask_display([this] {
+    const Raster& raster = impl_->canvas.raster();
+    SDL_Renderer* const renderer = impl_->renderer.get();
+    SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());
+    SDL_RenderCopy(renderer, impl_->texture.get(), nullptr, nullptr);
+    SDL_RenderPresent(renderer);
+    return 0;
+  });
+  // A driver that promises to wait may not do so while the window is hidden: then the half period is the limit.
+  const auto earliest = impl_->shown + (impl_->vsync ? impl_->period / 2 : impl_->period);
+  const auto now = Clock::now();
+  if (now < earliest) std::this_thread::sleep_until(earliest);
+  impl_->shown = std::max(earliest, now);
+}
+
+void Window::set_title(const std::string& title) {
+  impl_->ask_display([&] {
+    SDL_SetWindowTitle(impl_->window.get(), title.c_str());
+    return 0;
+  });
+}
+
+void Window::set_fullscreen(bool fullscreen) {
+  impl_->ask_display([&] {
+    return SDL_SetWindowFullscreen(impl_->window.get(), fullscreen ? std::uint32_t{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0U);
+  });
+}
+
+void Window::save_png(const std::string& path) const { impl_->canvas.save_png(path); }
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+}
+
+}  // namespace engine

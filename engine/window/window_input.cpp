@@ -1,0 +1,133 @@
+#include "engine/window/window_input.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace engine {
+namespace {
+
+constexpr double pulled = 0.5;     // share of the way from where a trigger or stick counts as a button
+constexpr double let_go = 0.4;     // and up to where it goes on to do so
+constexpr double dead_zone = 0.2;  // a stick at rest does not stand quite in the middle
+
+double beyond_dead_zone(double way) {
+  const double far = std::abs(std::clamp(way, -1.0, 1.0));
+  return far <= dead_zone ? 0.0 : std::copysign((far - dead_zone) / (1.0 - dead_zone), way);
+}
+
+}  // namespace
+
+void InputState::key_down(Key key) {
+  const auto i = static_cast<std::size_t>(key);
+  if (input_.keys_held[i]) return;
+  input_.keys_held.set(i);
+  input_.keys_pressed.set(i);
+}
+
+void InputState::key_up(Key key) {
+  const auto i = static_cast<std::size_t>(key);
+  if (!input_.keys_held[i]) return;
+  input_.keys_held.reset(i);
+  input_.keys_released.set(i);
+}
+
+void InputState::button_down(MouseButton button) {
+  const auto i = static_cast<std::size_t>(button);
+  if (input_.buttons_held[i]) return;
+  input_.buttons_held.set(i);
+  input_.buttons_pressed.set(i);
+}
+
+void InputState::button_up(MouseButton button) {
+  const auto i = static_cast<std::size_t>(button);
+  if (!input_.buttons_held[i]) return;
+  input_.buttons_held.reset(i);
+  input_.buttons_released.set(i);
+}
+
+void InputState::focus_lost() {
+  input_.focus_lost = true;
+  input_.keys_released |= input_.keys_held;
+  input_.keys_held.reset();
+  input_.buttons_released |= input_.buttons_held;
+  input_.buttons_held.reset();
+}
+
+void InputState::mouse_at(ribbon::Vec2 pixels) {
+  if (pixels == input_.mouse) return;
+  input_.mouse = pixels;
+  input_.mouse_moved = true;
+}
+
+void InputState::wheel(ribbon::Vec2 notches) {
+  input_.wheel += notches;
+  if (notches.y > 0.0) input_.wheel_turned.set(static_cast<std::size_t>(WheelTurn::up));
+  if (notches.y < 0.0) input_.wheel_turned.set(static_cast<std::size_t>(WheelTurn::down));
+}
+
+void InputState::pad_found() {
+  ++input_.pads;
+  input_.pad_found = true;
+}
+
+void InputState::pad_lost() {
+  input_.pads = std::max(input_.pads - 1, 0);
+  input_.pad_lost = true;
+  input_.pad_released |= input_.pad_held;
+  input_.pad_held.reset();
+  input_.left_stick = input_.right_stick = {};
+}
+
+void InputState::pad_down(PadButton button) {
+  const auto i = static_cast<std::size_t>(button);
+  if (input_.pad_held[i]) return;
+  input_.pad_held.set(i);
+  input_.pad_pressed.set(i);
+}
+
+void InputState::pad_up(PadButton button) {
+  const auto i = static_cast<std::size_t>(button);
+  if (!input_.pad_held[i]) return;
+  input_.pad_held.reset(i);
+  input_.pad_released.set(i);
+}
+
+void InputState::trigger(PadButton which, double pull) {
+  const double enough = input_.held(which) ? let_go : pulled;
+  pull >= enough ? pad_down(which) : pad_up(which);
+}
+
+void InputState::stick_x(PadStick stick, double x) {
+  const bool left = stick == PadStick::left;
+  (left ? input_.left_stick : input_.right_stick).x = beyond_dead_zone(x);
+  trigger(left ? PadButton::left_stick_left : PadButton::right_stick_left, -x);
+  trigger(left ? PadButton::left_stick_right : PadButton::right_stick_right, x);
+}
+
+void InputState::stick_y(PadStick stick, double y) {
+  const bool left = stick == PadStick::left;
+  (left ? input_.left_stick : input_.right_stick).y = beyond_dead_zone(y);
+  trigger(left ? PadButton::left_stick_down : PadButton::right_stick_down, -y);
+  trigger(left ? PadButton::left_stick_up : PadButton::right_stick_up, y);
+}
+
+WindowInput InputState::take() {
+  WindowInput taken = input_;
+  input_.quit = false;
+  input_.focus_lost = false;
+  input_.mouse_moved = false;
+  input_.wheel = {};
+  input_.text.clear();
+  input_.wheel_turned.reset();
+  input_.pad_pressed.reset();
+  input_.pad_released.reset();
+  input_.pad_found = false;
+  input_.pad_lost = false;
+  input_.keys_pressed.reset();
+  input_.keys_released.reset();
+  input_.buttons_pressed.reset();
+  input_.buttons_released.reset();
+  return taken;
+}
+
+}  // namespace engine

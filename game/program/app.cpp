@@ -1,0 +1,154 @@
+#include "game/program/app.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "game/program/bad_ticks.h"
+#include "game/screens/play_screen.h"
+#include "game/screens/title_screen.h"
+#include "game/settings/user_files.h"
+#include "game/view/hud.h"
+
+namespace game {
+namespace {
+
+constexpr int window_width = 1280;
+constexpr int window_height = 720;
+
+std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& options) {
+  if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
+  RunOptions asked = options;
+  const bool by_hand = options.replay.empty() && !options.ticks;
+  if (by_hand) asked.assists = session.settings.assists();
+  return std::make_unique<PlayScreen>(session, asked, true);
+}
+
+}  // namespace
+
+App::App(const RunOptions& options)
+    : options_(options),
+      bad_ticks_(bad_tick_recorder(options)),
+      session_(config_folder(), data_folder()),
+      first_run_(run_asked_for(session_, options)),
+      direct_(first_run_.get()),
+      window_("Rope swing", window_width, window_height) {
+  session_.watcher = bad_ticks_.get();
+  tell_of_sounds();
+  if (direct_ != nullptr) {
+    screens_.open(std::move(first_run_));
+  } else {
+    screens_.open(std::make_unique<TitleScreen>(session_));
+  }
+}
+
+App::~App() = default;
+
+bool App::frame(std::int64_t elapsed_ns) {
+  if (!update(window_.poll(), elapsed_ns)) return false;
+  draw();
+  window_.present();
+  return direct_ == nullptr || !direct_->ends_program();
+}
+
+bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
+  if (input.quit) return false;
+  obey_keys(input);
+  notice_pads(input);
+  const MenuInput menu = menu_reader_.read(input, elapsed_ns);
+  if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
+  session_.notice.pass(elapsed_ns);
+  drawn_ns_ += elapsed_ns;
+  session_.sounds.pass(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
+  follow_settings();
+  return true;
+}
+
+void App::follow_settings() {
+  session_.keep_settings();
+  if (is_fullscreen_ != session_.settings.fullscreen) {
+    is_fullscreen_ = session_.settings.fullscreen;
+    window_.set_fullscreen(is_fullscreen_);
+  }
+  const std::string title = "Rope swing - " + screens_.top().title();
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
+}
+
+void App::draw() {
+  screens_.draw(window_.canvas(), text_scale());
+  if (!session_.notice.text().empty()) draw_notice(window_.canvas(), session_.notice.text(), text_scale());
+  if (std::exchange(wants_picture_, false)) take_picture();
+  take_film();
+}
+
+/// What is drawn after it is not in the film.
+void App::take_film() {
+  std::string said = film_.take(window_.raster(), std::exchange(drawn_ns_, 0));
+  if (std::exchange(wants_film_, false)) said = film_.toggle(window_.raster());
+  if (!said.empty()) {
+    std::printf("%s\n", said.c_str());
+    session_.notice.show(std::move(said));
+  }
+  if (film_.is_running()) draw_filming_mark(window_.canvas(), text_scale());
+}
+
+double App::text_scale() const {
+  const engine::Canvas& canvas = window_.canvas();
+  const double size = std::min(canvas.width() / (1.0 * window_width), canvas.height() / (1.0 * window_height));
+  return window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
+}
+
+void App::obey_keys(const engine::WindowInput& input) {
+  Settings& settings = session_.settings;
+  if (settings.bindings.pressed(Action::mute, input)) settings.sound.muted = !settings.sound.muted;
+  if (settings.bindings.pressed(Action::fullscreen, input)) settings.fullscreen = !settings.fullscreen;
+  if (settings.bindings.pressed(Action::screenshot, input)) wants_picture_ = true;
+  if (settings.bindings.pressed(Action::film, input)) wants_film_ = true;
+}
+
+void App::notice_pads(const engine::WindowInput& input) {
+  if (input.pad_pressed.any()) session_.uses_pad = true;
+  if (input.keys_pressed.any() || input.buttons_pressed.any()) session_.uses_pad = false;
+  if (input.pad_found) session_.notice.show("A gamepad is plugged in");
+  if (input.pad_lost) session_.notice.show("The gamepad was unplugged");
+}
+
+void App::tell_of_sounds() {
+  const Sounds& sounds = session_.sounds;
+  for (const std::string& trouble : {sounds.why_silent(), sounds.trouble()}) {
+    if (!trouble.empty()) std::fprintf(stderr, "ropeswing: %s\n", trouble.c_str());
+  }
+  if (!sounds.trouble().empty()) session_.notice.show("A sound is missing: " + sounds.trouble());
+}
+
+void App::take_picture() {
+  try {
+    const std::string name = free_name(".png");
+    window_.save_png(name);
+    std::printf("picture: %s\n", name.c_str());
+    session_.notice.show("Picture: " + name);
+  } catch (const std::runtime_error& error) {  // no reason to stop playing
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    session_.notice.show("The picture cannot be written");
+  }
+}
+
+int App::finish() {
+  if (const std::string said = film_.finish(); !said.empty()) std::printf("%s\n", said.c_str());
+  screens_.leave();
+  if (!options_.screenshot.empty()) {
+    window_.save_png(options_.screenshot);
+    std::printf("picture of the last moment: %s\n", options_.screenshot.c_str());
+  }
+  if (bad_ticks_) std::printf("%s\n", bad_ticks_line(*bad_ticks_, options_).c_str());
+  if (direct_ == nullptr) return 0;
+  std::puts(direct_->run().closing_line().c_str());
+  return direct_->exit_status();
+}
+
+}  // namespace game

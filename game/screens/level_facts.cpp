@@ -1,0 +1,61 @@
+#include "game/screens/level_facts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <utility>
+
+#include "game/view/hud.h"
+
+namespace game {
+
+std::string level_title(const Level& level) {
+  if (level.title != level.name) return level.title;
+  std::string title = level.name;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
+std::string medals_in_words(const Level& level) {
+  std::string words;
+  for (const auto& [medal, seconds] :
+       {std::pair{Medal::gold, level.medals.gold}, std::pair{Medal::silver, level.medals.silver},
+        std::pair{Medal::bronze, level.medals.bronze}}) {
+    if (seconds <= 0.0) continue;
+    words += (words.empty() ? "" : "   ") + medal_title(medal) + " " + seconds_in_words(ticks_in(seconds));
+  }
+  return words;
+}
+
+std::vector<Level> levels_in_order() {
+  std::vector<Level> levels;
+  for (const std::string& name : level_names()) {
+    try {
+      levels.push_back(load_level(name));
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    }
+  }
+  const auto place = [](const Level& level) {
+    return level.number == 0 ? std::numeric_limits<int>::max() : level.number;
+  };
+  std::stable_sort(levels.begin(), levels.end(), [&](const Level& a, const Level& b) { return place(a) < place(b); });
+  return levels;
+}
+
+LevelKey level_key(const Level& level) { return {level.name, level.map.content_hash}; }
+
+Medal medal_of(const Level& level, const Best& run) {
+  return run.assisted ? Medal::none : medal_for(run.ticks, level.medals);
+}
+
+std::string best_in_words(const Level& level, const std::optional<Best>& best) {
+  if (!best) return "";
+  const std::string medal = medal_title(medal_of(level, *best));
+  return seconds_in_words(best->ticks) + (best->assisted ? " with help" : medal.empty() ? "" : ", " + medal);
+}
+
+}  // namespace game

@@ -1,0 +1,43 @@
+#include "game/screens/session.h"
+
+#include <utility>
+
+namespace game {
+namespace {
+
+constexpr std::int64_t shown_for_ns = 6'000'000'000;
+
+std::string below(const std::string& folder, const char* name) { return folder.empty() ? "" : folder + name; }
+
+}  // namespace
+
+void Notice::show(std::string sentence) {
+  text_ = std::move(sentence);
+  left_ns_ = shown_for_ns;
+}
+
+void Notice::pass(std::int64_t nanoseconds) {
+  left_ns_ -= nanoseconds;
+  if (left_ns_ <= 0) text_.clear();
+}
+
+Session::Session(const std::string& config_folder, const std::string& data_folder)
+    : records(data_folder), runs(below(data_folder, "/runs")), settings_file_(below(config_folder, "/settings.json")) {
+  std::string trouble;
+  settings = settings_file_.load(trouble);
+  records.load(trouble);
+  if (!trouble.empty()) notice.show(trouble);
+}
+
+void Session::keep_settings() {
+  std::string trouble;
+  settings_file_.keep(settings, trouble);
+  if (!trouble.empty()) notice.show(trouble);
+}
+
+void Session::say_that_runs_are_not_recorded() {
+  if (std::exchange(said_, true)) return;
+  notice.show("Runs are not recorded: the folder for them cannot be written");
+}
+
+}  // namespace game

@@ -1,0 +1,101 @@
+#include "game/settings/records.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <limits>
+
+#include "engine/files/json_object.h"
+#include "game/settings/user_files.h"
+#include "ribbon/box2d/state_hash.h"
+
+namespace game {
+namespace {
+
+using engine::JsonObject;
+
+constexpr int depth = 4;
+constexpr std::size_t hash_digits = 16;
+
+std::uint64_t read_hash(const JsonObject& object) {
+  const std::string digits = object.text("hash");
+  const bool right = digits.size() == hash_digits && digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!right) object.refuse("hash", "16 hexadecimal digits");
+  return std::stoull(digits, nullptr, 16);
+}
+
+}  // namespace
+
+std::vector<Records::Entry> Records::parse(const std::string& text, const std::string& where) {
+  const nlohmann::json json = engine::parse_json(text, where, depth);
+  std::vector<Entry> entries;
+  for (const auto& value : JsonObject(json, where).array("best")) {
+    const JsonObject object(value, where + ": record " + std::to_string(entries.size() + 1));
+    const auto ticks = object.integer("ticks", {1, std::numeric_limits<int>::max()});
+    entries.push_back(
+        {{object.text("level"), read_hash(object)}, {static_cast<int>(ticks), object.boolean_or("assisted", false)}});
+  }
+  return entries;
+}
+
+std::string Records::text() const {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Entry& entry : entries_) {
+    list.push_back({{"level", entry.level.name},
+                    {"hash", engine::to_hex(entry.level.hash)},
+                    {"ticks", entry.best.ticks},
+                    {"assisted", entry.best.assisted}});
+  }
+  return nlohmann::ordered_json{{"best", list}}.dump(2) + "\n";
+}
+
+void Records::load(std::string& notice) {
+  entries_.clear();
+  if (folder_.empty()) return;
+  try {
+    if (const auto text = read_user_file(file())) entries_ = parse(*text, file());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    keep_aside(file());
+    notice = "The best times cannot be read: the file is kept as best.json.broken";
+  }
+}
+
+std::optional<Best> Records::best(const LevelKey& level) const {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.level == level; });
+  return found == entries_.end() ? std::nullopt : std::optional(found->best);
+}
+
+bool Records::offer(const LevelKey& level, const Best& run, const std::string& recording, std::string& notice) {
+  const auto before = best(level);
+  if (before && !run.is_better_than(*before)) return false;
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.level == level; });
+  entries_.push_back({level, run});
+  write(level, recording, notice);
+  return true;
+}
+
+void Records::write(const LevelKey& level, const std::string& recording, std::string& notice) {
+  if (folder_.empty()) return;
+  try {
+    // The recording of an earlier run is not the one that the file speaks of.
+    std::error_code ignored;
+    std::filesystem::remove(replay_path(level), ignored);
+    write_user_file(file(), text());
+    if (!recording.empty()) copy_user_file(recording, replay_path(level));
+  } catch (const std::exception& error) {
+    if (failed_) return;
+    failed_ = true;
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    notice = "The best times cannot be written: they last until the game ends";
+  }
+}
+
+std::string Records::replay_path(const LevelKey& level) const {
+  if (folder_.empty()) return "";
+  return folder_ + "/best/" + level.name + "-" + engine::to_hex(level.hash) + ".replay";
+}
+
+}  // namespace game

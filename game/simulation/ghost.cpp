@@ -1,0 +1,52 @@
+#include "game/simulation/ghost.h"
+
+#include <utility>
+
+#include "ribbon/box2d/convert.h"
+
+namespace game {
+
+Ghost::Ghost(engine::Replay replay, Level level)
+    : replay_(std::move(replay)), level_(std::move(level)), simulation_(level_), track_{pose()} {}
+
+std::unique_ptr<Ghost> Ghost::load(const std::string& path, const Level& level) {
+  if (path.empty()) return nullptr;
+  try {
+    engine::Replay replay = engine::load_replay(path);
+    Level same = level;
+    Simulation::take_assists(same, replay.header);
+    engine::check_header(replay.header, Simulation::replay_header(same));
+    return std::unique_ptr<Ghost>(new Ghost(std::move(replay), std::move(same)));
+  } catch (const engine::ReplayError&) {  // it is only a ghost
+    return nullptr;
+  }
+}
+
+bool Ghost::advance(int run_tick) {
+  const std::size_t done = track_.size() - 1;
+  if (done >= replay_.ticks.size() || static_cast<int>(done) >= run_tick + ahead) return false;
+  const engine::RecordedTick& recorded = replay_.ticks[done];
+  simulation_.tick(recorded.input);
+  if (simulation_.hash().combined() != recorded.state.combined()) {
+    replay_.ticks.resize(done);
+    return false;
+  }
+  track_.push_back(pose());
+  return true;
+}
+
+GhostPose Ghost::pose() const {
+  const Player& player = simulation_.player();
+  const engine::Coupling& coupling = simulation_.scene().coupling();
+  GhostPose pose{player.position(), engine::to_double(player.body().GetLinearVelocity()), player.faces_left(),
+                 player.is_on_ground()};
+  if (const auto held = coupling.held_by(player.body())) pose.held = coupling.position(*held);
+  return pose;
+}
+
+std::optional<GhostPose> Ghost::at(int run_tick) const {
+  if (run_tick < 0 || static_cast<std::size_t>(run_tick) >= track_.size()) return std::nullopt;
+  return track_[static_cast<std::size_t>(run_tick)];
+}
+
+}  // namespace game

@@ -1,0 +1,143 @@
+#include "game/simulation/level.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "game/simulation/player.h"
+
+namespace game {
+namespace {
+
+using engine::MapObject;
+
+const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
+const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze"};
+constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
+constexpr std::size_t longest_text = 120;  // bytes
+
+void check_shape(const MapObject& object, engine::MapShape shape) {
+  if (object.shape == shape) return;
+  throw object.error("the shape of a " + object.kind + " is " + std::string(engine::shape_name(object.shape)) +
+                     "; accepted is " + std::string(engine::shape_name(shape)));
+}
+
+const MapObject& only_object(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape,
+                             engine::Choices properties) {
+  const MapObject* found = nullptr;
+  for (const MapObject& object : map.objects) {
+    if (object.kind != kind) continue;
+    if (found != nullptr) throw object.error("is a second " + kind + "; accepted is one a level");
+    check_shape(object, shape);
+    found = &object;
+  }
+  if (found == nullptr) throw engine::MapError(map.file + ": no object of class " + kind + "; a level needs one");
+  found->properties.check_known_properties(properties);
+  return *found;
+}
+
+std::string short_text(const engine::Properties& properties, const char* key) {
+  std::string text = properties.text_or(key, "");
+  if (text.size() <= longest_text) return text;
+  throw properties.error("property " + engine::in_quotes(key) + " has " + std::to_string(text.size()) +
+                         " bytes; accepted are at most " + std::to_string(longest_text));
+}
+
+void read_map_properties(Level& level) {
+  const engine::Properties& p = level.map.properties;
+  level.title = short_text(p, "title");
+  if (level.title.empty()) level.title = level.name;
+  level.hint = short_text(p, "hint");
+  level.number = static_cast<int>(p.integer_or("number", 0, {0, 1000}));
+  level.sandbox = p.boolean_or("sandbox", false);
+  level.medals = {p.number_or("gold", 0.0, medal_seconds), p.number_or("silver", 0.0, medal_seconds),
+                  p.number_or("bronze", 0.0, medal_seconds)};
+  const Medals& m = level.medals;
+  if (m.gold <= m.silver && m.silver <= m.bronze) return;
+  throw level.map.properties.error("the medals are for " + engine::number_in_words(m.gold) + ", " +
+                                   engine::number_in_words(m.silver) + " and " + engine::number_in_words(m.bronze) +
+                                   " s; accepted are gold, silver and bronze in rising order, or none");
+}
+
+void read_places(Level& level) {
+  for (const MapObject& object : level.map.objects) {
+    if (object.kind == "checkpoint") {
+      check_shape(object, engine::MapShape::rectangle);
+      object.properties.check_known_properties({});
+      level.checkpoints.push_back({object.position, object.size});
+    } else if (object.kind == "hook") {
+      check_shape(object, engine::MapShape::point);
+      object.properties.check_known_properties({});
+      level.hooks.push_back(object.position);
+    } else if (object.kind == "text") {
+      check_shape(object, engine::MapShape::point);
+      object.properties.check_known_properties({"text"});
+      level.signs.push_back({object.position, short_text(object.properties, "text")});
+    }
+  }
+}
+
+/// The names that are accepted, or why there are none.
+std::string known_levels() {
+  std::string names;
+  for (const std::string& known : level_names()) names += (names.empty() ? "" : ", ") + known;
+  if (!names.empty()) return names;
+  return "a name, but there are no levels in " + engine::in_quotes(assets_folder() + "/levels") +
+         ": ROPESWING_ASSETS is to name the folder that holds them";
+}
+
+std::string path_of(const std::string& name) {
+  if (name.ends_with(".tmj")) return name;
+  return assets_folder() + "/levels/" + name + ".tmj";
+}
+
+}  // namespace
+
+std::unique_ptr<engine::Scene> Level::make_scene() const {
+  b2Filter all_but_players;
+  all_but_players.maskBits = static_cast<std::uint16_t>(~player_category);
+  return std::make_unique<engine::Scene>(map, own_kinds, all_but_players, own_properties);
+}
+
+std::string assets_folder() {
+  const char* chosen = std::getenv("ROPESWING_ASSETS");
+  return chosen != nullptr ? chosen : GAME_SOURCE_ASSETS;
+}
+
+Level load_level(const std::string& name) {
+  const std::string path = path_of(name);
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    throw engine::MapError("no level " + engine::in_quotes(name) + " at " + engine::in_quotes(path) +
+                           "; accepted is a .tmj file, or " + known_levels());
+  }
+  return level_of(engine::load_tiled_map(path));
+}
+
+Level level_of(engine::TiledMap map) {
+  Level level;
+  level.name = std::filesystem::path(map.file).stem().string();
+  level.map = std::move(map);
+  const MapObject& player = only_object(level.map, "player", engine::MapShape::point, {"mass"});
+  level.player_start = player.position;
+  level.player_mass = player.properties.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4});
+  const MapObject& goal = only_object(level.map, "goal", engine::MapShape::rectangle, {});
+  level.goal = {goal.position, goal.size};
+  read_map_properties(level);
+  read_places(level);
+  level.make_scene();  // so that what cannot be built is refused here
+  return level;
+}
+
+std::vector<std::string> level_names() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(assets_folder() + "/levels", ignored)) {
+    if (entry.path().extension() == ".tmj") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace game

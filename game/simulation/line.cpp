@@ -1,0 +1,136 @@
+#include "game/simulation/line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "game/simulation/player.h"
+#include "ribbon/box2d/convert.h"
+
+namespace game {
+namespace {
+
+using engine::to_double;
+using engine::to_float;
+using ribbon::Vec2;
+
+constexpr double rope_friction = 0.5;
+constexpr double air_drag = 0.3;  // 1/s
+
+ribbon::CordDef line_def(const LineTuning& tuning, double length) {
+  ribbon::CordDef def;
+  def.points = tuning.points;
+  def.length = length;
+  def.radius = tuning.radius;
+  def.mass_per_length = tuning.mass_per_length;
+  def.stretch_stiffness = tuning.stretch_stiffness;
+  def.damping = tuning.damping;
+  def.drag = air_drag;
+  def.tension_only = true;
+  def.friction = rope_friction;
+  def.pins = {0};
+  return def;
+}
+
+/// Straight from the hook to the hand, and as fast as the hand where that is.
+ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, double length, Vec2 velocity) {
+  ribbon::CordDef def = line_def(tuning, length);
+  const double last = tuning.points - 1.0;
+  for (int p = 0; p < tuning.points; ++p) def.positions.push_back(hook + (p / last) * (hand - hook));
+  ribbon::Cord cord(def);
+  for (int p = 1; p < tuning.points; ++p) cord.set_velocity(p, (p / last) * velocity);
+  return cord;
+}
+
+/// As it is, but that its links push too. Nobody feels that of a line that nobody holds; it flings back slack at a
+/// hundred metres a second, and where links neither push nor bend there is no telling how they fold.
+ribbon::Cord left_cord(const LineTuning& tuning, double length, const ribbon::Cord& held) {
+  ribbon::CordDef def = line_def(tuning, length);
+  def.tension_only = false;
+  def.positions.assign(held.positions().begin(), held.positions().end());
+  ribbon::Cord left(def);
+  for (int p = 1; p < tuning.points; ++p) left.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
+  return left;
+}
+
+b2Filter line_filter() {
+  b2Filter filter;
+  filter.maskBits = static_cast<std::uint16_t>(~player_category);
+  return filter;
+}
+
+}  // namespace
+
+Vec2 Line::tip(Vec2 hand) const {
+  if (flight_ticks_ == 0) return hook_;
+  return hand + (1.0 - static_cast<double>(ticks_left_) / flight_ticks_) * (hook_ - hand);
+}
+
+void Line::throw_at(Vec2 hook, Vec2 hand, double dt) {
+  state_ = State::flying;
+  hook_ = hook;
+  flight_ticks_ = std::max(1, static_cast<int>(std::ceil(ribbon::length(hook - hand) / (tuning_.flight_speed * dt))));
+  ticks_left_ = flight_ticks_;
+}
+
+bool Line::fly(engine::Coupling& coupling, b2Body& body, Vec2 hand) {
+  is_new_ = false;
+  if (state_ != State::flying || --ticks_left_ > 0) return false;
+  const Vec2 end = to_double(body.GetPosition()) + hand;
+  const double way = ribbon::length(hook_ - end);
+  if (way > tuning_.longest) {  // the player has gone too far meanwhile
+    state_ = cord_ ? State::left : State::stowed;
+    return false;
+  }
+  length_ = std::max(way, tuning_.shortest);
+  ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.velocity(body));
+  if (cord_) {
+    coupling.replace(*cord_, std::move(made), line_filter());
+  } else {
+    cord_ = coupling.add(std::move(made), line_filter());
+  }
+  engine::GripDef grip;
+  grip.cord = *cord_;
+  grip.arc = length_;
+  grip.local_hand = to_float(hand);
+  grip_ = coupling.grip(body, grip);
+  state_ = State::held;
+  is_new_ = true;
+  return true;
+}
+
+void Line::reel(int direction, engine::Coupling& coupling, double dt) {
+  if (state_ != State::held || direction == 0) return;
+  const double speed = direction < 0 ? tuning_.reel_in_speed : tuning_.reel_out_speed;
+  length_ = std::clamp(length_ + direction * speed * dt, tuning_.shortest, tuning_.longest);
+  coupling.cord(*cord_).reel(0, tuning_.points - 1, length_, speed);
+}
+
+bool Line::let_go(engine::Coupling& coupling) {
+  if (state_ != State::held && state_ != State::flying) return false;
+  if (grip_) coupling.let_go(*grip_);
+  leave(coupling);
+  return true;
+}
+
+void Line::follow(engine::Coupling& coupling) {
+  if (state_ == State::held && !coupling.state(*grip_)) leave(coupling);
+}
+
+void Line::leave(engine::Coupling& coupling) {
+  if (grip_) coupling.replace(*cord_, left_cord(tuning_, length_, coupling.cord(*cord_)), line_filter());
+  grip_.reset();
+  state_ = cord_ ? State::left : State::stowed;
+}
+
+void Line::add_to(engine::Hasher& hasher) const {
+  hasher.add(static_cast<int>(state_));
+  hasher.add(hook_);
+  hasher.add(flight_ticks_);
+  hasher.add(ticks_left_);
+  hasher.add(length_);
+  hasher.add(cord_.value_or(-1));
+  hasher.add(grip_.value_or(-1));
+}
+
+}  // namespace game

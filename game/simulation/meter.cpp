@@ -1,0 +1,77 @@
+#include "game/simulation/meter.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace game {
+namespace {
+
+/// m, along a cord's first row.
+double length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  const auto x = coupling.positions(cord);
+  const auto rows = static_cast<std::size_t>(coupling.shape(cord).rows);
+  double sum = 0.0;
+  for (std::size_t p = rows; p < x.size(); p += rows) sum += length(x[p] - x[p - rows]);
+  return sum;
+}
+
+/// m, the same as it was made.
+double rest_length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  if (coupling.solver(cord) == engine::Solver::thesis) {
+    const ribbon::ThesisDef& def = coupling.thesis_cord(cord).def();
+    return def.spacing * (def.w - 1);
+  }
+  return coupling.cord(cord).def().length;
+}
+
+}  // namespace
+
+void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
+  ++ticks_;
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  const bool restarted = simulation.run_ticks() <= last_run_tick_;
+  last_run_tick_ = simulation.run_ticks();
+  if (restarted || cords_.empty()) cords_.assign(static_cast<std::size_t>(coupling.size()), {});
+  for (int c = 0; c < coupling.size(); ++c) {
+    OfCord& cord = cords_[static_cast<std::size_t>(c)];
+    cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
+    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.error(c);
+  }
+  if (coupling.estimates_errors()) {
+    ++estimated_;
+  } else {
+    recent_us_[timed_++ % remembered] = 1e-3 * static_cast<double>(nanoseconds);
+  }
+}
+
+double Meter::median_us() const {
+  std::array<double, remembered> sorted = recent_us_;
+  const std::size_t count = std::min(timed_, remembered);
+  if (count == 0) return 0.0;
+  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
+  return sorted[count / 2];
+}
+
+double Meter::worst_us() const { return *std::max_element(recent_us_.begin(), recent_us_.end()); }
+
+std::vector<float> Meter::recent_us() const {
+  std::vector<float> recent;
+  for (std::size_t k = timed_ < remembered ? 0 : timed_ - remembered; k < timed_; ++k) {
+    recent.push_back(static_cast<float>(recent_us_[k % remembered]));
+  }
+  return recent;
+}
+
+double Meter::peak_stretch(engine::CordIndex cord) const {
+  const auto index = static_cast<std::size_t>(cord);
+  return index < cords_.size() ? cords_[index].peak_stretch : 0.0;
+}
+
+double Meter::error_a_second(engine::CordIndex cord) const {
+  const auto index = static_cast<std::size_t>(cord);
+  if (index >= cords_.size()) return 0.0;
+  const auto& errors = cords_[index].errors;
+  return ticks_an_estimate * std::accumulate(errors.begin(), errors.end(), 0.0);
+}
+
+}  // namespace game

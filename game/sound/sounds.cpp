@@ -1,0 +1,78 @@
+#include "game/sound/sounds.h"
+
+#include "game/simulation/level.h"
+
+namespace game {
+namespace {
+
+constexpr std::int64_t patience_ns = 3'000'000'000;  // from one try to open a lost device to the next
+constexpr std::int64_t pause_ns = 200'000'000;       // without a tick: longer than slow motion leaves between two
+constexpr engine::SoundId none = -1;
+
+}  // namespace
+
+Sounds::Sounds() : was_heard_(audio_.is_heard()) {
+  load(Noise::thud, {"thud"});
+  load(Noise::slap, {"slap"});
+  load(Noise::creak, {"creak_1", "creak_2", "creak_3"});
+  load(Noise::catches, {"catch"});
+  load(Noise::lets_go, {"let_go"});
+  load(Noise::jump, {"jump"});
+  load(Noise::footstep, {"footstep"});
+  load(Noise::fall, {"fall"});
+  load(Noise::goal, {"goal"});
+  load(Noise::throws, {"throw"});
+  load(Noise::hook, {"hook"});
+  load(Noise::checkpoint, {"checkpoint"});
+  wind_ = load_loop("whoosh");
+  reel_ = load_loop("reel");
+}
+
+engine::SoundId Sounds::load(const std::string& name) {
+  try {
+    return audio_.add(engine::load_wav(assets_folder() + "/sounds/" + name + ".wav"));
+  } catch (const engine::SoundError& error) {
+    if (trouble_.empty()) trouble_ = error.what();
+    return none;
+  }
+}
+
+engine::LoopId Sounds::load_loop(const std::string& name) {
+  const engine::SoundId sound = load(name);
+  return audio_.start_loop(sound == none ? audio_.add({engine::Audio::rate, {0.0F, 0.0F}}) : sound);
+}
+
+void Sounds::load(Noise noise, const std::vector<std::string>& names) {
+  Take& take = takes_[static_cast<std::size_t>(noise)];
+  for (const std::string& name : names) {
+    const engine::SoundId sound = load(name);
+    if (sound != none) take.sounds[take.count++] = sound;
+  }
+}
+
+void Sounds::play(const Cue& cue) {
+  Take& take = takes_[static_cast<std::size_t>(cue.noise)];
+  if (take.count > 0) audio_.play(take.sounds[take.next++ % take.count], cue.how);
+}
+
+void Sounds::hear(const Simulation& simulation) {
+  unheard_ns_ = 0;
+  ear_.hear(simulation);
+  for (const Cue& cue : ear_.cues()) play(cue);
+  audio_.set_loop(wind_, ear_.wind());
+  audio_.set_loop(reel_, ear_.reel());
+}
+
+void Sounds::pass(std::int64_t elapsed_ns, double volume, bool muted) {
+  audio_.set_volume(muted ? 0.0 : volume);
+  unheard_ns_ += elapsed_ns;
+  if (unheard_ns_ > pause_ns) {
+    for (const engine::LoopId loop : {wind_, reel_}) audio_.set_loop(loop, {0.0, 0.0, 1.0});
+  }
+  lost_ns_ = audio_.is_heard() ? 0 : lost_ns_ + elapsed_ns;
+  if (!was_heard_ || lost_ns_ < patience_ns) return;
+  lost_ns_ = 0;
+  audio_.reopen_if_lost();
+}
+
+}  // namespace game

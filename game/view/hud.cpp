@@ -1,0 +1,238 @@
+#include "game/view/hud.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace game {
+namespace {
+
+using engine::Align;
+using engine::Canvas;
+using engine::Color;
+using ribbon::Vec2;
+
+constexpr Color paper{20, 24, 34, 150};
+constexpr Color white{255, 255, 255};
+constexpr Color faint{206, 216, 226};
+constexpr Color gold{255, 212, 92};
+
+struct Lines {
+  std::vector<std::string> text;
+  double size;  // px
+  Color color;
+};
+
+/// A panel just large enough for its lines, with its top left corner at `at`.
+void draw_box(Canvas& canvas, Vec2 at, const Lines& lines) {
+  double width = 0.0;
+  for (const std::string& line : lines.text) width = std::max(width, canvas.text_width(line, lines.size));
+  const double step = canvas.line_height(lines.size);
+  const double margin = 0.6 * lines.size;
+  const double height = step * static_cast<double>(lines.text.size());
+  canvas.panel(at, {width + 2.0 * margin, height + margin}, 0.5 * lines.size, paper);
+  for (std::size_t k = 0; k < lines.text.size(); ++k) {
+    canvas.text(at + Vec2{margin, 0.5 * margin + step * static_cast<double>(k)}, lines.text[k], lines.size,
+                lines.color);
+  }
+}
+
+/// A headline with a line below it, in the middle of the screen.
+void draw_banner(Canvas& canvas, const std::string& headline, const std::string& below, double scale) {
+  const Vec2 middle{0.5 * canvas.width(), 0.10 * canvas.height()};
+  const double large = 44.0 * scale;
+  const double small = 19.0 * scale;
+  const double width = std::max(canvas.text_width(headline, large), canvas.text_width(below, small)) + 70.0 * scale;
+  const double height = canvas.line_height(large) + canvas.line_height(small) + 30.0 * scale;
+  canvas.panel(middle - Vec2{0.5 * width, 0.0}, {width, height}, 16.0 * scale, {20, 24, 34, 190});
+  canvas.text(middle + Vec2{0.0, 10.0 * scale}, headline, large, gold, Align::center);
+  canvas.text(middle + Vec2{0.0, 14.0 * scale + canvas.line_height(large)}, below, small, white, Align::center);
+}
+
+/// A table whose cells end at the right edges of their columns, below its titles.
+using Table = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> in_words(std::initializer_list<int> counts) {
+  std::vector<std::string> row;
+  for (const int count : counts) row.push_back(std::to_string(count));
+  return row;
+}
+
+int points_of(const engine::Coupling& coupling, engine::CordIndex cord) {
+  return static_cast<int>(coupling.positions(cord).size());
+}
+
+Table thesis_counts(const engine::Coupling& coupling) {
+  Table table = {
+      {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) != engine::Solver::thesis) continue;
+    const ribbon::StepReport& report = coupling.thesis_report(c);
+    const ribbon::StepReport& total = coupling.thesis_total(c);
+    table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
+                              report.tangled_columns, total.fem_skipped, total.motion_limited, report.strained_bars}));
+  }
+  return table;
+}
+
+/// A share as per cent, to two significant digits.
+std::string per_cent(double share) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * share);
+  return text.data();
+}
+
+/// To two significant digits if it is small, without the unit.
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), metres < 1e-2 ? "%.2g" : "%.0f", 1e3 * metres);
+  return text.data();
+}
+
+/// What a tick costs, against the sixtieth of a second that it may.
+std::string cost_in_words(const Meter& meter) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "a tick: %.0f µs, at most %.0f µs in the last second (of 16667)",
+                meter.median_us(), meter.worst_us());
+  return text.data();
+}
+
+Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
+  Table table = {
+      {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
+  if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
+  for (int c = 0; c < coupling.size(); ++c) {
+    if (coupling.solver(c) != engine::Solver::direct) continue;
+    const ribbon::CordReport& total = coupling.total(c);
+    const auto touches = static_cast<int>(coupling.cord(c).touches().size());
+    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.report(c).iterations, total.impacts,
+                              total.fallbacks, total.unconverged}));
+    if (coupling.cord(c).is_asleep()) table.back()[3] = "asleep";
+    if (meter == nullptr) continue;
+    table.back().push_back(per_cent(meter->peak_stretch(c)));
+    table.back().push_back(millimetres(meter->error_a_second(c)));
+  }
+  return table;
+}
+
+/// The right edge of each column, px from the panel's left.
+std::vector<double> column_edges(const Canvas& canvas, const Table& table, double size, double margin) {
+  std::vector<double> right;
+  for (const std::string& title : table.front()) {
+    right.push_back((right.empty() ? margin : right.back() + margin) + canvas.text_width(title, size));
+  }
+  return right;
+}
+
+/// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
+void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  std::vector<std::string> legend = {
+      "points: blue free, grey asleep, yellow dragged, red constrained; pink: contacts; boxes: what a cord may reach",
+      "ropes: tension, from violet (1 N) to yellow (10 kN); red cells are inside out"};
+  if (meter != nullptr) legend.push_back(cost_in_words(*meter));
+  const double size = 14.0 * scale;
+  const double margin = 14.0 * scale;
+  const double step = canvas.line_height(size);
+  Vec2 box{0.0, step * static_cast<double>(legend.size()) + margin};
+  for (const std::string& line : legend) box.x = std::max(box.x, canvas.text_width(line, size) + 2.0 * margin);
+  std::vector<Table> tables;
+  for (Table& table : std::array{thesis_counts(coupling), direct_counts(coupling, meter)}) {
+    if (table.size() == 1) continue;  // titles alone
+    box.x = std::max(box.x, column_edges(canvas, table, size, margin).back() + margin);
+    box.y += step * static_cast<double>(table.size());
+    tables.push_back(std::move(table));
+  }
+  const Vec2 corner{margin, canvas.height() - margin - box.y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  double y = 0.5 * margin;
+  for (const Table& table : tables) {
+    const std::vector<double> right = column_edges(canvas, table, size, margin);
+    for (const std::vector<std::string>& row : table) {
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        canvas.text(corner + Vec2{right[k], y}, row[k], size, faint, Align::right);
+      }
+      y += step;
+    }
+  }
+  for (const std::string& line : legend) {
+    canvas.text(corner + Vec2{margin, y}, line, size, faint);
+    y += step;
+  }
+}
+
+/// In the middle at the bottom; where the debug view's figures are, below the time.
+void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_top) {
+  if (line.empty()) return;
+  const double size = 21.0 * scale;
+  const Vec2 box{canvas.text_width(line, size) + 1.6 * size, canvas.line_height(size) + 0.6 * size};
+  const double y = at_top ? 60.0 * scale : canvas.height() - box.y - 60.0 * scale;
+  const Vec2 corner{at_top ? canvas.width() - box.x - 14.0 * scale : 0.5 * (canvas.width() - box.x), y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
+}
+
+/// At the edge beyond which the goal is, how far there it is.
+void draw_way_to_goal(Canvas& canvas, const Simulation& simulation, double scale) {
+  const Vec2 goal = simulation.level().goal.center;
+  const Vec2 there = canvas.to_pixels(goal);
+  const double width = canvas.width();
+  if (there.x >= 0.0 && there.x <= width) return;
+  const bool right = there.x > width;
+  const int metres = static_cast<int>(std::lround(std::abs(goal.x - simulation.player().position().x)));
+  const std::string far = std::to_string(metres) + " m";
+  const std::string words = right ? "flag " + far + " →" : "← flag " + far;
+  const double size = 18.0 * scale;
+  const double margin = 14.0 * scale;
+  const Vec2 box{canvas.text_width(words, size) + 1.2 * size, canvas.line_height(size) + 0.4 * size};
+  const double y = std::clamp(there.y, 0.35 * canvas.height(), 0.65 * canvas.height());
+  const Vec2 corner{right ? width - margin - box.x : margin, y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{0.6 * size, 0.2 * size}, words, size, gold);
+}
+
+}  // namespace
+
+std::string seconds_in_words(int ticks) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f s", static_cast<double>(ticks) / ticks_per_second);
+  return text.data();
+}
+
+void draw_notice(Canvas& canvas, const std::string& notice, double scale) {
+  const double margin = 14.0 * scale;
+  const double size = 18.0 * scale;
+  const Vec2 box{canvas.text_width(notice, size) + 2.0 * margin, canvas.line_height(size) + margin};
+  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - margin - box.y};
+  canvas.panel(corner, box, 0.5 * size, paper);
+  canvas.text(corner + Vec2{margin, 0.5 * margin}, notice, size, gold);
+}
+
+void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& options) {
+  const double scale = options.text_scale;
+  const double margin = 14.0 * scale;
+  const auto goal = simulation.goal_ticks();
+  const std::string time = seconds_in_words(goal.value_or(simulation.run_ticks()));
+  const std::string falls = simulation.falls() == 0 ? "" : "   falls " + std::to_string(simulation.falls());
+  const double right = canvas.width() - margin;
+  const double width = canvas.text_width(time + falls, 24.0 * scale);
+  canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
+  canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
+
+  if (!goal) draw_way_to_goal(canvas, simulation, scale);
+  if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
+  if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
+  if (options.debug) draw_counts(canvas, simulation, options.meter, scale);
+  if (options.headline.empty()) {
+    draw_line(canvas, options.below, scale, options.debug);
+  } else {
+    draw_banner(canvas, options.headline, options.below, scale);
+  }
+}
+
+}  // namespace game

@@ -1,0 +1,141 @@
+#include "game/view/view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "game/view/backdrop.h"
+#include "game/view/bodies.h"
+#include "game/view/cords.h"
+#include "game/view/debug_view.h"
+#include "game/view/figure.h"
+#include "game/view/hud.h"
+#include "game/view/marks.h"
+#include "game/view/palette.h"
+#include "game/view/pen.h"
+#include "game/view/strain_legend.h"
+#include "ribbon/box2d/convert.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+using engine::to_double;
+using ribbon::Vec2;
+
+/// m, where a body holds a cord, if it holds one.
+std::optional<Vec2> held_place(const engine::Coupling& coupling, const Snapshot& now, const b2Body& body) {
+  const auto held = coupling.held_by(body);
+  if (!held) return std::nullopt;
+  const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
+  const Vec2 point = x[static_cast<std::size_t>(held->point)];
+  if (held->along == 0.0) return point;
+  const int after = held->point + coupling.shape(held->cord).rows;
+  return point + held->along * (x[static_cast<std::size_t>(after)] - point);
+}
+
+std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
+  std::vector<DrawnBody> bodies;
+  const std::span<const engine::SceneBody> made = simulation.scene().bodies();
+  std::size_t index = now.bodies.size();
+  for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    --index;  // the list begins with the one made last
+    if (body == &simulation.player().body()) continue;
+    const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
+      return b.body == body && b.kind == engine::BodyKind::load;
+    });
+    bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load,
+                      is_load ? held_place(simulation.scene().coupling(), now, *body) : std::nullopt});
+  }
+  return bodies;
+}
+
+std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
+  const engine::Coupling& coupling = simulation.scene().coupling();
+  std::vector<DrawnCord> cords;
+  for (int c = 0; c < coupling.size(); ++c)
+    cords.push_back({coupling, c, coupling.shape(c), now.cords[static_cast<std::size_t>(c)],
+                     simulation.player().line().cord() == c});
+  return cords;
+}
+
+void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint) {
+  std::vector<Color> colors;
+  for (const DrawnCord& cord : cords) {
+    colors.clear();
+    for (int i = 0; strain_tint && i < cord.shape.columns; ++i) colors.push_back(strain_color(strain(cord, i)));
+    draw_cord(pen, cord, colors);
+  }
+}
+
+void draw_marks(Pen& pen, const Simulation& simulation) {
+  const Level& level = simulation.level();
+  for (const Sign& sign : level.signs) draw_sign(pen, sign.at, sign.text);
+  for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
+    draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
+  draw_goal(pen, level.goal.center, level.goal.size, simulation.goal_ticks().has_value());
+  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
+}
+
+/// The player's own line on its way; later it is a cord.
+void draw_flight(Pen& pen, const Simulation& simulation, Vec2 player_at) {
+  const Player& player = simulation.player();
+  if (player.line().state() != Line::State::flying) return;
+  const Vec2 hand = player_at + (player.hand() - player.position());
+  draw_thrown_line(pen, hand, player.line().tip(hand), 0.3);
+}
+
+FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time) {
+  const Player& player = simulation.player();
+  FigureState state;
+  state.at = now.bodies.back().position;  // the player was made last
+  state.velocity = to_double(player.body().GetLinearVelocity());
+  state.faces_left = player.faces_left();
+  state.on_ground = player.is_on_ground();
+  state.time = time;
+  if (player.is_climbing()) state.climbing = state.velocity.y;
+  state.held = held_place(simulation.scene().coupling(), now, player.body());
+  return state;
+}
+
+FigureState figure_of(const GhostPose& ghost, double time) {
+  FigureState state;
+  state.at = ghost.at;
+  state.velocity = ghost.velocity;
+  state.faces_left = ghost.faces_left;
+  state.on_ground = ghost.on_ground;
+  state.held = ghost.held;
+  state.time = time;
+  return state;
+}
+
+}  // namespace
+
+void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
+  const Snapshot now = interpolate(simulation_->previous(), simulation_->current(), alpha);
+  const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
+  const Palette& colors = palette(options.colour_safe);
+  Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
+  effects_.follow(pen.colors, pen.calm);
+  canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.calm));
+
+  draw_backdrop(pen);
+  draw_marks(pen, *simulation_);
+  draw_bodies(pen, bodies_of(*simulation_, now));
+  const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
+  draw_cords(pen, cords, options.strain_tint);
+  if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
+  const FigureState figure = figure_of(*simulation_, now, time);
+  draw_flight(pen, *simulation_, figure.at);
+  draw_figure(pen, pose_of(figure));
+  effects_.draw(pen, alpha);
+  if (options.debug) {
+    for (const DrawnCord& cord : cords) draw_debug(pen, cord);
+  }
+  if (options.strain_tint) draw_strain_legend(canvas, options.text_scale);
+  if (options.hud) draw_hud(canvas, *simulation_, options);
+}
+
+}  // namespace game

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "ribbon/elastic/stage.h"
+#include "ribbon/rigid_circle.h"
+
+namespace ribbon {
+
+/// A body that holds a point of a cord, solved with it. Where its centre of mass is, X = x − s, follows from the point
+/// x and the arm s, from the centre of mass to the hand, that has turned by φ; so the body brings the cord one more
+/// unknown, φ, and that is eliminated on the spot. With M = m/q² and J = I/q² its inertia, R and P the residuals of X
+/// and φ, u = perp(s) = −∂X/∂φ and p = P − u·R:
+///
+///     D = J + M·|s|² + max(0, −R·s)                the last term geometric: of an arm that is pulled outwards
+///     A_x ← A_x + M − M²·u·uᵀ/D        r_x ← r_x + R + M·u·p/D        δφ = (p + M·u·δx)/D
+///
+/// A body that does not turn has D = ∞.
+struct HeldBody {
+  std::size_t point = 0;
+  std::size_t next = 0;  ///< between this point and `point` it is held,
+  double along = 0.0;    ///< at this share of the way
+  std::size_t grip = 0;  ///< index into the cord's grips
+  int rigid = 0;         ///< index into the step's bodies,
+  std::size_t body = 0;  ///< and among those solved with the cord
+  bool turns = true;     ///< its moment of inertia is finite
+  Vec2 arm;              ///< s at the start of the step, m
+  Vec2 travel;           ///< of the hand on the body during the step, m, in the directions of its start
+  double share = 0.0;    ///< of the step that has gone by at the end of the stage, 0 … 1
+  double column = 0.0;   ///< where along the cord, in columns, when the step began,
+  double climb = 0.0;    ///< and how far it moves in the step
+  double way = 0.0;      ///< m, that the hand moves in it on the body and along the cord
+  double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
+  double slides = 0.0;      ///< 0, or the sign of the force along the cord with which it does
+  double along_pull = 0.0;  ///< N, on the body along the cord, where contacts are posed once
+  double slid = 0.0;        ///< columns, along the cord in the step
+
+  Vec2 arm_at(double angle) const;
+  bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }
+  bool is_plain() const { return along == 0.0 && climb == 0.0 && !may_slip(); }
+  /// Where the cord is held, m.
+  Vec2 hold(std::span<const Vec2> x) const { return x[point] + along * (x[next] - x[point]); }
+};
+
+/// A body's part in a Newton step.
+struct HeldStep {
+  Vec2 u;             ///< m
+  double inertia;     ///< M, N/m
+  double moment;      ///< p, N·m
+  double compliance;  ///< 1/D, 1/(N·m)
+
+  /// What the body adds to the point that it holds.
+  CarriedLoad load(std::size_t point, Vec2 residual) const;
+  /// δφ for a step of the point.
+  double turning(Vec2 step) const { return compliance * (moment + inertia * dot(u, step)); }
+};
+
+/// `arm` s, M, J, and the residuals of X [N] and φ [N·m].
+HeldStep held_step(const HeldBody& held, Vec2 arm, double inertia, double angular_inertia, Vec2 residual,
+                   double angular_residual);
+
+}  // namespace ribbon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "ribbon/cord_def.h"
+#include "ribbon/elastic/term.h"
+
+namespace ribbon {
+
+/// Bending of a rope: W = ½·EI/l̄ · |t₊ − t₋|² around a point, t₋ and t₊ the links before and after it over their rest
+/// lengths, l̄ the mean of those (Bergou et al. 2008 to lowest order; with equal links ½·EI/l³·|x₋ − 2x + x₊|²).
+/// Quadratic: its Hessian is constant.
+class Bends final : public Term {
+ public:
+  explicit Bends(const CordDef& def);
+
+  void set_rest_lengths(std::span<const double> lengths) override;
+  void add_constant(BandedMatrix& matrix) const override;
+  void load(const NewtonSystem& system, std::span<const double> tensions) override;
+  double potential(const Shape& shape, std::span<const double> most) const override;
+  double energy(const Motion& at, std::span<const double> tensions) const override;
+
+ private:
+  /// Around point k + 1: t₊ − t₋ = Σ weights[i]·x[k + i].
+  struct Bend {
+    double weights[3];  // 1/m
+    double stiffness;   // N·m
+  };
+  double energy_at(std::span<const Vec2> x) const;
+  Vec2 turn(std::size_t k, std::span<const Vec2> x) const;
+
+  double bending_stiffness_;  // N·m²
+  std::vector<Bend> bends_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,243 @@
+#include "ribbon/elastic/lattice.h"
+
+#include <algorithm>
+
+#include "ribbon/elastic/bends.h"
+#include "ribbon/elastic/cells.h"
+#include "ribbon/elastic/links.h"
+#include "ribbon/elastic/spine.h"
+
+namespace ribbon {
+namespace {
+
+using Terms = std::vector<std::unique_ptr<Term>>;
+
+/// Cells of one row bend by their hourglass mode alone, so E is that of stretch and EI what it will. Of more rows,
+/// cells bend by stretching too: they are made as soft as EI says, E = 12·EI/width³, and a spine carries the rest of
+/// EA.
+void add_cells(const CordDef& def, Terms& terms) {
+  if (def.rows == 2) {
+    terms.push_back(std::make_unique<Cells>(def, def.stretch_stiffness / def.width, def.bending_stiffness));
+    return;
+  }
+  const double modulus = 12.0 * def.bending_stiffness / (def.width * def.width * def.width);
+  const double height = def.width / (def.rows - 1);
+  terms.push_back(std::make_unique<Cells>(def, modulus, modulus * height * height * height / 12.0));
+  const double missing = def.stretch_stiffness - modulus * def.width;
+  if (missing > 1e-9 * def.stretch_stiffness) terms.push_back(std::make_unique<Spine>(def, missing));
+}
+
+Terms declared_terms(const CordDef& def) {
+  Terms terms;
+  if (def.rows == 1 || def.elements == Elements::bars) {
+    terms.push_back(std::make_unique<Links>(def));
+    if (def.bending_stiffness > 0.0) terms.push_back(std::make_unique<Bends>(def));
+  } else {
+    add_cells(def, terms);
+  }
+  return terms;
+}
+
+}  // namespace
+
+Lattice::Lattice(const CordDef& def)
+    : damping_(def.damping),
+      tension_only_(def.tension_only),
+      reach_(def.rows > 1                  ? def.rows + 1
+             : def.bending_stiffness > 0.0 ? 2
+                                           : 1),
+      terms_(declared_terms(def)),
+      constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
+      stiffened_(constant_),
+      matrix_(constant_),
+      damped_(static_cast<std::size_t>(def.damping > 0.0 ? def.points * def.rows : 0)),
+      right_side_(2 * static_cast<std::size_t>(def.points * def.rows)) {
+  for (const auto& term : terms_) tension_count_ += term->tension_count();
+}
+
+void Lattice::set_rest_lengths(std::span<const double> lengths) {
+  constant_.set_zero();
+  stiffening_ = 0.0;
+  for (const auto& term : terms_) {
+    term->set_rest_lengths(lengths);
+    term->add_constant(constant_);
+  }
+}
+
+void Lattice::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->find_tensions(x, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
+void Lattice::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->add_damping(at, sign, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
+void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->add_turning(stage, x, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
+Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
+  if (damping_ == 0.0) return {stage, x, x, 1.0};
+  const double inverse_q = 1.0 / stage.q;
+  for (std::size_t p = 0; p < damped_.size(); ++p) {
+    damped_[p] = x[p] + damping_ * (stage.velocity[p] + inverse_q * (x[p] - stage.predicted[p]));
+  }
+  return last_shape(stage, x);
+}
+
+Shape Lattice::last_shape(const Stage& stage, std::span<const Vec2> x) const {
+  if (damping_ == 0.0) return {stage, x, x, 1.0};
+  return {stage, x, damped_, 1.0 + damping_ / stage.q};
+}
+
+/// The tensions' rows eliminated, what is left is H·δ = r: H inertia and the positive semidefinite part of the elastic
+/// Hessian, its geometric stiffness by the tensions of the iteration before, r the residual of the stage.
+bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                          std::span<Vec2> direction, std::span<double> next) {
+  assemble(stage, x, tensions, direction);
+  hold_constrained(stage, direction);
+  if (!solve(direction)) return false;
+  update(stage, x, tensions, direction, {}, next);
+  return true;
+}
+
+void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                       std::span<Vec2> force) {
+  const NewtonSystem system{shape(stage, x), matrix_, force};
+  if (stiffening_ != system.stiffening) {
+    stiffening_ = system.stiffening;
+    stiffened_.set_scaled(constant_, stiffening_);
+  }
+  matrix_ = stiffened_;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    force[p] = stage.residual(p, x[p]);
+  }
+  double* diagonal = matrix_.row(0);
+  for (const double inertia : stage.inertia) {
+    diagonal[0] += inertia;
+    diagonal[matrix_.stride()] += inertia;
+    diagonal += 2 * matrix_.stride();
+  }
+  for (const CarriedLoad& load : stage.carried) {
+    force[load.point] += load.residual;
+    system.add(static_cast<int>(load.point), static_cast<int>(load.point), load.stiffness);
+  }
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    term->load(system, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+}
+
+void Lattice::order(int first, int /*first_dual*/, std::vector<int>& slots, const PointDone& point_done) const {
+  for (int p = 0; p < matrix_.size() / 2; ++p) {
+    slots.push_back(first + p);
+    point_done(first + p);
+  }
+}
+
+void Lattice::couple(BlockLdlt& blocks, int first, int /*first_dual*/) const {
+  const int n = matrix_.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    for (int k = 1; k <= reach_ && p + k < n; ++k) blocks.couple(first + p, first + p + k);
+  }
+}
+
+void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
+                   int first, int /*first_dual*/, std::span<Vec2> right_side) {
+  assemble(stage, x, tensions, right_side.subspan(static_cast<std::size_t>(first), x.size()));
+  blocks.add_band(first, matrix_, reach_);
+}
+
+void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                     std::span<const Vec2> direction, std::span<const Vec2> /*duals*/, std::span<double> next) {
+  const NewtonSystem system{last_shape(stage, x), matrix_, {}};
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    const std::size_t count = term->tension_count();
+    term->update(system, tensions.subspan(first, count), direction, next.subspan(first, count));
+    first += count;
+  }
+}
+
+/// A constrained point's rows and columns become those of the identity.
+void Lattice::hold_constrained(const Stage& stage, std::span<Vec2> force) {
+  for (std::size_t p = 0; p < force.size(); ++p) {
+    if (stage.constrained[p] == 0) continue;
+    force[p] = {};
+    matrix_.hold(static_cast<int>(2 * p));
+    matrix_.hold(static_cast<int>(2 * p + 1));
+  }
+}
+
+/// Overwrites the residual with the direction.
+bool Lattice::solve(std::span<Vec2> residual) {
+  for (std::size_t p = 0; p < residual.size(); ++p) {
+    right_side_[2 * p] = residual[p].x;
+    right_side_[2 * p + 1] = residual[p].y;
+  }
+  if (!solver_.solve(matrix_, right_side_)) return false;
+  for (std::size_t p = 0; p < residual.size(); ++p) residual[p] = {right_side_[2 * p], right_side_[2 * p + 1]};
+  return true;
+}
+
+double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {
+  const Shape at = shape(stage, x);
+  double sum = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    sum += term->potential(at, most.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+  return sum;
+}
+
+double Lattice::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  const auto pulls = [](double tension) { return tension > 0.0; };
+  if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), pulls)) return 0.0;
+  const Shape at = shape(stage, x);
+  double most = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    most = std::max(most, term->misjudged_way(at, tensions.subspan(first, term->tension_count())));
+    first += term->tension_count();
+  }
+  return most;
+}
+
+double Lattice::energy(const Motion& at, std::span<const double> tensions) const {
+  double sum = 0.0;
+  std::size_t first = 0;
+  for (const auto& term : terms_) {
+    sum += term->energy(at, tensions.subspan(first, term->tension_count()));
+    first += term->tension_count();
+  }
+  return sum;
+}
+
+bool Lattice::unlock(std::span<const Vec2> x) {
+  bool any = false;
+  for (const auto& term : terms_) any = term->unlock(x) || any;
+  return any;
+}
+
+std::span<char> Lattice::unlocked() {
+  for (const auto& term : terms_) {
+    if (!term->unlocked().empty()) return term->unlocked();
+  }
+  return {};
+}
+
+}  // namespace ribbon

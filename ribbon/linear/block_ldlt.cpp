@@ -1,0 +1,270 @@
+#include "ribbon/linear/block_ldlt.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <limits>
+
+namespace ribbon {
+namespace {
+
+constexpr std::ptrdiff_t narrow = 8;  // columns, that are looked through faster than halved
+
+/// Two doubles worked on at once, each rounded as it would be alone. g++ 12 does not see by itself that a block's rows
+/// can be.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+Pair pair_at(const double* first) {
+  Pair pair;
+  std::memcpy(&pair, first, sizeof(pair));
+  return pair;
+}
+void put(Pair pair, double* first) { std::memcpy(first, &pair, sizeof(pair)); }
+void subtract(Pair pair, double* first) { put(pair_at(first) - pair, first); }
+
+}  // namespace
+
+inline void BlockLdlt::Block::operator+=(Block b) {
+  xx += b.xx;
+  xy += b.xy;
+  yx += b.yx;
+  yy += b.yy;
+}
+
+void BlockLdlt::begin_pattern(std::span<const int> order) {
+  order_.assign(order.begin(), order.end());
+  row_of_.resize(order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  couplings_.clear();
+}
+
+void BlockLdlt::couple(int a, int b) {
+  if (a == b) return;
+  const int row_a = row_of_[at(a)];
+  const int row_b = row_of_[at(b)];
+  couplings_.push_back({std::min(row_a, row_b), std::max(row_a, row_b)});
+}
+
+void BlockLdlt::reorder(std::span<const int> order) {
+  for (auto& coupling : couplings_) coupling = {order_[at(coupling[0])], order_[at(coupling[1])]};
+  order_.assign(order.begin(), order.end());
+  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  for (auto& coupling : couplings_) {
+    const int a = row_of_[at(coupling[0])];
+    const int b = row_of_[at(coupling[1])];
+    coupling = {std::min(a, b), std::max(a, b)};
+  }
+  end_pattern();
+}
+
+/// The columns of a row are its own and those of its children in the elimination tree, whose first column it is
+/// (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
+void BlockLdlt::end_pattern() {
+  const std::size_t n = order_.size();
+  coupling_first_.assign(n + 1, 0);
+  for (const auto& coupling : couplings_) ++coupling_first_[at(coupling[0]) + 1];
+  for (std::size_t k = 0; k < n; ++k) coupling_first_[k + 1] += coupling_first_[k];
+  coupled_.reserve(couplings_.capacity());
+  coupled_.resize(couplings_.size());
+  for (const auto& coupling : couplings_) coupled_[coupling_first_[at(coupling[0])]++] = coupling[1];
+  for (std::size_t k = n; k > 0; --k) coupling_first_[k] = coupling_first_[k - 1];
+  coupling_first_[0] = 0;
+
+  first_child_.assign(n, -1);
+  next_child_.assign(n, -1);
+  mark_.assign(n, -1);
+  first_.assign(1, 0);
+  columns_.clear();
+  for (std::size_t k = 0; k < n; ++k) {
+    const int row = static_cast<int>(k);
+    mark_[k] = row;
+    const auto take = [&](int column) {
+      if (mark_[at(column)] == row) return;
+      mark_[at(column)] = row;
+      columns_.push_back(column);
+    };
+    for (std::size_t i = coupling_first_[k]; i < coupling_first_[k + 1]; ++i) take(coupled_[i]);
+    for (int child = first_child_[k]; child >= 0; child = next_child_[at(child)]) {
+      for (std::size_t i = first_[at(child)]; i < first_[at(child) + 1]; ++i) take(columns_[i]);
+    }
+    std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(first_[k]), columns_.end());
+    first_.push_back(columns_.size());
+    if (first_[k] == first_[k + 1]) continue;
+    const std::size_t parent = at(columns_[first_[k]]);
+    next_child_[k] = first_child_[parent];
+    first_child_[parent] = row;
+  }
+  blocks_.reserve(columns_.capacity());
+  blocks_.resize(columns_.size());
+  diagonals_.resize(n);
+  held_.resize(n);
+  dual_.resize(n);
+  right_side_.resize(n);
+}
+
+/// The place of a block in its row, or the end of all if it is none of the pattern.
+inline std::size_t BlockLdlt::find(int row, int column) const {
+  const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row)]);
+  const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row) + 1]);
+  const auto found = end - begin <= narrow ? std::find_if(begin, end, [column](int c) { return c >= column; })
+                                           : std::lower_bound(begin, end, column);
+  return found != end && *found == column ? static_cast<std::size_t>(found - columns_.begin()) : columns_.size();
+}
+
+bool BlockLdlt::is_coupled(int a, int b) const {
+  const int row_a = row_of_[at(a)];
+  const int row_b = row_of_[at(b)];
+  return a == b || find(std::min(row_a, row_b), std::max(row_a, row_b)) < columns_.size();
+}
+
+void BlockLdlt::set_zero() {
+  std::fill(blocks_.begin(), blocks_.end(), Block{});
+  std::fill(diagonals_.begin(), diagonals_.end(), Diagonal{});
+  std::fill(held_.begin(), held_.end(), 0);
+  std::fill(dual_.begin(), dual_.end(), 0);
+}
+
+void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
+  int row = row_of_[at(a)];
+  int column = row_of_[at(b)];
+  if (row > column) {
+    std::swap(row, column);
+    std::swap(xy, yx);
+  }
+  const std::size_t place = find(row, column);
+  assert(place < columns_.size());
+  blocks_[place] += {xx, xy, yx, yy};
+}
+
+void BlockLdlt::add(int a, double xx, double xy, double yy) {
+  Diagonal& diagonal = diagonals_[at(row_of_[at(a)])];
+  diagonal.xx += xx;
+  diagonal.xy += xy;
+  diagonal.yy += yy;
+}
+
+void BlockLdlt::add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by) {
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Vec2 g = factor * by[i];
+    add(slots[i], g.x * by[i].x, g.x * by[i].y, g.y * by[i].y);
+    if (g == Vec2{}) continue;
+    for (std::size_t j = i + 1; j < slots.size(); ++j) {
+      add(slots[i], slots[j], g.x * by[j].x, g.x * by[j].y, g.y * by[j].x, g.y * by[j].y);
+    }
+  }
+}
+
+void BlockLdlt::add_band(int first, const BandedMatrix& band, int reach) {
+  const int n = band.size() / 2;
+  for (int p = 0; p < n; ++p) {
+    const double* upper = band.row(2 * p);
+    const double* lower = band.row(2 * p + 1);
+    add(first + p, upper[0], upper[1], lower[0]);
+    const int row = row_of_[at(first + p)];
+    std::size_t place = first_[at(row)];
+    int before = row;
+    for (int k = 1; k <= reach && p + k < n; ++k) {
+      const int column = row_of_[at(first + p + k)];
+      if (column < before) {
+        add(first + p, first + p + k, upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]);
+        continue;
+      }
+      before = column;
+      while (columns_[place] != column) ++place;
+      blocks_[place] += {upper[2 * k], upper[2 * k + 1], lower[2 * k - 1], lower[2 * k]};
+    }
+  }
+}
+
+bool BlockLdlt::solve(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
+  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!eliminate(k)) return false;
+  }
+  substitute(b);
+  return true;
+}
+
+void BlockLdlt::solve_again(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
+  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 r = right_side_[k];
+    for (std::size_t i = first_[k]; i < first_[k + 1]; ++i) {
+      const Block& l = blocks_[i];
+      right_side_[at(columns_[i])] -= {l.xx * r.x + l.yx * r.y, l.xy * r.x + l.yy * r.y};
+    }
+  }
+  substitute(b);
+}
+
+/// From the last row to the first: x = D⁻¹·r − Σ L_i·x_i.
+inline void BlockLdlt::substitute(std::span<Vec2> b) {
+  const std::size_t n = order_.size();
+  for (std::size_t k = n; k-- > 0;) {
+    const Diagonal& inverse = diagonals_[k];
+    const Vec2 r = right_side_[k];
+    Vec2 x{inverse.xx * r.x + inverse.xy * r.y, inverse.xy * r.x + inverse.yy * r.y};
+    for (std::size_t i = first_[k + 1]; i-- > first_[k];) {
+      const Block& l = blocks_[i];
+      const Vec2 later = right_side_[at(columns_[i])];
+      x -= {l.xx * later.x + l.xy * later.y, l.yx * later.x + l.yy * later.y};
+    }
+    right_side_[k] = x;
+  }
+  for (std::size_t k = 0; k < n; ++k) b[at(order_[k])] = right_side_[k];
+}
+
+/// With D the row's diagonal block and B_i those right of it: A_ij ← A_ij − B_iᵀ·D⁻¹·B_j for all its columns i ≤ j,
+/// which are coupled with each other, r_i ← r_i − B_iᵀ·D⁻¹·r. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
+inline bool BlockLdlt::eliminate(std::size_t row) {
+  const std::size_t end = first_[row + 1];
+  if (held_[row] != 0) {
+    diagonals_[row] = {1.0, 0.0, 1.0};
+    std::fill(blocks_.begin() + static_cast<std::ptrdiff_t>(first_[row]),
+              blocks_.begin() + static_cast<std::ptrdiff_t>(end), Block{});
+    return true;
+  }
+  Diagonal& d = diagonals_[row];
+  const double inverse_det = 1.0 / (d.xx * d.yy - d.xy * d.xy);
+  if (!((dual_[row] != 0 ? -d.xx : d.xx) > 0.0 && inverse_det > 0.0 &&
+        inverse_det < std::numeric_limits<double>::infinity()))
+    return false;
+  const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
+  d = inverse;
+  const Vec2 r = right_side_[row];
+  // By pointers of its own, which the compiler knows that no store below changes.
+  const int* const columns = columns_.data();
+  const char* const held = held_.data();
+  Block* const blocks = blocks_.data();
+  for (std::size_t i = first_[row]; i < end; ++i) {
+    const std::size_t target = at(columns[i]);
+    Block& block = blocks[i];
+    if (held[target] != 0) {
+      block = {};
+      continue;
+    }
+    const Pair b_x = pair_at(&block.xx);
+    const Pair b_y = pair_at(&block.yx);
+    const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
+    const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
+    put(l_x, &block.xx);
+    put(l_y, &block.yx);
+    subtract(l_x * r.x + l_y * r.y, &right_side_[target].x);
+    Diagonal& diagonal = diagonals_[target];
+    subtract(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
+    diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
+    std::size_t place = first_[target];
+    for (std::size_t j = i + 1; j < end; ++j) {
+      while (columns[place] != columns[j]) ++place;
+      const Pair c_x = pair_at(&blocks[j].xx);
+      const Pair c_y = pair_at(&blocks[j].yx);
+      subtract(l_x[0] * c_x + l_y[0] * c_y, &blocks[place].xx);
+      subtract(l_x[1] * c_x + l_y[1] * c_y, &blocks[place].yx);
+    }
+  }
+  return true;
+}
+
+}  // namespace ribbon

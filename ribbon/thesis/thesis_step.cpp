@@ -1,0 +1,277 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/thesis/bar.h"
+#include "ribbon/thesis/broad_phase.h"
+#include "ribbon/thesis/contact.h"
+#include "ribbon/thesis/corrections.h"
+#include "ribbon/thesis/tangle.h"
+#include "ribbon/thesis/thesis_cord.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double self_push_in_radii = 0.5;      // most of an overlap resolved a pair: more throws crumpled cords apart
+constexpr double grip_pull_in_spacings = 0.25;  // most a grip closes a substep: a hand that was put elsewhere must not
+                                                // kick its body away
+constexpr double drag_speeds_to_follow = 2.0;   // a free point may outrun the fastest driven one by this factor
+
+}  // namespace
+
+/// Goto 2017, Fig. 3.6, with N substeps of dt/N: inertia belongs into every one of them, or time runs N-fold and the
+/// cord freezes as N grows.
+StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
+  check_step(dt, gravity);
+  check_bodies(surroundings.bodies);
+  check_met(surroundings, surroundings.bodies.size(), mesh_->size());
+  begin_step(surroundings);
+  const Energy before = energy(gravity, surroundings);
+  const double substep_dt = dt / def_.substeps;
+  driven_speed_ = 0.0;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (inverse_mass_[p] == 0.0) driven_speed_ = std::max(driven_speed_, length(targets_[p] - starts_[p]) / dt);
+  }
+  for (int iteration = 1; iteration <= def_.substeps; ++iteration) {
+    substep(iteration, substep_dt, gravity, surroundings);
+  }
+  report_motions(surroundings);
+  report_gain(before, gravity, surroundings);
+  report_shape();
+  return report_;
+}
+
+void ThesisCord::substep(int iteration, double dt, Vec2 gravity, const Surroundings& surroundings) {
+  before_ = positions_;
+  move_driven_points(iteration);
+  predict(dt, gravity, surroundings);
+  if (def_.bar_damping > 0.0) deform_by_fem(dt);
+  if (def_.spring_stiffness > 0.0) {
+    correct_springs(mesh_->connections, def_.spring_stiffness, dt, inverse_mass_, positions_);
+  }
+  if (!surroundings.grips.empty()) pull_grips(dt, surroundings);
+  if (def_.area_stiffness > 0.0) {
+    correct_areas(mesh_->triangles, def_.area_floor, def_.area_stiffness, inverse_mass_, positions_);
+  }
+  if (def_.self_collision) collide_with_itself();
+  if (!surroundings.circles.empty()) collide_with_circles(dt, surroundings);
+  limit_motion(dt);
+  finish_substep(dt, surroundings);
+}
+
+void ThesisCord::begin_step(const Surroundings& surroundings) {
+  report_ = {};
+  starts_ = positions_;
+  motions_.clear();
+  for (const RigidBody& body : surroundings.bodies) {
+    motions_.push_back({body.position, body.velocity + body.inverse_mass * body.impulse,
+                        body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0, 0.0});
+  }
+  circle_offsets_.clear();
+  circle_radii_.clear();
+  for (const RigidCircle& circle : surroundings.circles) {
+    circle_offsets_.push_back(circle.offset);
+    circle_radii_.push_back(circle.radius);
+  }
+  circle_centers_.resize(surroundings.circles.size());
+  circle_centers_before_.resize(surroundings.circles.size());
+  grip_offsets_.clear();
+  for (const Grip& grip : surroundings.grips) grip_offsets_.push_back(grip.offset);
+
+  if (def_.self_collision) {
+    self_phase_->begin();
+    self_phase_->update(positions_, positions_, own_radii_);
+    report_.tangled_columns = find_tangled_columns(*mesh_, positions_, *self_phase_, tangled_);
+  }
+  if (surroundings.circles.empty()) return;
+  reserve(surroundings.bodies.size(), surroundings.circles.size(), surroundings.grips.size());
+  circle_phase_->begin();
+}
+
+/// Constrained and operated points go to their targets along a straight line, evenly over the substeps.
+void ThesisCord::move_driven_points(int iteration) {
+  const double share = static_cast<double>(iteration) / def_.substeps;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (inverse_mass_[p] == 0.0) positions_[p] = starts_[p] + share * (targets_[p] - starts_[p]);
+  }
+}
+
+/// P = R + δ·v/(1 + c·δ) + δ²·g. The drag e^{−cδ} is taken implicitly: equal to first order, positive for any c, and
+/// without a library function whose last bit differs between machines.
+void ThesisCord::predict(double dt, Vec2 gravity, const Surroundings& surroundings) {
+  const double kept = 1.0 / (1.0 + def_.drag * dt);
+  const Vec2 fall = (dt * dt) * gravity;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (inverse_mass_[p] > 0.0) positions_[p] = before_[p] + (dt * kept) * velocities_[p] + fall;
+  }
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    BodyMotion& motion = motions_[b];
+    if (surroundings.bodies[b].inverse_mass > 0.0) motion.velocity += dt * surroundings.bodies[b].acceleration;
+    motion.position += dt * motion.velocity;
+    motion.turned = dt * motion.angular_velocity;
+  }
+  for (std::size_t k = 0; k < circle_centers_.size(); ++k) {
+    const BodyMotion& motion = motions_[index(surroundings.circles[k].body)];
+    circle_centers_before_[k] = motion.position - dt * motion.velocity + circle_offsets_[k];
+  }
+}
+
+/// Goto 2017, section 3.4, Eqs. 3.16–3.19 with the restoring sign and with inertia in the matrix that is solved:
+/// U = P − R, F = −K·U on free rows, (K_ff + M/δ²)·U′ = F, P += U′, K = η/δ a bar. U is this substep's increment, so
+/// this is an implicit damper of the bars' length; all memory of shape comes from the springs.
+void ThesisCord::deform_by_fem(double dt) {
+  assemble(dt);
+  if (!solver_->solve(*matrix_, force_)) {
+    ++report_.fem_skipped;
+    return;
+  }
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    if (inverse_mass_[p] > 0.0) positions_[p] += {force_[2 * p], force_[2 * p + 1]};
+  }
+}
+
+/// The global matrix and force, Eqs. 3.12–3.15 and 3.17, directions taken at R, which keeps angular momentum.
+void ThesisCord::assemble(double dt) {
+  const double k = def_.bar_damping / dt;
+  const double inertia = def_.point_mass / (dt * dt);
+  matrix_->set_zero();
+  for (int row = 0; row < matrix_->size(); ++row) matrix_->row(row)[0] = inertia;
+  std::fill(force_.begin(), force_.end(), 0.0);
+  for (const Connection& bar : mesh_->connections) {
+    const std::size_t a = index(bar.a);
+    const std::size_t b = index(bar.b);
+    const Vec2 ab = before_[b] - before_[a];
+    const double size = length(ab);
+    if (size == 0.0) continue;  // a bar without direction resists nothing
+    const Vec2 direction = (1.0 / size) * ab;
+    const bool free_a = inverse_mass_[a] > 0.0;
+    const bool free_b = inverse_mass_[b] > 0.0;
+    add_bar_stiffness(*matrix_, bar.a, bar.b, direction, k, free_a, free_b);
+    const Vec2 pull = bar_force(direction, k, positions_[a] - before_[a], positions_[b] - before_[b]);
+    if (free_a) {
+      force_[2 * a] += pull.x;
+      force_[2 * a + 1] += pull.y;
+    }
+    if (free_b) {
+      force_[2 * b] -= pull.x;
+      force_[2 * b + 1] -= pull.y;
+    }
+  }
+}
+
+/// A held point and the hand meet, each moving by the other's share of mass.
+void ThesisCord::pull_grips(double dt, const Surroundings& surroundings) {
+  for (std::size_t k = 0; k < surroundings.grips.size(); ++k) {
+    const Grip& grip = surroundings.grips[k];
+    RigidBody& body = surroundings.bodies[index(grip.body)];
+    BodyMotion& motion = motions_[index(grip.body)];
+    grip_offsets_[k] += (1.0 / def_.substeps) * grip.travel;
+    const Vec2 arm = reach(motion, grip_offsets_[k]);
+    const Vec2 gap = positions_[index(grip.point)] - (motion.position + arm);
+    const double size = length(gap);
+    if (size == 0.0) continue;
+    const Vec2 direction = (1.0 / size) * gap;
+    const double turn = cross(arm, direction);
+    const double w_point = inverse_mass_[index(grip.point)];
+    const double w = w_point + body.inverse_mass + body.inverse_inertia * turn * turn;
+    if (w == 0.0) continue;
+    const double lambda = std::min(size, grip_pull_in_spacings * def_.spacing) / w;
+    positions_[index(grip.point)] -= (lambda * w_point) * direction;
+    push_body(body, motion, arm, (lambda / dt) * direction, dt);
+  }
+}
+
+/// Moves a body by what an impulse at `arm` from its centre does within a substep, and books the impulse.
+void ThesisCord::push_body(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt) {
+  const double twist = cross(arm, impulse);
+  motion.velocity += body.inverse_mass * impulse;
+  motion.position += (dt * body.inverse_mass) * impulse;
+  motion.turned += dt * body.inverse_inertia * twist;
+  body.impulse += impulse;
+  body.angular_impulse += twist;
+}
+
+/// Goto 2017, section 3.6: each point's circle against the triangles that are not its own. Where the cord crosses
+/// itself contact rests.
+void ThesisCord::collide_with_itself() {
+  self_phase_->update(positions_, positions_, own_radii_);
+  const auto is_tangled = [this](int point) { return tangled_[index(mesh_->column(point))] != 0; };
+  const double max_push = self_push_in_radii * def_.radius;
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    for (const int triangle : self_phase_->near(p)) {
+      if (self_phase_->is_own(p, triangle)) continue;
+      if (is_tangled(static_cast<int>(p)) && is_tangled(mesh_->triangles[index(triangle)].a)) continue;
+      const Circle circle{positions_[p], before_[p], def_.radius, static_cast<int>(p)};
+      const auto contact = find_contact(*mesh_, mesh_->triangles[index(triangle)], positions_, circle);
+      if (!contact) continue;
+      const double lambda = push_apart(*contact, inverse_mass_[p], max_push, inverse_mass_, positions_);
+      positions_[p] += (lambda * inverse_mass_[p]) * contact->direction;
+      ++report_.self_contacts;
+    }
+  }
+}
+
+/// Goto 2017, section 3.7: rigid circles against triangles by the same test and response; both sides move.
+void ThesisCord::collide_with_circles(double dt, const Surroundings& surroundings) {
+  const auto center = [&](std::size_t k) {
+    const BodyMotion& motion = motions_[index(surroundings.circles[k].body)];
+    return motion.position + reach(motion, circle_offsets_[k]);
+  };
+  for (std::size_t k = 0; k < circle_centers_.size(); ++k) circle_centers_[k] = center(k);
+  circle_phase_->update(positions_, circle_centers_, circle_radii_);
+  for (std::size_t k = 0; k < circle_centers_.size(); ++k) {
+    const auto body_index = index(surroundings.circles[k].body);
+    RigidBody& body = surroundings.bodies[body_index];
+    BodyMotion& motion = motions_[body_index];
+    for (const int triangle : circle_phase_->near(k)) {
+      const Circle circle{center(k), circle_centers_before_[k], circle_radii_[k]};
+      const auto contact = find_contact(*mesh_, mesh_->triangles[index(triangle)], positions_, circle);
+      if (!contact) continue;
+      const Vec2 arm = reach(motion, circle_offsets_[k]);
+      const double turn = cross(arm, contact->direction);
+      const double w_circle = body.inverse_mass + body.inverse_inertia * turn * turn;
+      const double lambda = push_apart(*contact, w_circle, 0.5 * circle_radii_[k], inverse_mass_, positions_);
+      push_body(body, motion, arm, (lambda / dt) * contact->direction, dt);
+      ++report_.circle_contacts;
+    }
+  }
+}
+
+/// No point moves further in a substep than a spacing, or than twice the fastest driven point: without a limit,
+/// self-contact under a yank feeds on itself. What numbers cannot say has not moved at all.
+void ThesisCord::limit_motion(double dt) {
+  const double limit = std::max(def_.spacing, drag_speeds_to_follow * driven_speed_ * dt);
+  for (std::size_t p = 0; p < positions_.size(); ++p) {
+    const Vec2 motion = positions_[p] - before_[p];
+    if (inverse_mass_[p] == 0.0 || dot(motion, motion) <= limit * limit) continue;
+    const double way = length(motion);
+    positions_[p] = std::isfinite(way) ? before_[p] + (limit / way) * motion : before_[p];
+    ++report_.motion_limited;
+  }
+}
+
+void ThesisCord::finish_substep(double dt, const Surroundings& surroundings) {
+  const double inverse_dt = 1.0 / dt;
+  for (std::size_t p = 0; p < positions_.size(); ++p) velocities_[p] = inverse_dt * (positions_[p] - before_[p]);
+  for (BodyMotion& motion : motions_) {
+    motion.angular_velocity = inverse_dt * motion.turned;
+    motion.turned_all += motion.turned;
+  }
+  const auto turn = [&](Vec2& offset, int body) {
+    const double size = length(offset);
+    const Vec2 turned = reach(motions_[index(body)], offset);
+    const double stretched = length(turned);
+    if (stretched > 0.0) offset = (size / stretched) * turned;
+  };
+  for (std::size_t k = 0; k < circle_offsets_.size(); ++k) turn(circle_offsets_[k], surroundings.circles[k].body);
+  for (std::size_t k = 0; k < grip_offsets_.size(); ++k) turn(grip_offsets_[k], surroundings.grips[k].body);
+}
+
+void ThesisCord::report_motions(const Surroundings& surroundings) const {
+  for (const Grip& grip : surroundings.grips) {
+    RigidBody& body = surroundings.bodies[index(grip.body)];
+    body.moved = motions_[index(grip.body)].position - body.position;
+    body.turned = motions_[index(grip.body)].turned_all;
+  }
+}
+
+}  // namespace ribbon
