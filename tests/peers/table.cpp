@@ -22,7 +22,13 @@ std::string metres(double value) {
   if (value >= 1.0) return study::significant(value, 3) + " m";
   if (value >= 0.01) return study::significant(100.0 * value, 2) + " cm";
   if (value >= 1e-5) return study::significant(1000.0 * value, 2) + " mm";
-  return value == 0.0 ? "0" : study::significant(1e6 * value, 2) + " µm";
+  if (value < 1e-9) return value == 0.0 ? "0" : "below 1 nm";
+  return study::significant(1e6 * value, 2) + " µm";
+}
+
+/// ×0.56, ×3.8, ×230: two digits.
+std::string times(double ratio) {
+  return "×" + (ratio < 99.5 ? study::significant(ratio, 2) : study::fixed(10.0 * std::round(ratio / 10.0), 0));
 }
 
 study::Point point_of(const Result& result) {
@@ -56,9 +62,7 @@ std::string cell_of(const std::vector<Result>& results, const std::string& engin
   const std::vector<std::size_t> best = study::front(points_of(some));
   if (best.empty()) return "fails";
   const double compared = compared_cost(results, group);
-  const auto words = [&](const Result& r) {
-    return metres(r.error_m) + " ×" + study::significant(r.cost_us / compared, 2);
-  };
+  const auto words = [&](const Result& r) { return metres(r.error_m) + " " + times(r.cost_us / compared); };
   const std::string cheapest = words(some[best.front()]);
   return best.size() == 1 ? cheapest : cheapest + " … " + words(some[best.back()]);
 }

@@ -146,18 +146,25 @@ class Panel {
   std::string layers_;
 };
 
+/// px, that the legend takes beside its marks.
+double width_of(const std::vector<std::string>& names) {
+  std::size_t longest = 12;  // not compared
+  for (const std::string& name : names) longest = std::max(longest, name.size());
+  return 95.0 + 8.5 * static_cast<double>(longest);
+}
+
 /// Room for panels of equal size, two beside each other, and for the legend to their right.
-std::string layout_of(std::size_t panels, const std::string& name) {
+std::string layout_of(std::size_t panels, double legend, const std::string& name) {
   const std::size_t columns = panels > 1 ? 2 : 1;
   const std::size_t rows = (panels + columns - 1) / columns;
-  const double width = columns > 1 ? 1200.0 : 960.0;
+  const double width = (columns > 1 ? 1000.0 : 760.0) + legend;
   const double height = columns > 1 ? 400.0 * static_cast<double>(rows) : 640.0;
   std::ostringstream out;
   out << "set terminal svg size " << number(width) << ',' << number(height)
       << " font 'DejaVu Sans,13' background rgb 'white'\n"
       << "set output '" << name << ".svg'\n"
       << "set multiplot layout " << rows << ',' << columns << " margins " << number(90.0 / width) << ','
-      << number(1.0 - 200.0 / width) << ',' << number(60.0 / height) << ',' << number(1.0 - 40.0 / height)
+      << number(1.0 - legend / width) << ',' << number(60.0 / height) << ',' << number(1.0 - 40.0 / height)
       << " spacing " << number(100.0 / width) << ',' << number(100.0 / height) << '\n';
   return out.str();
 }
@@ -171,7 +178,7 @@ std::string plot_of(std::span<const Point> points, const std::string& axis, cons
   const double left = 0.7 * least;
   const double right = std::max(1.4 * most, 1500.0);
   std::ostringstream out;
-  out << layout_of(groups.size(), name);
+  out << layout_of(groups.size(), width_of(methods), name);
   out << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
       << "set xlabel 'cost [µs a tick]'\nset ylabel '" << axis << "' noenhanced\n"
       << "set xrange [" << number(left) << ':' << number(right) << "]\n";
