@@ -8,104 +8,108 @@
 
 namespace ribbon {
 
-/// How time is integrated.
+/// Time integration method.
 enum class Integrator : unsigned char {
-  tr_bdf2,         ///< second order, L-stable (Hosea & Shampine 1996): two solves a substep
-  implicit_euler,  ///< first order, one solve: cheap, and damps what moves
+  tr_bdf2,         ///< second order, L-stable (Hosea & Shampine 1996); two solves per substep
+  implicit_euler,  ///< first order; one solve per substep; cheap, but damps motion
 };
 
-/// What accuracy may cost. `README.md` has the measured cost and error of the presets.
+/// Sets the trade between accuracy and cost. `README.md` lists the measured cost and error of the presets.
 struct Accuracy {
-  Integrator integrator = Integrator::tr_bdf2;  ///< second order, unless it is scenery
-  int substeps = 1;        ///< a step, 1 … 4096: the error falls with their square, with implicit Euler in proportion
-  int max_iterations = 8;  ///< full Newton steps a solve, 1 … 1000, before it starts again with a line search
-  double tolerance = 5e-4;  ///< m, 1e-12 … 1: a Newton step that moves no point further is the last
-  /// Work of a step, 1 … 1,000,000, in units of 4 a point and body that are solved together (CordReport::work): about
-  /// as many linear systems. When it is spent the state at hand is kept, whole but not solved, and the report says so.
-  /// With 10,000 and more, what does not converge near contacts is taken by halves first: exact at any violence, and
-  /// slow.
+  Integrator integrator = Integrator::tr_bdf2;  ///< time integration method
+  int substeps =
+      1;  ///< per step, 1 … 4096. The error of TR-BDF2 falls with their square, that of implicit Euler linearly
+  int max_iterations = 8;   ///< full Newton steps per solve, 1 … 1000; then the solve restarts with a line search
+  double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
+  /// Work budget of a step, 1 … 1,000,000, roughly in linear systems. (The unit is 4 units of CordReport::work for each
+  /// point and body of the island.) When a step exceeds the budget, it keeps the current state, which is finite but not
+  /// solved, and reports it as unconverged. With a budget of 10,000 or more, a step near contacts that does not
+  /// converge is first halved repeatedly: this is accurate in any collision, but slow.
   int max_work = 600;
 
-  /// For scenery: implicit Euler, a centimetre. Contacts of all cords with implicit Euler are twenty times softer,
-  /// which in a heap takes a third of the solves: what lies there sinks by a hundredth of its fall in a step, not a
-  /// 2000th.
+  /// For scenery: implicit Euler with a tolerance of 1 cm. With implicit Euler, contacts are 20 times softer, which
+  /// saves two thirds of the solves in a heap: at rest a body penetrates by 1/100 of the distance that it would fall in
+  /// one step, instead of 1/2000.
   static Accuracy fast() { return {Integrator::implicit_euler, 1, 8, 1e-2}; }
-  /// For what players hang on: TR-BDF2, half a millimetre. The default.
+  /// The default, for cords that carry a player: TR-BDF2 with a tolerance of 0.5 mm.
   static Accuracy balanced() { return {}; }
-  /// Four substeps of TR-BDF2, a tenth of a millimetre.
+  /// Four substeps of TR-BDF2 with a tolerance of 0.1 mm.
   static Accuracy accurate() { return {Integrator::tr_bdf2, 4, 12, 1e-4}; }
   bool operator==(const Accuracy&) const = default;
 };
 
-/// What a cord of two rows and more is made of inside.
+/// The elements of a ribbon, which is a cord with two or more rows.
 enum class Elements : unsigned char {
-  cells,  ///< co-rotated incompatible-mode quadrilaterals: bending as declared, whatever the stretch stiffness
-  bars,   ///< the thesis's: a bar from each point to its up to eight neighbours
+  cells,  ///< co-rotated incompatible-mode quadrilaterals; bending stiffness is independent of stretch stiffness
+  bars,   ///< the elements of the thesis: a bar from each point to each of its up to eight neighbours
 };
 
-/// What a cord is made of. Every term that stays at 0 or false is neither assembled nor allocated.
+/// Defines a cord. A term that stays at 0 or false is neither assembled nor allocated.
 struct CordDef {
-  int points = 51;               ///< along the cord, 2 … 1,000,000 / rows
-  int rows = 1;                  ///< across it, 1 … 64: 1 is a rope, more a ribbon that shears and squashes
-  double length = 10.0;          ///< m, at rest, 1e-6 … 1e6, in equal links
-  double width = 0.0;            ///< m, between the outer rows at rest, 1e-6 … 1e6; a rope has none: 0
-  double radius = 0.01;          ///< m, 0 … 1e6: half the thickness that is drawn and collides around the points
-  double mass_per_length = 0.1;  ///< kg/m, of all rows together, 1e-12 … 1e12
+  int points = 51;               ///< number of points along the cord, 2 … 1,000,000 / rows
+  int rows = 1;                  ///< number of points across the cord, 1 … 64: 1 makes a rope, more make a ribbon
+  double length = 10.0;          ///< m, rest length, 1e-6 … 1e6, divided into equal links
+  double width = 0.0;            ///< m, rest distance between the outer rows, 1e-6 … 1e6; 0 for a rope
+  double radius = 0.01;          ///< m, half the thickness, for drawing and for contact, 0 … 1e6
+  double mass_per_length = 0.1;  ///< kg/m, all rows together, 1e-12 … 1e12
 
-  /// EA [N]: tension a unit of strain, 1e-6 … 1e18. Infinity, the default: it does not stretch (a rope only).
+  /// EA [N]: tension per unit of strain, 1e-6 … 1e18. Infinity, the default, makes a rope inextensible; a ribbon needs
+  /// a finite value.
   double stretch_stiffness = std::numeric_limits<double>::infinity();
-  /// EI [N·m²]: moment a unit of curvature, 0 … 1e18, independent of EA. Cells of three rows and more need one, at
-  /// most EA·width²/12, that of a solid; see `solid`.
+  /// EI [N·m²]: moment per unit of curvature, 0 … 1e18, independent of EA. A ribbon of cells with three or more rows
+  /// needs a value above 0 and at most EA·width²/12, the stiffness of a solid strip; see `solid`.
   double bending_stiffness = 0.0;
-  double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: how much a stretched ribbon narrows
-  /// Of cells, 0 … 1e3, as a multiple of their own modulus: resistance of corners squashed below a fifth of their area,
-  /// and of cells turned inside out. 1 is right where a ribbon may be crushed.
+  double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: lateral contraction when stretched
+  /// Resistance of cells to collapse and inversion, 0 … 1e3, as a multiple of their modulus. It acts on corners that
+  /// are compressed below a fifth of their area. Use 1 where a ribbon may be crushed.
   double area_stiffness = 0.0;
-  double damping = 0.0;       ///< s, 0 … 1e3: damping forces are this times the rate of the elastic ones
-  double drag = 0.0;          ///< 1/s, 0 … 1e6, rate at which the cord's own motion dies away
-  bool tension_only = false;  ///< a rope whose links pull and never push
-  double friction = 0.0;      ///< μ of its surface, 0 … 10; with another's √(μ₁·μ₂) holds, as in Box2D
-  double restitution = 0.0;   ///< 0 … 1; with another's the greater holds, as in Box2D
-  bool self_contact = false;  ///< it does not pass through itself
-  bool cord_contact = false;  ///< nor through others that declare it too
-  /// It sleeps, as bodies of Box2D do and with those that are near it, once all of them have moved by less than 1 cm/s
-  /// for half a second: it stays as it is, and steps cost next to nothing, until it is disturbed. What it gives up is
-  /// the rest of its way to where it would come to rest.
+  double damping = 0.0;       ///< s, 0 … 1e3: damping force = damping · rate of change of the elastic force
+  double drag = 0.0;          ///< 1/s, 0 … 1e6: decay rate of the cord's velocity, not of attached masses
+  bool tension_only = false;  ///< of a rope: links resist tension but not compression
+  double friction = 0.0;      ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D
+  double restitution = 0.0;   ///< coefficient, 0 … 1; two surfaces combine to the larger one, as in Box2D
+  bool self_contact = false;  ///< the cord collides with itself
+  bool cord_contact = false;  ///< the cord collides with other cords that declare this too
+  /// Allows the cord to sleep. It falls asleep, together with the bodies near it, when all of them have moved slower
+  /// than 1 cm/s for half a second. A sleeping cord does not move and costs next to nothing until something disturbs
+  /// it. The error is the remaining distance to its equilibrium.
   bool allow_sleep = false;
-  Elements elements = Elements::cells;  ///< of two rows and more
-  Accuracy accuracy;                    ///< what exactness may cost
+  Elements elements = Elements::cells;  ///< of a ribbon
+  Accuracy accuracy;                    ///< trade between accuracy and cost
 
-  /// Initial positions, points·rows of them, P(i, j) at i·rows + j; empty lays the cord out from the origin along +x.
+  /// m, initial positions of points·rows points; P(i, j) is at index i·rows + j. If empty, the cord starts at the
+  /// origin and extends along +x.
   std::vector<Vec2> positions;
-  /// Points constrained to where they start, by index.
+  /// Indices of points that are fixed at their initial positions.
   std::vector<int> pins;
 
   bool operator==(const CordDef&) const = default;
 };
 
-/// Throws DefinitionError at the first field that is out of its range, or that the other fields exclude.
+/// Throws DefinitionError for the first field that is out of range or contradicts another field.
 void check(const CordDef& def);
-/// The same of an accuracy alone.
+/// Checks an accuracy in the same way.
 void check(const Accuracy& accuracy);
-/// Of the fields, `points` and `rows` alone.
+/// Checks only the fields `points` and `rows`.
 void check_size(const CordDef& def);
 
-/// Stiffnesses of a ribbon; `apply_to` sets them in a definition.
+/// Stiffnesses of a ribbon.
 struct RibbonMaterial {
   double stretch_stiffness;  ///< EA, N
   double bending_stiffness;  ///< EI, N·m²
-  double poisson_ratio;      ///< how much it narrows as it is stretched, −0.9 … 0.9
+  double poisson_ratio;      ///< lateral contraction when stretched, −0.9 … 0.9
 
-  /// Sets the three in a definition, and nothing else.
+  /// Sets these three fields of a definition.
   void apply_to(CordDef& def) const;
 };
 
-/// A solid strip of Young's modulus E [Pa], Poisson ratio ν and thickness (out of the plane) t [m]: EA = E·t·width,
-/// EI = E·t·width³/12. Throws DefinitionError unless E and t are 1e-12 … 1e18 and width is above 0.
+/// Returns the stiffnesses of a solid strip with Young's modulus E [Pa], Poisson ratio ν, out-of-plane thickness t [m]
+/// and width [m]: EA = E·t·width, EI = E·t·width³/12. Throws DefinitionError unless E and t are in 1e-12 … 1e18 and
+/// width is positive.
 RibbonMaterial solid(double youngs_modulus, double poisson_ratio, double thickness, double width);
 
-/// The same strip by its plane stiffnesses against shear, μ, and change of area, μ + λ [N/m, 1e-12 … 1e18]:
-/// E·t = 4·μ(μ + λ)/(2μ + λ), ν = λ/(2μ + λ).
+/// Returns the stiffnesses of a solid strip from its plane stiffnesses [N/m, 1e-12 … 1e18] against shear, μ, and
+/// against change of area, μ + λ: E·t = 4·μ(μ + λ)/(2μ + λ), ν = λ/(2μ + λ).
 RibbonMaterial solid_of_shear_and_area(double shear, double area, double width);
 
 }  // namespace ribbon

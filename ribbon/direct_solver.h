@@ -16,8 +16,8 @@ namespace ribbon {
 
 class Quadtree;
 
-/// Steps many cords of the direct solver that share bodies or meet each other: those that do are one island, solved at
-/// once; the others are solved one by one. It keeps memory only.
+/// Steps many cords with the direct solver. Cords that share a body or may touch each other form an island and are
+/// solved together; islands are independent. The solver stores no state between steps, only memory.
 class DirectSolver {
  public:
   DirectSolver();
@@ -25,18 +25,19 @@ class DirectSolver {
   DirectSolver& operator=(DirectSolver&&) noexcept;
   ~DirectSolver();
 
-  /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²], the islands in the order of their first
-  /// cords; all meet the same `bodies`. reports[k] is what happened in the island of cords[k]. Throws DefinitionError,
-  /// and moves none, where check_step, check_bodies or check_met do.
+  /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Islands are stepped in the order of their
+  /// first cords. Writes the report of the island of cords[k] to reports[k]. Throws DefinitionError, and moves nothing,
+  /// if check_step, check_bodies or check_met do.
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 
-  /// Steps islands side by side from now on, to the same bits. Throws DefinitionError for fewer workers than one.
+  /// Sets how islands are stepped in parallel. The results have the same bits. Throws DefinitionError for less than one
+  /// worker.
   void use(const ParallelFor& parallel_for);
 
-  /// How many islands the cords of the last step made.
+  /// Returns the number of islands in the last step.
   int islands() const { return static_cast<int>(first_members_.size()) - 1; }
-  /// What happened in the last step, each island counted once.
+  /// Returns the sum of the reports of all islands in the last step.
   const CordReport& total() const { return total_; }
 
  private:

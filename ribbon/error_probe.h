@@ -12,18 +12,19 @@
 
 namespace ribbon {
 
-/// How exact a step is, while it is going on: the same step is taken `finer` times as often on copies, and by
-/// Richardson's argument nearly all of the difference is the step's own (E. Hairer, S. P. Nørsett, G. Wanner, Solving
-/// Ordinary Differential Equations I, section II.4; of the second order 15/16 of it are). What the step itself does
-/// stays the same to the bit; it costs `finer` further steps, and memory anew for cords that were not there before.
+/// Estimates the time integration error of a step. It advances copies of the cords with `finer` times as many substeps
+/// and compares the results: by Richardson extrapolation, the difference is 15/16 of the error of a second-order step
+/// (E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, section II.4). The step itself
+/// keeps its bits. An estimate costs `finer` steps, and memory for each new cord.
 class ErrorProbe {
  public:
-  static constexpr int finer = 4;  ///< substeps of a copy in place of one
+  static constexpr int finer = 4;  ///< substeps of a copy for each substep of the cord
 
-  /// Before the step of these cords among these bodies: see DirectSolver::step.
+  /// Advances the copies. Call it before DirectSolver::step with the same arguments.
   void foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
 
-  /// After it: m, how far the point that is furthest off is from where it was foreseen.
+  /// Returns the largest distance [m] of a point of cord number `cord` from the point of its copy. Call it after the
+  /// step.
   double error(std::size_t cord, const Cord& stepped) const;
 
  private:

@@ -8,11 +8,11 @@ namespace ribbon {
 
 class Cord;
 
-/// A cord among those that are stepped together, and what it alone meets.
+/// A cord to be stepped by DirectSolver, and its environment.
 struct IslandCord {
-  Cord* cord = nullptr;  ///< not null, and no other's
-  Surroundings met;      ///< its circles, segments and grips; the bodies are those of all
-  std::uint64_t id = 0;  ///< the same from step to step, and of no circle or segment
+  Cord* cord = nullptr;  ///< not null; each cord occurs once
+  Surroundings met;      ///< its circles, segments and grips; `bodies` is ignored
+  std::uint64_t id = 0;  ///< identifies the cord from step to step; differs from the ids of circles and segments
 };
 
 }  // namespace ribbon

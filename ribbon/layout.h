@@ -7,21 +7,21 @@
 
 namespace ribbon {
 
-/// Lays a cord along the corners of a path [m], before it is made: sets `positions` and `length` of a definition whose
-/// `points`, `rows` and `width` are set. A ribbon's middle line follows the path, its rows lie across it, the first to
-/// its right; one whose width is 0 gets the width that makes its cells square.
+/// Places a cord along a polyline. Sets `positions` and `length` of a definition whose `points`, `rows` and `width` are
+/// set. The middle line of a ribbon follows the path, and its first row is on the right. A ribbon of width 0 gets the
+/// width that makes its cells square.
 ///
-/// The columns are in equal distances as the crow flies, from the path's first corner to its last: so at rest no link
-/// is too short where it cuts a corner, which a cord that does not stretch would put right with a jerk in its first
-/// tick. (Where the path folds back on itself there may be no such points; then they stop up to two links before its
-/// end.)
+/// Neighbouring columns have equal straight-line distances, from the first corner to the last. So every link has its
+/// rest length, also where it cuts a corner; otherwise an inextensible cord would jerk in its first step. (If the path
+/// folds back on itself, such points may not exist. Then the cord ends up to two links before the end of the path.)
 ///
-/// Throws DefinitionError, and changes nothing, for numbers of points or rows that no cord can have, a path of less
-/// than two corners, and corners beyond ±1e9 m or less than 1e-6 m apart.
+/// Throws DefinitionError, and changes nothing, for an invalid number of points or rows, a path of less than two
+/// corners, a corner [m] beyond ±1e9 and neighbouring corners less than 1e-6 m apart.
 void lay_along(CordDef& def, const std::vector<Vec2>& path);
 
-/// How to fill a ribbon's cells for drawing: three indices of points a triangle, two triangles a cell, 6·(columns −
-/// 1)·(rows − 1) in all, counter-clockwise as laid out; none of a rope. The same for the life of a cord.
+/// Returns triangles that fill the cells of a ribbon, for drawing: three point indices per triangle, two triangles per
+/// cell, 6·(columns − 1)·(rows − 1) indices in all. They are counter-clockwise in the initial layout and never change.
+/// A rope has none.
 std::vector<int> triangle_indices(int columns, int rows);
 
 }  // namespace ribbon

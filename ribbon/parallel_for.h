@@ -6,26 +6,26 @@
 
 namespace ribbon {
 
-/// The user's way to use several cores: a function that does things side by side, and what it needs for that. The
-/// library has no threads of its own, and without one all is done by the caller. Whatever the order in which things are
-/// done, and however many workers there are, the results have the same bits.
+/// A user's function that runs tasks in parallel, and its context. The library creates no threads: without such a
+/// function the calling thread does all work. The results have the same bits for any number of workers and any order of
+/// tasks.
 struct ParallelFor {
-  /// Does the index-th of some things.
+  /// Runs one task. `things` is passed through from `run`.
   using Task = void (*)(void* things, int index);
-  /// Calls task(things, index) once for each index of 0 … count − 1, from any threads, in any order and at the same
-  /// time, and returns when all of these calls have returned: else builds with assertions stop there. The tasks throw
-  /// nothing, allocate only when there is more to do than ever before, and do not wait.
+  /// Calls task(things, index) exactly once for each index 0 … count − 1, from any threads and in any order, and
+  /// returns after all calls have returned. Builds with assertions check this. Tasks do not throw, do not wait, and
+  /// allocate only when there is more work than ever before.
   void (*run)(void* context, int count, Task task, void* things) = nullptr;
-  void* context = nullptr;  ///< handed to `run`
-  int workers = 1;          ///< how many calls may be done at the same time, which decides how work is divided; above 0
+  void* context = nullptr;  ///< passed to `run`
+  int workers = 1;          ///< number of tasks that run at the same time, 1 or more; determines how work is divided
 
-  /// Into how many parts work is divided that has `count` things of about one size, at least `least` a part.
+  /// Returns the number of parts for `count` items of similar size, with at least `least` items per part.
   int parts(int count, int least) const {
     if (run == nullptr || workers <= 1) return 1;
     return std::clamp(count / least, 1, parts_a_worker * workers);
   }
 
-  /// Does function(index) for each index of 0 … count − 1.
+  /// Calls function(index) for each index 0 … count − 1.
   template <typename Function>
   void operator()(int count, Function&& function) const {
     if (run == nullptr || count <= 1) {
@@ -51,7 +51,7 @@ struct ParallelFor {
   static constexpr int parts_a_worker = 8;  // more: each costs a call; fewer: the last one keeps the others waiting
 };
 
-/// Throws DefinitionError for fewer workers than one.
+/// Throws DefinitionError for less than one worker.
 void check(const ParallelFor& parallel_for);
 
 }  // namespace ribbon

@@ -9,78 +9,78 @@
 
 namespace ribbon {
 
-/// A rigid body that circles belong to, as it is at the start of a step. A step reads it, adds to the impulses, and
-/// says how it saw a body move that holds it; the body's owner applies the impulses and moves it.
+/// A rigid body at the start of a step. The step reads its state and adds to its impulses. For a body that holds a cord
+/// it also writes the displacement. The owner of the body applies the impulses and moves the body.
 struct RigidBody {
   Vec2 position;                  ///< m, centre of mass
   Vec2 velocity;                  ///< m/s, of the centre of mass
   double angular_velocity = 0.0;  ///< rad/s
-  double inverse_mass = 0.0;      ///< 1/kg; 0 for a body that nothing pushes (static or kinematic)
-  double inverse_inertia = 0.0;   ///< 1/(kg·m²), about the centre of mass; 0 for one that does not turn
-  Vec2 acceleration;              ///< m/s², free motion, usually gravity
-  Vec2 impulse;                   ///< N·s, what cords have given to the body, summed up
-  double angular_impulse = 0.0;   ///< N·m·s, the same about the centre of mass
-  Vec2 moved;                     ///< m, in the step of the cord that it holds; of no meaning for other bodies
-  double turned = 0.0;            ///< rad, in the same step
-  bool met = false;               ///< the direct solver has moved it with a cord
-  // Of the direct solver's cords that are allowed to sleep, for one that can be pushed:
-  bool awake = true;       ///< not put to sleep by its owner, who says so at once when somebody wakes it
-  bool may_sleep = false;  ///< its owner puts it to sleep when a step says that it rests
-  bool rests = false;      ///< a cord near it, or held by it, was asleep in the step
+  double inverse_mass = 0.0;      ///< 1/kg; 0 for a static or kinematic body
+  double inverse_inertia = 0.0;   ///< 1/(kg·m²), about the centre of mass; 0 if the body cannot rotate
+  Vec2 acceleration;              ///< m/s², of free motion, usually gravity
+  Vec2 impulse;                   ///< N·s, sum of the impulses from cords
+  double angular_impulse = 0.0;   ///< N·m·s, sum of the angular impulses about the centre of mass
+  Vec2 moved;                     ///< m, displacement in the step of the cord that it holds; undefined for other bodies
+  double turned = 0.0;            ///< rad, rotation in the same step
+  bool met = false;               ///< the direct solver has solved its motion with a cord
+  // For dynamic bodies near cords that are allowed to sleep:
+  bool awake = true;       ///< in: the body is awake
+  bool may_sleep = false;  ///< in: the owner puts the body to sleep when a step sets `rests`
+  bool rests = false;      ///< out: a cord that it holds or is near to slept during the step
 };
 
-/// A circle fixed to a body.
+/// A circle that is fixed to a body.
 struct RigidCircle {
-  int body = 0;         ///< index into the step's bodies
-  Vec2 offset;          ///< m, from the body's centre of mass to the circle's centre, world directions
+  int body = 0;         ///< index into the bodies of the step
+  Vec2 offset;          ///< m, from the centre of mass to the circle's centre, in world directions
   double radius = 0.0;  ///< m, above 0
-  // Of the direct solver's contact:
-  double friction = 0.0;     ///< of its surface, 0 … 10
-  double restitution = 0.0;  ///< 0 … 1
-  std::uint64_t id = 0;      ///< the same from step to step, so that what touches it is remembered
+  // Used by the direct solver:
+  double friction = 0.0;     ///< coefficient μ, 0 … 10
+  double restitution = 0.0;  ///< coefficient, 0 … 1
+  std::uint64_t id = 0;      ///< identifies the circle from step to step
 };
 
-/// A straight edge fixed to a body, without its ends: give those as circles of the same radius.
+/// A straight edge that is fixed to a body. Its two end points are not part of it: add them as circles of the same
+/// radius.
 struct RigidSegment {
-  int body = 0;              ///< index into the step's bodies
-  Vec2 a;                    ///< m, from the body's centre of mass, world directions
-  Vec2 b;                    ///< m
-  double radius = 0.0;       ///< m, 0 or more
-  double friction = 0.0;     ///< of its surface, 0 … 10
-  double restitution = 0.0;  ///< 0 … 1
-  std::uint64_t id = 0;      ///< as a circle's; no circle has the same
+  int body = 0;              ///< index into the bodies of the step
+  Vec2 a;                    ///< m, one end, from the centre of mass, in world directions
+  Vec2 b;                    ///< m, the other end, likewise
+  double radius = 0.0;       ///< m, half its thickness, 0 or more
+  double friction = 0.0;     ///< coefficient μ, 0 … 10
+  double restitution = 0.0;  ///< coefficient, 0 … 1
+  std::uint64_t id = 0;      ///< identifies the edge from step to step; differs from the ids of circles
 };
 
-/// A body that holds a cord at a point, or between two.
+/// A body that holds a cord at a point or between two points.
 struct Grip {
-  int point = 0;  ///< index of the cord's point
-  int body = 0;   ///< index into the step's bodies
-  Vec2 offset;    ///< m, from the body's centre of mass to the hand, world directions
-  Vec2 travel{};  ///< m, how far the hand moves on the body during the step, evenly
-  // Of the direct solver only:
-  double along = 0.0;  ///< share of the way to the next column's point, 0 … 1; 0 at the last column
-  double climb = 0.0;  ///< columns, by which the grip moves along the cord in the step, evenly
-  /// N, along the cord, above which it slips: of a body that is pushed.
+  int point = 0;  ///< index of the held point
+  int body = 0;   ///< index into the bodies of the step
+  Vec2 offset;    ///< m, from the centre of mass to the body's anchor, in world directions
+  Vec2 travel{};  ///< m, displacement of the anchor relative to the body during the step, at constant velocity
+  // Used by the direct solver:
+  double along = 0.0;  ///< position between `point` and the point of the next column, 0 … 1; 0 at the last column
+  double climb = 0.0;  ///< columns, displacement of the grip along the cord during the step, at constant velocity
+  /// N, force along the cord above which the grip slips, for a dynamic body.
   double strength = std::numeric_limits<double>::infinity();
 };
 
-/// What a cord meets in one step.
+/// The environment of a cord in one step.
 struct Surroundings {
-  std::span<RigidBody> bodies = {};             ///< that the others refer to by index; they get their impulses
-  std::span<const RigidCircle> circles = {};    ///< that it may touch
-  std::span<const Grip> grips = {};             ///< of bodies that hold it
-  std::span<const RigidSegment> segments = {};  ///< that it may touch; met by the direct solver only
+  std::span<RigidBody> bodies = {};             ///< bodies that the others refer to; the step adds to their impulses
+  std::span<const RigidCircle> circles = {};    ///< circles that the cord may touch
+  std::span<const Grip> grips = {};             ///< grips of bodies that hold the cord
+  std::span<const RigidSegment> segments = {};  ///< edges that the cord may touch; the thesis's solver ignores them
 };
 
-/// Throw DefinitionError unless all numbers of the bodies of a step, and of what else a cord of so many points meets in
-/// it, are in their ranges: lengths and velocities within ±1e10, accelerations within ±1e20, and every body and point
-/// that something refers to there.
+/// Throws DefinitionError unless all values of the bodies are in range: lengths and velocities within ±1e10,
+/// accelerations within ±1e20.
 void check_bodies(std::span<const RigidBody> bodies);
-/// See check_bodies. Of a cord of so many `rows`, which can be held between two points, no grip is beyond its last
-/// column; of any other, with 0, it does not matter.
+/// Throws DefinitionError unless all values of the environment are in range, as above, and refer to one of `bodies`
+/// bodies and one of `points` points. With `rows` above 0, a grip between two columns must not be at the last column.
 void check_met(const Surroundings& met, std::size_t bodies, int points, int rows = 0);
 
-/// Throws DefinitionError unless a step can be taken: 1e-9 ≤ dt ≤ 1 [s], gravity [m/s²] within ±1e9.
+/// Throws DefinitionError unless 1e-9 ≤ dt ≤ 1 [s] and both components of gravity [m/s²] are within ±1e9.
 void check_step(double dt, Vec2 gravity);
 
 }  // namespace ribbon
