@@ -6,11 +6,11 @@
 
 namespace engine {
 
-// The one place where Box2D's single precision and the cord's double precision meet.
+// The only conversions between the single precision of Box2D and the double precision of cords.
 
-/// Box2D's vectors as the cords', without loss.
+/// Converts to double precision, exactly.
 inline ribbon::Vec2 to_double(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-/// The cords' as Box2D's, to the nearest.
+/// Converts to single precision, rounded to the nearest value.
 inline b2Vec2 to_float(ribbon::Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
 }  // namespace engine

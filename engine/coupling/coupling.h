@@ -23,213 +23,213 @@
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis/thesis_cord.h"
 
-/// What any game would reuse; of it, what is installed puts cords into a Box2D world.
+/// The parts of a game that do not depend on its rules. The installed part of it puts cords into a Box2D world.
 namespace engine {
 
-/// Cords in a Box2D world of the user's. A tick is
+/// Puts cords into a Box2D world. One tick is
 ///
-///     coupling.gather(world, dt);   // the cords look at the world: who holds them, what is near them
-///     coupling.step();              // the cords move and push
-///     coupling.apply();             // the bodies get the impulses
+///     coupling.gather(world, dt);   // finds what holds the cords and what is near them
+///     coupling.step();              // solves the cords together with these bodies
+///     coupling.apply();             // gives the bodies their impulses
 ///     world.Step(dt, …);
 ///
-/// The response is shared by mass: cord and bodies together keep their linear momentum to double precision (but where a
-/// cord holds a point back to the most it may move, which its report counts). Box2D moves a body that is touched by the
-/// tick's last velocity, so a bounce leaves the common centre of mass a millimetre or two off its way.
+/// **Momentum.** Cords and bodies together conserve linear momentum to double precision, except where a cord limits the
+/// motion of a point; its report counts that. Box2D moves a touched body at the last velocity of the tick, so after an
+/// impact the common centre of mass can be off its path by a millimetre or two.
 ///
-/// A body that holds a cord moves in the tick as the cord saw it, on a curve; Box2D can only take it straight to the
-/// end of that curve, at the mean velocity. The difference to the velocity at the end, half the acceleration times dt,
-/// is kept here and carried into the next tick (without it a swing loses a tenth of its energy a period); so what
-/// GetLinearVelocity shows of a holder is the mean of the last tick, and `velocity` the momentary one. Letting go gives
-/// the difference back.
+/// **Velocities of bodies.** A body that holds a cord follows a curve during a tick. Box2D can only move it in a
+/// straight line to the end of that curve, at the mean velocity. The coupling stores the difference between the
+/// velocity at the end and the mean (half the acceleration times dt) and adds it in the next tick; without it, a
+/// pendulum would lose a tenth of its energy in each period. So b2Body::GetLinearVelocity returns the mean velocity of
+/// the last tick, and Coupling::velocity the momentary one. When the grip is released, the body gets the difference.
 ///
-/// Cords of both solvers live in it side by side. One of the thesis's meets circles, and hands each body its impulse.
-/// One of the direct solver meets circles, edges, chains and polygons, and is solved together with all bodies that hold
-/// or touch it and the cords that these touch too; so what is said of holders above holds for all of them.
+/// **Solvers.** Cords of both solvers can be in one coupling. Cords of the thesis's solver meet circles only. Cords of
+/// the direct solver meet circles, edges, chains and polygons; they are solved together with all bodies that hold or
+/// touch them, and with other cords that those bodies touch. So the previous paragraph holds for all such bodies.
 ///
-/// A cord that is allowed to sleeps, and who holds or touches it goes to sleep with it: Box2D's b2Body::SetAwake. What
-/// wakes such a body in Box2D wakes the cord.
+/// **Sleep.** A cord that is allowed to sleep falls asleep together with the bodies that hold or touch it
+/// (b2Body::SetAwake), and it wakes when one of them wakes.
 ///
-/// What a tick costs follows what is near the cords: gather asks the world's own broad phase for that. It goes through
-/// the world's list of bodies only where a body holds a cord, to see whether it is still there, unless the user tells
-/// that (`trust_forget`); where so much lies around the cords that to look around each of them for what comes from
-/// further off takes longer; and in the tick in which several bodies come near for the first time, or one that was led
-/// or touched is near no more.
+/// **Cost.** The cost of a tick depends on what is near the cords, because gather queries the broad phase of the world.
+/// It walks through all bodies of the world only in these cases: a body holds a cord and destructions are not reported
+/// (`trust_forget`); so many bodies are around the cords that separate queries would take longer; several bodies come
+/// near in one tick for the first time, or a body that was moved or touched is near no more.
 ///
-/// No listener of the world is taken over. Between ticks bodies and fixtures may come and go, and no call looks into
-/// the memory of one that is gone: what a cord remembers of a body or fixture ends with it. One that Box2D makes at the
-/// address of another one that is gone is told from it by what is behind it in the world's list (SeenBody), as long as
-/// the one made just before that, and some one made later, are still there. Where the newest body of the world, or the
-/// newest fixture of its body, is replaced by another one, that cannot be seen: destroy it by `destroy`, or call
-/// `forget` before, or the new one inherits grip, carried velocity and fixture number. The world outlives all calls but
-/// the destructor, unless the next world is gathered first.
+/// **Destroyed bodies.** The coupling installs no listener. Bodies and fixtures may be created and destroyed between
+/// ticks; the coupling never reads the memory of a destroyed one. If Box2D reuses its address, the coupling recognises
+/// the new object by its successor in Box2D's list (SeenBody), provided that the object created just before the
+/// destroyed one and one created later still exist. It cannot recognise the replacement of the newest body of the world
+/// or of the newest fixture of a body: destroy these with `destroy`, or call `forget` first. Otherwise the new object
+/// inherits grip, stored velocity and fixture number. The world must outlive all calls except the destructor, until
+/// another world is gathered.
 class Coupling {
  public:
-  /// `filter` decides as between two Box2D fixtures which circles the cord meets.
+  /// Adds a cord of the thesis's solver. `filter` determines which circles it meets, as between two Box2D fixtures.
   CordIndex add(ribbon::ThesisCord cord, const b2Filter& filter = {});
 
-  /// The same for one of the direct solver, whose filter decides on edges and polygons too.
+  /// Adds a cord of the direct solver. `filter` applies to circles, edges and polygons.
   CordIndex add(ribbon::Cord cord, const b2Filter& filter = {});
 
-  /// Puts another cord in the place of one of the direct solver, between ticks: who held that has let go, what it had
-  /// counted is forgotten, and what touched it ceases to in the next step unless it touches the new one. Throws
-  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist or is the thesis's.
+  /// Replaces a cord of the direct solver, between ticks. Bodies that held the old cord release it, and its reports are
+  /// reset. What touched the old cord and does not touch the new one gets an end event in the next step. Throws
+  /// ribbon::DefinitionError, and changes nothing, for an unknown cord and one of the thesis's solver.
   void replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter = {});
-  /// Switches a cord off or on again, between ticks, as b2Body::SetEnabled does a body: one that is off stays as it is,
-  /// costs nothing, meets nobody and is found by nothing. Who held it has let go, and what touched it ceases to in the
-  /// next step. It keeps its index: a cord that is to go is switched off, and `replace` puts the next one, switched on,
-  /// in its place. Throws ribbon::DefinitionError, and changes nothing, for a cord that does not exist.
+  /// Enables or disables a cord, between ticks, like b2Body::SetEnabled. A disabled cord does not move, costs nothing,
+  /// meets nothing and is not found by queries. Bodies that held it release it, and its contacts end in the next step.
+  /// It keeps its index: to remove a cord, disable it; `replace` puts a new, enabled cord in its place. Throws
+  /// ribbon::DefinitionError, and changes nothing, for an unknown cord.
   void set_enabled(CordIndex index, bool enabled);
-  /// Whether it is switched on, as every cord is at first.
+  /// Returns whether a cord is enabled, as it is initially.
   bool is_enabled(CordIndex index) const { return cords_[at(index)].enabled; }
 
-  /// How many cords it has, switched on or off.
+  /// Returns the number of cords, enabled or not.
   int size() const { return static_cast<int>(cords_.size()); }
-  /// A cord of the direct solver; std::bad_variant_access for one of the thesis's.
+  /// Returns a cord of the direct solver. Throws std::bad_variant_access for one of the thesis's solver.
   ribbon::Cord& cord(CordIndex index) { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
-  /// The same to read.
+  /// Returns a cord of the direct solver, for reading.
   const ribbon::Cord& cord(CordIndex index) const { return std::get<ribbon::Cord>(cords_[at(index)].cord); }
-  /// One of the thesis's; std::bad_variant_access for one of the direct solver.
+  /// Returns a cord of the thesis's solver. Throws std::bad_variant_access for one of the direct solver.
   ribbon::ThesisCord& thesis_cord(CordIndex index) { return std::get<ribbon::ThesisCord>(cords_[at(index)].cord); }
-  /// The same to read.
+  /// Returns a cord of the thesis's solver, for reading.
   const ribbon::ThesisCord& thesis_cord(CordIndex index) const {
     return std::get<ribbon::ThesisCord>(cords_[at(index)].cord);
   }
-  // Of a cord of either solver, for who does not care which (coupling_cords.cpp):
-  Solver solver(CordIndex index) const;                            ///< which moves it
-  CordShape shape(CordIndex index) const;                          ///< how its points lie
+  // For cords of both solvers (coupling_cords.cpp):
+  Solver solver(CordIndex index) const;                            ///< its solver
+  CordShape shape(CordIndex index) const;                          ///< the layout of its points
   std::span<const ribbon::Vec2> positions(CordIndex index) const;  ///< m, by point
-  ribbon::PointKind kind(CordIndex index, int point) const;        ///< who moves a point
-  /// Drags a point to `target` [m] in the next tick: call it again to drag on. Throws ribbon::DefinitionError for an
-  /// unknown cord or point or a coordinate beyond ±1e9, and so does release.
+  ribbon::PointKind kind(CordIndex index, int point) const;        ///< what determines the motion of a point
+  /// Drags a point to `target` [m] in the next tick. Call it in each tick while dragging. Throws
+  /// ribbon::DefinitionError for an unknown cord or point and for a coordinate beyond ±1e9.
   void operate(CordIndex index, int point, ribbon::Vec2 target);
-  /// Constrains a point to `target` [m], reached in the next tick and then kept; throws as operate does.
+  /// Pins a point to `target` [m]. The point moves there in the next tick and then stays. Throws as `operate` does.
   void constrain(CordIndex index, int point, ribbon::Vec2 target);
-  /// Lets a dragged or constrained point go with the velocity it has.
+  /// Frees a dragged or pinned point, which keeps its velocity. Throws as `operate` does.
   void release(CordIndex index, int point);
 
-  /// What happened in the last step of all cords of the direct solver, each island counted once: its `work` is that of
-  /// the tick.
+  /// Returns the report of the last step of all cords of the direct solver, which counts each island once. Its `work`
+  /// is that of the whole tick.
   const ribbon::CordReport& tick_report() const { return direct_solver_.total(); }
-  /// What happened in the last step in the island of a cord of the direct solver.
+  /// Returns the report of the last step of the island that a cord of the direct solver belongs to.
   const ribbon::CordReport& report(CordIndex index) const { return cords_[at(index)].direct_report; }
-  /// What has happened to it since it was added, summed up.
+  /// Returns the sum of these reports since the cord was added.
   const ribbon::CordReport& total(CordIndex index) const { return cords_[at(index)].direct_total; }
-  /// Estimates the error of each tick of the cords of the direct solver from now on, or no longer: see
-  /// ribbon::ErrorProbe. It costs four ticks more and changes nothing of what the cords do.
+  /// Starts or stops to estimate the error of each tick of the cords of the direct solver; see ribbon::ErrorProbe. An
+  /// estimate costs as much as four ticks and does not change the motion.
   void estimate_errors(bool wanted);
-  /// Whether it does.
+  /// Returns whether errors are estimated.
   bool estimates_errors() const { return probe_.has_value(); }
-  /// m, estimated, of the last tick: what its length costs, as if the one before had been exact. 0 unless it is asked
-  /// for.
+  /// Returns the estimated time integration error of the last tick [m], for exact initial values; 0 if errors are not
+  /// estimated.
   double error(CordIndex index) const { return cords_[at(index)].direct_error; }
-  /// Calls the watcher around each step of the direct solver from now on, with what the solver is given; null, as at
-  /// first: nothing. It has to outlive the steps. It is no part of the state; where there is none, nothing is copied.
+  /// Sets an object whose functions are called before and after each step of the direct solver, or null for none. It
+  /// must outlive the steps. It is not part of the state, and costs nothing if it is null.
   void watch(StepWatcher* watcher) { watcher_ = watcher; }
-  /// Gathers for many cords, and steps their islands, side by side from now on, to the same bits. It is no part of the
-  /// state. Throws ribbon::DefinitionError, and changes nothing, for fewer workers than one.
+  /// Sets how gather and step run in parallel. The results have the same bits. It is not part of the state. Throws
+  /// ribbon::DefinitionError, and changes nothing, for less than one worker.
   void use(const ribbon::ParallelFor& parallel_for);
-  /// How many islands the cords of the direct solver made in the last step.
+  /// Returns the number of islands of the direct solver in the last step.
   int islands() const { return direct_solver_.islands(); }
-  /// How many circles and edges were gathered for a cord in the last tick, because they may touch it.
+  /// Returns the number of circles and edges that a cord could have touched in the last tick.
   int gathered_near(CordIndex index) const;
-  /// What that is, by fixture's number. Valid until the next gather, as long as the fixtures are.
+  /// Returns the shapes they belong to, ordered by fixture number. Valid until the next gather or the destruction of a
+  /// fixture.
   std::span<const NearShape> near(CordIndex index) const { return cords_[at(index)].near; }
-  /// What happened in the last step of a cord of the thesis's solver.
+  /// Returns the report of the last step of a cord of the thesis's solver.
   const ribbon::StepReport& thesis_report(CordIndex index) const { return cords_[at(index)].report; }
-  /// What has happened to it since it was added, summed up.
+  /// Returns the sum of these reports since the cord was added.
   const ribbon::StepReport& thesis_total(CordIndex index) const { return cords_[at(index)].total; }
 
-  /// Reads the world as it is before a tick of dt seconds: for each cord the fixtures of enabled bodies that it may
-  /// reach in that time, several a body, static, kinematic and dynamic. Sensors are ignored, and so are dynamic bodies
-  /// without mass and what is nowhere, or beyond ±1e9 m or m/s. Throws ribbon::DefinitionError, and changes nothing,
-  /// for a world that is locked, a dt [s] below 1e-9 or above 1, and a gravity beyond ±1e9 m/s².
+  /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick. Ignores
+  /// sensors, disabled bodies, dynamic bodies without mass, and bodies whose position or velocity is not finite or
+  /// beyond ±1e9 (m, m/s). Throws ribbon::DefinitionError, and changes nothing, for a locked world, a dt outside 1e-9 …
+  /// 1, and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
-  /// Moves the cords by the tick gathered for, in the order they were added; a body pushed by one is felt by the next.
-  /// Throws nothing, and neither does apply: what has numbers that no cord can meet was left out by gather. Until both
-  /// are done the world stays as it was gathered.
+  /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
+  /// bodies as the ones before it left them. Does not throw. Do not change the world between gather and apply.
   void step();
-  /// Gives each dynamic body its impulse. What single precision cannot carry of it stays with the cord.
+  /// Third part: gives each dynamic body its impulse. The coupling keeps what single precision rounds off. Does not
+  /// throw.
   void apply();
 
-  /// Makes `body` hold a point of a cord at `local_hand`, in the body's own frame. One grip a body: a second call moves
-  /// the hand evenly over the next tick, so start from where the point is and bring it nearer by and by. (A point that
-  /// is elsewhere is drawn to the hand hard, but not at once.) Throws ribbon::DefinitionError, and changes nothing, for
-  /// a cord or point that does not exist, a cord that is switched off, and for a hand beyond ±1e9.
+  /// Makes a body hold a point of a cord at `local_hand`, an anchor in the body's frame. A body has one such grip: a
+  /// second call moves the anchor to the new place during the next tick. Start with an anchor at the point and move it
+  /// step by step; a distant point is pulled to the anchor with great force, over several ticks. Throws
+  /// ribbon::DefinitionError, and changes nothing, for an unknown cord or point, a disabled cord, and an anchor beyond
+  /// ±1e9.
   void hold(CordIndex cord, int point, b2Body& body, b2Vec2 local_hand);
-  /// Lets go of everything, with the velocities that both have; false if the body held nothing.
+  /// Releases all grips of a body. Body and cords keep their velocities. Returns false if the body held nothing.
   bool release(b2Body& body);
 
-  /// Makes a body hold a cord of the direct solver once more, at any place, beside what it holds already. Throws
-  /// ribbon::DefinitionError, and changes nothing, for a cord that does not exist, is the thesis's or switched off, an
-  /// arc outside it, a number that is none, a world that is locked, or where the body holds the cord already.
+  /// Makes a body hold a cord of the direct solver at any place, in addition to its other grips. Throws
+  /// ribbon::DefinitionError, and changes nothing, for a cord that is unknown, disabled or of the thesis's solver, an
+  /// arc beyond its ends, a value that is not finite, a locked world, and a place that the body holds already.
   GripId grip(b2Body& body, const GripDef& def);
-  /// Moves a grip along its cord to `arc` [m] at `speed` [m/s at rest, above 0], under load: it climbs. Throws
-  /// ribbon::DefinitionError for a grip that is none, and numbers out of range.
+  /// Moves a grip along its cord to `arc` [m] at `speed` [m of rest length per second, above 0], so that the body
+  /// climbs. Throws ribbon::DefinitionError for an unknown grip and for values out of range.
   void climb(GripId grip, double arc, double speed);
-  /// Moves the body's hand evenly over the next tick, as hold does. Throws ribbon::DefinitionError for a grip that is
-  /// none, and a hand beyond ±1e9.
+  /// Moves the anchor of a grip in the body's frame, at constant velocity during the next tick. Throws
+  /// ribbon::DefinitionError for an unknown grip and for an anchor beyond ±1e9.
   void move_hand(GripId grip, b2Vec2 local_hand);
-  /// Lets one grip go; false if there is none of that number. Its body may be gone from the world. O(bodies).
+  /// Releases one grip. Returns false if it does not exist. Its body may be destroyed already. O(bodies).
   bool let_go(GripId grip);
-  /// Nothing if it has been let go, or let go itself.
+  /// Returns the state of a grip, or nothing if it was released or gave way.
   std::optional<GripState> state(GripId grip) const;
 
-  /// What began and ceased to touch cords of the direct solver in the last step, by cord and fixture. Valid until the
-  /// next gather.
+  /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord and fixture. Valid
+  /// until the next gather.
   std::span<const TouchEvent> touch_events() const { return touch_events_; }
-  /// What touched a cord of the direct solver in the last step, by fixture's number.
+  /// Returns what touched a cord of the direct solver in the last step, ordered by fixture number.
   std::span<const FixtureTouch> touching(CordIndex index) const { return cords_[at(index)].touching; }
-  /// The fixture of a number that touching() tells; null if it was destroyed before the last gather, or since by
-  /// `destroy`, or forgotten. Destroyed otherwise since, it dangles: ask as below.
+  /// Returns the fixture with a number from touching(), or null if it was destroyed before the last gather or with
+  /// `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next function.
   const b2Fixture* fixture(std::uint64_t number) const { return fixture_ids_.fixture(number); }
-  /// The same, looked for in its world: null if it is no more, whoever destroyed it. O(bodies + fixtures).
+  /// Returns the fixture with that number if it is still in its world, else null. O(bodies + fixtures).
   const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;
-  /// The velocity of the body's centre of mass at this moment, m/s: Box2D's, and for a holder what Box2D cannot show.
-  /// O(bodies) for one of those.
+  /// Returns the momentary velocity of a body's centre of mass, m/s. It differs from Box2D's for bodies that the solver
+  /// moves; see above. O(bodies) for those.
   ribbon::Vec2 velocity(const b2Body& body) const;
-  /// The same of its rotation, rad/s.
+  /// Returns the momentary angular velocity of a body, rad/s.
   double angular_velocity(const b2Body& body) const;
-  /// What the body holds.
+  /// Returns the place that a body holds.
   std::optional<CordPoint> held_by(const b2Body& body) const;
-  /// Lets go of what the body holds and destroys it: the way to destroy a body that cords may know. (One that is
-  /// destroyed without is let go at the next gather, too; see above for what that does not recognise.)
+  /// Releases what a body holds and destroys it. Use it for bodies that hold or touch cords. (Otherwise the next gather
+  /// notices the destruction, with the exceptions named above.)
   void destroy(b2World& world, b2Body& body);
-  /// Knows nothing any more of a body that is about to be destroyed, of its grips and fixtures: what `destroy` does
-  /// before it destroys. A b2DestructionListener may call both of these from SayGoodbye.
+  /// Forgets a body that is about to be destroyed, with its grips and fixtures. A b2DestructionListener may call this
+  /// and the next function.
   void forget(const b2Body& body);
-  /// The same of one fixture: events of the last step, and `fixture`, have null in its place.
+  /// Forgets one fixture. Events of the last step and `fixture` return null for it.
   void forget(const b2Fixture& fixture);
-  /// Says that one of `forget` and `destroy` is called for every body, and every fixture, before it is destroyed, from
-  /// now on: then gather does not walk through the world's list of bodies in each tick in which a body holds a cord, to
-  /// see whether that body is still there. At first it is not so.
+  /// With true, you promise to call `forget` or `destroy` for every body and fixture before its destruction. Then
+  /// gather does not search the world for the bodies that hold cords. Initially false.
   void trust_forget(bool trusted) { trusts_forget_ = trusted; }
 
-  /// What save gives and restore takes.
+  /// The state that save returns and restore takes.
   using State = CouplingState;
-  /// What to go on from later, between an apply and the next gather of a world in which `world` is that of the
-  /// coupling; grips of bodies that are not in it any more are left out, as the next gather would. Box2D's world has no
-  /// such state: who goes back puts its bodies back himself, and what Box2D remembers of its own contacts is not his to
-  /// set.
+  /// Returns the state between an apply and the next gather. `world` is the world of the coupling. Grips of destroyed
+  /// bodies are left out. The state does not contain the bodies of Box2D: restore their positions and velocities
+  /// yourself. (The contacts that Box2D stores cannot be restored.)
   State save(const b2World& world) const;
-  /// Goes on from a saved state among the bodies of `world`, to the same bits if the world does: in the same one, or in
-  /// one that was built alike, with as many bodies and fixtures in the order of making. A tick that was gathered for is
-  /// forgotten. Throws ribbon::DefinitionError, and changes nothing, for a state of other cords or of another world,
-  /// one with a number that no coupling can have, and a world that is locked.
+  /// Continues from a saved state, with the same bits if the bodies have the same state too. `world` may be another
+  /// world that was built in the same way, with the same numbers of bodies and fixtures in the same order. A gather
+  /// without its apply is discarded. Throws ribbon::DefinitionError, and changes nothing, for a state of other cords or
+  /// of another world, a value out of range, and a locked world.
   void restore(const State& state, b2World& world);
 
-  /// m, the box in which the last gather looked for what the cord may meet; empty for one that was switched off.
+  /// Returns the box [m] in which the last gather searched for a cord; empty if the cord was disabled.
   const ribbon::Box& reach(CordIndex index) const { return cords_[at(index)].reach; }
 
-  /// The cord point nearest to `position`, if one is within `reach` metres; ties go to the first. Of cords that are
-  /// switched on, as below; of one that is further off as a whole no point is looked at.
+  /// Returns the nearest point of an enabled cord within `reach` [m] of `position`; of equal ones the first. It tests
+  /// the bounding box of each cord and the points of cords that may be in range.
   std::optional<CordPoint> nearest_point(ribbon::Vec2 position, double reach) const;
-  /// The same between the points too, of all cords but `except`; of a cord of the thesis's solver points only.
+  /// Returns the nearest place on an enabled cord other than `except`, also between two points; for cords of the
+  /// thesis's solver, the nearest point.
   std::optional<CordPoint> nearest_place(ribbon::Vec2 position, double reach,
                                          std::optional<CordIndex> except = {}) const;
-  /// m, where a place is.
+  /// Returns the position of a place, m.
   ribbon::Vec2 position(const CordPoint& place) const;
-  /// m at rest along a cord of the direct solver, from its first column to a place.
+  /// Returns the rest length of a cord of the direct solver from its first column to a place, m.
   double arc(const CordPoint& place) const;
 
  private:

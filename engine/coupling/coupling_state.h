@@ -15,18 +15,18 @@ namespace engine {
 
 class Hasher;
 
-/// What a cord remembers of a fixture that touches it.
+/// Contact of a cord with a fixture.
 struct FixtureTouch {
-  std::uint64_t fixture = 0;  ///< its number: FixtureIds
-  double impulse = 0.0;       ///< N·s, in the tick, normal
-  double most = 0.0;          ///< N·s, of one contact
-  ribbon::Vec2 point;         ///< m, where that is
-  ribbon::Vec2 normal;        ///< away from the cord's link, or from the edge to its point
+  std::uint64_t fixture = 0;  ///< number of the fixture
+  double impulse = 0.0;       ///< N·s, normal impulse in the tick
+  double most = 0.0;          ///< N·s, largest impulse at one contact point
+  ribbon::Vec2 point;         ///< m, that contact point
+  ribbon::Vec2 normal;  ///< unit vector, from the cord's link to the fixture, or from the edge to the cord's point
 
   bool operator==(const FixtureTouch&) const = default;
 };
 
-/// What is remembered of a grip, but for its body.
+/// State of a grip, except its body.
 struct GripMemory {
   int id = 0;                                                  ///< the grip's number
   int cord = 0;                                                ///< which one it holds
@@ -46,13 +46,13 @@ struct GripMemory {
   bool operator==(const GripMemory&) const = default;
 };
 
-/// What is remembered of a body that cords move on a curve.
+/// State of a body whose motion the solver determines.
 struct LedMemory {
-  static constexpr double most_ahead = 1e9;  ///< m/s or rad/s, as of a body that a cord can meet
+  static constexpr double most_ahead = 1e9;  ///< m/s or rad/s, upper bound
 
-  ribbon::Vec2 ahead;          ///< m/s, the momentary velocity less Box2D's
-  double ahead_turning = 0.0;  ///< rad/s, the same of the rotation
-  ribbon::Vec2 position;       ///< m, of the centre of mass, where it was led to
+  ribbon::Vec2 ahead;          ///< m/s, momentary velocity minus Box2D's
+  double ahead_turning = 0.0;  ///< rad/s, the same for the angular velocity
+  ribbon::Vec2 position;       ///< m, computed position of the centre of mass
   ribbon::Vec2 velocity;       ///< m/s, which Box2D leaves it with if it meets nothing
   double turning = 0.0;        ///< rad/s, the same of the rotation
   ribbon::Vec2 start;          ///< m, of the centre of mass, from where,
@@ -63,11 +63,11 @@ struct LedMemory {
   bool operator==(const LedMemory&) const = default;
 };
 
-/// A coupling between two ticks: all that a later tick of it depends on but for the definitions of its cords and the
-/// world, and all that it tells of the last one. Bodies and fixtures are named by their place: the n-th that was made
-/// of those that are there, from 0, of its world or its body.
+/// State of a coupling between two ticks: everything that later ticks depend on, except the definitions of the cords
+/// and the world, and the results of the last tick. Bodies and fixtures are identified by the order of their creation
+/// among those that exist, from 0.
 struct CouplingState {
-  /// A cord, and what the coupling knows of it.
+  /// State of a cord.
   struct Cord {
     std::variant<ribbon::ThesisCord::State, ribbon::Cord::State> state;  ///< of its solver
     bool enabled = true;                                                 ///< or switched off
@@ -79,19 +79,19 @@ struct CouplingState {
     std::vector<FixtureTouch> touching;  ///< by fixture, in the last tick
     bool operator==(const Cord&) const = default;
   };
-  /// A grip, and whose.
+  /// A grip and its body.
   struct Grip {
     int body = 0;       ///< by place
     GripMemory memory;  ///< all else
     bool operator==(const Grip&) const = default;
   };
-  /// A body that cords moved.
+  /// A body whose motion the solver determined.
   struct Led {
     int body = 0;      ///< by place
     LedMemory memory;  ///< how they moved it
     bool operator==(const Led&) const = default;
   };
-  /// A fixture that has a number.
+  /// A fixture and its number.
   struct Fixture {
     int body = 0;          ///< by place
     int place = 0;         ///< among the body's
@@ -122,11 +122,11 @@ struct CouplingState {
   bool operator==(const CouplingState&) const = default;
 };
 
-/// Adds every number of the state, so that two that differ in a bit have different hashes.
+/// Adds all values of a state to a hash.
 void add_to(Hasher& hasher, const CouplingState& state);
-/// A cord's part of it.
+/// Adds all values of a cord's state to a hash.
 void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state);
-/// The same of one of the direct solver.
+/// Adds all values of a cord's state to a hash.
 void add_to(Hasher& hasher, const ribbon::Cord::State& state);
 
 }  // namespace engine

@@ -8,71 +8,71 @@
 
 #include "ribbon/vec2.h"
 
-// What a Coupling is asked with, and answers with.
+// Parameters and results of Coupling.
 
 namespace engine {
 
-/// A cord's place in its coupling, in the order of adding.
+/// Index of a cord in its coupling, in the order of adding.
 using CordIndex = int;
 
-/// The two ways to move a cord.
+/// The two solvers.
 enum class Solver : unsigned char {
   thesis,  ///< ribbon::ThesisCord
   direct,  ///< ribbon::Cord
 };
-/// "thesis" or "direct".
+/// Returns "thesis" or "direct".
 std::string_view solver_name(Solver solver);
 
-/// How the points of a cord lie, whichever solver moves them: point (i, j) has the index i·rows + j.
+/// Layout of the points of a cord, for both solvers: point (i, j) has index i·rows + j.
 struct CordShape {
-  int columns = 0;         ///< along the cord
-  int rows = 0;            ///< across it
-  double thickness = 0.0;  ///< m, across it at rest, as it is drawn
-  bool braced = false;     ///< bars join neighbours across the corner as well
+  int columns = 0;         ///< number of points along the cord
+  int rows = 0;            ///< number of points across it
+  double thickness = 0.0;  ///< m, rest thickness for drawing
+  bool braced = false;     ///< diagonal neighbours are connected by bars too
 };
 
 /// A place on a cord.
 struct CordPoint {
-  CordIndex cord = 0;     ///< which one
-  int point = 0;          ///< its point, by index
-  double distance = 0.0;  ///< m, from where it was looked for
-  double along = 0.0;     ///< share of the way from there to the point of the next column, below 1
+  CordIndex cord = 0;     ///< index of the cord
+  int point = 0;          ///< index of the point
+  double distance = 0.0;  ///< m, from the position of the query
+  double along = 0.0;     ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// A grip's number, never used twice.
+/// Number of a grip. Numbers are never reused.
 using GripId = int;
 
-/// How a body holds a cord of the direct solver.
+/// Defines how a body holds a cord of the direct solver.
 struct GripDef {
-  CordIndex cord = 0;             ///< which one
-  double arc = 0.0;               ///< m at rest along the cord from its first point, 0 … its length
-  int row = 0;                    ///< of a ribbon
-  b2Vec2 local_hand{0.0F, 0.0F};  ///< in the body's own frame
-  /// N, along the cord, above which the grip slips; of a body that is pushed.
+  CordIndex cord = 0;             ///< index of the cord
+  double arc = 0.0;               ///< m of rest length from the first point, 0 … length of the cord
+  int row = 0;                    ///< row of a ribbon
+  b2Vec2 local_hand{0.0F, 0.0F};  ///< anchor in the body's frame
+  /// N, force along the cord above which the grip of a dynamic body slips.
   double strength = std::numeric_limits<double>::infinity();
-  bool lets_go = false;  ///< above its strength, in any direction, it lets go instead
+  bool lets_go = false;  ///< the grip is released above its strength, in any direction, instead of slipping
 };
 
-/// What has become of a grip.
+/// State of a grip.
 struct GripState {
-  CordIndex cord = 0;  ///< which one
-  double arc = 0.0;    ///< m at rest along the cord
-  ribbon::Vec2 place;  ///< m, of the cord there
-  ribbon::Vec2 pull;   ///< N, on the body in the last tick; of one that is pushed
-  bool slips = false;  ///< in the last tick
+  CordIndex cord = 0;  ///< index of the cord
+  double arc = 0.0;    ///< m of rest length from the first point
+  ribbon::Vec2 place;  ///< m, position on the cord
+  ribbon::Vec2 pull;   ///< N, force on a dynamic body in the last tick
+  bool slips = false;  ///< the grip slipped in the last tick
 };
 
-/// A cord and a fixture that began or ceased to touch in the last tick.
+/// The begin or end of contact between a cord and a fixture in the last tick.
 struct TouchEvent {
-  CordIndex cord = 0;   ///< which one
-  bool begins = false;  ///< or ceased
-  /// Null if it was destroyed before the last gather, or since by Coupling::destroy. Destroyed otherwise since, it
-  /// dangles: Coupling::fixture finds it by number in its world, or not.
+  CordIndex cord = 0;   ///< index of the cord
+  bool begins = false;  ///< contact began; else it ended
+  /// The fixture, or null if it was destroyed before the last gather or with Coupling::destroy. If it may have been
+  /// destroyed otherwise since then, use Coupling::fixture with its number and world.
   const b2Fixture* fixture = nullptr;
-  double impulse = 0.0;      ///< N·s, normal, in the tick
-  ribbon::Vec2 point;        ///< m, where most of it is
-  ribbon::Vec2 normal;       ///< away from the cord's link, or from the edge to its point
-  std::uint64_t number = 0;  ///< the fixture's; 0 if that is null
+  double impulse = 0.0;      ///< N·s, normal impulse in the tick
+  ribbon::Vec2 point;        ///< m, where the impulse is largest
+  ribbon::Vec2 normal;       ///< unit vector, from the cord's link to the fixture, or from the edge to the cord's point
+  std::uint64_t number = 0;  ///< number of the fixture; 0 if it is null
 };
 
 }  // namespace engine

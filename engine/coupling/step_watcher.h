@@ -9,16 +9,16 @@
 
 namespace engine {
 
-/// What ribbon::DirectSolver::step is given, but for the reports.
+/// The arguments of ribbon::DirectSolver::step, without the reports.
 struct SolverInput {
-  std::span<const ribbon::IslandCord> cords;  ///< in the order of adding, those that are switched on
-  std::span<const ribbon::RigidBody> bodies;  ///< that all of them may meet
+  std::span<const ribbon::IslandCord> cords;  ///< enabled cords, in the order of adding
+  std::span<const ribbon::RigidBody> bodies;  ///< bodies that the cords refer to
   double dt = 0.0;                            ///< s
   ribbon::Vec2 gravity;                       ///< m/s²
 };
 
-/// What is called around each step of a coupling's direct solver: see Coupling::watch. It changes nothing, and what it
-/// is given is valid until the call returns.
+/// Interface that is called before and after each step of a coupling's direct solver; see Coupling::watch. Arguments
+/// are valid until the call returns.
 class StepWatcher {
  public:
   StepWatcher() = default;
@@ -26,9 +26,9 @@ class StepWatcher {
   StepWatcher& operator=(const StepWatcher&) = delete;
   virtual ~StepWatcher() = default;
 
-  /// What the step is about to begin with.
+  /// Called before the step.
   virtual void before(const SolverInput& input) noexcept = 0;
-  /// The same cords and bodies after it, with what happened in the island of each cord, and in all islands.
+  /// Called after the step, with the report of each cord's island and their total.
   virtual void after(const SolverInput& input, std::span<const ribbon::CordReport> reports,
                      const ribbon::CordReport& total) noexcept = 0;
 };
