@@ -72,32 +72,32 @@ int run(const game::RunOptions& options) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a recording that gets too long is an error to tell, not the end of the game
-  CLI::App app{"Swing from cord to cord to the flag."};
+  CLI::App app{"Swing from rope to rope to the flag."};
   game::RunOptions options;
   std::string video_size;
   const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");
   app.add_option("--level", options.level, "A level's name, or a Tiled map (.tmj)")->check(named);
-  auto* headless = app.add_flag("--headless", options.headless, "Run without a window, as fast as it goes");
+  auto* headless = app.add_flag("--headless", options.headless, "Run without a window at full speed");
   auto* replay = app.add_option("--replay", options.replay, "Play the inputs of this recording")->check(named);
-  auto* verify = app.add_flag("--verify", options.verify, "Compare every tick with the recording's")->needs(replay);
+  auto* verify = app.add_flag("--verify", options.verify, "Compare every tick with the recording")->needs(replay);
   auto* record = app.add_option("--record", options.record, "Record the run to this file as it happens")->check(named);
-  app.add_option("--seek", options.seek, "Begin after so many ticks of the recording")
+  app.add_option("--seek", options.seek, "Start after this many ticks of the recording")
       ->check(CLI::Range(0, 1'000'000'000))
       ->needs(replay)
       ->excludes(verify)
       ->excludes(record);
-  app.add_option("--ticks", options.ticks, "Stop after so many ticks of 1/60 s")
+  app.add_option("--ticks", options.ticks, "Stop after this many ticks of 1/60 s")
       ->check(CLI::Range(0, 1'000'000'000))
       ->excludes(verify);
   auto* video = app.add_option("--video", options.video, "Write a video of the run, .gif or .mp4; with --headless")
                     ->check(named)
                     ->needs(headless);
-  app.add_option("--video-size", video_size, "Its width and height in pixels, 480x270 unless given")->needs(video);
-  app.add_option("--screenshot", options.screenshot, "Write a PNG picture of the last moment")->check(named);
+  app.add_option("--video-size", video_size, "Width and height of the video in pixels; default 480x270")->needs(video);
+  app.add_option("--screenshot", options.screenshot, "Write a PNG screenshot of the last tick")->check(named);
   auto* bad_ticks = app.add_option("--record-bad-ticks", options.record_bad_ticks,
-                                   "Write ticks whose cords did not converge to this folder, for flight")
+                                   "Write ticks that did not converge to this folder, for flight")
                         ->check(named);
-  app.add_option("--work", options.bad_work, "And those that took more work than that")
+  app.add_option("--work", options.bad_work, "Also write ticks with more work than this")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}))
       ->needs(bad_ticks);
   try {

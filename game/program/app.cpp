@@ -131,10 +131,10 @@ void App::take_picture() {
     const std::string name = free_name(".png");
     window_.save_png(name);
     std::printf("picture: %s\n", name.c_str());
-    session_.notice.show("Picture: " + name);
+    session_.notice.show("Screenshot: " + name);
   } catch (const std::runtime_error& error) {  // no reason to stop playing
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    session_.notice.show("The picture cannot be written");
+    session_.notice.show("The screenshot cannot be written");
   }
 }
 

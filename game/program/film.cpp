@@ -27,7 +27,7 @@ std::string Film::toggle(const engine::Raster& raster) {
   } catch (const engine::VideoError& error) {
     return error.what();
   }
-  return "Filming into " + name_;
+  return "Recording a video to " + name_;
 }
 
 std::string Film::take(const engine::Raster& raster, std::int64_t elapsed_ns) {

@@ -23,15 +23,15 @@ void ControlsScreen::fill_menu() {
     if (rebinding_ && rebinding_->action() == action) codes = "…";
     items.push_back({std::string(action_title(action)), std::move(codes)});
   }
-  items.push_back({"All as at first"});
+  items.push_back({"Reset to defaults"});
   items.push_back({"Back"});
   menu_.set_items(std::move(items));
 }
 
 Card ControlsScreen::card() const {
-  const std::string line = rebinding_
-                               ? rebinding_->prompt(session_->settings.bindings)
-                               : "Keyboard and mouse   |   gamepad.   Choose a line, then press what is to do it.";
+  const std::string line =
+      rebinding_ ? rebinding_->prompt(session_->settings.bindings)
+                 : "Keyboard and mouse   |   gamepad.   Choose an action, then press the new key or button.";
   return {.headline = "Keys and buttons", .lines = {line}, .width = 900.0, .text_size = 19.0, .line_size = 17.0};
 }
 

@@ -65,7 +65,7 @@ void LevelScreen::draw_facts(engine::Canvas& canvas, double text_scale) const {
   std::vector<std::string> lines;
   if (!level.hint.empty()) lines.push_back(hint_in_words(level.hint, session_->settings, session_->uses_pad));
   const auto best = session_->records.best(level_key(level));
-  lines.push_back(best ? "Your best: " + best_in_words(level, best) : "Not made yet");
+  lines.push_back(best ? "Your best: " + best_in_words(level, best) : "Not completed yet");
   if (const std::string medals = medals_in_words(level); !medals.empty()) lines.push_back(medals);
   const double size = 19.0 * text_scale;
   const double step = canvas.line_height(size);

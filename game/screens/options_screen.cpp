@@ -27,17 +27,17 @@ std::string per_cent(int value) { return std::to_string(value) + " %"; }
 /// The line that opens the keys stands before them, the one that goes back behind them.
 const std::vector<Option>& options() {
   static const std::vector<Option> all = {
-      choice("To catch a cord", &Settings::toggle_grab, "hold the key", "press once"),
+      choice("Catch a rope", &Settings::toggle_grab, "hold the key", "press once"),
       {"Game speed", [](const Settings& settings) { return per_cent(settings.speed); },
        [](Settings& settings, int step) {
          settings.speed = std::clamp(settings.speed + 10 * step, Settings::slowest, 100);
        }},
-      choice("Longer arms", &Settings::long_reach, "off", "on, from the next level"),
-      choice("Who falls", &Settings::no_fall, "starts or checkpoint", "goes on from where he stood"),
+      choice("Longer reach", &Settings::long_reach, "off", "on, from the next level"),
+      choice("After a fall", &Settings::no_fall, "back to start or checkpoint", "back to the last foothold"),
       choice("Ghost of the best run", &Settings::ghost, "hidden", "shown"),
-      choice("Picture", &Settings::reduced_motion, "lively", "calm: no shake"),
-      choice("Colours", &Settings::colour_safe, "usual", "safe for all eyes"),
-      choice("Strain of cords", &Settings::strain_tint, "hidden", "tinted"),
+      choice("Motion", &Settings::reduced_motion, "full motion", "reduced: no shake"),
+      choice("Colours", &Settings::colour_safe, "usual", "high contrast"),
+      choice("Rope strain", &Settings::strain_tint, "hidden", "coloured"),
       {"Volume", [](const Settings& settings) { return per_cent(settings.sound.volume); },
        [](Settings& settings, int step) {
          settings.sound.volume = std::clamp(settings.sound.volume + 10 * step, 0, 100);
@@ -51,7 +51,7 @@ const std::vector<Option>& options() {
 }
 
 const Card card{.headline = "Options",
-                .lines = {"Times with less speed, longer arms or without falls are kept too, just without a medal."},
+                .lines = {"With lower speed, a longer reach or without falls, times count but earn no medal."},
                 .width = 660.0,
                 .text_size = 20.0,
                 .line_size = 16.0};

@@ -16,9 +16,9 @@ enum Item { go_on, again, options, levels, leave_it };
 PauseScreen::PauseScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
   card_.headline = "Paused";
   card_.lines = {level_title(play.run().level())};
-  std::vector<MenuItem> items = {{"Go on"}, {"Start again"}, {"Options"}};
+  std::vector<MenuItem> items = {{"Go on"}, {"Restart the level"}, {"Options"}};
   if (play.is_direct()) {
-    items.push_back({"Leave the game"});
+    items.push_back({"Quit"});
   } else {
     items.push_back({"Levels"});
     items.push_back({"Title"});

@@ -92,7 +92,7 @@ void PlayScreen::follow_file(std::int64_t elapsed_ns) {
     if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote
     level.assists = run_.level().assists;
     run_.set_level(std::move(level), false);
-    session_->notice.show("The level was loaded anew");
+    session_->notice.show("The level was reloaded");
     restart();
   } catch (const engine::ReplayError& error) {
     say_that_recording_failed(error);
@@ -201,7 +201,7 @@ void PlayScreen::say_that_recording_failed(const engine::ReplayError& error) {
   recording_.clear();  // what there is of it is not the run
   if (keeps_runs()) return session_->say_that_runs_are_not_recorded();
   recording_failed_ = true;
-  view_options_.notice = "The recording has ended: the file cannot be written";
+  view_options_.notice = "Recording stopped: the file cannot be written";
 }
 
 void PlayScreen::choose_message() {
@@ -215,9 +215,9 @@ void PlayScreen::choose_message() {
   const std::string leave = session_->uses_pad ? "B: leave" : "Esc: leave";
   if (is_over() && options_.verify) {
     const bool same = run_.exit_status() == 0;
-    return say(same ? "Verified" : "Not as recorded", run_.closing_line() + "   " + leave);
+    return say(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
   }
-  if (is_over()) return say("That was all", leave);
+  if (is_over()) return say("End of the recording", leave);
   const auto goal = simulation().goal_ticks();
   if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
   if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));

@@ -39,9 +39,9 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
   const Medal medal = medal_of(level, run);
   card_.headline = seconds_in_words(run.ticks) + (medal == Medal::none ? "" : "   " + medal_title(medal) + "!");
   card_.lines = {"You made it through “" + level_title(level) + "”"};
-  if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "The first time you made it!");
+  if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "You made it for the first time!");
   if (before) card_.lines.push_back((is_best ? "Before it was " : "Your best is ") + best_in_words(level, before));
-  if (run.assisted) card_.lines.emplace_back("Nicely done, with some help: kept without a medal");
+  if (run.assisted) card_.lines.emplace_back("Well done, with some help: no medal for this time");
   const double wanted[] = {level.medals.bronze, level.medals.silver, level.medals.gold};
   if (run.assisted || medal == Medal::gold) return;
   const auto better = static_cast<int>(medal) + 1;
@@ -58,10 +58,10 @@ void ResultsScreen::fill_menu() {
   };
   if (!play_->is_direct()) next_ = level_after(play_->run().level().name);
   if (!next_.empty()) add(next_level, "Next level");
-  add(again, "Once more");
+  add(again, "Play again");
   if (!play_->own_recording().empty()) add(watch, "Watch this run");
   if (!play_->is_direct()) add(levels, "Levels");
-  if (play_->is_direct()) add(leave_it, "Leave the game");
+  if (play_->is_direct()) add(leave_it, "Quit");
   menu_.set_items(std::move(items));
 }
 

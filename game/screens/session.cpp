@@ -37,7 +37,7 @@ void Session::keep_settings() {
 
 void Session::say_that_runs_are_not_recorded() {
   if (std::exchange(said_, true)) return;
-  notice.show("Runs are not recorded: the folder for them cannot be written");
+  notice.show("Runs are not recorded: the folder cannot be written");
 }
 
 }  // namespace game

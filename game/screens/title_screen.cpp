@@ -14,7 +14,7 @@ namespace {
 enum Item { play, options, leave_it };
 
 const Card card{.headline = "Rope swing",
-                .lines = {"Swing from cord to cord, to the flag"},
+                .lines = {"Swing from rope to rope to the flag"},
                 .width = 380.0,
                 .text_size = 28.0,
                 .side = -1.0};
@@ -22,7 +22,7 @@ const Card card{.headline = "Rope swing",
 }  // namespace
 
 TitleScreen::TitleScreen(Session& session) : session_(&session) {
-  menu_.set_items({{"Play"}, {"Options"}, {"Leave the game"}});
+  menu_.set_items({{"Play"}, {"Options"}, {"Quit"}});
   RunOptions shown;
   shown.replay = assets_folder() + "/replays/" + default_level + ".replay";
   try {

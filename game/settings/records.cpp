@@ -58,7 +58,7 @@ void Records::load(std::string& notice) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     keep_aside(file());
-    notice = "The best times cannot be read: the file is kept as best.json.broken";
+    notice = "The best times cannot be read; the file is kept as best.json.broken";
   }
 }
 
@@ -89,7 +89,7 @@ void Records::write(const LevelKey& level, const std::string& recording, std::st
     if (failed_) return;
     failed_ = true;
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    notice = "The best times cannot be written: they last until the game ends";
+    notice = "The best times cannot be written; they last until the game ends";
   }
 }
 

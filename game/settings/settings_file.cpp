@@ -95,7 +95,7 @@ Settings SettingsFile::load(std::string& notice) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     keep_aside(path_);
-    notice = "The settings cannot be read: they are as at first; the file is kept as settings.json.broken";
+    notice = "The settings cannot be read, so the defaults are used; the file is kept as settings.json.broken";
   }
   return kept_;
 }
@@ -109,7 +109,7 @@ void SettingsFile::keep(const Settings& settings, std::string& notice) {
     if (failed_) return;
     failed_ = true;
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    notice = "The settings cannot be written: they last until the game ends";
+    notice = "The settings cannot be written; they last until the game ends";
   }
 }
 

@@ -54,12 +54,12 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x - 12.0F * unit, 64.0F * unit}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
   ImGui::SetNextWindowSize({430.0F * unit, std::max(200.0F * unit, screen.y - 90.0F * unit)}, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Cords and dials (F2)", &is_shown_)) {
+  if (ImGui::Begin("Ropes and parameters (F2)", &is_shown_)) {
     show_tables(run.simulation(), meter);
     ImGui::Separator();
     ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // room for the names
     if (run.has_replay()) {
-      ImGui::TextWrapped("This is a recorded run: nothing can be tuned in it.");
+      ImGui::TextWrapped("This is a replay: parameters cannot be changed.");
     } else {
       show_file(run);
       show_world(run);
@@ -78,17 +78,18 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
 }
 
 void TuningPanel::show_file(const RecordedRun& run) {
-  if (run.is_tuned()) ImGui::TextColored({1.0F, 0.83F, 0.36F, 1.0F}, "Tuned: no medal, no best time, no recording.");
-  if (ImGui::Button("Restart with these")) wants_restart_ = true;
+  if (run.is_tuned())
+    ImGui::TextColored({1.0F, 0.83F, 0.36F, 1.0F}, "Parameters changed: no medal, no best time, no recording.");
+  if (ImGui::Button("Restart with these values")) wants_restart_ = true;
   const bool is_changed = tuned_ && tuned_->is_changed();
   ImGui::BeginDisabled(!is_changed);
   ImGui::SameLine();
-  if (ImGui::Button("As in the file")) wants_file_ = true;
+  if (ImGui::Button("Reset to the file")) wants_file_ = true;
   ImGui::SameLine();
   if (ImGui::Button("Write to the level")) ImGui::OpenPopup("Overwrite?");
   ImGui::EndDisabled();
   if (ImGui::BeginPopupModal("Overwrite?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::Text("The changed numbers go into %s.\nWhatever else it holds stays as it is.",
+    ImGui::Text("The changed values are written to %s.\nEverything else in the file stays.",
                 run.level().map.file.c_str());
     if (ImGui::Button("Overwrite")) {
       write();
@@ -125,7 +126,7 @@ void TuningPanel::show_player(const RecordedRun& run) {
 void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) {
   const int object = scene.cord_object(cord);
   if (object == 0) {
-    ImGui::TextWrapped("The player's own line: it is in no level.");
+    ImGui::TextWrapped("The player's own line is not part of a level.");
     return;
   }
   for (const Switch& option : switches_of(scene.coupling(), cord)) {

@@ -61,7 +61,7 @@ TEST(Reload, ALevelBeginsAnewWhenItsFileHasChanged) {
   EXPECT_GE(played.screen().simulation().run_ticks(), 28);
   played.save(engine::with_property(played.text, engine::map_itself, "gravity_y", -4.0));
   played.wait_a_second();
-  EXPECT_EQ(played.app->session().notice.text(), "The level was loaded anew");
+  EXPECT_EQ(played.app->session().notice.text(), "The level was reloaded");
   EXPECT_EQ(played.screen().simulation().scene().world().GetGravity().y, -4.0F);
   EXPECT_LT(played.screen().simulation().run_ticks(), 30);
   EXPECT_FALSE(played.screen().run().is_tuned()) << "it is the file's";
@@ -80,7 +80,7 @@ TEST(Reload, ABrokenFileIsToldAndTheOldLevelGoesOn) {
   EXPECT_GE(played.screen().simulation().run_ticks(), ticks + 9);
   played.save(played.text + "\n");
   played.wait_a_second();
-  EXPECT_EQ(played.app->session().notice.text(), "The level was loaded anew");
+  EXPECT_EQ(played.app->session().notice.text(), "The level was reloaded");
 }
 
 TEST(Reload, AFileThatWasOnlyTouchedDoesNotEndTheRun) {

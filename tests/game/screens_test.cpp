@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Screens,
 
 TEST_P(Screens, NoTextOfMenusIsCutOff) {
   TitleScreen title(session);
-  EXPECT_NE(texts_of(title).find("Leave the game"), std::string::npos);
+  EXPECT_NE(texts_of(title).find("Quit"), std::string::npos);
   LevelScreen levels(session);
   EXPECT_NE(texts_of(levels).find("First swing"), std::string::npos);
   OptionsScreen options(session);
@@ -97,7 +97,7 @@ TEST_P(Screens, ResultsTellTimeAndBest) {
   while (!play.is_over()) play.update({{}, {}, canvas, 16'666'667, 1.0});
   ASSERT_TRUE(play.simulation().goal_ticks());
   ResultsScreen first(session, play);
-  EXPECT_NE(texts_of(first).find("The first time you made it!"), std::string::npos);
+  EXPECT_NE(texts_of(first).find("You made it for the first time!"), std::string::npos);
   ResultsScreen again(session, play);
   const std::string same = texts_of(again);
   EXPECT_NE(same.find("Your best is "), std::string::npos) << same;

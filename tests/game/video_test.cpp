@@ -78,7 +78,7 @@ TEST(Film, TakesThirtyFramesASecondOfWhateverIsDrawn) {
   const engine::Raster raster(64, 36);
   game::Film film;
   EXPECT_EQ(film.take(raster, 1'000'000'000), "");
-  EXPECT_EQ(film.toggle(raster), "Filming into ropeswing-1.mp4");
+  EXPECT_EQ(film.toggle(raster), "Recording a video to ropeswing-1.mp4");
   for (int frame = 0; frame < 144; ++frame) EXPECT_EQ(film.take(raster, 1'000'000'000 / 144), "");
   EXPECT_EQ(film.toggle(raster), "Video: ropeswing-1.mp4");
   EXPECT_NEAR(static_cast<double>(fs::file_size("ropeswing-1.mp4")), 31.0 * 64 * 36 * 4, 64 * 36 * 4);

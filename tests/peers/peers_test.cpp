@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -10,6 +11,7 @@
 #include "tests/peers/players.h"
 #include "tests/peers/recording.h"
 #include "tests/peers/scenes.h"
+#include "tests/peers/table.h"
 #include "tests/support/contact_scenes.h"
 
 namespace peers {
@@ -17,6 +19,8 @@ namespace {
 
 using ribbon::Vec2;
 using test_support::CoupledWorld;
+
+constexpr double inextensible = std::numeric_limits<double>::infinity();
 
 const Scene& scene(const std::string& name) {
   for (const Scene& s : scenes()) {
@@ -77,7 +81,7 @@ TEST(PeersPlan, EveryLinkIsHingedToTheNextAndWherePinnedOrHeld) {
 }
 
 TEST(PeersPlan, WhatHoldsACordIsTold) {
-  const Plan plan = plan_of([](CoupledWorld& world) { test_support::hang_load(world, 168.0, INFINITY); }, 0, 1);
+  const Plan plan = plan_of([](CoupledWorld& world) { test_support::hang_load(world, 168.0, inextensible); }, 0, 1);
   ASSERT_EQ(plan.cords.size(), 1U);
   ASSERT_EQ(plan.cords[0].held.size(), 1U);
   EXPECT_EQ(plan.cords[0].held[0].first, 30);
@@ -174,21 +178,21 @@ TEST(PeersJudge, ARecordingThatEndsEarlyHasNoPath) { EXPECT_TRUE(std::isinf(path
 class PeersRecording : public testing::Test {
  protected:
   void write(const std::vector<double>& numbers) const {
-    std::ofstream out(path_, std::ios::binary);
+    std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char*>(numbers.data()),
               static_cast<std::streamsize>(numbers.size() * sizeof(double)));
   }
-  ~PeersRecording() override { std::remove(path_.c_str()); }
+  ~PeersRecording() override { std::remove(path.c_str()); }
 
-  const Plan plan_ = plan_for(scene("bridge"));
-  const std::string path_ = testing::TempDir() + "peers_recording";
+  const Plan plan = plan_for(scene("bridge"));
+  const std::string path = testing::TempDir() + "peers_recording";
 };
 
 TEST_F(PeersRecording, IsReadAsItWasWritten) {
   std::vector<double> numbers(2 * (1 + 2 * 42));
   std::iota(numbers.begin(), numbers.end(), 0.0);
   write(numbers);
-  const Recording recording = read_recording(path_, plan_);
+  const Recording recording = read_recording(path, plan);
   ASSERT_EQ(recording.size(), 2U);
   EXPECT_EQ(recording[0].us, 0.0);
   EXPECT_EQ(recording[0].cords[0][0], (Vec2{1.0, 2.0}));
@@ -199,14 +203,14 @@ TEST_F(PeersRecording, IsReadAsItWasWritten) {
 TEST_F(PeersRecording, OfAnotherPlanIsRefused) {
   write(std::vector<double>(7, 1.0));
   try {
-    read_recording(path_, plan_);
+    read_recording(path, plan);
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("has 56 bytes; accepted are frames of 680"), std::string::npos)
         << error.what();
   }
-  std::remove(path_.c_str());
-  EXPECT_THROW(read_recording(path_, plan_), std::runtime_error);
+  std::remove(path.c_str());
+  EXPECT_THROW(read_recording(path, plan), std::runtime_error);
 }
 
 TEST(PeersPlayers, OursKeepsToTheExactPathOfAHeavyLoad) {
@@ -227,6 +231,45 @@ TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
   ASSERT_EQ(recording.front().cords[0].size(), 51U);
   ASSERT_EQ(recording.front().movers.size(), 1U);
   EXPECT_LT(swing.error(judge(swing.set_up, plan, recording), recording), 1.0);
+}
+
+Result result(const std::string& engine, const std::string& setting, double cost_us, double error_m) {
+  Result made;
+  made.engine = engine;
+  made.setting = setting;
+  made.cost_us = cost_us;
+  made.error_m = error_m;
+  return made;
+}
+
+TEST(PeersTable, ACellHasTheCheapestAndTheMostAccurateOfAFront) {
+  Result failed = result("Other", "substeps=1", 1.0, 0.0);
+  failed.failure = "blew up in tick 3";
+  Result also_failed = failed;
+  also_failed.engine = "Third";
+  const Results results = {{"drape",
+                            {result(our_name, compared_setting, 10.0, 2.5e-5), failed, also_failed,
+                             result("Other", "substeps=4", 23.0, 0.031), result("Other", "substeps=8", 24.0, 0.04),
+                             result("Other", "substeps=16", 2345.0, 0.0)}}};
+  const std::string table = table_of(
+      {{our_name, "1.0", "native"}, {"Other", "2", "WebAssembly"}, {"Third", "3", "native"}}, {"drape"}, results);
+  EXPECT_NE(table.find("| Other | 2 | WebAssembly |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| ours | 0.025 mm ×1 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| Other | 3.1 cm ×2.3 … 0 ×230 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| Third | fails |"), std::string::npos) << table;
+}
+
+TEST(PeersTable, TheCsvHasALineASettingAndTellsWhyItFailed) {
+  Result failed = result("Other", "substeps=1", 1.0, 0.0);
+  failed.failure = "let the ball through";
+  failed.group = "ratio=100";
+  const std::string csv = csv_of({"bridge"}, {{"bridge", {failed}}});
+  EXPECT_EQ(
+      csv.substr(0, csv.find('\n')),
+      "scene,group,engine,setting,us_per_tick,p99_us,error_m,stretch_pct,penetration_m,drift_m,jitter_m,crossings,"
+      "failure");
+  EXPECT_NE(csv.find("bridge,ratio=100,Other,substeps=1,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",0,let the ball through\n"), std::string::npos) << csv;
 }
 
 }  // namespace
