@@ -35,8 +35,8 @@ const std::vector<Option>& options() {
       choice("Longer reach", &Settings::long_reach, "off", "on, from the next level"),
       choice("After a fall", &Settings::no_fall, "back to start or checkpoint", "back to the last foothold"),
       choice("Ghost of the best run", &Settings::ghost, "hidden", "shown"),
-      choice("Motion", &Settings::reduced_motion, "full motion", "reduced: no shake"),
-      choice("Colours", &Settings::colour_safe, "usual", "high contrast"),
+      choice("Motion", &Settings::reduced_motion, "full", "reduced: no shake"),
+      choice("Colours", &Settings::colour_safe, "normal", "high contrast"),
       choice("Rope strain", &Settings::strain_tint, "hidden", "coloured"),
       {"Volume", [](const Settings& settings) { return per_cent(settings.sound.volume); },
        [](Settings& settings, int step) {
