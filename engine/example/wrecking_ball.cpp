@@ -1,6 +1,6 @@
-// Somebody's little game, with a Box2D world, tick, contact listener and drawing of its own, to which a cord was added:
-// a wrecking ball. Lines with a comment behind them are what that took.
-//   wrecking_ball [TICKS]    left and right push the ball, Space lets go of it, S saves, L goes back to that
+// A small game with its own Box2D world, tick, contact listener and drawing. A cord was added to it: the rope of a
+// wrecking ball. Lines that end with a comment were added for the cord.
+//   wrecking_ball [TICKS]    the arrow keys push the ball, Space releases it, S saves, L restores
 #include <SDL.h>
 #include <box2d/box2d.h>
 
@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ribbon/box2d/convert.h"   // Box2D's vectors from the cords', and back
+#include "ribbon/box2d/convert.h"   // conversions between vectors of cords and of Box2D
 #include "ribbon/box2d/coupling.h"  // cords in a Box2D world
-#include "ribbon/layout.h"          // how a cord lies at first
+#include "ribbon/layout.h"          // initial positions
 
 namespace {
 constexpr float dt = 1.0F / 60.0F;
@@ -23,7 +23,7 @@ struct Thuds : b2ContactListener {
 
 struct Saved {
   std::vector<b2BodyDef> bodies;
-  engine::CouplingState cords;  // plain data: where points are, who holds them, what touches them
+  engine::CouplingState cords;  // the state of all cords, as plain data
 };
 
 struct Game {
@@ -33,32 +33,32 @@ struct Game {
     b2EdgeShape floor;
     floor.SetTwoSided({-20.0F, 0.5F}, {40.0F, 0.5F});
     world.CreateBody(&still)->CreateFixture(&floor, 0.0F);
-    add_circle({5.5F, 5.0F}, 0.25F, b2_staticBody);  // in the cord's way
+    add_circle({5.5F, 5.0F}, 0.25F, b2_staticBody);  // an obstacle for the cord
     for (int k = 0; k < 6; ++k) add_circle({6.25F, 0.8125F + 0.625F * static_cast<float>(k)}, 0.3125F, b2_dynamicBody);
     ball = add_circle({0.8F, 5.2F}, 0.45F, b2_dynamicBody);
 
-    ribbon::CordDef def;                                    // what it is made of; whatever is not asked for is off
-    def.points = 41;                                        // more of them bend finer and cost more
+    ribbon::CordDef def;                                    // defines the cord; terms that are not set are off
+    def.points = 41;                                        // more points bend more smoothly and cost more
     def.mass_per_length = 0.5;                              // kg/m
-    def.radius = 0.03;                                      // m: half as thick as it is where something touches it
-    def.friction = 0.3;                                     // mixed with that of fixtures as Box2D does
-    def.pins = {0};                                         // the first point stays where it is: on the hook
-    ribbon::lay_along(def, {{5.0, 8.5}, {0.8, 5.2}});       // m, from the hook to the ball; that is its length, too
-    cord = cords.add(ribbon::Cord(def));                    // from now on the coupling has it; this is its number there
-    cords.hold(cord, def.points - 1, *ball, {0.0F, 0.0F});  // the ball's own centre holds the last point
+    def.radius = 0.03;                                      // m, half the thickness for contacts
+    def.friction = 0.3;                                     // combines with the friction of fixtures as in Box2D
+    def.pins = {0};                                         // the first point is fixed at the hook
+    ribbon::lay_along(def, {{5.0, 8.5}, {0.8, 5.2}});       // m, from the hook to the ball; sets the length too
+    cord = cords.add(ribbon::Cord(def));                    // moves the cord into the coupling; returns its index
+    cords.hold(cord, def.points - 1, *ball, {0.0F, 0.0F});  // the centre of the ball holds the last point
   }
 
   void tick(float push) {
     ball->ApplyForceToCenter({push, 0.0F}, true);
-    cords.gather(world, dt);  // the cords look who is near them
-    cords.step();             // and move, together with who holds or touches them,
-    cords.apply();            // who get their impulses from it
+    cords.gather(world, dt);  // finds what is near the cords
+    cords.step();             // moves the cords and what holds or touches them
+    cords.apply();            // gives the bodies their impulses
     world.Step(dt, 8, 3);
-    for (const engine::TouchEvent& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // since gather
+    for (const engine::TouchEvent& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
   }
 
   Saved save() const {
-    Saved saved{{}, cords.save(world)};  // Box2D cannot save a world: bodies are up to the game
+    Saved saved{{}, cords.save(world)};  // Box2D cannot save a world: the game saves its bodies
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
       b2BodyDef& to = saved.bodies.emplace_back();
       to.position = body->GetPosition();
@@ -75,7 +75,7 @@ struct Game {
       body->SetLinearVelocity(from->linearVelocity);
       body->SetAngularVelocity(from->angularVelocity);
     }
-    cords.restore(saved.cords, world);  // the ball holds it again if it did then
+    cords.restore(saved.cords, world);  // restores the grip of the ball too
   }
 
   void draw(SDL_Renderer* renderer) const {
@@ -84,7 +84,8 @@ struct Game {
     SDL_SetRenderDrawColor(renderer, 240, 200, 120, 255);
     SDL_RenderDrawLineF(renderer, 0.0F, 510.0F, 960.0F, 510.0F);
     std::vector<SDL_FPoint> line;
-    for (const ribbon::Vec2 x : cords.positions(cord)) line.push_back(to_pixels(engine::to_float(x)));  // its points
+    for (const ribbon::Vec2 x : cords.positions(cord))
+      line.push_back(to_pixels(engine::to_float(x)));  // the points of the cord
     SDL_RenderDrawLinesF(renderer, line.data(), static_cast<int>(line.size()));
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
       const b2Vec2 arm{body->GetFixtureList()->GetShape()->m_radius, 0.0F};
@@ -116,10 +117,11 @@ struct Game {
   Thuds thuds;
   int touches = 0;
   engine::Coupling cords;      // all cords of this world
-  engine::CordIndex cord = 0;  // ours
+  engine::CordIndex cord = 0;  // index of the cord
 };
 
-/// Until the window is closed, or for so many ticks, of which the middle one is saved and gone back to in the end.
+/// Runs until the window is closed, or for a number of ticks; then it saves at half of them and restores that at the
+/// end.
 void play(Game& game, SDL_Renderer* renderer, int ticks) {
   const int half = ticks > 0 ? ticks / 2 : -1;
   Saved saved = game.save();
@@ -128,7 +130,7 @@ void play(Game& game, SDL_Renderer* renderer, int ticks) {
     if (tick == half) game.print("half way");
     if (key[SDL_SCANCODE_S] != 0 || tick == half) saved = game.save();
     if (key[SDL_SCANCODE_L] != 0) game.restore(saved);
-    if (key[SDL_SCANCODE_SPACE] != 0) game.cords.release(*game.ball);  // with the velocity that it has
+    if (key[SDL_SCANCODE_SPACE] != 0) game.cords.release(*game.ball);  // the ball keeps its velocity
     game.tick(300.0F * static_cast<float>(key[SDL_SCANCODE_RIGHT] - key[SDL_SCANCODE_LEFT]));
     game.draw(renderer);
     if (ticks < 0) SDL_Delay(16);

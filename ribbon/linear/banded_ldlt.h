@@ -11,7 +11,7 @@ namespace ribbon {
 /// entry and those to the right of it: row(r)[k] is the entry (r, r + k), 0 ≤ k ≤ half_bandwidth.
 class BandedMatrix {
  public:
-  /// Of zeros. n ≥ 1, half_bandwidth ≥ 0.
+  /// Creates a zero matrix. Requires n ≥ 1 and half_bandwidth ≥ 0.
   BandedMatrix(int n, int half_bandwidth)
       : n_(n),
         half_bandwidth_(half_bandwidth),
@@ -19,22 +19,22 @@ class BandedMatrix {
         entries_((static_cast<std::size_t>(n) + static_cast<std::size_t>(half_bandwidth)) *
                  (static_cast<std::size_t>(half_bandwidth) + 1)) {}
 
-  int size() const { return n_; }  ///< n, rows and columns
-  /// How far from the diagonal entries may be.
+  int size() const { return n_; }  ///< number n of rows and of columns
+  /// Returns the half bandwidth.
   int half_bandwidth() const { return half_bandwidth_; }
-  /// From a row to the next.
+  /// Returns the distance between rows in memory.
   int stride() const { return half_bandwidth_ + 1; }
-  /// The entries (r, r), (r, r + 1), …, half_bandwidth + 1 of them; 0 ≤ r < n. What lies past column n is 0.
+  /// Returns the half_bandwidth + 1 entries (r, r), (r, r + 1), … of row r, 0 ≤ r < n. Entries beyond column n are 0.
   double* row(int r) { return entries_.data() + offset(r); }
-  /// The same to read.
+  /// Returns the same entries, for reading.
   const double* row(int r) const { return entries_.data() + offset(r); }
-  /// The entry (r, c); c within the band on either side.
+  /// Returns entry (r, c), which must be within the band on either side.
   double at(int r, int c) const { return r <= c ? row(r)[c - r] : row(c)[r - c]; }
-  /// Makes the row and column k those of the identity.
+  /// Replaces row and column k by those of the identity.
   void hold(int k);
-  /// Becomes factor times a matrix of the same size.
+  /// Assigns `factor` times a matrix of the same size.
   void set_scaled(const BandedMatrix& a, double factor);
-  /// Makes all entries 0.
+  /// Sets all entries to 0.
   void set_zero() { std::fill(entries_.begin(), entries_.end(), 0.0); }
 
  private:
@@ -53,12 +53,12 @@ class LinearSolver {
   LinearSolver& operator=(const LinearSolver&) = delete;
   virtual ~LinearSolver() = default;
 
-  /// Overwrites b with x; A may be overwritten too. False if A is not positive definite in double precision or an
-  /// entry is not finite; b is then undefined.
+  /// Overwrites b with x; it may overwrite A too. Returns false if A is not positive definite in double precision or
+  /// has an entry that is not finite; b is then undefined.
   virtual bool solve(BandedMatrix& a, std::span<double> b) = 0;
 };
 
-/// A = L·D·Lᵀ within the band, without pivoting, in O(n · half_bandwidth²) and without heap.
+/// Factorises A = L·D·Lᵀ within the band without pivoting, in O(n · half_bandwidth²). Allocates no memory.
 class BandedLdlt final : public LinearSolver {
  public:
   bool solve(BandedMatrix& a, std::span<double> b) override;

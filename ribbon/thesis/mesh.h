@@ -10,15 +10,15 @@ namespace ribbon {
 /// A two-node connection between neighbouring points, a < b.
 struct Connection {
   int a;               ///< index of a point
-  int b;               ///< of the other
+  int b;               ///< index of the other point
   double rest_length;  ///< m
 };
 
 /// Three points, counter-clockwise in the rest shape.
 struct Triangle {
   int a;             ///< index of a point
-  int b;             ///< of the next
-  int c;             ///< of the last
+  int b;             ///< index of the second point
+  int c;             ///< index of the third point
   double rest_area;  ///< m²
 };
 
@@ -30,21 +30,21 @@ struct Mesh {
   int h = 0;                            ///< points across it
   double spacing = 0.0;                 ///< m, between neighbours along and across
   std::vector<Connection> connections;  ///< each pair of the up to 8 neighbours once, ordered by a, then b
-  std::vector<Triangle> triangles;      ///< two a cell, cut along the same diagonal in every cell
+  std::vector<Triangle> triangles;      ///< two per cell, cut along the same diagonal in every cell
   std::vector<int> boundary;            ///< the outer boundary, counter-clockwise; the last point joins the first
 
-  int size() const { return w * h; }                   ///< how many points
-  int index(int i, int j) const { return i * h + j; }  ///< of P(i, j)
-  int column(int point) const { return point / h; }    ///< i of a point
-  int row(int point) const { return point % h; }       ///< j of a point
+  int size() const { return w * h; }                   ///< number of points
+  int index(int i, int j) const { return i * h + j; }  ///< index of P(i, j)
+  int column(int point) const { return point / h; }    ///< column i of a point
+  int row(int point) const { return point % h; }       ///< row j of a point
 };
 
-/// Builds the model. w, h ≥ 2 and spacing > 0 are the caller's to ensure (ThesisDef checks them).
+/// Builds the mesh. Requires w, h ≥ 2 and spacing > 0 (ThesisDef checks them).
 Mesh make_mesh(int w, int h, double spacing);
 
-/// Positions of a w × h grid whose middle line follows `path` by arc length, one column every `spacing` metres from
-/// the first path point on; past the end the last segment goes on straight. Rows lie across the path, j upwards to
-/// its left. Needs at least two path points that differ.
+/// Returns the positions of a w × h grid along a path: one column every `spacing` metres of arc length from the first
+/// path point; the last segment is extended if necessary. Rows lie across the path; j increases to its left. Requires
+/// at least two different path points.
 std::vector<Vec2> lay_along(std::span<const Vec2> path, int w, int h, double spacing);
 
 }  // namespace ribbon

@@ -15,16 +15,16 @@ namespace ribbon {
 
 class BroadPhase;
 
-/// What happened in one step, summed over its substeps; the last three, at its end.
+/// Statistics of one step, summed over its substeps; the last three are of the end of the step.
 struct StepReport {
-  int fem_skipped = 0;      ///< substeps whose matrix was not positive definite: springs alone carried on
-  int motion_limited = 0;   ///< points held back to the most a point may move in a substep
-  int self_contacts = 0;    ///< overlaps of the cord with itself that were resolved
-  int circle_contacts = 0;  ///< overlaps with rigid circles that were resolved
-  int tangled_columns = 0;  ///< columns whose self-contact rested because the cord crossed itself there
+  int fem_skipped = 0;      ///< substeps without FEM, because the matrix was not positive definite
+  int motion_limited = 0;   ///< points whose motion in a substep was limited
+  int self_contacts = 0;    ///< resolved overlaps of the cord with itself
+  int circle_contacts = 0;  ///< resolved overlaps with rigid circles
+  int tangled_columns = 0;  ///< columns without self-contact, because the cord crosses itself there
   int strained_bars =
       0;                 ///< bars more than a tenth off their rest length, of a stiff cord a sign that it is not solved
-  int turned_over = 0;   ///< triangles that are inside out
+  int turned_over = 0;   ///< inverted triangles
   int energy_gains = 0;  ///< 1 if energy has come from nowhere, above a thousandth of what there is and of M·g·L; not
                          ///< looked for while a point, a hand or a body that nothing pushes is moving
 
@@ -33,71 +33,69 @@ struct StepReport {
   StepReport& operator+=(const StepReport& other);
 };
 
-/// A cord after Goto 2017, in the reading that works: FEM bars as an implicit damper, springs for the memory of
-/// shape, area correction, self-collision and rigid circles, N substeps a step. A step costs O(w·h³) and, after the
-/// first, takes no heap memory as long as its surroundings hold no more than before, or than was reserved.
+/// A cord after Goto 2017, with corrections: FEM bars as an implicit damper, springs that restore the shape, area
+/// correction, self-collision and rigid circles, with N substeps per step. A step costs O(w·h³). After the first step
+/// it allocates no memory, unless its surroundings have more items than before and than was reserved.
 class ThesisCord {
  public:
-  /// Builds the cord at rest. Throws DefinitionError where check(def) does. `solver` solves the FEM's system; the
-  /// default is the banded LDLᵀ.
+  /// Creates a cord at rest. Throws DefinitionError if check(def) does. `solver` solves the FEM system; the default is
+  /// the banded LDLᵀ.
   explicit ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solver = std::make_unique<BandedLdlt>());
   ThesisCord(ThesisCord&&) noexcept;
   ThesisCord& operator=(ThesisCord&&) noexcept;
   ~ThesisCord();
 
-  /// Its points, connections and triangles; for its life.
+  /// Returns the points, connections and triangles, which never change.
   const Mesh& mesh() const { return *mesh_; }
-  /// What it was made of.
+  /// Returns the definition.
   const ThesisDef& def() const { return def_; }
   std::span<const Vec2> positions() const { return positions_; }    ///< m, by point index
   std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by point index
-  /// The caller sees to it that there is such a point, here and in target.
+  /// Returns what determines the motion of a point. This and `target` do not check the index.
   PointKind kind(int point) const { return kinds_[index(point)]; }
-  /// Where a constrained or operated point is going, m.
+  /// Returns the target of a constrained or operated point, m.
   Vec2 target(int point) const { return targets_[index(point)]; }
 
-  /// Constrains a point to `target` [m], which it reaches on a straight line in the next step and then keeps.
-  /// Throws DefinitionError for an unknown index or a coordinate beyond ±1e9, as the next two do.
+  /// Pins a point to `target` [m]. The point moves there in a straight line during the next step and then stays. Throws
+  /// DefinitionError for an unknown point or a coordinate beyond ±1e9, as do the next two.
   void constrain(int point, Vec2 target);
-  /// The same for a point that somebody drags: call it again to drag on.
+  /// Drags a point to `target` in the same way. Call it before each step while dragging.
   void operate(int point, Vec2 target);
-  /// Lets a constrained or operated point go with the velocity it has.
+  /// Frees a constrained or operated point. It keeps its velocity.
   void release(int point);
 
-  /// Takes the memory for steps with up to this much around the cord, so that none takes any later.
+  /// Reserves memory for steps with so many items in the surroundings.
   void reserve(std::size_t bodies, std::size_t circles, std::size_t grips);
 
-  /// Sets a point's velocity, m/s, each component up to ±1e9.
+  /// Sets the velocity of a point, m/s, each component within ±1e9.
   void set_velocity(int point, Vec2 velocity);
 
-  /// Adds momentum [kg·m/s, each component up to ±1e9], spread evenly over the free points; nothing if there is none.
+  /// Adds a momentum [kg·m/s, each component within ±1e9], distributed evenly over the free points, if any.
   void add_momentum(Vec2 momentum);
 
-  /// Throws DefinitionError unless the cord has a point of that index.
+  /// Throws DefinitionError unless `point` is the index of a point.
   void check_point(int point) const;
 
-  /// Advances by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings as they are at the start,
-  /// with the impulses their bodies have been given so far, and adds the cord's own impulses to them. Throws
-  /// DefinitionError, before anything has moved, for a number that is out of its range.
+  /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings at the start of the
+  /// step, including the impulses that bodies already have, and adds the cord's impulses. Throws DefinitionError,
+  /// before anything has moved, for a value out of range.
   StepReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
-  /// What a replay or a saved game has to keep; the rest follows from the definition.
+  /// Everything that later steps depend on, except the definition.
   struct State {
     std::vector<Vec2> positions;   ///< m, by point
     std::vector<Vec2> velocities;  ///< m/s, by point
-    std::vector<Vec2> targets;     ///< m, by point: of those that are driven
+    std::vector<Vec2> targets;     ///< m, by point, of constrained and operated ones
     std::vector<PointKind> kinds;  ///< by point
     bool operator==(const State&) const = default;
   };
-  /// What to go on from later.
+  /// Returns the state, for restore.
   State save() const { return {positions_, velocities_, targets_, kinds_}; }
-  /// The same into a state that is there already: one that has held this cord's before takes no memory.
+  /// Writes the state into an existing object. It allocates nothing if that object held a state of this cord before.
   void save(State& state) const;
-  /// Continues from a saved state, to the same bits. Throws DefinitionError where check_state does, and then changes
-  /// nothing.
+  /// Continues from a saved state with the same bits. Throws DefinitionError, and changes nothing, if check_state does.
   void restore(const State& state);
-  /// Throws DefinitionError unless the state is one of a cord of this size, with coordinates within ±1e9 and kinds of
-  /// points that there are.
+  /// Throws DefinitionError unless the state fits this cord's size, with coordinates within ±1e9 and valid kinds.
   void check_state(const State& state) const;
 
  private:
