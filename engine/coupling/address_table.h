@@ -7,11 +7,11 @@
 
 namespace engine {
 
-/// Places in a list by address, which serves to find one and for nothing else: nothing is told in their order. It keeps
-/// its memory.
+/// Maps addresses to indices. It cannot be iterated, so results do not depend on the order of addresses. It keeps its
+/// memory when cleared.
 class AddressTable {
  public:
-  /// The place of an address, −1 if it has none.
+  /// Returns the index of an address, or −1.
   int find(const void* address) const {
     if (slots_.empty()) return -1;
     for (std::size_t k = first_slot(address);; k = (k + 1) & (slots_.size() - 1)) {
@@ -19,17 +19,17 @@ class AddressTable {
       if (slots_[k].address == nullptr) return -1;
     }
   }
-  /// Gives an address that is not null a place, or another one.
+  /// Sets the index of an address, which is not null.
   void set(const void* address, int place) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     put(address, place);
   }
-  /// Forgets all.
+  /// Removes all addresses.
   void clear() {
     if (count_ > 0) std::fill(slots_.begin(), slots_.end(), Slot{});
     count_ = 0;
   }
-  /// Takes the memory for so many addresses.
+  /// Reserves memory for so many addresses.
   void reserve(std::size_t count) {
     while (2 * (count + 1) > slots_.size()) grow();
   }

@@ -14,35 +14,35 @@
 
 namespace engine {
 
-/// A part of a fixture that a cord may reach: an edge of a chain, and of any other shape all of it.
+/// A part of a fixture that a cord may touch: one edge of a chain, or the whole of any other shape.
 struct NearShape {
-  b2Fixture* fixture;        ///< of an enabled body, no sensor
-  int child;                 ///< of its shape
-  double way;                ///< m, that it may go in the tick, and more
-  std::uint64_t number = 0;  ///< the fixture's: FixtureIds
+  b2Fixture* fixture;        ///< belongs to an enabled body; not a sensor
+  int child;                 ///< index of the child shape
+  double way;                ///< m, upper bound of its displacement in the tick
+  std::uint64_t number = 0;  ///< number of the fixture
 };
 
-/// Where a cord looks, what it meets, and what it finds.
+/// A search for one cord.
 struct Look {
-  ribbon::Box reach;             ///< m, of the cord in the tick
-  b2Filter filter;               ///< as between two Box2D fixtures
-  bool circles;                  ///< alone are met, as a cord of the thesis's does
-  std::vector<NearShape>* near;  ///< what is found is added here, in no order; some of it may be there twice
+  ribbon::Box reach;             ///< m, box that the cord can reach in the tick
+  b2Filter filter;               ///< filter of the cord, as between two Box2D fixtures
+  bool circles;                  ///< find circles only, for the thesis's solver
+  std::vector<NearShape>* near;  ///< results are appended here, in any order and possibly twice
 };
 
-/// Whether the numbers of a body are such that a cord can meet it.
+/// Returns whether all values of a body are finite and in range.
 bool is_sound(const b2Body& body);
-/// Whether they are, and it is no dynamic body without mass.
+/// Returns whether in addition the body is not a dynamic body without mass.
 bool can_be_met(const b2Body& body);
 
-/// Finds what cords may reach in a tick, by the broad phase of a world: what is static where it is, the rest on its
-/// way. Box2D takes a body no further than b2_maxTranslation in a tick, so what is further off than that, though it
-/// turn, is left for the next. It keeps memory only.
+/// Finds the fixtures that cords may touch in a tick, by queries of the world's broad phase. Static fixtures are found
+/// where they are, others along their motion. Box2D moves a body by at most b2_maxTranslation per tick, so fixtures
+/// that are further away are left to later ticks. The finder stores no state between ticks, only memory.
 class NearFinder {
  public:
-  /// Takes the memory for so many leaves of the world's tree about a cord, and for so many cords.
+  /// Reserves memory for so many tree leaves near a cord and for so many cords.
   void reserve(std::size_t leaves, std::size_t cords);
-  /// In a tick of dt seconds under `gravity` [m/s²]; no two looks find into the same list.
+  /// Runs all searches for a tick of dt seconds under `gravity` [m/s²]. Each search must have its own result list.
   void find(b2World& world, std::span<const Look> looks, ribbon::Vec2 gravity, double dt,
             const ribbon::ParallelFor& parallel_for);
 

@@ -10,45 +10,44 @@
 
 namespace engine {
 
-/// A number for each fixture that cords come near, the same from tick to tick, counted in the order of meeting them. An
-/// address serves to find it again and for nothing else.
+/// Assigns a number to each fixture that is near a cord. A fixture keeps its number from tick to tick; numbers are
+/// counted up. Addresses are used only for lookup, so results do not depend on them.
 class FixtureIds {
  public:
   /// A fixture and its number.
   struct Known {
-    SeenFixture seen_as;  ///< looked at and never through
+    SeenFixture seen_as;  ///< identity; never dereferenced
     std::uint64_t id;     ///< its number, from 1
-    bool seen;            ///< asked for since begin_tick
-    bool exists = true;   ///< as far as was told since then
+    bool seen;            ///< used since begin_tick
+    bool exists = true;   ///< false once it was forgotten
   };
 
-  /// Takes the memory for so many fixtures.
+  /// Reserves memory for so many fixtures.
   void reserve(std::size_t count);
-  /// Forgets fixtures that were not asked for since the last call.
+  /// Starts a tick: removes fixtures that were not used since the last call.
   void begin_tick();
-  /// The fixture's number; 0 if it was not asked for since the tick before the last.
+  /// Returns the number of a fixture, or 0 if it has none.
   std::uint64_t of(const b2Fixture& fixture);
-  /// A new number for one that has none.
+  /// Assigns a new number to a fixture without one.
   std::uint64_t add(const b2Fixture& fixture);
-  /// Whether some are not forgotten yet that were not asked for since begin_tick, and may exist or not.
+  /// Returns whether there are fixtures that were not used since begin_tick and may be destroyed.
   bool misses_some() const;
-  /// One of these by its number; null for any other.
+  /// Returns such a fixture by its number, or null.
   Known* missed(std::uint64_t id);
-  /// Knows a fixture no more: what is at its address gets a new number.
+  /// Removes a fixture. A new one at its address gets a new number.
   void forget(const b2Fixture& fixture);
-  /// Knows none any more, and counts on.
+  /// Removes all fixtures, and continues counting.
   void forget_all();
-  /// The fixture of that number, null if it was neither asked for nor seen since begin_tick.
+  /// Returns the fixture with that number, or null if it was not used since begin_tick.
   const b2Fixture* fixture(std::uint64_t id) const;
-  /// What is known of the number; null if nothing is.
+  /// Returns the entry of a number, or null.
   const Known* known(std::uint64_t id) const;
 
-  /// Null for one that was not asked for lately.
+  /// Returns the entry of a fixture, or null.
   const Known* find(const b2Fixture& fixture) const;
-  /// The number that the next new one gets.
+  /// Returns the next new number.
   std::uint64_t next() const { return next_; }
-  /// Knows these and no others, which exist. Their fixtures and ids are all different, the ids rise and are below
-  /// `next`.
+  /// Replaces all entries. Their fixtures exist and are different; their ids are ascending and below `next`.
   void restore(std::vector<Known> known, std::uint64_t next);
 
  private:

@@ -32,7 +32,7 @@ class Hasher {
   }
   /// @}
 
-  /// The hash of all that was added so far.
+  /// Returns the hash of all values added so far.
   std::uint64_t value() const;
 
  private:
@@ -48,14 +48,14 @@ class Hasher {
   std::uint64_t words_ = 0;
 };
 
-/// What a part of the state belongs to. The numbers are written in replays: add at the end, never renumber.
+/// The kind of a part of the state. The numbers are stored in recordings: append new ones, never renumber.
 enum class Subsystem : std::uint8_t { game = 0, cord = 1, body = 2 };
-inline constexpr int subsystem_count = 3;  ///< how many there are
+inline constexpr int subsystem_count = 3;  ///< number of kinds
 
-/// "game", "cord" or "body".
+/// Returns "game", "cord" or "body".
 std::string_view subsystem_name(Subsystem subsystem);
 
-/// The hash of one cord, one body, …: enough to name what differs.
+/// The hash of one cord, body or other part; used to name what differs.
 struct StatePart {
   Subsystem subsystem = Subsystem::game;  ///< What it is.
   std::uint16_t index = 0;                ///< Which cord, which body.
@@ -64,18 +64,18 @@ struct StatePart {
   bool operator==(const StatePart&) const = default;
 };
 
-/// The hash of a whole state: 32 bits for each part, to name what differs, and 64 bits over all of them, computed from
-/// the parts' full 64-bit values, to be sure whether anything does. Kept from tick to tick and cleared before each:
-/// once it has grown to the number of parts, it allocates no more.
+/// The hash of a whole state: 32 bits per part, to name what differs, and 64 bits over the full hashes of all parts, to
+/// detect any difference. Reuse one object and clear it before each tick: then it allocates memory only when the number
+/// of parts grows.
 class StateHash {
  public:
   StateHash() = default;
-  /// As read back from a recording.
+  /// Creates a hash that was read from a recording.
   StateHash(std::vector<StatePart> parts, std::uint64_t combined) : parts_(std::move(parts)), combined_(combined) {}
 
-  /// Takes all parts out and keeps their memory.
+  /// Removes all parts and keeps their memory.
   void clear();
-  /// Adds a part after those already there; the same parts in another order are another state.
+  /// Appends a part. The order of parts matters.
   void add(Subsystem subsystem, std::uint16_t index, const Hasher& hasher);
 
   std::span<const StatePart> parts() const { return parts_; }  ///< in the order of adding
@@ -88,9 +88,9 @@ class StateHash {
   std::uint64_t combined_ = 0;
 };
 
-/// The first thing in which two states differ.
+/// The first difference of two states.
 struct Divergence {
-  /// In what way.
+  /// The kind of a difference.
   enum class Kind {
     differs,   ///< The part is in both, with different hashes.
     missing,   ///< The part was recorded and is not there now.
@@ -104,18 +104,19 @@ struct Divergence {
   std::uint64_t computed = 0;  ///< The same of the other state.
 };
 
-/// The first part, in recorded order, in which `computed` differs from `recorded`; nothing if they are equal.
+/// Returns the first part, in recorded order, in which `computed` differs from `recorded`, or nothing if they are
+/// equal.
 std::optional<Divergence> first_difference(const StateHash& recorded, const StateHash& computed);
 
-/// In words: `cord 2 differs (recorded 89abcdef, now 01234567)`.
+/// Returns a description, such as `cord 2 differs (recorded 89abcdef, now 01234567)`.
 std::string describe(const Divergence& divergence);
 
-/// 64-bit FNV-1a over the bytes of a file or text.
+/// Returns the 64-bit FNV-1a hash of the bytes.
 std::uint64_t hash_bytes(std::string_view bytes);
 
-/// Lower-case hexadecimal with leading zeros: 16 digits, or 8 for 32 bits.
+/// Returns 16 lower-case hexadecimal digits.
 std::string to_hex(std::uint64_t value);
-/// The same of 32 bits.
+/// Returns 8 lower-case hexadecimal digits.
 std::string to_hex(std::uint32_t value);
 
 }  // namespace engine

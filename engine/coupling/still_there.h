@@ -5,15 +5,15 @@
 
 namespace engine {
 
-/// Tells a body or fixture that is still there from one that was made since at the same address. Box2D puts a new body
-/// at the head of its world's list, a new fixture at the head of its body's, and moves none: what is behind one in the
-/// list was made before it, and only goes when it is destroyed. So `then`, what was behind this one when it was looked
-/// at last, is behind it still or is gone; where it comes later in the list, or there was nothing, this is
-/// another one, made at the same address.
+/// Returns whether a body or fixture is the one that was seen before, and not a new one at the same address. Box2D
+/// inserts a new body at the head of the world's list, and a new fixture at the head of its body's list, and never
+/// reorders them. So the successor of an item is older than the item and stays its successor until it is destroyed.
+/// `then` is the successor that was seen before. If it is not directly behind the item now, it must be gone; if it is
+/// still in the list behind the item, or if there was none, the item is a new one.
 ///
-/// Not recognised is what takes the place of one that had nothing newer before it in the list, and of one that goes
-/// together with the next, if that is made anew after it. O(1), unless what was behind it is gone. `then` is compared
-/// and never looked through.
+/// The function cannot detect the replacement of the newest item of a list, nor of an item that is destroyed together
+/// with its successor if that is created anew after it. O(1), unless the former successor is gone. `then` is compared
+/// but never dereferenced.
 template <typename Item>
 bool is_still_there(const Item& item, const Item* then) {
   const Item* behind = item.GetNext();
@@ -23,28 +23,28 @@ bool is_still_there(const Item& item, const Item* then) {
   return behind == nullptr;
 }
 
-/// A body as it was looked at last.
+/// Identifies a body.
 struct SeenBody {
   const b2Body* body = nullptr;    ///< its address
-  const b2Body* behind = nullptr;  ///< that of the next in the world's list
+  const b2Body* behind = nullptr;  ///< address of its successor in the world's list
 
   SeenBody() = default;  ///< none
   /// As it is now.
   explicit SeenBody(const b2Body& seen) : body(&seen), behind(seen.GetNext()) {}
-  /// Whether a body that there is is this one.
+  /// Returns whether an existing body is the identified one.
   bool is(const b2Body& other) const { return body == &other && is_still_there(other, behind); }
 };
 
-/// A fixture as it was looked at last.
+/// Identifies a fixture.
 struct SeenFixture {
   const b2Fixture* fixture = nullptr;  ///< its address
-  const b2Fixture* behind = nullptr;   ///< that of the next of its body
+  const b2Fixture* behind = nullptr;   ///< address of its successor in the body's list
   SeenBody owner;                      ///< its body
 
   SeenFixture() = default;  ///< none
   /// As it is now.
   explicit SeenFixture(const b2Fixture& seen) : fixture(&seen), behind(seen.GetNext()), owner(*seen.GetBody()) {}
-  /// Whether a fixture that there is is this one.
+  /// Returns whether an existing fixture is the identified one.
   bool is(const b2Fixture& other) const {
     return fixture == &other && owner.is(*other.GetBody()) && is_still_there(other, behind);
   }
