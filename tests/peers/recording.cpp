@@ -30,7 +30,7 @@ int points_of(const Plan& plan) {
 Recording read_recording(const std::string& path, const Plan& plan) {
   const std::string bytes = study::content_of(path);
   std::vector<double> numbers(bytes.size() / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
   const std::size_t movers = plan.movers().size();
   const std::size_t row = 1 + 2 * (static_cast<std::size_t>(points_of(plan)) + movers);
   if (numbers.empty() || numbers.size() % row != 0 || bytes.size() % sizeof(double) != 0) {
