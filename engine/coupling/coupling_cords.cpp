@@ -1,4 +1,4 @@
-// What a Coupling tells of a cord of either solver: the one place that knows how to ask each.
+// Functions of Coupling for cords of both solvers: the only place that distinguishes the two.
 
 #include <algorithm>
 
