@@ -14,24 +14,13 @@
 #include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
 #include "tests/study/words.h"
+#include "tests/tradeoff/measure.h"
 
 namespace {
 
 using peers::Contestant;
 using peers::Result;
 using peers::Scene;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return peers::Figures::none;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-double percentile_99(std::vector<double> values) {
-  if (values.empty()) return peers::Figures::none;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(0.99 * static_cast<double>(values.size() - 1))];
-}
 
 std::vector<double> times_of(const peers::Recording& recording) {
   std::vector<double> times;
@@ -56,12 +45,14 @@ void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& co
     const peers::Recording recording = contestant.play(scene, plan);
     runs.takes_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > long_seconds;
     const std::vector<double> times = times_of(recording);
-    runs.medians.push_back(median(times));
-    runs.p99s.push_back(percentile_99(times));
+    runs.medians.push_back(tradeoff::quantile(times, 0.5));
+    runs.p99s.push_back(tradeoff::quantile(times, 0.99));
     if (runs.medians.size() > 1) return;
     runs.result.figures = peers::judge(scene.set_up, plan, recording);
     if (runs.result.figures.blew_up > 0) {
       runs.result.failure = "blew up in tick " + std::to_string(runs.result.figures.blew_up);
+    } else if (recording.size() != static_cast<std::size_t>(plan.ticks)) {
+      runs.result.failure = "ended after " + study::count_of(static_cast<int>(recording.size()), "tick");
     } else if (runs.result.figures.let_through && scene.name == "bridge") {
       runs.result.failure = "let the ball through";
     } else {
@@ -92,8 +83,10 @@ std::vector<Result> play(const Scene& scene, const std::vector<Contestant>& cont
     result.engine = contestants[k].engine;
     result.setting = contestants[k].setting;
     result.group = scene.group;
-    result.cost_us = median(runs[k].medians);
-    result.p99_us = median(runs[k].p99s);
+    if (!runs[k].medians.empty()) {
+      result.cost_us = tradeoff::quantile(runs[k].medians, 0.5);
+      result.p99_us = tradeoff::quantile(runs[k].p99s, 0.5);
+    }
     results.push_back(result);
   }
   return results;

@@ -9,13 +9,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The smallest value that `share` of them do not exceed.
-double quantile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
-
 double microseconds(Clock::duration spent) { return std::chrono::duration<double, std::micro>(spent).count(); }
 
 struct Samples {
@@ -65,6 +58,12 @@ Timing timing_of(const Timed& contestant, const Samples& samples) {
 }
 
 }  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
 
 std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
                                         const std::function<void(double)>& progress) {

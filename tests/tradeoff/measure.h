@@ -28,6 +28,9 @@ struct Timing {
   double worst_us = 0.0;  ///< the dearest tick of a repeat without its rest: each taken as its median over the repeats
 };
 
+/// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.
+double quantile(std::vector<double> values, double share);
+
 /// They take turns, `ticks` at a time, `repeats` times over, so that a slow moment of a shared machine strikes all of
 /// them alike. `progress` is told the share done, 0 … 1.
 std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,

@@ -16,6 +16,7 @@
 #include "tests/support/dice.h"
 #include "tests/support/thesis_scenes.h"
 #include "tests/tradeoff/contact_run.h"
+#include "tests/tradeoff/measure.h"
 #include "tests/tradeoff/scene_lists.h"
 
 namespace tradeoff {
@@ -74,7 +75,7 @@ class Place {
       steps.push_back(microseconds([this] { step(); }));
       worlds.push_back(microseconds([this] { step_world(); }));
     }
-    return {median(steps), median(worlds)};
+    return {quantile(steps, 0.5), quantile(worlds, 0.5)};
   }
 
   /// As many as 10,000 static boxes, a metre apart.
@@ -146,11 +147,6 @@ class Place {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-  }
-  static double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
   }
 
   /// A metre from the next, a hundred in a row.
