@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "ribbon/box2d/convert.h"
@@ -15,6 +16,9 @@ using ribbon::Vec2;
 constexpr double times_way = 4.0;       // that a body goes in a tick by itself, it is looked for from
 constexpr double single_least = 1e-30;  // m
 constexpr int cords_a_part = 64;        // at least, that are one task
+constexpr std::size_t most_cords_a_query = 16;
+constexpr std::size_t few_leaves = 4;    // for each cord of a group: the next group may be larger
+constexpr std::size_t many_leaves = 16;  // for each cord of a group: it is too large
 constexpr int bodies_a_leaf = 30;       // that are gone through in the time in which a leaf of a tree is looked at
 
 bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for what is none
@@ -84,14 +88,13 @@ bool moves(const b2Body& body) {
          !(body.GetLinearVelocity() == b2Vec2_zero && body.GetAngularVelocity() == 0.0F);
 }
 
-/// What Box2D's tree calls with each of its leaves.
+/// Passes each leaf that a query of Box2D's tree finds to a function.
 template <typename Take>
 struct LeafCalls {
   bool QueryCallback(int32 leaf) const {  // NOLINT(readability-identifier-naming): Box2D names it
-    take(leaf);
-    return true;
+    return take(leaf);
   }
-  const Take& take;
+  const Take& take;  // returns whether to go on
 };
 
 }  // namespace
@@ -109,7 +112,7 @@ bool can_be_met(const b2Body& body) {
 
 void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
   if (lookouts_.empty()) lookouts_.emplace_back();
-  lookouts_.front().leaves.reserve(leaves);
+  lookouts_.front().leaves.reserve(std::max(leaves, most_cords_a_query * many_leaves));
   lookouts_.front().further.reserve(leaves);
   by_x_.reserve(cords);
 }
@@ -140,24 +143,51 @@ void NearFinder::find(b2World& world, std::span<const Look> looks, Vec2 gravity,
   }
 }
 
-/// For the looks first … last − 1. It changes nothing but what they find.
+/// For the looks first … last − 1. It changes nothing but what they find. Neighbours in the list are mostly neighbours
+/// in the world, and their queries go the same way down the tree; one query for a group of them costs less than one for
+/// each. Groups grow as long as few leaves are near them, and shrink where there are many. What is found does not
+/// depend on the groups.
 void NearFinder::look_around(Lookout& lookout, std::span<const Look> looks, std::size_t first, std::size_t last) {
   lookout.further.clear();
   lookout.about_each = true;
-  for (std::size_t k = first; k < last; ++k) {
-    const Look& look = looks[k];
-    const b2AABB still = to_aabb(widened(look.reach, times_way * fall_));  // what does not move is met in there
-    const b2AABB range = lookout.about_each ? to_aabb(widened(look.reach, most_way(fall_))) : still;
-    const auto take = [&](int leaf) {
-      if (b2TestOverlap(broad_phase_->GetFatAABB(leaf), still)) {
-        look_at(*broad_phase_, leaf, look, fall_, dt_);
-      } else {
-        lookout.further.emplace_back(k, leaf);
-      }
-    };
-    const LeafCalls<decltype(take)> calls{take};
-    broad_phase_->Query(&calls, range);
+  std::size_t wanted = 1;
+  while (first < last) {
+    const std::size_t size = std::min(wanted, last - first);
+    if (!list_leaves(lookout, looks.subspan(first, size))) {
+      wanted = size / 2;
+      continue;
+    }
+    for (const std::size_t end = first + size; first < end; ++first) look_at_leaves(lookout, looks[first], first);
     lookout.about_each = lookout.further.size() <= most_leaves_;
+    if (lookout.leaves.size() <= size * few_leaves) wanted = std::min(2 * size, most_cords_a_query);
+  }
+}
+
+/// Lists the leaves of the tree near some cords. Stops and returns false if there are many, unless it is for one cord.
+bool NearFinder::list_leaves(Lookout& lookout, std::span<const Look> group) const {
+  Box box = group.front().reach;
+  for (const Look& look : group) box = joined(box, look.reach);
+  const std::size_t most = group.size() == 1 ? std::numeric_limits<std::size_t>::max() : group.size() * many_leaves;
+  lookout.leaves.clear();
+  const auto take = [&](int leaf) {
+    lookout.leaves.push_back({broad_phase_->GetFatAABB(leaf), leaf});
+    return lookout.leaves.size() < most;
+  };
+  const LeafCalls<decltype(take)> calls{take};
+  broad_phase_->Query(&calls, to_aabb(widened(box, lookout.about_each ? most_way(fall_) : times_way * fall_)));
+  return lookout.leaves.size() < most;
+}
+
+/// Looks at those of the listed leaves that are near one cord.
+void NearFinder::look_at_leaves(Lookout& lookout, const Look& look, std::size_t index) const {
+  const b2AABB still = to_aabb(widened(look.reach, times_way * fall_));  // what does not move is met in there
+  const b2AABB range = lookout.about_each ? to_aabb(widened(look.reach, most_way(fall_))) : still;
+  for (const Leaf& leaf : lookout.leaves) {
+    if (b2TestOverlap(leaf.fat, still)) {
+      look_at(*broad_phase_, leaf.proxy, look, fall_, dt_);
+    } else if (b2TestOverlap(leaf.fat, range)) {
+      lookout.further.emplace_back(index, leaf.proxy);
+    }
   }
 }
 

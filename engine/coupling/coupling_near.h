@@ -47,14 +47,21 @@ class NearFinder {
             const ribbon::ParallelFor& parallel_for);
 
  private:
-  /// What one task finds that looks around for some cords.
+  /// A leaf of the broad phase's tree.
+  struct Leaf {
+    b2AABB fat;  // m, its box in the tree
+    int proxy;
+  };
+  /// The memory and the results of one task, which searches for some of the cords.
   struct Lookout {
-    std::vector<int> leaves;                           // of the world's tree, further off from a cord
-    std::vector<std::pair<std::size_t, int>> further;  // the same of all of the cords,
-    bool about_each = true;                            // which were not too many
+    std::vector<Leaf> leaves;                          // near a group of cords
+    std::vector<std::pair<std::size_t, int>> further;  // cord, and leaf that only a moving body brings near it
+    bool about_each = true;                            // there are few enough of them to look at each
   };
 
   void look_around(Lookout& lookout, std::span<const Look> looks, std::size_t first, std::size_t last);
+  bool list_leaves(Lookout& lookout, std::span<const Look> group) const;
+  void look_at_leaves(Lookout& lookout, const Look& look, std::size_t index) const;
   void look_for_what_moves(b2World& world, std::span<const Look> looks);
   void sort_by_x(std::span<const Look> looks);
   void look_from(std::span<const Look> looks, b2Fixture& fixture, int child);
