@@ -13,6 +13,13 @@ class DefinitionError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Reports a call that is not accepted: for an object that does not exist or is of another kind, or at the wrong time.
+/// The message names what was wrong and what is accepted.
+class CallError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
 /// What determines the motion of a point; colours as in Goto 2017, Fig. 4.1.
 enum class PointKind : unsigned char {
   free,         ///< the forces on it (blue)

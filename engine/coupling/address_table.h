@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace engine {
+namespace ribbon::box2d {
 
 /// Maps addresses to indices. It cannot be iterated, so results do not depend on the order of addresses. It keeps its
 /// memory when cleared.
@@ -64,4 +64,4 @@ class AddressTable {
   std::size_t count_ = 0;
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

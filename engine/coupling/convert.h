@@ -4,13 +4,13 @@
 
 #include "ribbon/vec2.h"
 
-namespace engine {
+namespace ribbon::box2d {
 
 // The only conversions between the single precision of Box2D and the double precision of cords.
 
 /// Converts to double precision, exactly.
-inline ribbon::Vec2 to_double(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+inline Vec2 to_double(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 /// Converts to single precision, rounded to the nearest value.
-inline b2Vec2 to_float(ribbon::Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+inline b2Vec2 to_float(Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

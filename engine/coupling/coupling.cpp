@@ -1,151 +1,289 @@
 #include "ribbon/box2d/coupling.h"
 
-#include <string>
 #include <utility>
 
-namespace engine {
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling_parts.h"
+
+namespace ribbon::box2d {
 namespace {
 
-// Room that every cord has from the start, so that the first circle to come near takes no memory.
 constexpr std::size_t usual_bodies = 64;
-constexpr std::size_t usual_grips = 8;
-constexpr std::size_t usual_touches = 16;
+constexpr std::size_t usual_events = 16;
 
-/// What cords know each other by; fixtures are far below.
-std::uint64_t cord_id(std::size_t index) { return (std::uint64_t{1} << 63U) + index; }
+void check_unlocked(const b2World& world) {
+  if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
+}
+
+/// Returns the id by which the direct solver knows a cord. The ids of fixtures are far below.
+std::uint64_t solver_id(CordId cord) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(cord); }
+
+/// Wakes sleeping bodies whose contact with a cord is over because the fixture has moved away, as Box2D does where one
+/// of its contacts ends. `touch` is a contact of the last step.
+void wake_if_it_left(const FixtureTouch& touch, FixtureIds& fixtures, b2World& world) {
+  FixtureIds::Known* const known = fixtures.missed(touch.fixture);
+  if (known == nullptr || known->exists) return;
+  b2Fixture* const fixture = find_fixture(world.GetBodyList(), known->seen_as);
+  if (fixture == nullptr) return;
+  known->exists = true;
+  if (!fixture->GetBody()->IsAwake()) fixture->GetBody()->SetAwake(true);
+}
+
+/// Finds the fixtures that touched a cord in the last step and are no longer near any.
+void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
+  if (!parts.fixtures.misses_some()) return;
+  for (const CoupledCord& cord : parts.cords) {
+    for (const FixtureTouch& touch : cord.touching) wake_if_it_left(touch, parts.fixtures, world);
+  }
+  for (const EndingTouch& ending : parts.touches.ending()) wake_if_it_left(ending.touch, parts.fixtures, world);
+}
+
+/// Gives a body the impulse of cords of the thesis's solver. The cord gets what single precision rounds off.
+void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
+  if (rigid.impulse == Vec2{} && rigid.angular_impulse == 0.0) return;
+  b2Body& body = *entry.body;
+  const Vec2 before = to_double(body.GetLinearVelocity());
+  body.ApplyLinearImpulseToCenter(to_float(rigid.impulse), true);
+  body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
+  const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
+  if (CoupledCord* const cord = cords.find(entry.thesis_cord)) cord->thesis().add_momentum(rigid.impulse - given);
+}
+
+/// Releases the grips that were pulled with more than their strength.
+void release_overloaded(CouplingParts& parts) {
+  for (std::size_t k = 0; k < parts.grips.all().size();) {
+    const BodyGrip& grip = parts.grips.all()[k];
+    if (grip.lets_go && length(grip.pull) > grip.most_pull) {
+      parts.release(grip.id);
+    } else {
+      ++k;
+    }
+  }
+}
 
 }  // namespace
 
-void Coupling::make_room(CoupledCord& coupled) {
-  coupled.circles.reserve(usual_bodies);
-  coupled.segments.reserve(usual_bodies);
-  coupled.near.reserve(usual_bodies);
-  coupled.grips.reserve(usual_grips);
-  coupled.grip_ids.reserve(usual_grips);
-  coupled.touching.reserve(usual_touches);
-  coupled.touched.reserve(usual_touches);
+Coupling::Coupling() : parts_(std::make_unique<CouplingParts>()) {}
+Coupling::Coupling(Coupling&& other) noexcept = default;
+Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
+Coupling::~Coupling() = default;
+
+CordId Coupling::add(Cord cord, const b2Filter& filter) { return add(CoupledCord{std::move(cord), filter}); }
+
+CordId Coupling::add(ThesisCord cord, const b2Filter& filter) { return add(CoupledCord{std::move(cord), filter}); }
+
+CordId Coupling::add(CoupledCord cord) {
+  const CordId id = parts_->cords.add(std::move(cord));
+  parts_->bodies.reserve(usual_bodies);
+  parts_->fixtures.reserve(usual_bodies);
+  parts_->finder.reserve(usual_bodies);
+  parts_->touches.reserve(usual_events);
+  parts_->gatherer.reserve(usual_bodies, cords().size());
+  return id;
 }
 
-CordIndex Coupling::add(ribbon::ThesisCord cord, const b2Filter& filter) {
-  cord.reserve(usual_bodies, usual_bodies, usual_grips);
-  return add(CoupledCord{std::move(cord), filter});
+void Coupling::remove(CordId cord) {
+  parts_->touches.end_all(parts_->cords.at(cord));
+  parts_->release_all(cord);
+  parts_->cords.remove(cord);
 }
 
-CordIndex Coupling::add(ribbon::Cord cord, const b2Filter& filter) {
-  cord.reserve(usual_grips);
-  return add(CoupledCord{std::move(cord), filter});
+std::span<const CordId> Coupling::cords() const { return parts_->cords.ids(); }
+
+GripId Coupling::hold(b2Body& body, const GripDef& def) {
+  const CoupledCord& cord = parts_->cords.enabled(def.cord);
+  check_unlocked(*body.GetWorld());
+  parts_->enter(*body.GetWorld());
+  parts_->forget_predecessor(body);
+  return parts_->grips.add(body, def, cord);
 }
 
-CordIndex Coupling::add(CoupledCord coupled) {
-  make_room(coupled);
-  cords_.push_back(std::move(coupled));
-  gathered_.reserve(usual_bodies);
-  rigid_.reserve(usual_bodies);
-  touch_events_.reserve(usual_touches);
-  body_places_.reserve(usual_bodies);
-  fixture_ids_.reserve(usual_bodies);
-  new_fixtures_.reserve(usual_bodies);
-  new_bodies_.reserve(usual_bodies);
-  wanted_.reserve(usual_bodies);
-  near_finder_.reserve(usual_bodies, cords_.size());
-  looks_.reserve(cords_.size());
-  return size() - 1;
+GripId Coupling::hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor) {
+  GripDef def;
+  def.cord = cord;
+  def.point = point;
+  def.local_anchor = local_anchor;
+  return hold(body, def);
 }
 
-void Coupling::replace(CordIndex index, ribbon::Cord cord, const b2Filter& filter) {
-  check_cord(index);
-  if (solver(index) != Solver::direct) {
-    throw ribbon::DefinitionError("cord " + std::to_string(index) +
-                                  " is of the thesis's solver; accepted is one of the direct solver");
+bool Coupling::release(b2Body& body) {
+  if (!held_by(body)) return false;
+  body.SetAwake(true);
+  parts_->carry.release(body);
+  parts_->grips.forget(body);
+  return true;
+}
+
+std::optional<GripId> Coupling::first_grip(const b2Body& body) const {
+  const BodyGrip* const held = parts_->grips.first_of(body);
+  return held != nullptr ? std::optional(held->id) : std::nullopt;
+}
+
+std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
+  const BodyGrip* const held = parts_->grips.first_of(body);
+  if (held == nullptr) return std::nullopt;
+  return CordPoint{held->cord, held->point, 0.0, held->along};
+}
+
+void Coupling::tick(b2World& world, double dt, int velocity_iterations, int position_iterations) {
+  gather(world, dt);
+  step();
+  apply();
+  world.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
+}
+
+void Coupling::gather(b2World& world, double dt) {
+  CouplingParts& parts = *parts_;
+  check_unlocked(world);
+  if (parts.phase == TickPhase::stepped) throw CallError("gather follows step; accepted is gather, step, apply");
+  check_step(dt, to_double(world.GetGravity()));
+  parts.conditions = {to_double(world.GetGravity()), dt};
+  parts.bodies.clear();
+  parts.fixtures.begin_tick();
+  parts.enter(world);
+  if (!parts.finder.trusts_forget()) parts.grips.forget_gone(parts.finder);
+  parts.grips.drop_unable();
+  parts.gatherer.find_fixtures(world, parts.conditions, parts.cords, parts.fixtures, parts.parallel_for);
+  const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
+  for (CoupledCord& cord : parts.cords) {
+    cord.clear_environment();
+    Gatherer::add_shapes_of(cord, parts.conditions, index_of);
   }
-  let_go_of(index);
-  cord.reserve(usual_grips);
-  CoupledCord coupled{std::move(cord), filter};
-  make_room(coupled);
-  coupled.touching = cords_[at(index)].touching;
-  cords_[at(index)] = std::move(coupled);
-}
-
-void Coupling::set_enabled(CordIndex index, bool enabled) {
-  check_cord(index);
-  CoupledCord& coupled = cords_[at(index)];
-  coupled.enabled = enabled;
-  if (enabled) return;
-  let_go_of(index);
-  coupled.direct_report = {};
-  coupled.direct_error = 0.0;
-  coupled.report = {};
+  parts.grips.gather(parts.cords, dt, [&](b2Body& body) {
+    const int index = index_of(body);
+    parts.bodies.entries[static_cast<std::size_t>(index)].holds = true;
+    return index;
+  });
+  const auto is_gathered = [&parts](const SeenBody& seen) {
+    const b2Body* const body = parts.bodies.find(seen.body);
+    return body != nullptr && seen.is(*body);
+  };
+  parts.carry.release_unless(is_gathered, parts.finder);
+  find_fixtures_that_left(parts, world);
+  parts.phase = TickPhase::gathered;
 }
 
 void Coupling::step() {
-  for (CordIndex c = 0; c < size(); ++c) {
-    CoupledCord& coupled = cords_[at(c)];
-    auto* thesis = std::get_if<ribbon::ThesisCord>(&coupled.cord);
-    if (thesis == nullptr || !coupled.enabled) continue;
-    coupled.report = thesis->step(dt_, gravity_, {rigid_, coupled.circles, coupled.grips});
-    coupled.total += coupled.report;
-    for (const ribbon::RigidCircle& circle : coupled.circles) gathered_[at(circle.body)].met = c;
-    for (const ribbon::Grip& grip : coupled.grips) gathered_[at(grip.body)].met = c;
+  if (parts_->phase != TickPhase::gathered) {
+    throw CallError("step does not follow gather; accepted is gather, step, apply");
   }
-  for (std::size_t b = 0; b < gathered_.size(); ++b) {
-    if (gathered_[b].met >= 0) rigid_[b].may_sleep = false;  // one of the thesis's does not rest
-  }
+  step_thesis();
   step_direct();
+  parts_->grips.follow(parts_->cords);
+  parts_->touches.find_events(parts_->cords, parts_->fixtures);
+  parts_->phase = TickPhase::stepped;
+}
+
+void Coupling::step_thesis() {
+  CouplingParts& parts = *parts_;
+  for (CoupledCord& cord : parts.cords) {
+    if (cord.is_direct() || !cord.enabled) continue;
+    const Surroundings met{parts.bodies.rigid, cord.circles, cord.grips};
+    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, met);
+    cord.thesis_total += cord.thesis_report;
+    const auto touches = [&](int body) {
+      parts.bodies.entries[static_cast<std::size_t>(body)].thesis_cord = cord.id;
+      parts.bodies.rigid[static_cast<std::size_t>(body)].may_sleep = false;  // cords of this solver do not sleep
+    };
+    for (const RigidCircle& circle : cord.circles) touches(circle.body);
+    for (const Grip& grip : cord.grips) touches(grip.body);
+  }
 }
 
 void Coupling::step_direct() {
-  direct_cords_.clear();
-  for (CordIndex c = 0; c < size(); ++c) {
-    CoupledCord& coupled = cords_[at(c)];
-    auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
-    if (direct == nullptr || !coupled.enabled) continue;
-    direct_cords_.push_back({direct, {rigid_, coupled.circles, coupled.grips, coupled.segments}, cord_id(at(c))});
+  CouplingParts& parts = *parts_;
+  const auto& [gravity, dt] = parts.conditions;
+  std::vector<RigidBody>& bodies = parts.bodies.rigid;
+  parts.island_cords.clear();
+  for (CoupledCord& cord : parts.cords) {
+    if (!cord.is_direct() || !cord.enabled) continue;
+    const Surroundings met{bodies, cord.circles, cord.grips, cord.segments};
+    parts.island_cords.push_back({&cord.direct(), met, solver_id(cord.id)});
   }
-  direct_reports_.resize(direct_cords_.size());
-  if (probe_) probe_->foresee(direct_cords_, rigid_, dt_, gravity_);
-  const SolverInput input{direct_cords_, rigid_, dt_, gravity_};
-  if (watcher_ != nullptr) watcher_->before(input);
-  direct_solver_.step(direct_cords_, rigid_, dt_, gravity_, direct_reports_);
-  if (watcher_ != nullptr) watcher_->after(input, direct_reports_, direct_solver_.total());
+  parts.reports.resize(parts.island_cords.size());
+  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity);
+  const SolverInput input{parts.island_cords, bodies, dt, gravity};
+  if (parts.watcher != nullptr) parts.watcher->before(input);
+  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
+  if (parts.watcher != nullptr) parts.watcher->after(input, parts.reports, parts.solver.total());
   std::size_t k = 0;
-  for (CoupledCord& coupled : cords_) {
-    const auto* direct = std::get_if<ribbon::Cord>(&coupled.cord);
-    if (direct == nullptr || !coupled.enabled) continue;
-    if (probe_) coupled.direct_error = probe_->error(k, *direct);
-    coupled.direct_report = direct_reports_[k++];
-    if (!direct->is_asleep()) coupled.direct_total += coupled.direct_report;
+  for (CoupledCord& cord : parts.cords) {
+    if (!cord.is_direct() || !cord.enabled) continue;
+    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
+    cord.island_report = parts.reports[k++];
+    if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
   }
-  follow_grips();
-  find_touch_events();
-}
-
-void Coupling::use(const ribbon::ParallelFor& parallel_for) {
-  ribbon::check(parallel_for);
-  parallel_for_ = parallel_for;
-  direct_solver_.use(parallel_for);
-}
-
-void Coupling::estimate_errors(bool wanted) {
-  if (wanted == estimates_errors()) return;
-  probe_.reset();
-  if (wanted) probe_.emplace();
-  for (CoupledCord& coupled : cords_) coupled.direct_error = 0.0;
 }
 
 void Coupling::apply() {
-  for (std::size_t b = 0; b < gathered_.size(); ++b) {
-    if (gathered_[b].body == nullptr || rigid_[b].inverse_mass == 0.0) continue;
-    b2Body& body = *gathered_[b].body;
-    if (rigid_[b].rests) {
-      lay_to_rest(body);
-    } else if (rigid_[b].met || (gathered_[b].holds && holder(body) != nullptr)) {
-      lead(body, rigid_[b]);
+  CouplingParts& parts = *parts_;
+  if (parts.phase != TickPhase::stepped) {
+    throw CallError("apply does not follow step; accepted is gather, step, apply");
+  }
+  for (std::size_t b = 0; b < parts.bodies.entries.size(); ++b) {
+    const TickBody& entry = parts.bodies.entries[b];
+    const RigidBody& rigid = parts.bodies.rigid[b];
+    if (entry.body == nullptr || rigid.inverse_mass == 0.0) continue;
+    if (rigid.rests) {
+      parts.carry.put_to_sleep(*entry.body, parts.conditions.dt);
+    } else if (rigid.met || (entry.holds && parts.grips.first_of(*entry.body) != nullptr)) {
+      parts.carry.drive(*entry.body, rigid, parts.conditions);
     } else {
-      let_run(body);
-      if (gathered_[b].met >= 0) push(gathered_[b], rigid_[b]);
+      parts.carry.release(*entry.body);
+      if (entry.thesis_cord >= 0) push(entry, rigid, parts.cords);
     }
   }
-  let_go_who_must();
+  release_overloaded(parts);
+  parts.phase = TickPhase::between_ticks;
 }
 
-}  // namespace engine
+void Coupling::use(const ParallelFor& parallel_for) {
+  check(parallel_for);
+  parts_->parallel_for = parallel_for;
+  parts_->solver.use(parallel_for);
+}
+
+const CordReport& Coupling::tick_report() const { return parts_->solver.total(); }
+int Coupling::islands() const { return parts_->solver.islands(); }
+
+void Coupling::estimate_errors(bool wanted) {
+  if (wanted == estimates_errors()) return;
+  parts_->probe.reset();
+  if (wanted) parts_->probe.emplace();
+  for (CoupledCord& cord : parts_->cords) cord.error = 0.0;
+}
+
+bool Coupling::estimates_errors() const { return parts_->probe.has_value(); }
+void Coupling::watch(StepWatcher* watcher) { parts_->watcher = watcher; }
+std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
+const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
+
+const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) const {
+  const FixtureIds::Known* const known = parts_->fixtures.known(number);
+  if (known == nullptr || !known->exists) return nullptr;
+  return find_fixture(const_cast<b2Body*>(world.GetBodyList()), known->seen_as);
+}
+
+Vec2 Coupling::velocity(const b2Body& body) const { return parts_->carry.velocity(body); }
+double Coupling::angular_velocity(const b2Body& body) const { return parts_->carry.angular_velocity(body); }
+
+void Coupling::forget(const b2Body& body) {
+  parts_->grips.forget(body);
+  parts_->carry.forget(body);
+  parts_->bodies.forget(body);
+  for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) forget(*f);
+}
+
+void Coupling::forget(const b2Fixture& fixture) {
+  parts_->fixtures.forget(fixture);
+  parts_->touches.forget(fixture);
+}
+
+void Coupling::destroy(b2World& world, b2Body& body) {
+  forget(body);
+  world.DestroyBody(&body);
+}
+
+void Coupling::trust_forget(bool trusted) { parts_->finder.trust_forget(trusted); }
+
+}  // namespace ribbon::box2d

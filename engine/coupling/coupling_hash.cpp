@@ -1,10 +1,10 @@
-// The hash of a coupling's state. Everything is named, one and all: what is new in a state does not compile until it is
+// The hash of a coupling's state. Structured bindings name every field, so a new field does not compile until it is
 // added here.
 
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/state_hash.h"
 
-namespace engine {
+namespace ribbon::box2d {
 namespace {
 
 void add(Hasher& hasher, const FixtureTouch& touch) {
@@ -21,15 +21,15 @@ void add(Hasher& hasher, b2Vec2 v) {
   hasher.add(v.y);
 }
 
-/// What tells runs apart: the rest of a report follows from the same steps.
-void add(Hasher& hasher, const ribbon::CordReport& report) {
+/// Adds the counts that differ if two runs differ.
+void add(Hasher& hasher, const CordReport& report) {
   for (const int count : {report.stages, report.iterations, report.searches, report.fallbacks, report.energy_gains,
                           report.halvings, report.impacts, report.unlocked, report.unconverged}) {
     hasher.add(count);
   }
 }
 
-void add(Hasher& hasher, const ribbon::StepReport& report) {
+void add(Hasher& hasher, const StepReport& report) {
   const auto& [fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns, strained_bars, turned_over,
                energy_gains] = report;
   for (const int count : {fem_skipped, motion_limited, self_contacts, circle_contacts, tangled_columns, strained_bars,
@@ -39,37 +39,39 @@ void add(Hasher& hasher, const ribbon::StepReport& report) {
 }
 
 void add(Hasher& hasher, const CouplingState::Cord& cord) {
-  const auto& [state, enabled, direct_report, direct_total, direct_error, report, total, touching] = cord;
+  const auto& [id, state, enabled, island_report, island_total, error, thesis_report, thesis_total, touching] = cord;
+  (void)id;  // see add_ids
   hasher.add(state.index());
   std::visit([&](const auto& of_solver) { add_to(hasher, of_solver); }, state);
   hasher.add(enabled);
-  add(hasher, direct_report);
-  add(hasher, direct_total);
-  hasher.add(direct_error);
-  add(hasher, report);
-  add(hasher, total);
+  add(hasher, island_report);
+  add(hasher, island_total);
+  hasher.add(error);
+  add(hasher, thesis_report);
+  add(hasher, thesis_total);
   hasher.add(touching.size());
   for (const FixtureTouch& touch : touching) add(hasher, touch);
 }
 
 void add(Hasher& hasher, const CouplingState::Grip& grip) {
-  const auto& [id, cord, point, local_hand, next_hand, along, strength, lets_go, most_pull, climb_to, climb_speed, pull,
-               slips, held_up] = grip.memory;
+  const auto& [id, cord, point, local_anchor, next_anchor, along, strength, lets_go, most_pull, climb_to, climb_speed,
+               pull, slips, blocked] = grip.memory;
   for (const int number : {grip.body, id, cord, point}) hasher.add(number);
-  add(hasher, local_hand);
-  add(hasher, next_hand);
+  add(hasher, local_anchor);
+  add(hasher, next_anchor);
   for (const double number : {along, strength, most_pull, climb_to, climb_speed}) hasher.add(number);
   hasher.add(pull);
   hasher.add(lets_go);
   hasher.add(slips);
-  hasher.add(held_up);
+  hasher.add(blocked);
 }
 
-void add(Hasher& hasher, const CouplingState::Led& led) {
-  const auto& [ahead, ahead_turning, position, velocity, turning, start, dt, pushed, expected_push] = led.memory;
-  hasher.add(led.body);
-  for (const ribbon::Vec2 v : {ahead, position, velocity, start, pushed, expected_push}) hasher.add(v);
-  for (const double number : {ahead_turning, turning, dt}) hasher.add(number);
+void add(Hasher& hasher, const CouplingState::Carry& carried) {
+  const auto& [carry, angular_carry, position, velocity, angular_velocity, start, dt, contact_delta_v,
+               expected_delta_v] = carried.memory;
+  hasher.add(carried.body);
+  for (const Vec2 v : {carry, position, velocity, start, contact_delta_v, expected_delta_v}) hasher.add(v);
+  for (const double number : {angular_carry, angular_velocity, dt}) hasher.add(number);
 }
 
 void add(Hasher& hasher, const CouplingState::Fixture& known) {
@@ -90,7 +92,13 @@ void add(Hasher& hasher, const CouplingState::Event& event) {
   hasher.add(normal);
 }
 
-/// How many there are, and all of them: one empty list more must not look like another one's end.
+void add(Hasher& hasher, const EndingTouch& ending) {
+  const auto& [cord, touch] = ending;
+  hasher.add(cord);
+  add(hasher, touch);
+}
+
+/// Adds the number of values too, so that lists with different boundaries have different hashes.
 template <typename T>
 void add_all(Hasher& hasher, const std::vector<T>& values) {
   hasher.add(values.size());
@@ -103,34 +111,49 @@ void add_all(Hasher& hasher, const std::vector<T>& values) {
   }
 }
 
+/// Adds the ids of the cords and the contacts that are about to end. As long as no cord has been removed they follow
+/// from the number of cords and are left out: so the hash is that of versions without ids.
+void add_ids(Hasher& hasher, const CouplingState& state) {
+  CordId expected = 0;
+  bool is_removed = false;
+  for (const CouplingState::Cord& cord : state.cords) is_removed = is_removed || cord.id != expected++;
+  if (!is_removed && state.next_cord == expected && state.ending.empty()) return;
+  for (const CouplingState::Cord& cord : state.cords) hasher.add(cord.id);
+  hasher.add(state.next_cord);
+  add_all(hasher, state.ending);
+}
+
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, cords, grips, next_grip, led, fixtures, next_fixture, events] = state;
+  const auto& [bodies, next_cord, cords, grips, next_grip, carries, fixtures, next_fixture, events, ending] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
   hasher.add(next_grip);
-  add_all(hasher, led);
+  add_all(hasher, carries);
   add_all(hasher, fixtures);
   hasher.add(next_fixture);
   add_all(hasher, events);
+  (void)next_cord;
+  (void)ending;
+  add_ids(hasher, state);
 }
 
-void add_to(Hasher& hasher, const ribbon::ThesisCord::State& state) {
+void add_to(Hasher& hasher, const ThesisCord::State& state) {
   const auto& [positions, velocities, targets, kinds] = state;
   for (const auto* vectors : {&positions, &velocities, &targets}) add_all(hasher, *vectors);
-  for (const ribbon::PointKind kind : kinds) hasher.add(static_cast<int>(kind));
+  for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
 }
 
-void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
+void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
                rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested,
                asleep, still_among] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
-  for (const ribbon::PointKind kind : kinds) hasher.add(static_cast<int>(kind));
+  for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
   for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {
     hasher.add(point);
@@ -161,4 +184,4 @@ void add_to(Hasher& hasher, const ribbon::Cord::State& state) {
   hasher.add(still_among);
 }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

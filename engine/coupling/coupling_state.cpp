@@ -1,4 +1,4 @@
-// A coupling's state: taken, looked at, and taken up again.
+// Saving, checking and restoring the state of a Coupling.
 
 #include "ribbon/box2d/coupling_state.h"
 
@@ -9,16 +9,14 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/coupling_parts.h"
 
-namespace engine {
+namespace ribbon::box2d {
 namespace {
 
-using ribbon::DefinitionError;
-using ribbon::Vec2;
-
 constexpr double most = std::numeric_limits<double>::max();
-constexpr double most_single = 1e30;  // of what becomes single precision
-constexpr double most_number = 1e12;  // of fixtures, so that numbers of their corners fit into 63 bits
+constexpr double most_single = 1e30;  // limit of values that become single precision
+constexpr double most_number = 1e12;  // limit of fixture numbers: ids of their corners must fit into 63 bits
 
 std::vector<b2Body*> bodies_of(b2Body* newest) {
   std::vector<b2Body*> bodies;
@@ -36,16 +34,16 @@ std::vector<const b2Fixture*> fixtures_of(const b2Body& body) {
 
 void check_vectors(const char* field, std::initializer_list<Vec2> vectors, double limit) {
   for (const Vec2 v : vectors) {
-    ribbon::check_range(field, v.x, -limit, limit);
-    ribbon::check_range(field, v.y, -limit, limit);
+    check_range(field, v.x, -limit, limit);
+    check_range(field, v.y, -limit, limit);
   }
 }
 
 void check_body(const char* field, int body, const std::vector<b2Body*>& bodies) {
-  ribbon::check_range(field, body, 0, static_cast<double>(bodies.size()) - 1.0);
+  check_range(field, body, 0, static_cast<double>(bodies.size()) - 1.0);
 }
 
-/// That a list rises by `key`.
+/// Throws DefinitionError unless a list is ascending by `key`.
 template <typename List, typename Key>
 void check_order(const char* field, const List& list, Key key) {
   const auto falls = [&](const auto& a, const auto& b) { return !(key(a) < key(b)); };
@@ -54,51 +52,191 @@ void check_order(const char* field, const List& list, Key key) {
 }
 
 void check_fixtures(const CouplingState& state, const std::vector<b2Body*>& bodies) {
-  ribbon::check_range("state.next_fixture", static_cast<double>(state.next_fixture), 1, most_number);
+  check_range("state.next_fixture", static_cast<double>(state.next_fixture), 1, most_number);
   check_order("state.fixtures", state.fixtures, [](const auto& known) { return known.id; });
   std::vector<std::pair<int, int>> places;
   for (const CouplingState::Fixture& known : state.fixtures) {
-    ribbon::check_range("state.fixtures.id", static_cast<double>(known.id), 1,
-                        static_cast<double>(state.next_fixture) - 1.0);
+    check_range("state.fixtures.id", static_cast<double>(known.id), 1, static_cast<double>(state.next_fixture) - 1.0);
     check_body("state.fixtures.body", known.body, bodies);
     const auto count = fixtures_of(*bodies[static_cast<std::size_t>(known.body)]).size();
-    ribbon::check_range("state.fixtures.place", known.place, 0, static_cast<double>(count) - 1.0);
+    check_range("state.fixtures.place", known.place, 0, static_cast<double>(count) - 1.0);
     places.emplace_back(known.body, known.place);
   }
   std::sort(places.begin(), places.end());
   check_order("state.fixtures.place", places, [](const auto& place) { return place; });
 }
 
-void check_touches(const std::vector<FixtureTouch>& touches, std::uint64_t next) {
-  check_order("state.cords.touching", touches, [](const FixtureTouch& touch) { return touch.fixture; });
-  for (const FixtureTouch& touch : touches) {
-    ribbon::check_range("state.cords.touching.fixture", static_cast<double>(touch.fixture), 1,
-                        static_cast<double>(next) - 1.0);
-    ribbon::check_range("state.cords.touching.impulse", touch.impulse, -most, most);
-    ribbon::check_range("state.cords.touching.most", touch.most, -most, most);
-    check_vectors("state.cords.touching", {touch.point, touch.normal}, most);
-  }
+void check_touch(const std::string& field, const FixtureTouch& touch, std::uint64_t next) {
+  check_range((field + ".fixture").c_str(), static_cast<double>(touch.fixture), 1, static_cast<double>(next) - 1.0);
+  check_range((field + ".impulse").c_str(), touch.impulse, -most, most);
+  check_range((field + ".most").c_str(), touch.most, -most, most);
+  check_vectors(field.c_str(), {touch.point, touch.normal}, most);
+}
+
+void check_touches(const char* field, const std::vector<FixtureTouch>& touches, std::uint64_t next) {
+  check_order(field, touches, [](const FixtureTouch& touch) { return touch.fixture; });
+  for (const FixtureTouch& touch : touches) check_touch(field, touch, next);
 }
 
 void check_memory(const GripMemory& grip, const CordShape& shape, bool is_direct) {
-  ribbon::check_range("state.grips.point", grip.point, 0, shape.columns * shape.rows - 1);
-  ribbon::check_coordinates("state.grips.local_hand", to_double(grip.local_hand));
-  ribbon::check_coordinates("state.grips.next_hand", to_double(grip.next_hand));
+  check_range("state.grips.point", grip.point, 0, shape.columns * shape.rows - 1);
+  check_coordinates("state.grips.local_anchor", to_double(grip.local_anchor));
+  check_coordinates("state.grips.next_anchor", to_double(grip.next_anchor));
   const bool between = is_direct && grip.point / shape.rows + 1 < shape.columns;
-  ribbon::check_range("state.grips.along", grip.along, 0.0, between ? 1.0 : 0.0);
-  if (!(grip.strength >= 0.0)) ribbon::refuse("state.grips.strength", grip.strength, "0 or more");
-  if (!(grip.most_pull >= 0.0)) ribbon::refuse("state.grips.most_pull", grip.most_pull, "0 or more");
-  ribbon::check_range("state.grips.climb_to", grip.climb_to, -1.0, is_direct ? shape.columns - 1.0 : -1.0);
-  ribbon::check_range("state.grips.climb_speed", grip.climb_speed, 0.0, most);
+  check_range("state.grips.along", grip.along, 0.0, between ? 1.0 : 0.0);
+  if (!(grip.strength >= 0.0)) refuse("state.grips.strength", grip.strength, "0 or more");
+  if (!(grip.most_pull >= 0.0)) refuse("state.grips.most_pull", grip.most_pull, "0 or more");
+  check_range("state.grips.climb_to", grip.climb_to, -1.0, is_direct ? shape.columns - 1.0 : -1.0);
+  check_range("state.grips.climb_speed", grip.climb_speed, 0.0, most);
   check_vectors("state.grips.pull", {grip.pull}, most);
 }
 
-void check_memory(const LedMemory& led) {
-  check_vectors("state.led.ahead", {led.ahead}, LedMemory::most_ahead);
-  check_vectors("state.led", {led.position, led.velocity, led.start, led.pushed, led.expected_push}, most_single);
-  ribbon::check_range("state.led.ahead_turning", led.ahead_turning, -LedMemory::most_ahead, LedMemory::most_ahead);
-  ribbon::check_range("state.led.turning", led.turning, -most_single, most_single);
-  ribbon::check_range("state.led.dt", led.dt, 0.0, 1.0);
+void check_memory(const CarryState& carry) {
+  check_vectors("state.carries.carry", {carry.carry}, CarryState::max_carry);
+  check_vectors("state.carries",
+                {carry.position, carry.velocity, carry.start, carry.contact_delta_v, carry.expected_delta_v},
+                most_single);
+  check_range("state.carries.angular_carry", carry.angular_carry, -CarryState::max_carry, CarryState::max_carry);
+  check_range("state.carries.angular_velocity", carry.angular_velocity, -most_single, most_single);
+  check_range("state.carries.dt", carry.dt, 0.0, 1.0);
+}
+
+/// Checks the states of the cords of a coupling, which must be the same as when the state was saved.
+void check_cords(const CouplingState& state, const CordTable& cords) {
+  if (state.cords.size() != cords.ids().size()) {
+    throw DefinitionError("state is of " + std::to_string(state.cords.size()) + " cords; accepted is one of " +
+                          std::to_string(cords.size()));
+  }
+  check_range("state.next_cord", state.next_cord, 0, std::numeric_limits<int>::max());
+  auto saved = state.cords.begin();
+  for (const CoupledCord& cord : cords) {
+    const CouplingState::Cord& from = *saved++;
+    if (from.id != cord.id) {
+      throw DefinitionError("state has cord " + std::to_string(from.id) + " where the coupling has cord " +
+                            std::to_string(cord.id) + "; accepted is a state of the same cords");
+    }
+    check_range("state.cords.id", from.id, 0, state.next_cord - 1);
+    if (from.state.index() != cord.cord.index()) {
+      throw DefinitionError("state of cord " + std::to_string(cord.id) + " is of another solver; accepted is " +
+                            std::string(solver_name(cord.solver())));
+    }
+    if (cord.is_direct()) {
+      cord.direct().check_state(std::get<Cord::State>(from.state));
+    } else {
+      cord.thesis().check_state(std::get<ThesisCord::State>(from.state));
+    }
+    check_range("state.cords.error", from.error, 0.0, most);
+    check_touches("state.cords.touching", from.touching, state.next_fixture);
+  }
+}
+
+void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords) {
+  check_range("state.next_grip", state.next_grip, 1, std::numeric_limits<int>::max());
+  for (const CouplingState::Grip& grip : state.grips) {
+    check_body("state.grips.body", grip.body, bodies);
+    const auto held = std::find_if(state.cords.begin(), state.cords.end(),
+                                   [&](const CouplingState::Cord& cord) { return cord.id == grip.memory.cord; });
+    if (held == state.cords.end() || !held->enabled) {
+      throw DefinitionError("state.grips.cord is " + std::to_string(grip.memory.cord) +
+                            "; accepted is the id of an enabled cord");
+    }
+    check_range("state.grips.id", grip.memory.id, 1, state.next_grip - 1);
+    const CoupledCord& cord = cords.at(grip.memory.cord);
+    check_memory(grip.memory, cord.shape(), cord.is_direct());
+  }
+  check_order("state.grips.id", state.grips, [](const CouplingState::Grip& grip) { return grip.memory.id; });
+}
+
+void check_carries(const CouplingState& state, const std::vector<b2Body*>& bodies) {
+  check_order("state.carries.body", state.carries, [](const CouplingState::Carry& carry) { return carry.body; });
+  for (const CouplingState::Carry& carry : state.carries) {
+    check_body("state.carries.body", carry.body, bodies);
+    check_memory(carry.memory);
+  }
+}
+
+void check_events(const CouplingState& state) {
+  for (const CouplingState::Event& event : state.events) {
+    check_range("state.events.cord", event.cord, 0, state.next_cord - 1);
+    check_range("state.events.fixture", static_cast<double>(event.fixture), 0,
+                static_cast<double>(state.next_fixture) - 1.0);
+    check_range("state.events.impulse", event.impulse, -most, most);
+    check_vectors("state.events", {event.point, event.normal}, most);
+  }
+  check_order("state.ending", state.ending,
+              [](const EndingTouch& ending) { return std::pair(ending.cord, ending.touch.fixture); });
+  for (const EndingTouch& ending : state.ending) {
+    check_range("state.ending.cord", ending.cord, 0, state.next_cord - 1);
+    check_touch("state.ending.touch", ending.touch, state.next_fixture);
+  }
+}
+
+void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords) {
+  if (state.bodies != static_cast<int>(bodies.size())) {
+    throw DefinitionError("state is of a world of " + std::to_string(state.bodies) + " bodies; accepted is one of " +
+                          std::to_string(bodies.size()));
+  }
+  check_fixtures(state, bodies);
+  check_cords(state, cords);
+  check_grips(state, bodies, cords);
+  check_carries(state, bodies);
+  check_events(state);
+}
+
+CouplingState::Cord saved_cord(const CoupledCord& coupled) {
+  CouplingState::Cord saved;
+  saved.id = coupled.id;
+  std::visit([&](const auto& of_solver) { saved.state = of_solver.save(); }, coupled.cord);
+  saved.enabled = coupled.enabled;
+  saved.island_report = coupled.island_report;
+  saved.island_total = coupled.island_total;
+  saved.error = coupled.error;
+  saved.thesis_report = coupled.thesis_report;
+  saved.thesis_total = coupled.thesis_total;
+  saved.touching = coupled.touching;
+  return saved;
+}
+
+void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
+  if (to.is_direct()) {
+    to.direct().restore(std::get<Cord::State>(from.state));
+  } else {
+    to.thesis().restore(std::get<ThesisCord::State>(from.state));
+  }
+  to.enabled = from.enabled;
+  to.island_report = from.island_report;
+  to.island_total = from.island_total;
+  to.error = from.error;
+  to.thesis_report = from.thesis_report;
+  to.thesis_total = from.thesis_total;
+  to.touching = from.touching;
+  to.clear_environment();
+}
+
+/// Saves what refers to bodies: grips, carries and fixture numbers. Bodies are named by their place in the order of
+/// creation, so the newest comes first here.
+void save_by_body(const CouplingParts& parts, const b2World& world, CouplingState& state) {
+  const auto grips = parts.grips.all();
+  std::vector<int> places(grips.size(), -1);
+  int body_place = state.bodies;
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    --body_place;
+    for (std::size_t k = 0; k < grips.size(); ++k) {
+      if (grips[k].seen.is(*body)) places[k] = body_place;
+    }
+    if (const CarryState* const found = parts.carry.find(*body)) state.carries.push_back({body_place, *found});
+    int place = 0;
+    for (const b2Fixture* fixture : fixtures_of(*body)) {
+      const auto* known = parts.fixtures.find(*fixture);
+      if (known != nullptr) state.fixtures.push_back({body_place, place, known->id, known->seen});
+      ++place;
+    }
+  }
+  for (std::size_t k = 0; k < grips.size(); ++k) {
+    if (places[k] >= 0) state.grips.push_back({places[k], grips[k]});
+  }
+  std::reverse(state.carries.begin(), state.carries.end());
+  std::sort(state.fixtures.begin(), state.fixtures.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
 }
 
 }  // namespace
@@ -106,154 +244,52 @@ void check_memory(const LedMemory& led) {
 CouplingState Coupling::save(const b2World& world) const {
   State state;
   state.bodies = world.GetBodyCount();
-  state.next_grip = next_grip_;
-  state.next_fixture = fixture_ids_.next();
-  for (const CoupledCord& coupled : cords_) {
-    State::Cord cord;
-    std::visit([&](const auto& of_solver) { cord.state = of_solver.save(); }, coupled.cord);
-    cord.enabled = coupled.enabled;
-    cord.direct_report = coupled.direct_report;
-    cord.direct_total = coupled.direct_total;
-    cord.direct_error = coupled.direct_error;
-    cord.report = coupled.report;
-    cord.total = coupled.total;
-    cord.touching = coupled.touching;
-    state.cords.push_back(std::move(cord));
-  }
-  std::vector<int> places(holders_.size(), -1);
-  int body_place = state.bodies;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    --body_place;
-    for (std::size_t k = 0; k < holders_.size(); ++k) {
-      if (holders_[k].seen.is(*body)) places[k] = body_place;
-    }
-    if (const LedBody* found = led(*body)) state.led.push_back({body_place, *found});
-    int place = 0;
-    for (const b2Fixture* fixture : fixtures_of(*body)) {
-      const auto* known = fixture_ids_.find(*fixture);
-      if (known != nullptr) state.fixtures.push_back({body_place, place, known->id, known->seen});
-      ++place;
-    }
-  }
-  for (std::size_t k = 0; k < holders_.size(); ++k) {
-    if (places[k] >= 0) state.grips.push_back({places[k], holders_[k]});
-  }
-  std::reverse(state.led.begin(), state.led.end());
-  std::sort(state.fixtures.begin(), state.fixtures.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  for (const TouchEvent& event : touch_events_) {
-    const bool is_kept_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
-                                             [&event](const auto& kept) { return kept.id == event.number; });
+  state.next_cord = parts_->cords.next();
+  state.next_grip = parts_->grips.next();
+  state.next_fixture = parts_->fixtures.next();
+  for (const CoupledCord& cord : std::as_const(parts_->cords)) state.cords.push_back(saved_cord(cord));
+  save_by_body(*parts_, world, state);
+  for (const TouchEvent& event : touch_events()) {
+    const bool is_saved_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
+                                              [&event](const auto& saved) { return saved.id == event.number; });
     state.events.push_back(
-        {event.cord, event.begins, is_kept_fixture ? event.number : 0, event.impulse, event.point, event.normal});
+        {event.cord, event.begins, is_saved_fixture ? event.number : 0, event.impulse, event.point, event.normal});
   }
+  const auto ending = parts_->touches.ending();
+  state.ending.assign(ending.begin(), ending.end());
   return state;
 }
 
-void Coupling::check_state(const State& state, const std::vector<b2Body*>& bodies) const {
-  if (state.cords.size() != cords_.size()) {
-    throw DefinitionError("state is of " + std::to_string(state.cords.size()) + " cords; accepted is one of " +
-                          std::to_string(size()));
-  }
-  if (state.bodies != static_cast<int>(bodies.size())) {
-    throw DefinitionError("state is of a world of " + std::to_string(state.bodies) + " bodies; accepted is one of " +
-                          std::to_string(bodies.size()));
-  }
-  check_fixtures(state, bodies);
-  for (CordIndex c = 0; c < size(); ++c) {
-    const State::Cord& cord = state.cords[at(c)];
-    if (cord.state.index() != cords_[at(c)].cord.index()) {
-      throw DefinitionError("state of cord " + std::to_string(c) + " is of another solver; accepted is " +
-                            std::string(solver_name(solver(c))));
-    }
-    if (solver(c) == Solver::direct) {
-      this->cord(c).check_state(std::get<ribbon::Cord::State>(cord.state));
-    } else {
-      thesis_cord(c).check_state(std::get<ribbon::ThesisCord::State>(cord.state));
-    }
-    ribbon::check_range("state.cords.direct_error", cord.direct_error, 0.0, most);
-    check_touches(cord.touching, state.next_fixture);
-  }
-  ribbon::check_range("state.next_grip", state.next_grip, 1, std::numeric_limits<int>::max());
-  std::vector<int> numbers;
-  for (const State::Grip& grip : state.grips) {
-    check_body("state.grips.body", grip.body, bodies);
-    ribbon::check_range("state.grips.cord", grip.memory.cord, 0, size() - 1);
-    if (!state.cords[at(grip.memory.cord)].enabled) {
-      throw DefinitionError("state.grips.cord is " + std::to_string(grip.memory.cord) +
-                            ", which is switched off; accepted is one that is enabled");
-    }
-    ribbon::check_range("state.grips.id", grip.memory.id, 1, state.next_grip - 1);
-    check_memory(grip.memory, shape(grip.memory.cord), solver(grip.memory.cord) == Solver::direct);
-    numbers.push_back(grip.memory.id);
-  }
-  check_order("state.grips.id", numbers, [](int id) { return id; });
-  check_order("state.led.body", state.led, [](const State::Led& led) { return led.body; });
-  for (const State::Led& led : state.led) {
-    check_body("state.led.body", led.body, bodies);
-    check_memory(led.memory);
-  }
-  for (const State::Event& event : state.events) {
-    ribbon::check_range("state.events.cord", event.cord, 0, size() - 1);
-    ribbon::check_range("state.events.fixture", static_cast<double>(event.fixture), 0,
-                        static_cast<double>(state.next_fixture) - 1.0);
-    ribbon::check_range("state.events.impulse", event.impulse, -most, most);
-    check_vectors("state.events", {event.point, event.normal}, most);
-  }
-}
-
 void Coupling::restore(const State& state, b2World& world) {
-  if (world.IsLocked()) throw DefinitionError("world is locked; accepted is one that is not inside its Step");
+  if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
   const std::vector<b2Body*> bodies = bodies_of(world.GetBodyList());
-  check_state(state, bodies);
+  CouplingParts& parts = *parts_;
+  check_state(state, bodies, parts.cords);
+  const auto body_at = [&bodies](int place) -> b2Body& { return *bodies[static_cast<std::size_t>(place)]; };
 
-  for (std::size_t c = 0; c < cords_.size(); ++c) {
-    const State::Cord& from = state.cords[c];
-    CoupledCord& to = cords_[c];
-    if (auto* direct = std::get_if<ribbon::Cord>(&to.cord)) {
-      direct->restore(std::get<ribbon::Cord::State>(from.state));
-    } else {
-      std::get<ribbon::ThesisCord>(to.cord).restore(std::get<ribbon::ThesisCord::State>(from.state));
-    }
-    to.enabled = from.enabled;
-    to.direct_report = from.direct_report;
-    to.direct_total = from.direct_total;
-    to.direct_error = from.direct_error;
-    to.report = from.report;
-    to.total = from.total;
-    to.touching = from.touching;
-    to.circles.clear();
-    to.segments.clear();
-    to.grips.clear();
-    to.grip_ids.clear();
-  }
-  gathered_.clear();
-  rigid_.clear();
-  body_places_.clear();
-
-  holders_.clear();
-  for (const State::Grip& grip : state.grips) {
-    b2Body* const body = bodies[at(grip.body)];
-    holders_.push_back({grip.memory, body, SeenBody(*body)});
-  }
-  next_grip_ = state.next_grip;
-  led_.clear();
-  for (const State::Led& led : state.led) {
-    b2Body& body = *bodies[at(led.body)];
-    led_.insert(led_place(body), {led.memory, &body, SeenBody(body)});
-  }
+  auto saved = state.cords.begin();
+  for (CoupledCord& cord : parts.cords) restore_cord(*saved++, cord);
+  parts.cords.continue_from(state.next_cord);
+  parts.phase = TickPhase::between_ticks;
+  parts.bodies.clear();
+  parts.grips.clear(state.next_grip);
+  for (const State::Grip& grip : state.grips) parts.grips.restore(grip.memory, body_at(grip.body));
+  parts.carry.clear();
+  for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
   std::vector<FixtureIds::Known> known;
   for (const State::Fixture& fixture : state.fixtures) {
-    const b2Fixture* const known_fixture = fixtures_of(*bodies[at(fixture.body)])[at(fixture.place)];
-    known.push_back({SeenFixture(*known_fixture), fixture.id, fixture.seen});
+    const auto fixtures = fixtures_of(body_at(fixture.body));
+    known.push_back({SeenFixture(*fixtures[static_cast<std::size_t>(fixture.place)]), fixture.id, fixture.seen});
   }
-  fixture_ids_.restore(std::move(known), state.next_fixture);
-  touch_events_.clear();
+  parts.fixtures.restore(std::move(known), state.next_fixture);
+  std::vector<TouchEvent> events;
   for (const State::Event& event : state.events) {
-    const b2Fixture* const fixture = fixture_ids_.fixture(event.fixture);
-    touch_events_.push_back({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
-                             fixture != nullptr ? event.fixture : 0});
+    const b2Fixture* const fixture = parts.fixtures.fixture(event.fixture);
+    events.push_back({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
+                      fixture != nullptr ? event.fixture : 0});
   }
-  world_ = &world;
+  parts.touches.restore(std::move(events), state.ending);
+  parts.finder.enter(world);
 }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -4,16 +4,17 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "ribbon/vec2.h"
 
 // Parameters and results of Coupling.
 
-namespace engine {
+namespace ribbon::box2d {
 
-/// Index of a cord in its coupling, in the order of adding.
-using CordIndex = int;
+/// Id of a cord in its coupling: 0, 1, 2 … in the order of adding. Ids are never reused.
+using CordId = int;
 
 /// The two solvers.
 enum class Solver : unsigned char {
@@ -33,46 +34,58 @@ struct CordShape {
 
 /// A place on a cord.
 struct CordPoint {
-  CordIndex cord = 0;     ///< index of the cord
+  CordId cord = 0;        ///< the cord
   int point = 0;          ///< index of the point
   double distance = 0.0;  ///< m, from the position of the query
   double along = 0.0;     ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// Number of a grip. Numbers are never reused.
+/// Id of a grip in its coupling: 1, 2, 3 … Ids are never reused.
 using GripId = int;
 
-/// Defines how a body holds a cord of the direct solver.
+/// Defines how a body holds a cord.
 struct GripDef {
-  CordIndex cord = 0;             ///< index of the cord
-  double arc = 0.0;               ///< m of rest length from the first point, 0 … length of the cord
-  int row = 0;                    ///< row of a ribbon
-  b2Vec2 local_hand{0.0F, 0.0F};  ///< anchor in the body's frame
+  CordId cord = 0;                  ///< the cord
+  double arc = 0.0;                 ///< m of rest length from the first point, 0 … length of the cord
+  int row = 0;                      ///< row of a ribbon
+  b2Vec2 local_anchor{0.0F, 0.0F};  ///< m, anchor in the body's frame
   /// N, force along the cord above which the grip of a dynamic body slips.
   double strength = std::numeric_limits<double>::infinity();
   bool lets_go = false;  ///< the grip is released above its strength, in any direction, instead of slipping
+  /// Index of a point to hold, in place of `arc` and `row`. A cord of the thesis's solver is held at points only.
+  std::optional<int> point{};
 };
 
 /// State of a grip.
 struct GripState {
-  CordIndex cord = 0;  ///< index of the cord
+  CordId cord = 0;     ///< the cord
   double arc = 0.0;    ///< m of rest length from the first point
-  ribbon::Vec2 place;  ///< m, position on the cord
-  ribbon::Vec2 pull;   ///< N, force on a dynamic body in the last tick
+  Vec2 place;          ///< m, position on the cord
+  Vec2 pull;           ///< N, force on a dynamic body in the last tick
   bool slips = false;  ///< the grip slipped in the last tick
+  int point = 0;       ///< index of the point that it holds, or of the one before its place
+  double along = 0.0;  ///< position between this point and the one in the next column, 0 … below 1
+};
+
+/// A part of a fixture that a cord may touch: one edge of a chain, or the whole of any other shape.
+struct NearShape {
+  b2Fixture* fixture;        ///< belongs to an enabled body; not a sensor
+  int child;                 ///< index of the child shape
+  double way;                ///< m, upper bound of its displacement in the tick
+  std::uint64_t number = 0;  ///< number of the fixture
 };
 
 /// The begin or end of contact between a cord and a fixture in the last tick.
 struct TouchEvent {
-  CordIndex cord = 0;   ///< index of the cord
+  CordId cord = 0;      ///< the cord
   bool begins = false;  ///< contact began; else it ended
   /// The fixture, or null if it was destroyed before the last gather or with Coupling::destroy. If it may have been
   /// destroyed otherwise since then, use Coupling::fixture with its number and world.
   const b2Fixture* fixture = nullptr;
   double impulse = 0.0;      ///< N·s, normal impulse in the tick
-  ribbon::Vec2 point;        ///< m, where the impulse is largest
-  ribbon::Vec2 normal;       ///< unit vector, from the cord's link to the fixture, or from the edge to the cord's point
+  Vec2 point;                ///< m, where the impulse is largest
+  Vec2 normal;               ///< unit vector, from the cord's link to the fixture, or from the edge to the cord's point
   std::uint64_t number = 0;  ///< number of the fixture; 0 if it is null
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

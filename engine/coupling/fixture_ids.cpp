@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace engine {
+namespace ribbon::box2d {
 
 void FixtureIds::reserve(std::size_t count) {
   known_.reserve(count);
@@ -87,4 +87,4 @@ const b2Fixture* FixtureIds::fixture(std::uint64_t id) const {
   return found != nullptr && found->exists ? found->seen_as.fixture : nullptr;
 }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "ribbon/box2d/address_table.h"
-#include "ribbon/box2d/still_there.h"
+#include "ribbon/box2d/body_identity.h"
 
-namespace engine {
+namespace ribbon::box2d {
 
 /// Assigns a number to each fixture that is near a cord. A fixture keeps its number from tick to tick; numbers are
 /// counted up. Addresses are used only for lookup, so results do not depend on them.
@@ -58,4 +58,4 @@ class FixtureIds {
   std::uint64_t next_ = 1;
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace engine {
+namespace ribbon::box2d {
 namespace {
 
 bool same_part(const StatePart& a, const StatePart& b) { return a.subsystem == b.subsystem && a.index == b.index; }
@@ -110,4 +110,4 @@ std::uint64_t hash_bytes(std::string_view bytes) {
 std::string to_hex(std::uint64_t value) { return hex_digits(value, 16); }
 std::string to_hex(std::uint32_t value) { return hex_digits(value, 8); }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

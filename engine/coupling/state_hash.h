@@ -12,7 +12,7 @@
 
 #include "ribbon/vec2.h"
 
-namespace engine {
+namespace ribbon::box2d {
 
 /// A 64-bit hash of a sequence of numbers; every add() feeds one 64-bit word (a Vec2: two). Not cryptographic.
 ///
@@ -26,7 +26,7 @@ class Hasher {
   void add(std::integral auto value) { mix(static_cast<std::uint64_t>(value)); }
   void add(double value) { mix(std::bit_cast<std::uint64_t>(value)); }
   void add(float value) { mix(std::bit_cast<std::uint32_t>(value)); }
-  void add(ribbon::Vec2 v) {
+  void add(Vec2 v) {
     add(v.x);
     add(v.y);
   }
@@ -119,4 +119,4 @@ std::string to_hex(std::uint64_t value);
 /// Returns 8 lower-case hexadecimal digits.
 std::string to_hex(std::uint32_t value);
 
-}  // namespace engine
+}  // namespace ribbon::box2d

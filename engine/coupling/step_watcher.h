@@ -7,14 +7,14 @@
 #include "ribbon/rigid_circle.h"
 #include "ribbon/vec2.h"
 
-namespace engine {
+namespace ribbon::box2d {
 
-/// The arguments of ribbon::DirectSolver::step, without the reports.
+/// The arguments of DirectSolver::step, without the reports.
 struct SolverInput {
-  std::span<const ribbon::IslandCord> cords;  ///< enabled cords, in the order of adding
-  std::span<const ribbon::RigidBody> bodies;  ///< bodies that the cords refer to
-  double dt = 0.0;                            ///< s
-  ribbon::Vec2 gravity;                       ///< m/s²
+  std::span<const IslandCord> cords;  ///< enabled cords, in the order of adding
+  std::span<const RigidBody> bodies;  ///< bodies that the cords refer to
+  double dt = 0.0;                    ///< s
+  Vec2 gravity;                       ///< m/s²
 };
 
 /// Interface that is called before and after each step of a coupling's direct solver; see Coupling::watch. Arguments
@@ -29,8 +29,8 @@ class StepWatcher {
   /// Called before the step.
   virtual void before(const SolverInput& input) noexcept = 0;
   /// Called after the step, with the report of each cord's island and their total.
-  virtual void after(const SolverInput& input, std::span<const ribbon::CordReport> reports,
-                     const ribbon::CordReport& total) noexcept = 0;
+  virtual void after(const SolverInput& input, std::span<const CordReport> reports,
+                     const CordReport& total) noexcept = 0;
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

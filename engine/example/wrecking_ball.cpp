@@ -23,7 +23,7 @@ struct Thuds : b2ContactListener {
 
 struct Saved {
   std::vector<b2BodyDef> bodies;
-  engine::CouplingState cords;  // the state of all cords, as plain data
+  ribbon::box2d::CouplingState cords;  // the state of all cords, as plain data
 };
 
 struct Game {
@@ -44,17 +44,14 @@ struct Game {
     def.friction = 0.3;                                     // combines with the friction of fixtures as in Box2D
     def.pins = {0};                                         // the first point is fixed at the hook
     ribbon::lay_along(def, {{5.0, 8.5}, {0.8, 5.2}});       // m, from the hook to the ball; sets the length too
-    cord = cords.add(ribbon::Cord(def));                    // moves the cord into the coupling; returns its index
+    cord = cords.add(ribbon::Cord(def));                    // moves the cord into the coupling; returns its id
     cords.hold(cord, def.points - 1, *ball, {0.0F, 0.0F});  // the centre of the ball holds the last point
   }
 
   void tick(float push) {
     ball->ApplyForceToCenter({push, 0.0F}, true);
-    cords.gather(world, dt);  // finds what is near the cords
-    cords.step();             // moves the cords and what holds or touches them
-    cords.apply();            // gives the bodies their impulses
-    world.Step(dt, 8, 3);
-    for (const engine::TouchEvent& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
+    cords.tick(world, dt);                                                           // in place of world.Step
+    for (const auto& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
   }
 
   Saved save() const {
@@ -84,8 +81,8 @@ struct Game {
     SDL_SetRenderDrawColor(renderer, 240, 200, 120, 255);
     SDL_RenderDrawLineF(renderer, 0.0F, 510.0F, 960.0F, 510.0F);
     std::vector<SDL_FPoint> line;
-    for (const ribbon::Vec2 x : cords.positions(cord))
-      line.push_back(to_pixels(engine::to_float(x)));  // the points of the cord
+    for (const ribbon::Vec2 x : cords.cord(cord).positions())  // the points of the cord
+      line.push_back(to_pixels(ribbon::box2d::to_float(x)));   // in the precision of Box2D
     SDL_RenderDrawLinesF(renderer, line.data(), static_cast<int>(line.size()));
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
       const b2Vec2 arm{body->GetFixtureList()->GetShape()->m_radius, 0.0F};
@@ -97,7 +94,7 @@ struct Game {
   }
 
   void print(const char* when) const {
-    const ribbon::Vec2 at = engine::to_double(ball->GetPosition());
+    const ribbon::Vec2 at = ribbon::box2d::to_double(ball->GetPosition());
     std::printf("%s: ball at (%.3f, %.3f), thuds %d, touches %d\n", when, at.x, at.y, thuds.count, touches);
   }
 
@@ -116,8 +113,8 @@ struct Game {
   b2Body* ball = nullptr;
   Thuds thuds;
   int touches = 0;
-  engine::Coupling cords;      // all cords of this world
-  engine::CordIndex cord = 0;  // index of the cord
+  ribbon::box2d::Coupling cords;   // all cords of this world
+  ribbon::box2d::CordId cord = 0;  // its id
 };
 
 /// Runs until the window is closed, or for a number of ticks; then it saves at half of them and restores that at the

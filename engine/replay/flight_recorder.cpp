@@ -20,7 +20,7 @@ std::string more_than(const char* what, double found, double accepted) {
 FlightRecorder::FlightRecorder(const FlightConditions& conditions, std::string prefix, int most_files)
     : conditions_(conditions), prefix_(std::move(prefix)), most_files_(most_files) {}
 
-void FlightRecorder::before(const SolverInput& input) noexcept {
+void FlightRecorder::before(const ribbon::box2d::SolverInput& input) noexcept {
   has_step_ = false;
   if (!is_armed() || input.cords.empty()) return;
   try {
@@ -31,7 +31,7 @@ void FlightRecorder::before(const SolverInput& input) noexcept {
   }
 }
 
-void FlightRecorder::after(const SolverInput& input, std::span<const ribbon::CordReport> /*reports*/,
+void FlightRecorder::after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> /*reports*/,
                            const ribbon::CordReport& total) noexcept {
   if (!has_step_) return;
   has_step_ = false;
@@ -48,7 +48,7 @@ void FlightRecorder::after(const SolverInput& input, std::span<const ribbon::Cor
 }
 
 /// The first condition that holds, in words; empty if none does.
-std::string FlightRecorder::reason(const SolverInput& input, const ribbon::CordReport& total) const {
+std::string FlightRecorder::reason(const ribbon::box2d::SolverInput& input, const ribbon::CordReport& total) const {
   if (conditions_.unconverged && total.unconverged > 0) {
     return "unconverged substeps: " + std::to_string(total.unconverged);
   }

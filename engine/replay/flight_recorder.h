@@ -21,14 +21,14 @@ struct FlightConditions {
 /// Writes the steps of a coupling's direct solver of which a condition holds, each into a file of its own as
 /// load_solver_step reads it: coupling.watch(&recorder). While it is armed it copies what each step begins with: memory
 /// is taken only where there is more of something than in any step before.
-class FlightRecorder : public StepWatcher {
+class FlightRecorder : public ribbon::box2d::StepWatcher {
  public:
   /// The files are PREFIX1.json, PREFIX2.json, …, in place of none that is there; `most_files` of them, and then it is
   /// not armed any more.
   FlightRecorder(const FlightConditions& conditions, std::string prefix, int most_files);
 
-  void before(const SolverInput& input) noexcept override;
-  void after(const SolverInput& input, std::span<const ribbon::CordReport> reports,
+  void before(const ribbon::box2d::SolverInput& input) noexcept override;
+  void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> reports,
              const ribbon::CordReport& total) noexcept override;
 
   /// Whether it still writes: not after the last file, and not after a failure.
@@ -39,7 +39,7 @@ class FlightRecorder : public StepWatcher {
   const std::string& failure() const { return failure_; }
 
  private:
-  std::string reason(const SolverInput& input, const ribbon::CordReport& total) const;
+  std::string reason(const ribbon::box2d::SolverInput& input, const ribbon::CordReport& total) const;
   void write();
   void fail(const char* sentence) noexcept;
 

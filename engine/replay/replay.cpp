@@ -38,7 +38,7 @@ void check_settings(const std::map<std::string, Setting>& recorded, const std::m
 void check_header(const ReplayHeader& recorded, const ReplayHeader& current) {
   if (recorded.level != current.level) refuse_field("level", in_words(recorded.level), in_words(current.level));
   if (recorded.level_hash != current.level_hash) {
-    refuse_field("level hash", to_hex(recorded.level_hash), to_hex(current.level_hash));
+    refuse_field("level hash", ribbon::box2d::to_hex(recorded.level_hash), ribbon::box2d::to_hex(current.level_hash));
   }
   if (recorded.tick_rate != current.tick_rate) {
     refuse_field("tick rate", std::to_string(recorded.tick_rate), std::to_string(current.tick_rate));
@@ -58,7 +58,8 @@ int exit_status(VerifyOutcome outcome) {
 
 std::string VerifyResult::message() const {
   switch (outcome) {
-    case VerifyOutcome::verified: return "verified " + std::to_string(ticks) + " ticks, hash " + to_hex(hash);
+    case VerifyOutcome::verified:
+      return "verified " + std::to_string(ticks) + " ticks, hash " + ribbon::box2d::to_hex(hash);
     case VerifyOutcome::diverged: return "tick " + std::to_string(ticks + 1) + ": " + difference;
     case VerifyOutcome::cut_short: return "cut short after " + std::to_string(ticks) + " ticks";
   }
@@ -71,10 +72,10 @@ const TickInput& ReplayVerifier::input() const {
   return replay_->ticks[next_].input;
 }
 
-bool ReplayVerifier::check(const StateHash& computed) {
+bool ReplayVerifier::check(const ribbon::box2d::StateHash& computed) {
   assert(!done());
   hash_ = computed.combined();
-  difference_ = first_difference(replay_->ticks[next_].state, computed);
+  difference_ = ribbon::box2d::first_difference(replay_->ticks[next_].state, computed);
   if (difference_) return false;
   ++next_;
   return true;

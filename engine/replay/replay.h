@@ -68,7 +68,7 @@ void check_header(const ReplayHeader& recorded, const ReplayHeader& current);
 /// One tick as recorded: the input it ran with and the hash of the state after it.
 struct RecordedTick {
   TickInput input;
-  StateHash state;
+  ribbon::box2d::StateHash state;
 
   bool operator==(const RecordedTick&) const = default;
 };
@@ -94,7 +94,7 @@ class ReplayWriter {
 
   /// Appends one tick; at most 4096 parts. The first write that fails throws a ReplayError, and the recording is over:
   /// later calls do nothing, so that a game may tell its player once and play on. What was written before stays.
-  void write(const TickInput& input, const StateHash& state);
+  void write(const TickInput& input, const ribbon::box2d::StateHash& state);
 
   /// Marks the recording complete and closes the file; throws like write(). Without it the file reads as cut short.
   void finish();
@@ -151,7 +151,7 @@ class ReplayVerifier {
   /// The recorded input of the tick to run next. Only while not done().
   const TickInput& input() const;
   /// Compares the state after running that tick with the recorded one; false if it differs. Only while not done().
-  bool check(const StateHash& computed);
+  bool check(const ribbon::box2d::StateHash& computed);
   /// The result so far; before done() a run without a difference counts as cut short.
   VerifyResult result() const;
 
@@ -159,7 +159,7 @@ class ReplayVerifier {
   const Replay* replay_;
   std::size_t next_ = 0;
   std::uint64_t hash_ = 0;
-  std::optional<Divergence> difference_;
+  std::optional<ribbon::box2d::Divergence> difference_;
 };
 
 }  // namespace engine

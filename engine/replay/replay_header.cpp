@@ -81,7 +81,7 @@ std::string replay_header_line(const ReplayHeader& header) {
                       std::to_string(max_tick_rate));
   }
   const json object = {{"level", header.level},
-                       {"level_hash", to_hex(header.level_hash)},
+                       {"level_hash", ribbon::box2d::to_hex(header.level_hash)},
                        {"tick_rate", header.tick_rate},
                        {"settings", settings_json(header.settings)}};
   std::string line;

@@ -30,18 +30,18 @@ RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_cou
   input.buttons = take<std::uint16_t>(body);
   input.pointer_x_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
   input.pointer_y_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
-  std::vector<StatePart> parts(part_count);
-  for (StatePart& part : parts) {
+  std::vector<ribbon::box2d::StatePart> parts(part_count);
+  for (ribbon::box2d::StatePart& part : parts) {
     const auto subsystem = take<std::uint8_t>(body);
-    if (subsystem >= subsystem_count) {
+    if (subsystem >= ribbon::box2d::subsystem_count) {
       throw ReplayError("subsystem is " + std::to_string(subsystem) + ", accepted is 0 to " +
-                        std::to_string(subsystem_count - 1));
+                        std::to_string(ribbon::box2d::subsystem_count - 1));
     }
-    part.subsystem = static_cast<Subsystem>(subsystem);
+    part.subsystem = static_cast<ribbon::box2d::Subsystem>(subsystem);
     part.index = take<std::uint16_t>(body);
     part.hash = take<std::uint32_t>(body);
   }
-  return {input, StateHash(std::move(parts), take<std::uint64_t>(body))};
+  return {input, ribbon::box2d::StateHash(std::move(parts), take<std::uint64_t>(body))};
 }
 
 /// Reads a stream from front to back with one record in memory at a time, so that no size found in a file is believed
@@ -115,7 +115,8 @@ std::span<const std::uint8_t> Reader::checked_content() {
   const auto recorded = take<std::uint32_t>(rest);
   crc_ = crc32(crc_, content);
   if (recorded != crc_) {
-    fail_record("the checksum is " + to_hex(recorded) + ", that of the bytes is " + to_hex(crc_));
+    fail_record("the checksum is " + ribbon::box2d::to_hex(recorded) + ", that of the bytes is " +
+                ribbon::box2d::to_hex(crc_));
   }
   return content;
 }

@@ -47,7 +47,7 @@ ReplayWriter::ReplayWriter(const std::string& path, const ReplayHeader& header) 
   append_record();
 }
 
-void ReplayWriter::write(const TickInput& input, const StateHash& state) {
+void ReplayWriter::write(const TickInput& input, const ribbon::box2d::StateHash& state) {
   if (failed_) return;
   assert(file_ && "a finished replay takes no more ticks");
   if (state.parts().size() > max_parts) {
@@ -64,7 +64,7 @@ void ReplayWriter::write(const TickInput& input, const StateHash& state) {
   put(record_, input.buttons);
   put(record_, static_cast<std::uint16_t>(input.pointer_x_cm));
   put(record_, static_cast<std::uint16_t>(input.pointer_y_cm));
-  for (const StatePart& part : state.parts()) {
+  for (const ribbon::box2d::StatePart& part : state.parts()) {
     put(record_, static_cast<std::uint8_t>(part.subsystem));
     put(record_, part.index);
     put(record_, part.hash);

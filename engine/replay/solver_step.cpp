@@ -38,7 +38,7 @@ void check_ids(const std::vector<SolverStep::Cord>& cords) {
 
 }  // namespace
 
-void capture(const SolverInput& input, SolverStep& step) {
+void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
   step.dt = input.dt;
   step.gravity = input.gravity;
   step.bodies.assign(input.bodies.begin(), input.bodies.end());
@@ -56,7 +56,7 @@ void capture(const SolverInput& input, SolverStep& step) {
 }
 
 std::uint64_t hash_of_positions(std::span<const ribbon::IslandCord> cords) {
-  Hasher hasher;
+  ribbon::box2d::Hasher hasher;
   for (const ribbon::IslandCord& cord : cords) {
     for (const ribbon::Vec2 position : cord.cord->positions()) hasher.add(position);
     for (const ribbon::Vec2 velocity : cord.cord->velocities()) hasher.add(velocity);

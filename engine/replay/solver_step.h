@@ -48,7 +48,7 @@ struct SolverStep {
 };
 
 /// Copies what the solver is about to be given. A step that has held the same before takes no memory.
-void capture(const SolverInput& input, SolverStep& step);
+void capture(const ribbon::box2d::SolverInput& input, SolverStep& step);
 
 /// Of where the points of the cords are and how fast they move: the same for the same bits alone.
 std::uint64_t hash_of_positions(std::span<const ribbon::IslandCord> cords);

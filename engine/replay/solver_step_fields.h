@@ -12,7 +12,7 @@
 /// compile until it is added here, and then solver_step_version is another one.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 1;
+inline constexpr int solver_step_version = 2;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -30,12 +30,13 @@ inline constexpr std::array<std::string_view, 2> names_of<ribbon::Elements>{"cel
 
 template <typename Archive, Is<ribbon::Accuracy> T>
 void fields(Archive& archive, T& accuracy) {
-  auto& [integrator, substeps, max_iterations, tolerance, max_work] = accuracy;
+  auto& [integrator, substeps, max_iterations, tolerance, max_work, soft_contacts] = accuracy;
   archive("integrator", integrator);
   archive("substeps", substeps);
   archive("max_iterations", max_iterations);
   archive("tolerance", tolerance);
   archive("max_work", max_work);
+  archive("soft_contacts", soft_contacts);
 }
 
 template <typename Archive, Is<ribbon::CordDef> T>

@@ -47,15 +47,15 @@ void check_map(const TiledMap& map, const std::vector<std::string>& other_proper
   check_points(map);
 }
 
-void hash_body(StateHash& hash, std::uint16_t index, const b2Body& body) {
-  Hasher hasher;
+void hash_body(ribbon::box2d::StateHash& hash, std::uint16_t index, const b2Body& body) {
+  ribbon::box2d::Hasher hasher;
   const b2Transform& transform = body.GetTransform();
   for (const float value : {transform.p.x, transform.p.y, transform.q.s, transform.q.c, body.GetAngle(),
                             body.GetLinearVelocity().x, body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
     hasher.add(value);
   }
   hasher.add(static_cast<int>(body.IsAwake()));
-  hash.add(Subsystem::body, index, hasher);
+  hash.add(ribbon::box2d::Subsystem::body, index, hasher);
 }
 
 }  // namespace
@@ -104,10 +104,10 @@ void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
 }
 
 /// The cord that an object names in its property `cord`.
-CordIndex Scene::named_cord(const MapObject& object, const TiledMap& map) const {
+ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap& map) const {
   const std::int64_t id = object.properties.integer("cord");
   const auto found = std::find(cord_objects_.begin(), cord_objects_.end(), id);
-  if (found != cord_objects_.end()) return static_cast<CordIndex>(found - cord_objects_.begin());
+  if (found != cord_objects_.end()) return static_cast<ribbon::box2d::CordId>(found - cord_objects_.begin());
   const MapObject* other = map.find(static_cast<int>(id));
   throw object.error(
       "property \"cord\" is " + std::to_string(id) + ", " +
@@ -121,18 +121,19 @@ void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
   if (object.shape != MapShape::point) {
     throw object.error("the shape of an anchor is " + std::string(shape_name(object.shape)) + "; accepted is point");
   }
-  std::optional<CordPoint> nearest = coupling_.nearest_point(object.position, anchor_reach);
+  std::optional<ribbon::box2d::CordPoint> nearest = coupling_.nearest_point(object.position, anchor_reach);
   if (object.properties.has("cord")) nearest = nearest_of(named_cord(object, map), object.position, anchor_reach);
   if (!nearest) {
     throw object.error("is further from its cord than an anchor reaches; accepted is one within " +
                        number_in_words(anchor_reach) + " m of a cord's point");
   }
-  coupling_.constrain(nearest->cord, nearest->point, object.position);
+  coupling_.cord(nearest->cord).pin(nearest->point, object.position);
 }
 
-std::optional<CordPoint> Scene::nearest_of(CordIndex cord, Vec2 position, double reach) const {
-  std::optional<CordPoint> nearest;
-  const auto x = coupling_.positions(cord);
+std::optional<ribbon::box2d::CordPoint> Scene::nearest_of(ribbon::box2d::CordId cord, Vec2 position,
+                                                          double reach) const {
+  std::optional<ribbon::box2d::CordPoint> nearest;
+  const auto x = coupling_.cord(cord).positions();
   for (std::size_t p = 0; p < x.size(); ++p) {
     const double distance = length(x[p] - position);
     if (distance <= (nearest ? nearest->distance : reach)) nearest = {cord, static_cast<int>(p), distance};
@@ -142,8 +143,8 @@ std::optional<CordPoint> Scene::nearest_of(CordIndex cord, Vec2 position, double
 
 /// The load takes in hand the end of its cord that is nearer.
 void Scene::hang_load(const MapObject& object, const TiledMap& map) {
-  const CordIndex cord = named_cord(object, map);
-  const auto x = coupling_.positions(cord);
+  const ribbon::box2d::CordId cord = named_cord(object, map);
+  const auto x = coupling_.cord(cord).positions();
   const bool first = length(x.front() - object.position) < length(x.back() - object.position);
   const Vec2 end = first ? x.front() : x.back();
   if (length(end - object.position) > 0.5 * length(object.size) + load_reach) {
@@ -153,36 +154,31 @@ void Scene::hang_load(const MapObject& object, const TiledMap& map) {
   }
   const auto made = std::find_if(bodies_.begin(), bodies_.end(),
                                  [&object](const SceneBody& body) { return body.object == object.id; });
-  const b2Vec2 hand = made->body->GetLocalPoint(to_float(end));
+  const b2Vec2 hand = made->body->GetLocalPoint(ribbon::box2d::to_float(end));
   coupling_.hold(cord, first ? 0 : static_cast<int>(x.size()) - 1, *made->body, hand);
 }
 
-int Scene::cord_object(CordIndex cord) const {
+int Scene::cord_object(ribbon::box2d::CordId cord) const {
   const auto index = static_cast<std::size_t>(cord);
   return index < cord_objects_.size() ? cord_objects_[index] : 0;
 }
 
-void Scene::tick(double dt) {
-  coupling_.gather(world_, dt);
-  coupling_.step();
-  coupling_.apply();
-  world_.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
-}
+void Scene::tick(double dt) { coupling_.tick(world_, dt, velocity_iterations, position_iterations); }
 
-void Scene::add_cord_to(StateHash& hash, CordIndex cord) {
-  Hasher hasher;
-  if (coupling_.solver(cord) == Solver::direct) {
-    coupling_.cord(cord).save(hashed_);
-    engine::add_to(hasher, hashed_);
+void Scene::add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId cord) {
+  ribbon::box2d::Hasher hasher;
+  if (coupling_.cord(cord).solver() == ribbon::box2d::Solver::direct) {
+    coupling_.cord(cord).direct().save(hashed_);
+    ribbon::box2d::add_to(hasher, hashed_);
   } else {
-    coupling_.thesis_cord(cord).save(hashed_thesis_);
-    engine::add_to(hasher, hashed_thesis_);
+    coupling_.cord(cord).thesis().save(hashed_thesis_);
+    ribbon::box2d::add_to(hasher, hashed_thesis_);
   }
-  hash.add(Subsystem::cord, static_cast<std::uint16_t>(cord), hasher);
+  hash.add(ribbon::box2d::Subsystem::cord, static_cast<std::uint16_t>(cord), hasher);
 }
 
-void Scene::add_to(StateHash& hash) {
-  for (CordIndex c = 0; c < coupling_.size(); ++c) add_cord_to(hash, c);
+void Scene::add_to(ribbon::box2d::StateHash& hash) {
+  for (ribbon::box2d::CordId c = 0; c < coupling_.size(); ++c) add_cord_to(hash, c);
   // Box2D lists the newest body first.
   int index = world_.GetBodyCount();
   for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {

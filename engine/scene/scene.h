@@ -38,8 +38,8 @@ struct SceneBody {
 ///     [m], width [m, that of square cells unless given], friction, restitution, self_contact, cord_contact (with other
 ///     cords that declare it), allow_sleep, accuracy ("fast", "balanced" unless given, "accurate"), and what is to be
 ///     otherwise in it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (of
-///     Newton's a solve). Its links are all straight and equal, so that it is a little shorter than a polyline with
-///     corners.
+///     Newton's a solve), soft_contacts (true for implicit_euler unless given). Its links are all straight and equal,
+///     so that it is a little shorter than a polyline with corners.
 /// - `ribbon`: the same, with 3 rows unless given, 2 or more.
 /// At most 2000 objects, and 100,000 points of all cords together. The map's own property gravity_y [m/s²] is −9.81
 /// unless given.
@@ -55,37 +55,38 @@ class Scene {
 
   b2World& world() { return world_; }
   const b2World& world() const { return world_; }
-  Coupling& coupling() { return coupling_; }
-  const Coupling& coupling() const { return coupling_; }
+  ribbon::box2d::Coupling& coupling() { return coupling_; }
+  const ribbon::box2d::Coupling& coupling() const { return coupling_; }
 
   /// In the order in which they were made, which is the map's.
   std::span<const SceneBody> bodies() const { return bodies_; }
   /// The id of the object that a cord was made from; 0 for one that was added since.
-  int cord_object(CordIndex cord) const;
+  int cord_object(ribbon::box2d::CordId cord) const;
 
   /// One tick: the cords take from the world what is near them, move, push, and then the world moves.
   void tick(double dt);
 
   /// Adds every cord and every body, bodies in the order they were made, to a state hash. Cords are
   /// copied on the way, into memory that is kept: after the first time it takes none.
-  void add_to(StateHash& hash);
+  void add_to(ribbon::box2d::StateHash& hash);
 
   /// Of cords that do not ask for one.
-  static constexpr Solver default_solver = Solver::direct;
+  static constexpr ribbon::box2d::Solver default_solver = ribbon::box2d::Solver::direct;
   static constexpr int velocity_iterations = 8;
   static constexpr int position_iterations = 3;
 
  private:
   void build(const MapObject& object, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter);
-  void add_cord_to(StateHash& hash, CordIndex cord);
+  void add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId cord);
   void build_cord(const MapObject& object, const b2Filter& filter);
   void fix_anchor(const MapObject& object, const TiledMap& map);
   void hang_load(const MapObject& object, const TiledMap& map);
-  CordIndex named_cord(const MapObject& object, const TiledMap& map) const;
-  std::optional<CordPoint> nearest_of(CordIndex cord, ribbon::Vec2 position, double reach) const;
+  ribbon::box2d::CordId named_cord(const MapObject& object, const TiledMap& map) const;
+  std::optional<ribbon::box2d::CordPoint> nearest_of(ribbon::box2d::CordId cord, ribbon::Vec2 position,
+                                                     double reach) const;
 
   b2World world_;
-  Coupling coupling_;
+  ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
   std::vector<int> cord_objects_;  // by cord
   ribbon::Cord::State hashed_;     // of the cord that was hashed last

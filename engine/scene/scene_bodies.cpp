@@ -48,7 +48,7 @@ bool is_convex(const std::vector<Vec2>& points) {
 bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 origin) {
   if (points.size() > b2_maxPolygonVertices || !is_convex(points)) return false;
   std::vector<b2Vec2> corners;
-  for (const Vec2 point : points) corners.push_back(to_float(point - origin));
+  for (const Vec2 point : points) corners.push_back(ribbon::box2d::to_float(point - origin));
   shape.Set(corners.data(), static_cast<int32>(corners.size()));
   return true;
 }
@@ -67,7 +67,7 @@ std::string size_in_words(const MapObject& object) {
 b2Body& build_ground(const MapObject& object, b2World& world) {
   object.properties.check_known_properties({"friction"});
   b2BodyDef definition;
-  definition.position = to_float(object.position);
+  definition.position = ribbon::box2d::to_float(object.position);
   definition.angle = object.shape == MapShape::rectangle ? single(object.rotation) : 0.0F;
   b2PolygonShape shape;
   if (object.shape == MapShape::rectangle) {
@@ -97,7 +97,7 @@ b2Body& build_circle(const MapObject& object, b2World& world) {
   }
   b2BodyDef definition;
   definition.type = body_type(object);
-  definition.position = to_float(object.position);
+  definition.position = ribbon::box2d::to_float(object.position);
   definition.linearVelocity = {single(p.number_or("velocity_x", 0.0, {-largest_velocity, largest_velocity})),
                                single(p.number_or("velocity_y", 0.0, {-largest_velocity, largest_velocity}))};
   definition.angularVelocity = single(p.number_or("spin", 0.0, {-largest_velocity, largest_velocity}));
@@ -123,7 +123,7 @@ b2Body& build_load(const MapObject& object, b2World& world) {
   }
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  definition.position = to_float(object.position);
+  definition.position = ribbon::box2d::to_float(object.position);
   definition.angle = single(object.rotation);
   definition.angularDamping = single(p.number_or("angular_damping", 0.0, {0.0, 100.0}));
   b2CircleShape disc;

@@ -17,31 +17,34 @@ const Choices thesis_properties = {"solver",      "columns",  "rows",           
                                    "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
                                    "pin_first",   "pin_last", "solid"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",       "mass",        "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",    "drag",        "tension_only",      "radius",
-    "width",         "accuracy",       "integrator", "substeps",    "tolerance",         "max_iterations",
-    "pin_first",     "pin_last",       "friction",   "restitution", "self_contact",      "cord_contact",
-    "allow_sleep",   "max_work",       "solid"};
+    "solver",        "columns",        "rows",       "mass",         "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",    "drag",         "tension_only",      "radius",
+    "width",         "accuracy",       "integrator", "substeps",     "tolerance",         "max_iterations",
+    "pin_first",     "pin_last",       "friction",   "restitution",  "self_contact",      "cord_contact",
+    "allow_sleep",   "max_work",       "solid",      "soft_contacts"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
 
 /// `own` are the properties of the cord's solver, `others` those of the one that it does not have.
-void check_properties(const MapObject& object, Solver solver, Choices own, Choices others) {
+void check_properties(const MapObject& object, ribbon::box2d::Solver solver, Choices own, Choices others) {
   for (const std::string_view property : others) {
     if (!object.properties.has(property) || contains(own, property)) continue;
     throw object.error("property " + in_quotes(property) + " is of another solver; this cord's is " +
-                       in_quotes(solver_name(solver)) + (object.properties.has("solver") ? "" : ", the default") +
+                       in_quotes(ribbon::box2d::solver_name(solver)) +
+                       (object.properties.has("solver") ? "" : ", the default") +
                        ", and accepted are: " + list_in_words(own));
   }
   object.properties.check_known_properties(own);
 }
 
-Solver solver_of(const MapObject& object) {
-  const std::string name = object.properties.text_or("solver", solver_name(Scene::default_solver),
-                                                     {solver_name(Solver::thesis), solver_name(Solver::direct)});
-  return name == solver_name(Solver::direct) ? Solver::direct : Solver::thesis;
+ribbon::box2d::Solver solver_of(const MapObject& object) {
+  const std::string name = object.properties.text_or("solver", ribbon::box2d::solver_name(Scene::default_solver),
+                                                     {ribbon::box2d::solver_name(ribbon::box2d::Solver::thesis),
+                                                      ribbon::box2d::solver_name(ribbon::box2d::Solver::direct)});
+  return name == ribbon::box2d::solver_name(ribbon::box2d::Solver::direct) ? ribbon::box2d::Solver::direct
+                                                                           : ribbon::box2d::Solver::thesis;
 }
 
 void check_corners(const MapObject& object) {
@@ -62,11 +65,11 @@ double path_length(const MapObject& object) {
 }
 
 int columns_of(const Properties& p) { return static_cast<int>(p.integer("columns", {2, 5000})); }
-int rows_of(const MapObject& object, Solver solver) {
+int rows_of(const MapObject& object, ribbon::box2d::Solver solver) {
   const Properties& p = object.properties;
   if (object.kind == "ribbon") return static_cast<int>(p.integer_or("rows", 3, {2, 16}));
-  return solver == Solver::direct ? static_cast<int>(p.integer_or("rows", 1, {1, 16}))
-                                  : static_cast<int>(p.integer_or("rows", 2, {2, 16}));
+  return solver == ribbon::box2d::Solver::direct ? static_cast<int>(p.integer_or("rows", 1, {1, 16}))
+                                                 : static_cast<int>(p.integer_or("rows", 2, {2, 16}));
 }
 double mass_of(const Properties& p) { return p.number("mass", {1e-6, 1e6}); }
 double drag_of(const Properties& p) { return p.number_or("drag", 0.0, {0.0, 1e3}); }
@@ -86,10 +89,10 @@ std::vector<int> pins_of(const Properties& p, int columns, int rows) {
 
 ribbon::ThesisDef thesis_def(const MapObject& object) {
   const Properties& p = object.properties;
-  check_properties(object, Solver::thesis, thesis_properties, direct_properties);
+  check_properties(object, ribbon::box2d::Solver::thesis, thesis_properties, direct_properties);
   ribbon::ThesisDef def;
   def.w = columns_of(p);
-  def.h = rows_of(object, Solver::thesis);
+  def.h = rows_of(object, ribbon::box2d::Solver::thesis);
   def.spacing = path_length(object) / (def.w - 1);
   def.point_mass = mass_of(p) / (def.w * def.h);
   def.spring_stiffness = p.number("spring_stiffness", {0.0, 1e12});
@@ -119,21 +122,23 @@ ribbon::Accuracy accuracy_of(const Properties& p) {
   if (name == "accurate") accuracy = ribbon::Accuracy::accurate();
   if (p.has("integrator")) {
     const bool euler = p.text("integrator", {"tr_bdf2", "implicit_euler"}) == "implicit_euler";
+    accuracy.soft_contacts = euler;
     accuracy.integrator = euler ? ribbon::Integrator::implicit_euler : ribbon::Integrator::tr_bdf2;
   }
   accuracy.substeps = substeps_of(p, accuracy.substeps);
   accuracy.tolerance = p.number_or("tolerance", accuracy.tolerance, {1e-12, 1.0});
   accuracy.max_iterations = static_cast<int>(p.integer_or("max_iterations", accuracy.max_iterations, {1, 1000}));
+  accuracy.soft_contacts = p.boolean_or("soft_contacts", accuracy.soft_contacts);
   accuracy.max_work = static_cast<int>(p.integer_or("max_work", accuracy.max_work, {1, 1'000'000}));
   return accuracy;
 }
 
 ribbon::CordDef direct_def(const MapObject& object) {
   const Properties& p = object.properties;
-  check_properties(object, Solver::direct, direct_properties, thesis_properties);
+  check_properties(object, ribbon::box2d::Solver::direct, direct_properties, thesis_properties);
   ribbon::CordDef def;
   def.points = columns_of(p);
-  def.rows = rows_of(object, Solver::direct);
+  def.rows = rows_of(object, ribbon::box2d::Solver::direct);
   def.width = p.number_or("width", 0.0, {0.0, 1e3});
   lay_along_polyline(def, object);
   def.radius = p.number_or("radius", def.radius, {0.0, 10.0});
@@ -169,7 +174,7 @@ CordDefinition read_cord(const MapObject& object) {
     throw object.error("the shape of a " + object.kind + " is " + std::string(shape_name(object.shape)) +
                        "; accepted is polyline");
   }
-  if (solver_of(object) == Solver::direct) return direct_def(object);
+  if (solver_of(object) == ribbon::box2d::Solver::direct) return direct_def(object);
   return thesis_def(object);
 }
 

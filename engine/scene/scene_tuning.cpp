@@ -40,7 +40,7 @@ void retune(ribbon::ThesisCord& cord, const ribbon::ThesisDef& def) {
   cord = std::move(made);
 }
 
-bool same_grid(const CordShape& shape, const CordDefinition& wanted) {
+bool same_grid(const ribbon::box2d::CordShape& shape, const CordDefinition& wanted) {
   if (const auto* direct = std::get_if<ribbon::CordDef>(&wanted)) {
     return shape.columns == direct->points && shape.rows == direct->rows;
   }
@@ -50,17 +50,18 @@ bool same_grid(const CordShape& shape, const CordDefinition& wanted) {
 
 }  // namespace
 
-void retune(Coupling& coupling, CordIndex cord, const MapObject& object) {
+void retune(ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, const MapObject& object) {
   const CordDefinition wanted = read_cord(object);
   const bool is_direct = std::holds_alternative<ribbon::CordDef>(wanted);
-  if ((coupling.solver(cord) == Solver::direct) != is_direct || !same_grid(coupling.shape(cord), wanted)) {
+  if ((coupling.cord(cord).solver() == ribbon::box2d::Solver::direct) != is_direct ||
+      !same_grid(coupling.cord(cord).shape(), wanted)) {
     throw object.error("its solver, columns or rows change; accepted, while it moves, are those it began with");
   }
   try {
     if (is_direct) {
-      retune(coupling.cord(cord), std::get<ribbon::CordDef>(wanted));
+      retune(coupling.cord(cord).direct(), std::get<ribbon::CordDef>(wanted));
     } else {
-      retune(coupling.thesis_cord(cord), std::get<ribbon::ThesisDef>(wanted));
+      retune(coupling.cord(cord).thesis(), std::get<ribbon::ThesisDef>(wanted));
     }
   } catch (const ribbon::DefinitionError& error) {
     throw object.error(error.what());

@@ -37,7 +37,7 @@ class MapLoader {
   MapLoader(std::string_view text, const std::string& file)
       : root_(parse_json(text, file, max_json_depth)), map_(root_, file + ": map") {
     result_.file = file;
-    result_.content_hash = hash_bytes(text);
+    result_.content_hash = ribbon::box2d::hash_bytes(text);
   }
 
   TiledMap load() {

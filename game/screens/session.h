@@ -44,10 +44,10 @@ struct Session {
   Sounds sounds;
   Records records;
   RunFolder runs;
-  bool uses_pad = false;                   ///< the last thing that was pressed was on a gamepad: hints name its buttons
-  std::string last_level{};                ///< that was played, for the level select
-  engine::StepWatcher* watcher = nullptr;  ///< of all runs that are played; outlives them
-  engine::Workers workers;                 ///< that move their cords: one a core
+  bool uses_pad = false;     ///< the last thing that was pressed was on a gamepad: hints name its buttons
+  std::string last_level{};  ///< that was played, for the level select
+  ribbon::box2d::StepWatcher* watcher = nullptr;  ///< of all runs that are played; outlives them
+  engine::Workers workers;                        ///< that move their cords: one a core
 
  private:
   SettingsFile settings_file_;

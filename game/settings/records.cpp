@@ -43,7 +43,7 @@ std::string Records::text() const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& entry : entries_) {
     list.push_back({{"level", entry.level.name},
-                    {"hash", engine::to_hex(entry.level.hash)},
+                    {"hash", ribbon::box2d::to_hex(entry.level.hash)},
                     {"ticks", entry.best.ticks},
                     {"assisted", entry.best.assisted}});
   }
@@ -95,7 +95,7 @@ void Records::write(const LevelKey& level, const std::string& recording, std::st
 
 std::string Records::replay_path(const LevelKey& level) const {
   if (folder_.empty()) return "";
-  return folder_ + "/best/" + level.name + "-" + engine::to_hex(level.hash) + ".replay";
+  return folder_ + "/best/" + level.name + "-" + ribbon::box2d::to_hex(level.hash) + ".replay";
 }
 
 }  // namespace game

@@ -11,9 +11,9 @@
 namespace game {
 namespace {
 
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 
 constexpr double ticks_to_get_there = 3.0;  // in which a body closes up to the pointer, if it may be as fast
 
@@ -24,14 +24,14 @@ Vec2 no_further(Vec2 from, Vec2 to, double most) {
   return way > most ? from + (most / way) * (to - from) : to;
 }
 
-bool is_constrained(const engine::Coupling& coupling, engine::CordIndex cord, int point) {
-  return coupling.kind(cord, point) == ribbon::PointKind::constrained;
+bool is_constrained(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int point) {
+  return coupling.cord(cord).kind(point) == ribbon::PointKind::constrained;
 }
 
 /// m, along the cord from one point to another.
-double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int from, int to) {
-  const int rows = coupling.shape(cord).rows;
-  const auto x = coupling.positions(cord);
+double way_between(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int from, int to) {
+  const int rows = coupling.cord(cord).shape().rows;
+  const auto x = coupling.cord(cord).positions();
   const std::size_t row = at(from % rows);
   const std::size_t step = at(rows);
   double way = 0.0;
@@ -44,9 +44,10 @@ double way_between(const engine::Coupling& coupling, engine::CordIndex cord, int
 
 /// Where a point can be dragged to in this tick: towards `pointer` by `most` [m], and no further from what else the
 /// cord is fixed to than it is long. One that does not stretch would be torn about otherwise.
-Vec2 within_reach(const engine::Coupling& coupling, const engine::CordPoint& dragged, Vec2 pointer, double most) {
-  const auto x = coupling.positions(dragged.cord);
-  const int rows = coupling.shape(dragged.cord).rows;
+Vec2 within_reach(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& dragged, Vec2 pointer,
+                  double most) {
+  const auto x = coupling.cord(dragged.cord).positions();
+  const int rows = coupling.cord(dragged.cord).shape().rows;
   Vec2 target = no_further(x[at(dragged.point)], pointer, most);
   for (int p = 0; p < static_cast<int>(x.size()); ++p) {
     if (p / rows == dragged.point / rows || !is_constrained(coupling, dragged.cord, p)) continue;
@@ -94,7 +95,7 @@ Vec2 impulse_for(const b2Body& body, Vec2 arm, Vec2 change) {
 }  // namespace
 
 void Drag::apply(const engine::TickInput& input, engine::Scene& scene, b2Body& player, double dt) {
-  engine::Coupling& coupling = scene.coupling();
+  ribbon::box2d::Coupling& coupling = scene.coupling();
   if ((input.buttons & button_drag) == 0) return let_go(coupling);
   const Vec2 pointer = engine::pointer(input);
   if (!body_ && !cord_point_) take(pointer, scene, player);
@@ -103,7 +104,7 @@ void Drag::apply(const engine::TickInput& input, engine::Scene& scene, b2Body& p
 }
 
 void Drag::take(Vec2 pointer, engine::Scene& scene, b2Body& player) {
-  engine::Coupling& coupling = scene.coupling();
+  ribbon::box2d::Coupling& coupling = scene.coupling();
   body_ = nearest_body(pointer, scene, player);
   const auto nearest = coupling.nearest_point(pointer, cord_reach);
   if (body_ && nearest && nearest->distance < body_->distance) body_.reset();
@@ -119,12 +120,12 @@ void Drag::take(Vec2 pointer, engine::Scene& scene, b2Body& player) {
   }
 }
 
-void Drag::let_go(engine::Coupling& coupling) {
+void Drag::let_go(ribbon::box2d::Coupling& coupling) {
   if (body_ && body_->type != b2_dynamicBody) {
     body_->body->SetLinearVelocity(body_->velocity);
     body_->body->SetType(body_->type);
   }
-  if (cord_point_ && !is_pin_) coupling.release(cord_point_->cord, cord_point_->point);
+  if (cord_point_ && !is_pin_) coupling.cord(cord_point_->cord).free(cord_point_->point);
   forget();
 }
 
@@ -142,7 +143,7 @@ std::optional<Drag::Body> Drag::nearest_body(Vec2 pointer, const engine::Scene& 
 
 /// By its velocity, so that everything else pushes it as ever: one that is driven has that of the pointer, and one that
 /// has a mass is pushed towards it.
-void Drag::move_body(Vec2 pointer, const engine::Coupling& coupling, double dt) const {
+void Drag::move_body(Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const {
   b2Body& body = *body_->body;
   const Vec2 held_at = to_double(body.GetWorldPoint(body_->at));
   const Vec2 wanted = no_further({}, (1.0 / (ticks_to_get_there * dt)) * (pointer - held_at), speed);
@@ -158,21 +159,21 @@ void Drag::move_body(Vec2 pointer, const engine::Coupling& coupling, double dt) 
 }
 
 /// What is fixed stays so: all of a column's points that are go along.
-void Drag::move_cord_point(Vec2 pointer, engine::Coupling& coupling, double dt) const {
-  const engine::CordIndex cord = cord_point_->cord;
+void Drag::move_cord_point(Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const {
+  const ribbon::box2d::CordId cord = cord_point_->cord;
   const int point = cord_point_->point;
   const Vec2 target = within_reach(coupling, *cord_point_, pointer, (is_pin_ ? pin_speed : speed) * dt);
-  if (!is_pin_) return coupling.operate(cord, point, target);
-  const auto x = coupling.positions(cord);
+  if (!is_pin_) return coupling.cord(cord).drag(point, target);
+  const auto x = coupling.cord(cord).positions();
   const Vec2 way = target - x[at(point)];
-  const int rows = coupling.shape(cord).rows;
+  const int rows = coupling.cord(cord).shape().rows;
   const int first = point / rows * rows;
   for (int p = first; p < first + rows; ++p) {
-    if (is_constrained(coupling, cord, p)) coupling.constrain(cord, p, x[at(p)] + way);
+    if (is_constrained(coupling, cord, p)) coupling.cord(cord).pin(p, x[at(p)] + way);
   }
 }
 
-void Drag::add_to(engine::Hasher& hasher) const {
+void Drag::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(cord_point_ ? cord_point_->cord : -1);
   hasher.add(cord_point_ ? cord_point_->point : -1);
   if (!body_) return;

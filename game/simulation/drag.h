@@ -25,10 +25,10 @@ class Drag {
   /// There is nothing any more of what it held.
   void forget() { *this = {}; }
 
-  const std::optional<engine::CordPoint>& cord_point() const { return cord_point_; }
+  const std::optional<ribbon::box2d::CordPoint>& cord_point() const { return cord_point_; }
   const b2Body* body() const { return body_ ? body_->body : nullptr; }
 
-  void add_to(engine::Hasher& hasher) const;
+  void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
   struct Body {
@@ -41,13 +41,13 @@ class Drag {
   };
 
   void take(ribbon::Vec2 pointer, engine::Scene& scene, b2Body& player);
-  void let_go(engine::Coupling& coupling);
+  void let_go(ribbon::box2d::Coupling& coupling);
   static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene, b2Body& player);
-  void move_body(ribbon::Vec2 pointer, const engine::Coupling& coupling, double dt) const;
-  void move_cord_point(ribbon::Vec2 pointer, engine::Coupling& coupling, double dt) const;
+  void move_body(ribbon::Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const;
+  void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const;
 
   std::optional<Body> body_;
-  std::optional<engine::CordPoint> cord_point_;
+  std::optional<ribbon::box2d::CordPoint> cord_point_;
   bool is_pin_ = false;  // that point
 };
 

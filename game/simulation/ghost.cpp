@@ -37,8 +37,8 @@ bool Ghost::advance(int run_tick) {
 
 GhostPose Ghost::pose() const {
   const Player& player = simulation_.player();
-  const engine::Coupling& coupling = simulation_.scene().coupling();
-  GhostPose pose{player.position(), engine::to_double(player.body().GetLinearVelocity()), player.faces_left(),
+  const ribbon::box2d::Coupling& coupling = simulation_.scene().coupling();
+  GhostPose pose{player.position(), ribbon::box2d::to_double(player.body().GetLinearVelocity()), player.faces_left(),
                  player.is_on_ground()};
   if (const auto held = coupling.held_by(player.body())) pose.held = coupling.position(*held);
   return pose;

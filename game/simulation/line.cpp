@@ -10,9 +10,9 @@
 namespace game {
 namespace {
 
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 
 constexpr double rope_friction = 0.5;
 constexpr double air_drag = 0.3;  // 1/s
@@ -73,7 +73,7 @@ void Line::throw_at(Vec2 hook, Vec2 hand, double dt) {
   ticks_left_ = flight_ticks_;
 }
 
-bool Line::fly(engine::Coupling& coupling, b2Body& body, Vec2 hand) {
+bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
   is_new_ = false;
   if (state_ != State::flying || --ticks_left_ > 0) return false;
   const Vec2 end = to_double(body.GetPosition()) + hand;
@@ -85,45 +85,45 @@ bool Line::fly(engine::Coupling& coupling, b2Body& body, Vec2 hand) {
   length_ = std::max(way, tuning_.shortest);
   ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.velocity(body));
   if (cord_) {
-    coupling.replace(*cord_, std::move(made), line_filter());
+    coupling.cord(*cord_).replace(std::move(made), line_filter());
   } else {
     cord_ = coupling.add(std::move(made), line_filter());
   }
-  engine::GripDef grip;
+  ribbon::box2d::GripDef grip;
   grip.cord = *cord_;
   grip.arc = length_;
-  grip.local_hand = to_float(hand);
-  grip_ = coupling.grip(body, grip);
+  grip.local_anchor = to_float(hand);
+  grip_ = coupling.hold(body, grip);
   state_ = State::held;
   is_new_ = true;
   return true;
 }
 
-void Line::reel(int direction, engine::Coupling& coupling, double dt) {
+void Line::reel(int direction, ribbon::box2d::Coupling& coupling, double dt) {
   if (state_ != State::held || direction == 0) return;
   const double speed = direction < 0 ? tuning_.reel_in_speed : tuning_.reel_out_speed;
   length_ = std::clamp(length_ + direction * speed * dt, tuning_.shortest, tuning_.longest);
-  coupling.cord(*cord_).reel(0, tuning_.points - 1, length_, speed);
+  coupling.cord(*cord_).direct().reel(0, tuning_.points - 1, length_, speed);
 }
 
-bool Line::let_go(engine::Coupling& coupling) {
+bool Line::let_go(ribbon::box2d::Coupling& coupling) {
   if (state_ != State::held && state_ != State::flying) return false;
-  if (grip_) coupling.let_go(*grip_);
+  if (grip_) coupling.grip(*grip_).release();
   leave(coupling);
   return true;
 }
 
-void Line::follow(engine::Coupling& coupling) {
-  if (state_ == State::held && !coupling.state(*grip_)) leave(coupling);
+void Line::follow(ribbon::box2d::Coupling& coupling) {
+  if (state_ == State::held && !coupling.grip(*grip_).is_valid()) leave(coupling);
 }
 
-void Line::leave(engine::Coupling& coupling) {
-  if (grip_) coupling.replace(*cord_, left_cord(tuning_, length_, coupling.cord(*cord_)), line_filter());
+void Line::leave(ribbon::box2d::Coupling& coupling) {
+  if (grip_) coupling.cord(*cord_).replace(left_cord(tuning_, length_, coupling.cord(*cord_).direct()), line_filter());
   grip_.reset();
   state_ = cord_ ? State::left : State::stowed;
 }
 
-void Line::add_to(engine::Hasher& hasher) const {
+void Line::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(static_cast<int>(state_));
   hasher.add(hook_);
   hasher.add(flight_ticks_);

@@ -38,7 +38,7 @@ class Line {
   ribbon::Vec2 tip(ribbon::Vec2 hand) const;
   ribbon::Vec2 hook() const { return hook_; }  ///< m, of the last throw
   /// Its place among the cords, from the first throw on.
-  std::optional<engine::CordIndex> cord() const { return cord_; }
+  std::optional<ribbon::box2d::CordId> cord() const { return cord_; }
   /// Whether it was made in the last tick.
   bool is_new() const { return is_new_; }
   /// m at rest, of one that is held or left.
@@ -50,18 +50,18 @@ class Line {
   /// True of one in flight that arrives in this tick.
   bool arrives() const { return state_ == State::flying && ticks_left_ <= 1; }
   /// A tick: one in flight flies on, and where it arrives `body` holds it at `hand`, m, in its own frame. True then.
-  bool fly(engine::Coupling& coupling, b2Body& body, ribbon::Vec2 hand);
+  bool fly(ribbon::box2d::Coupling& coupling, b2Body& body, ribbon::Vec2 hand);
   /// Reels one that is held in (−1), out (1), or not at all (0).
-  void reel(int direction, engine::Coupling& coupling, double dt);
+  void reel(int direction, ribbon::box2d::Coupling& coupling, double dt);
   /// Lets go of it, or calls it back; false if it was out of hand already.
-  bool let_go(engine::Coupling& coupling);
+  bool let_go(ribbon::box2d::Coupling& coupling);
   /// Notices where the line has been taken from the hand. Before all else in a tick.
-  void follow(engine::Coupling& coupling);
+  void follow(ribbon::box2d::Coupling& coupling);
 
-  void add_to(engine::Hasher& hasher) const;
+  void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
-  void leave(engine::Coupling& coupling);
+  void leave(ribbon::box2d::Coupling& coupling);
 
   LineTuning tuning_;
   State state_ = State::stowed;
@@ -70,8 +70,8 @@ class Line {
   int ticks_left_ = 0;
   double length_ = 0.0;
   bool is_new_ = false;
-  std::optional<engine::CordIndex> cord_;
-  std::optional<engine::GripId> grip_;
+  std::optional<ribbon::box2d::CordId> cord_;
+  std::optional<ribbon::box2d::GripId> grip_;
 };
 
 }  // namespace game

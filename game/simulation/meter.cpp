@@ -7,35 +7,35 @@ namespace game {
 namespace {
 
 /// m, along a cord's first row.
-double length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  const auto x = coupling.positions(cord);
-  const auto rows = static_cast<std::size_t>(coupling.shape(cord).rows);
+double length_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const auto x = coupling.cord(cord).positions();
+  const auto rows = static_cast<std::size_t>(coupling.cord(cord).shape().rows);
   double sum = 0.0;
   for (std::size_t p = rows; p < x.size(); p += rows) sum += length(x[p] - x[p - rows]);
   return sum;
 }
 
 /// m, the same as it was made.
-double rest_length_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  if (coupling.solver(cord) == engine::Solver::thesis) {
-    const ribbon::ThesisDef& def = coupling.thesis_cord(cord).def();
+double rest_length_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis) {
+    const ribbon::ThesisDef& def = coupling.cord(cord).thesis().def();
     return def.spacing * (def.w - 1);
   }
-  return coupling.cord(cord).def().length;
+  return coupling.cord(cord).direct().def().length;
 }
 
 }  // namespace
 
 void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
   ++ticks_;
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const bool restarted = simulation.run_ticks() <= last_run_tick_;
   last_run_tick_ = simulation.run_ticks();
   if (restarted || cords_.empty()) cords_.assign(static_cast<std::size_t>(coupling.size()), {});
   for (int c = 0; c < coupling.size(); ++c) {
     OfCord& cord = cords_[static_cast<std::size_t>(c)];
     cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
-    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.error(c);
+    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.cord(c).error();
   }
   if (coupling.estimates_errors()) {
     ++estimated_;
@@ -62,12 +62,12 @@ std::vector<float> Meter::recent_us() const {
   return recent;
 }
 
-double Meter::peak_stretch(engine::CordIndex cord) const {
+double Meter::peak_stretch(ribbon::box2d::CordId cord) const {
   const auto index = static_cast<std::size_t>(cord);
   return index < cords_.size() ? cords_[index].peak_stretch : 0.0;
 }
 
-double Meter::error_a_second(engine::CordIndex cord) const {
+double Meter::error_a_second(ribbon::box2d::CordId cord) const {
   const auto index = static_cast<std::size_t>(cord);
   if (index >= cords_.size()) return 0.0;
   const auto& errors = cords_[index].errors;

@@ -13,8 +13,8 @@ namespace game {
 /// it.
 class Meter {
  public:
-  /// Whether the next tick is one of those whose error is to be estimated (engine::Coupling::estimate_errors): ten a
-  /// second, for it costs more than the tick.
+  /// Whether the next tick is one of those whose error is to be estimated (ribbon::box2d::Coupling::estimate_errors):
+  /// ten a second, for it costs more than the tick.
   bool wants_estimate() const { return ticks_ % ticks_an_estimate == 0; }
   /// After a tick that took so long. One with an estimate tells nothing of what others cost.
   void add(const Simulation& simulation, std::int64_t nanoseconds);
@@ -25,10 +25,10 @@ class Meter {
   /// µs, of the last second's ticks, oldest first.
   std::vector<float> recent_us() const;
   /// By cord: how much longer than at rest it was, the most since the last restart, as a share.
-  double peak_stretch(engine::CordIndex cord) const;
+  double peak_stretch(ribbon::box2d::CordId cord) const;
   /// m, by cord: the errors that the ticks of the last second made, estimated, summed up. They may heal, and what they
   /// set going may grow.
-  double error_a_second(engine::CordIndex cord) const;
+  double error_a_second(ribbon::box2d::CordId cord) const;
 
  private:
   static constexpr std::size_t remembered = ticks_per_second;

@@ -9,9 +9,9 @@
 namespace game {
 namespace {
 
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 
 constexpr int long_ago = 1'000'000;  // ticks
 constexpr double firm_slope = 0.95;  // least upward part of the normal of what one does not slide off
@@ -51,18 +51,18 @@ b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
 }
 
 /// The constrained point nearest to a place along its cord, or −1.
-int nearest_pin(const engine::Coupling& coupling, const engine::CordPoint& held) {
+int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
   int pin = -1;
-  for (int p = 0; p < static_cast<int>(coupling.positions(held.cord).size()); ++p) {
-    if (coupling.kind(held.cord, p) != ribbon::PointKind::constrained) continue;
+  for (int p = 0; p < static_cast<int>(coupling.cord(held.cord).positions().size()); ++p) {
+    if (coupling.cord(held.cord).kind(p) != ribbon::PointKind::constrained) continue;
     if (pin < 0 || std::abs(p - held.point) < std::abs(pin - held.point)) pin = p;
   }
   return pin;
 }
 
 /// What the held place hangs from: the nearest constrained point, else the cord's first.
-Vec2 anchor_of(const engine::Coupling& coupling, const engine::CordPoint& held) {
-  return coupling.positions(held.cord)[static_cast<std::size_t>(std::max(nearest_pin(coupling, held), 0))];
+Vec2 anchor_of(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
+  return coupling.cord(held.cord).positions()[static_cast<std::size_t>(std::max(nearest_pin(coupling, held), 0))];
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ Vec2 Player::position() const { return to_double(body_->GetPosition()); }
 
 Vec2 Player::hand() const { return position() + Vec2{0.0, tuning_.hand_height}; }
 
-void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, engine::Coupling& coupling, double dt) {
+void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
   const Wish wish(buttons, buttons_before_);
   buttons_before_ = buttons;
   if (!wish.grab) wants_to_catch_ = true;
@@ -131,7 +131,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, engine::Coupl
   if (wish.grab && wants_to_catch_) catch_cord(coupling);
 }
 
-void Player::put(Vec2 feet, engine::Coupling& coupling) {
+void Player::put(Vec2 feet, ribbon::box2d::Coupling& coupling) {
   line_.let_go(coupling);
   coupling.release(*body_);
   grip_id_.reset();
@@ -140,20 +140,19 @@ void Player::put(Vec2 feet, engine::Coupling& coupling) {
   body_->SetLinearVelocity({0.0F, 0.0F});
 }
 
-/// By a grip, or at a point of one of the thesis's.
-bool Player::holds_cord(const engine::Coupling& coupling) const {
-  if (grip_id_) return coupling.state(*grip_id_).has_value();
-  return line_.state() != Line::State::held && coupling.held_by(*body_).has_value();
+/// Not counting the line, which has a grip of its own.
+bool Player::holds_cord(const ribbon::box2d::Coupling& coupling) const {
+  return grip_id_ && coupling.grip(*grip_id_).is_valid();
 }
 
-void Player::feel_feet(const engine::Coupling& coupling) {
+void Player::feel_feet(const ribbon::box2d::Coupling& coupling) {
   if (!feels_ground_) feel_ground(coupling);
   ticks_off_ground_ = *feels_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
   feels_ground_.reset();
 }
 
 /// Throws the line or lets it go, has it fly on, and reels. Who takes it in hand has no hand for another cord.
-void Player::handle_line(const Wish& wish, std::optional<Vec2> aim, engine::Coupling& coupling, double dt) {
+void Player::handle_line(const Wish& wish, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
   line_.follow(coupling);
   if (wish.throws && !line_.let_go(coupling) && aim) line_.throw_at(*aim, hand(), dt);
   if (line_.arrives() && holds_cord(coupling)) let_go(coupling);
@@ -161,7 +160,7 @@ void Player::handle_line(const Wish& wish, std::optional<Vec2> aim, engine::Coup
   line_.reel(wish.reel, coupling, dt);
 }
 
-void Player::feel_ground(const engine::Coupling& coupling) {
+void Player::feel_ground(const ribbon::box2d::Coupling& coupling) {
   bool on_ground = false;
   on_firm_ground_ = false;
   for (const b2ContactEdge* edge = body_->GetContactList(); edge != nullptr; edge = edge->next) {
@@ -181,10 +180,10 @@ void Player::feel_ground(const engine::Coupling& coupling) {
 }
 
 /// A solid cord below the feet carries, once it has stopped the fall: a jump before that would waste what it stores.
-bool Player::stands_on_cord(const engine::Coupling& coupling) const {
+bool Player::stands_on_cord(const ribbon::box2d::Coupling& coupling) const {
   if (coupling.velocity(*body_).y < tuning_.sinking_speed) return false;
-  for (engine::CordIndex c = 0; c < coupling.size(); ++c) {
-    for (const engine::FixtureTouch& touch : coupling.touching(c)) {
+  for (ribbon::box2d::CordId c = 0; c < coupling.size(); ++c) {
+    for (const ribbon::box2d::FixtureTouch& touch : coupling.cord(c).touching()) {
       const b2Fixture* fixture = coupling.fixture(touch.fixture);
       if (fixture == nullptr || fixture->GetBody() != body_ || touch.impulse <= 0.0) continue;
       if (touch.point.y < position().y - 0.5 * tuning_.height + tuning_.radius) return true;
@@ -219,48 +218,45 @@ void Player::jump_if_wanted() {
   ticks_off_ground_ = tuning_.coyote_ticks + 1;
 }
 
-void Player::catch_cord(engine::Coupling& coupling) {
+void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   const bool on_line = line_.state() == Line::State::held;
   const auto nearest = coupling.nearest_place(hand(), tuning_.reach, on_line ? line_.cord() : std::nullopt);
   if (!nearest) return;
   line_.let_go(coupling);
   grip_ = coupling.position(*nearest) - position();
-  if (coupling.solver(nearest->cord) == engine::Solver::thesis) {
-    coupling.hold(nearest->cord, nearest->point, *body_, to_float(grip_));
+  can_climb_ = coupling.cord(nearest->cord).solver() == ribbon::box2d::Solver::direct;
+  if (!can_climb_) {
+    grip_id_ = coupling.hold(nearest->cord, nearest->point, *body_, to_float(grip_));
     return;
   }
-  engine::GripDef grip;
+  ribbon::box2d::GripDef grip;
   grip.cord = nearest->cord;
   grip.arc = coupling.arc(*nearest);
-  grip.row = nearest->point % coupling.shape(nearest->cord).rows;
-  grip.local_hand = to_float(grip_);
-  grip_id_ = coupling.grip(*body_, grip);
+  grip.row = nearest->point % coupling.cord(nearest->cord).shape().rows;
+  grip.local_anchor = to_float(grip_);
+  grip_id_ = coupling.hold(*body_, grip);
 }
 
 /// Hanging: the held place comes to the hand little by little; up and down climb, and left and right push across the
 /// cord, the only direction in which a push is not lost to it.
-void Player::hang(const Wish& wish, engine::Coupling& coupling, double dt) {
+void Player::hang(const Wish& wish, ribbon::box2d::Coupling& coupling, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
-  const engine::CordPoint held = *coupling.held_by(*body_);
+  const ribbon::box2d::CordPoint held = *coupling.held_by(*body_);
   if (length(coupling.position(held) - position() - grip_) > tuning_.longest_arm) {
     return let_go(coupling);  // torn out of the hand
   }
-  if (grip_id_) {
-    coupling.move_hand(*grip_id_, to_float(grip_));
-    climb(wish.climb, held, coupling);
-  } else {
-    coupling.hold(held.cord, held.point, *body_, to_float(grip_));
-  }
+  coupling.grip(*grip_id_).move_anchor(to_float(grip_));
+  if (can_climb_) climb(wish.climb, held, coupling);
   pump(wish.direction, anchor_of(coupling, held), dt);
 }
 
 /// Up is towards the nearest constrained point, where the cord has one, and else where it is higher.
-void Player::climb(int direction, const engine::CordPoint& held, engine::Coupling& coupling) {
+void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling) {
   const double here = coupling.arc(held);
-  if (direction == 0) return coupling.climb(*grip_id_, here, tuning_.climb_speed);  // stops
-  const engine::CordShape shape = coupling.shape(held.cord);
-  const auto x = coupling.positions(held.cord);
+  if (direction == 0) return coupling.grip(*grip_id_).climb(here, tuning_.climb_speed);  // stops
+  const ribbon::box2d::CordShape shape = coupling.cord(held.cord).shape();
+  const auto x = coupling.cord(held.cord).positions();
   const int pin = nearest_pin(coupling, held);
   const bool up_is_first = pin >= 0 ? pin <= held.point : x.front().y >= x.back().y;
   const double whole = coupling.arc({held.cord, (shape.columns - 1) * shape.rows});
@@ -269,8 +265,8 @@ void Player::climb(int direction, const engine::CordPoint& held, engine::Couplin
       up_is_first ? std::min(here, top + tuning_.top_margin) : std::max(here, top - tuning_.top_margin);
   const double lowest = up_is_first ? whole : 0.0;
   climbs_ = true;
-  coupling.climb(*grip_id_, direction > 0 ? highest : lowest,
-                 direction > 0 ? tuning_.climb_speed : tuning_.slide_speed);
+  coupling.grip(*grip_id_).climb(direction > 0 ? highest : lowest,
+                                 direction > 0 ? tuning_.climb_speed : tuning_.slide_speed);
 }
 
 /// Pushes across what leads from the body to `from`.
@@ -283,7 +279,7 @@ void Player::pump(int direction, Vec2 from, double dt) {
   body_->ApplyLinearImpulseToCenter(to_float(impulse * across), true);
 }
 
-void Player::let_go(engine::Coupling& coupling) {
+void Player::let_go(ribbon::box2d::Coupling& coupling) {
   coupling.release(*body_);
   grip_id_.reset();
   wants_to_catch_ = false;
@@ -299,7 +295,7 @@ void Player::hop() {
   ticks_since_let_go_ = long_ago;
 }
 
-void Player::add_to(engine::Hasher& hasher) const {
+void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(ticks_off_ground_);
   hasher.add(ticks_since_jump_wanted_);
   hasher.add(ticks_since_let_go_);
@@ -307,7 +303,7 @@ void Player::add_to(engine::Hasher& hasher) const {
   hasher.add(buttons_before_);
   hasher.add(static_cast<int>(wants_to_catch_));
   hasher.add(static_cast<int>(faces_left_));
-  hasher.add(grip_id_.value_or(-1));
+  hasher.add(can_climb_ ? grip_id_.value_or(-1) : -1);  // recordings have −1 for cords of the thesis's solver
   hasher.add(grip_);
   line_.add_to(hasher);
 }

@@ -50,12 +50,12 @@ class Player {
 
   /// One tick's buttons (game/simulation/buttons.h): run, jump, catch, climb, pump, let go, and what the line does;
   /// thrown, it goes for the hook at `aim` [m].
-  void apply(std::uint16_t buttons, std::optional<ribbon::Vec2> aim, engine::Coupling& coupling, double dt);
+  void apply(std::uint16_t buttons, std::optional<ribbon::Vec2> aim, ribbon::box2d::Coupling& coupling, double dt);
   /// Feels for ground by the world's last step, as the next apply does else: for who steps the world several times a
   /// tick, and has the player feel what a single step would have found.
-  void feel_ground(const engine::Coupling& coupling);
+  void feel_ground(const ribbon::box2d::Coupling& coupling);
   /// Lets go of everything and stands still at `feet` [m].
-  void put(ribbon::Vec2 feet, engine::Coupling& coupling);
+  void put(ribbon::Vec2 feet, ribbon::box2d::Coupling& coupling);
 
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
@@ -72,29 +72,30 @@ class Player {
   /// Moves otherwise from now on; size and mass of the body stay. No recording has it.
   void set_tuning(const PlayerTuning& tuning) { tuning_ = tuning; }
 
-  void add_to(engine::Hasher& hasher) const;
+  void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
   struct Wish;
 
-  bool holds_cord(const engine::Coupling& coupling) const;
-  bool stands_on_cord(const engine::Coupling& coupling) const;
-  void feel_feet(const engine::Coupling& coupling);
-  void handle_line(const Wish& wish, std::optional<ribbon::Vec2> aim, engine::Coupling& coupling, double dt);
+  bool holds_cord(const ribbon::box2d::Coupling& coupling) const;
+  bool stands_on_cord(const ribbon::box2d::Coupling& coupling) const;
+  void feel_feet(const ribbon::box2d::Coupling& coupling);
+  void handle_line(const Wish& wish, std::optional<ribbon::Vec2> aim, ribbon::box2d::Coupling& coupling, double dt);
   void run(int direction, double dt);
   void jump_if_wanted();
-  void catch_cord(engine::Coupling& coupling);
-  void hang(const Wish& wish, engine::Coupling& coupling, double dt);
-  void climb(int direction, const engine::CordPoint& held, engine::Coupling& coupling);
+  void catch_cord(ribbon::box2d::Coupling& coupling);
+  void hang(const Wish& wish, ribbon::box2d::Coupling& coupling, double dt);
+  void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
   void pump(int direction, ribbon::Vec2 from, double dt);
-  void let_go(engine::Coupling& coupling);
+  void let_go(ribbon::box2d::Coupling& coupling);
   void hop();
 
   PlayerTuning tuning_;
   b2Body* body_;
   Line line_;
-  std::optional<engine::GripId> grip_id_;  // of a cord of the direct solver
-  std::optional<bool> feels_ground_;       // since the last apply
+  std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, which is not the line
+  bool can_climb_ = true;                         // the held cord is of the direct solver
+  std::optional<bool> feels_ground_;              // since the last apply
   bool on_firm_ground_ = false;
   int ticks_off_ground_ = 0;
   int ticks_since_jump_wanted_;

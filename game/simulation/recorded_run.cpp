@@ -72,7 +72,7 @@ void RecordedRun::set_level(Level level, bool tuned) {
   level_ = std::move(level);
 }
 
-void RecordedRun::watch(engine::StepWatcher* watcher) {
+void RecordedRun::watch(ribbon::box2d::StepWatcher* watcher) {
   watcher_ = watcher;
   simulation_->watch(watcher);
 }
@@ -124,7 +124,7 @@ std::string RecordedRun::closing_line() const {
   if (replay_ && !replay_->complete && is_over()) {
     return "the recording was cut short after " + std::to_string(next_) + " ticks";
   }
-  return "hash " + engine::to_hex(simulation_->hash().combined());
+  return "hash " + ribbon::box2d::to_hex(simulation_->hash().combined());
 }
 
 int RecordedRun::exit_status() const { return verifier_ ? engine::exit_status(verifier_->result().outcome) : 0; }

@@ -23,10 +23,10 @@ class RecordedRun {
 
   const Simulation& simulation() const { return *simulation_; }
   const Level& level() const { return level_; }
-  /// Has the next ticks, until a restart, estimate their errors, or not: see engine::Coupling::estimate_errors.
+  /// Has the next ticks, until a restart, estimate their errors, or not: see ribbon::box2d::Coupling::estimate_errors.
   void estimate_errors(bool wanted) { simulation_->scene().coupling().estimate_errors(wanted); }
   /// Is called around each step of the cords from now on, those of a seek too: Simulation::watch. Outlives the run.
-  void watch(engine::StepWatcher* watcher);
+  void watch(ribbon::box2d::StepWatcher* watcher);
   /// Moves the cords side by side from now on: Simulation::use.
   void use(const ribbon::ParallelFor& parallel_for);
   bool has_replay() const { return replay_.has_value(); }
@@ -75,7 +75,7 @@ class RecordedRun {
   std::optional<engine::Replay> replay_;
   Level level_;
   std::optional<Simulation> simulation_;
-  engine::StepWatcher* watcher_ = nullptr;
+  ribbon::box2d::StepWatcher* watcher_ = nullptr;
   ribbon::ParallelFor parallel_for_;
   std::size_t next_ = 0;  // tick of the replay
   bool is_tuned_ = false;

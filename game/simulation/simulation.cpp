@@ -8,8 +8,8 @@
 namespace game {
 namespace {
 
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double longest_reach = 10.0;              // m, that a replay may declare
@@ -76,7 +76,7 @@ void Simulation::skip(const engine::TickInput& input) {
   watch_the_player();
 }
 
-void Simulation::watch(engine::StepWatcher* watcher) {
+void Simulation::watch(ribbon::box2d::StepWatcher* watcher) {
   watcher_ = watcher;
   scene_->coupling().watch(watcher);
 }
@@ -128,7 +128,7 @@ void Simulation::aim(Vec2 pointer) {
 
 /// What hangs from the cord that the player holds; false if nothing does.
 bool Simulation::drop_load() {
-  engine::Coupling& coupling = scene_->coupling();
+  ribbon::box2d::Coupling& coupling = scene_->coupling();
   const auto held = coupling.held_by(player_->body());
   if (!held) return false;
   bool dropped = false;
@@ -176,10 +176,10 @@ void Simulation::remember_where_he_stands() {
 }
 
 void Simulation::take_snapshot(Snapshot& snapshot) const {
-  const engine::Coupling& coupling = scene_->coupling();
+  const ribbon::box2d::Coupling& coupling = scene_->coupling();
   snapshot.cords.resize(static_cast<std::size_t>(coupling.size()));
   for (int c = 0; c < coupling.size(); ++c) {
-    const auto positions = coupling.positions(c);
+    const auto positions = coupling.cord(c).positions();
     snapshot.cords[static_cast<std::size_t>(c)].assign(positions.begin(), positions.end());
   }
   auto index = static_cast<std::size_t>(scene_->world().GetBodyCount());
@@ -190,7 +190,7 @@ void Simulation::take_snapshot(Snapshot& snapshot) const {
 }
 
 void Simulation::compute_hash() {
-  engine::Hasher game;
+  ribbon::box2d::Hasher game;
   game.add(ticks_);
   game.add(run_ticks_);
   game.add(falls_);
@@ -209,7 +209,7 @@ void Simulation::compute_hash() {
   }
 
   hash_.clear();
-  hash_.add(engine::Subsystem::game, 0, game);
+  hash_.add(ribbon::box2d::Subsystem::game, 0, game);
   scene_->add_to(hash_);
 }
 
@@ -220,7 +220,7 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.tick_rate = ticks_per_second;
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
-  header.settings["cord_method"] = std::string(engine::solver_name(engine::Scene::default_solver));
+  header.settings["cord_method"] = std::string(ribbon::box2d::solver_name(engine::Scene::default_solver));
   if (level.assists.player_reach) header.settings[reach_setting] = *level.assists.player_reach;
   if (level.assists.no_fall) header.settings[no_fall_setting] = no_fall_value;
   return header;

@@ -54,19 +54,19 @@ class Simulation {
   const engine::Scene& scene() const { return *scene_; }
   /// What is changed in it is in no recording.
   engine::Scene& scene() { return *scene_; }
-  /// Is called around each step of the scene's cords, and of those of scenes to come: engine::Coupling::watch.
-  void watch(engine::StepWatcher* watcher);
-  /// Moves the cords of this scene, and of those to come, side by side: engine::Coupling::use.
+  /// Is called around each step of the scene's cords, and of those of scenes to come: ribbon::box2d::Coupling::watch.
+  void watch(ribbon::box2d::StepWatcher* watcher);
+  /// Moves the cords of this scene, and of those to come, side by side: ribbon::box2d::Coupling::use.
   void use(const ribbon::ParallelFor& parallel_for);
   const Player& player() const { return *player_; }
-  Player& player() { return *player_; }                          ///< as for the scene
-  const engine::StateHash& hash() const { return hash_; }        ///< after the last tick
-  const Snapshot& previous() const { return previous_; }         ///< before the last tick
-  const Snapshot& current() const { return current_; }           ///< after it
-  int ticks() const { return ticks_; }                           ///< since the beginning
-  int run_ticks() const { return run_ticks_; }                   ///< since the last restart
-  int falls() const { return falls_; }                           ///< out of the level, since the last restart
-  std::optional<int> goal_ticks() const { return goal_ticks_; }  ///< of this run when the goal was reached
+  Player& player() { return *player_; }                           ///< as for the scene
+  const ribbon::box2d::StateHash& hash() const { return hash_; }  ///< after the last tick
+  const Snapshot& previous() const { return previous_; }          ///< before the last tick
+  const Snapshot& current() const { return current_; }            ///< after it
+  int ticks() const { return ticks_; }                            ///< since the beginning
+  int run_ticks() const { return run_ticks_; }                    ///< since the last restart
+  int falls() const { return falls_; }                            ///< out of the level, since the last restart
+  std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< of this run when the goal was reached
   /// Of the level's, the last one entered; a fall ends there.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
   const Drag& drag() const { return drag_; }
@@ -90,14 +90,14 @@ class Simulation {
 
   const Level* level_;
   MakeMover make_mover_;
-  engine::StepWatcher* watcher_ = nullptr;
+  ribbon::box2d::StepWatcher* watcher_ = nullptr;
   ribbon::ParallelFor parallel_for_;
   std::unique_ptr<engine::Scene> scene_;
   std::unique_ptr<Player> player_;
   Mover move_;
   Snapshot previous_;
   Snapshot current_;
-  engine::StateHash hash_;
+  ribbon::box2d::StateHash hash_;
   Drag drag_;
   std::optional<std::size_t> checkpoint_;
   std::optional<std::size_t> aimed_hook_;

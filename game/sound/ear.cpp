@@ -8,8 +8,8 @@
 namespace game {
 namespace {
 
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 constexpr double full_thud = 400.0;       // N·s: 60 kg that land at 6.7 m/s
 constexpr double least_thud_speed = 0.8;  // m/s, by which a blow changes a body's velocity
@@ -25,9 +25,10 @@ constexpr double storm = 16.0;            // m/s
 constexpr double hearing = 9.0;           // m, at which a sound is half as loud, and all at one side
 
 /// N, the greater of the links at the point; of a ribbon it is not known.
-double tension_at(const engine::Coupling& coupling, const engine::CordPoint& held) {
-  if (coupling.solver(held.cord) != engine::Solver::direct || coupling.shape(held.cord).rows != 1) return 0.0;
-  const auto tensions = coupling.cord(held.cord).tensions();
+double tension_at(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
+  if (coupling.cord(held.cord).solver() != ribbon::box2d::Solver::direct || coupling.cord(held.cord).shape().rows != 1)
+    return 0.0;
+  const auto tensions = coupling.cord(held.cord).direct().tensions();
   const auto point = static_cast<std::size_t>(held.point);
   double most = 0.0;
   for (const std::size_t link : {point - 1, point}) {  // the first point has none before it: out of range
@@ -121,8 +122,8 @@ void Ear::hear_bodies(const Simulation& simulation) {
 
 void Ear::hear_cords(const Simulation& simulation) {
   ++since_slap_;
-  const engine::TouchEvent* hardest = nullptr;
-  for (const engine::TouchEvent& touch : simulation.scene().coupling().touch_events()) {
+  const ribbon::box2d::TouchEvent* hardest = nullptr;
+  for (const ribbon::box2d::TouchEvent& touch : simulation.scene().coupling().touch_events()) {
     if (!touch.begins || touch.impulse < least_slap) continue;
     if (hardest == nullptr || touch.impulse > hardest->impulse) hardest = &touch;
   }
@@ -134,7 +135,7 @@ void Ear::hear_cords(const Simulation& simulation) {
 
 void Ear::hear_held_cord(const Simulation& simulation) {
   ++since_creak_;
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto held = coupling.held_by(simulation.player().body());
   const bool by_line = held && simulation.player().line().cord() == held->cord;
   if (held && !held_ && !by_line) add(Noise::catches, 0.8);

@@ -5,15 +5,15 @@
 namespace game {
 namespace {
 
-using engine::CordIndex;
-using engine::Coupling;
+using ribbon::box2d::CordId;
+using ribbon::box2d::Coupling;
 
 /// What reads a field of a cord of the direct solver.
 auto direct(auto read) {
-  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.cord(cord).def()); };
+  return [read](const Coupling& coupling, CordId cord) { return read(coupling.cord(cord).direct().def()); };
 }
 auto thesis(auto read) {
-  return [read](const Coupling& coupling, CordIndex cord) { return read(coupling.thesis_cord(cord).def()); };
+  return [read](const Coupling& coupling, CordId cord) { return read(coupling.cord(cord).thesis().def()); };
 }
 
 std::vector<Dial> direct_dials(bool is_ribbon) {
@@ -66,20 +66,20 @@ std::vector<Dial> thesis_dials() {
 
 }  // namespace
 
-std::vector<Dial> dials_of(const Coupling& coupling, CordIndex cord) {
-  if (coupling.solver(cord) == engine::Solver::thesis) return thesis_dials();
-  return direct_dials(coupling.shape(cord).rows > 1);
+std::vector<Dial> dials_of(const Coupling& coupling, CordId cord) {
+  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis) return thesis_dials();
+  return direct_dials(coupling.cord(cord).shape().rows > 1);
 }
 
-std::vector<Switch> switches_of(const Coupling& coupling, CordIndex cord) {
+std::vector<Switch> switches_of(const Coupling& coupling, CordId cord) {
   using ribbon::CordDef;
-  if (coupling.solver(cord) == engine::Solver::thesis) {
+  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis) {
     return {{"self_collision", thesis([](const ribbon::ThesisDef& d) { return d.self_collision; })}};
   }
   std::vector<Switch> switches = {{"self_contact", direct([](const CordDef& d) { return d.self_contact; })},
                                   {"cord_contact", direct([](const CordDef& d) { return d.cord_contact; })},
                                   {"allow_sleep", direct([](const CordDef& d) { return d.allow_sleep; })}};
-  if (coupling.shape(cord).rows == 1) {
+  if (coupling.cord(cord).shape().rows == 1) {
     switches.push_back({"tension_only", direct([](const CordDef& d) { return d.tension_only; })});
   }
   return switches;

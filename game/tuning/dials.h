@@ -21,18 +21,18 @@ struct Dial {
   bool term = false;
   double on = 0.0;
   /// What the cord has now; infinite: it does not stretch.
-  std::function<double(const engine::Coupling&, engine::CordIndex)> value;
+  std::function<double(const ribbon::box2d::Coupling&, ribbon::box2d::CordId)> value;
 };
 
 /// A term that is there or not, without a number.
 struct Switch {
   const char* property;
-  std::function<bool(const engine::Coupling&, engine::CordIndex)> value;
+  std::function<bool(const ribbon::box2d::Coupling&, ribbon::box2d::CordId)> value;
 };
 
 /// What can be tuned of a cord, by its solver, and rows.
-std::vector<Dial> dials_of(const engine::Coupling& coupling, engine::CordIndex cord);
-std::vector<Switch> switches_of(const engine::Coupling& coupling, engine::CordIndex cord);
+std::vector<Dial> dials_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
+std::vector<Switch> switches_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 /// The value that switches a term off: none takes the property away.
 std::optional<engine::Properties::Value> off_value(const Dial& dial);

@@ -11,8 +11,8 @@
 namespace game {
 namespace {
 
-using engine::Coupling;
 using ribbon::Vec2;
+using ribbon::box2d::Coupling;
 
 void show_cost(const Meter& meter) {
   const std::vector<float> recent = meter.recent_us();
@@ -38,7 +38,7 @@ void show_solving(const Simulation& simulation) {
   const Coupling& coupling = simulation.scene().coupling();
   const b2World& world = simulation.scene().world();
   int near = 0;
-  for (int c = 0; c < coupling.size(); ++c) near += coupling.gathered_near(c);
+  for (int c = 0; c < coupling.size(); ++c) near += coupling.cord(c).near_count();
   ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.islands(), near);
   ImGui::Text("Box2D: %d bodies, %d contacts, %d proxies in a tree %d high", world.GetBodyCount(),
               world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
@@ -56,10 +56,10 @@ void cell(double value, const char* unit) {
   cell(std::string(text.data()));
 }
 
-void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
-  const ribbon::CordReport& last = coupling.report(c);
-  const ribbon::CordReport& total = coupling.total(c);
-  cell(static_cast<int>(coupling.cord(c).touches().size()));
+void show_direct_row(const Coupling& coupling, ribbon::box2d::CordId c, const Meter& meter) {
+  const ribbon::CordReport& last = coupling.cord(c).island_report();
+  const ribbon::CordReport& total = coupling.cord(c).island_total();
+  cell(static_cast<int>(coupling.cord(c).direct().touches().size()));
   cell(greatest_tension(coupling, c), "");
   cell(inverted_cells(coupling, c));
   cell(std::to_string(last.iterations) + "/" + std::to_string(last.stages));
@@ -69,8 +69,8 @@ void show_direct_row(const Coupling& coupling, engine::CordIndex c, const Meter&
   cell(100.0 * meter.peak_stretch(c), " %");
 }
 
-void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter& meter) {
-  const ribbon::StepReport& last = coupling.thesis_report(c);
+void show_thesis_row(const Coupling& coupling, ribbon::box2d::CordId c, const Meter& meter) {
+  const ribbon::StepReport& last = coupling.cord(c).thesis_report();
   cell(last.self_contacts + last.circle_contacts);
   cell("");
   cell(inverted_cells(coupling, c));
@@ -80,9 +80,9 @@ void show_thesis_row(const Coupling& coupling, engine::CordIndex c, const Meter&
 
 }  // namespace
 
-int inverted_cells(const Coupling& coupling, engine::CordIndex cord) {
-  const engine::CordShape shape = coupling.shape(cord);
-  const auto x = coupling.positions(cord);
+int inverted_cells(const Coupling& coupling, ribbon::box2d::CordId cord) {
+  const ribbon::box2d::CordShape shape = coupling.cord(cord).shape();
+  const auto x = coupling.cord(cord).positions();
   const auto rows = static_cast<std::size_t>(shape.rows);
   int count = 0;
   for (std::size_t column = 0; column + rows < x.size(); column += rows) {
@@ -94,9 +94,10 @@ int inverted_cells(const Coupling& coupling, engine::CordIndex cord) {
   return count;
 }
 
-double greatest_tension(const Coupling& coupling, engine::CordIndex cord) {
-  if (coupling.solver(cord) != engine::Solver::direct || coupling.shape(cord).rows != 1) return 0.0;
-  const auto tensions = coupling.cord(cord).tensions();
+double greatest_tension(const Coupling& coupling, ribbon::box2d::CordId cord) {
+  if (coupling.cord(cord).solver() != ribbon::box2d::Solver::direct || coupling.cord(cord).shape().rows != 1)
+    return 0.0;
+  const auto tensions = coupling.cord(cord).direct().tensions();
   return tensions.empty() ? 0.0 : *std::max_element(tensions.begin(), tensions.end());
 }
 
@@ -119,8 +120,8 @@ void show_tables(const Simulation& simulation, const Meter& meter) {
   for (int c = 0; c < coupling.size(); ++c) {
     ImGui::TableNextRow();
     cell(c);
-    cell(static_cast<int>(coupling.positions(c).size()));
-    if (coupling.solver(c) == engine::Solver::direct) {
+    cell(static_cast<int>(coupling.cord(c).positions().size()));
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) {
       show_direct_row(coupling, c, meter);
     } else {
       show_thesis_row(coupling, c, meter);

@@ -22,8 +22,8 @@ std::string text_of(const std::string& path) {
 }
 
 /// -1: none.
-engine::CordIndex cord_of(const engine::Scene& scene, int object) {
-  for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
+ribbon::box2d::CordId cord_of(const engine::Scene& scene, int object) {
+  for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
     if (scene.cord_object(cord) == object) return cord;
   }
   return -1;
@@ -37,7 +37,7 @@ void set_gravity(b2World& world, const engine::Properties& properties) {
 }  // namespace
 
 TunedLevel::TunedLevel(const Level& level) : file_text_(text_of(level.map.file)), text_(file_text_), level_(level) {
-  if (engine::hash_bytes(file_text_) != level.map.content_hash) {
+  if (ribbon::box2d::hash_bytes(file_text_) != level.map.content_hash) {
     throw engine::MapError(level.map.file +
                            ": the file has changed since the level was loaded; load it anew to tune it");
   }
@@ -57,7 +57,7 @@ void TunedLevel::take(std::string text, int object, engine::Scene& scene) {
   level.assists = level_.assists;
   if (object == engine::map_itself) {
     set_gravity(scene.world(), level.map.properties);
-  } else if (const engine::CordIndex cord = cord_of(scene, object); cord >= 0) {
+  } else if (const ribbon::box2d::CordId cord = cord_of(scene, object); cord >= 0) {
     engine::retune(scene.coupling(), cord, *level.map.find(object));
   }
   text_ = std::move(text);

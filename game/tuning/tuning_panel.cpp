@@ -20,12 +20,12 @@ bool slide(const char* label, double& value, double least, double most, bool log
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, "%.4g", flags);
 }
 
-std::string title_of(const engine::Scene& scene, const Level& level, engine::CordIndex cord) {
+std::string title_of(const engine::Scene& scene, const Level& level, ribbon::box2d::CordId cord) {
   std::string title = "cord " + std::to_string(cord);
   const engine::MapObject* object = level.map.find(scene.cord_object(cord));
   if (object != nullptr && !object->name.empty()) title += ": " + object->name;
   title += " (";
-  title += engine::solver_name(scene.coupling().solver(cord));
+  title += ribbon::box2d::solver_name(scene.coupling().cord(cord).solver());
   return title + ")";
 }
 
@@ -65,7 +65,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
       show_world(run);
       show_player(run);
       const engine::Scene& scene = run.simulation().scene();
-      for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
+      for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
         const std::string title = title_of(scene, run.level(), cord);
         ImGui::PushID(cord);
         if (ImGui::CollapsingHeader(title.c_str())) show_cord(scene, cord);
@@ -123,7 +123,7 @@ void TuningPanel::show_player(const RecordedRun& run) {
   if (moved) player_ = tuning;
 }
 
-void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) {
+void TuningPanel::show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord) {
   const int object = scene.cord_object(cord);
   if (object == 0) {
     ImGui::TextWrapped("The player's own line is not part of a level.");
@@ -133,9 +133,9 @@ void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) 
     bool on = option.value(scene.coupling(), cord);
     if (ImGui::Checkbox(option.property, &on)) wish_ = Wish{object, option.property, on};
   }
-  if (scene.coupling().solver(cord) == engine::Solver::direct) {
+  if (scene.coupling().cord(cord).solver() == ribbon::box2d::Solver::direct) {
     constexpr std::array names = {"tr_bdf2", "implicit_euler"};
-    int chosen = static_cast<int>(scene.coupling().cord(cord).def().accuracy.integrator);
+    int chosen = static_cast<int>(scene.coupling().cord(cord).direct().def().accuracy.integrator);
     if (ImGui::Combo("integrator", &chosen, names.data(), static_cast<int>(names.size()))) {
       wish_ = Wish{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
     }
@@ -143,7 +143,7 @@ void TuningPanel::show_cord(const engine::Scene& scene, engine::CordIndex cord) 
   show_dials(scene.coupling(), cord, object);
 }
 
-void TuningPanel::show_dials(const engine::Coupling& coupling, engine::CordIndex cord, int object) {
+void TuningPanel::show_dials(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int object) {
   for (const Dial& dial : dials_of(coupling, cord)) {
     double value = dial.value(coupling, cord);
     const bool is_on = !dial.term || (value != 0.0 && std::isfinite(value));

@@ -36,8 +36,8 @@ class TuningPanel {
   };
 
   void show(const RecordedRun& run, const Meter& meter, double scale);
-  void show_cord(const engine::Scene& scene, engine::CordIndex cord);
-  void show_dials(const engine::Coupling& coupling, engine::CordIndex cord, int object);
+  void show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord);
+  void show_dials(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int object);
   void show_world(const RecordedRun& run);
   void show_player(const RecordedRun& run);
   void show_file(const RecordedRun& run);

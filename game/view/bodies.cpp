@@ -14,8 +14,8 @@ namespace game {
 namespace {
 
 using engine::Color;
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 constexpr double beam = 1.45;          // m; thinner ground is of wood
 constexpr double image_size = 4.0;     // m of the world on an image of earth

@@ -89,15 +89,15 @@ class ClothMesh {
 }  // namespace
 
 void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const std::vector<Color>& colors) {
-  const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
-  const double radius = direct ? cord.coupling.cord(cord.index).def().radius : 0.0;
+  const bool direct = cord.coupling.cord(cord.index).solver() == ribbon::box2d::Solver::direct;
+  const double radius = direct ? cord.coupling.cord(cord.index).direct().def().radius : 0.0;
   const Rails rails = rails_of(pen, cord, steps);
   Rails inner = rails;
   Rails outer = rails;
   grow(inner, radius * pen.scale() - 0.5);
   grow(outer, radius * pen.scale() + 0.5);
-  const double spacing =
-      direct ? cord.coupling.cord(cord.index).rest_length(0) : cord.coupling.thesis_cord(cord.index).def().spacing;
+  const double spacing = direct ? cord.coupling.cord(cord.index).direct().rest_length(0)
+                                : cord.coupling.cord(cord.index).thesis().def().spacing;
   const auto color_of = [&](int i) {
     if (colors.empty()) return color;
     const auto column = static_cast<std::size_t>(i / steps);

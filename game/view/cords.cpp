@@ -121,9 +121,9 @@ double strain(const DrawnCord& cord, int column) {
   double sum = 0.0;
   for (int j = 0; j < cord.shape.rows; ++j)
     sum += length(cord.at(cord.point(i + 1, j)) - cord.at(cord.point(i, j))) / cord.shape.rows;
-  const bool direct = cord.coupling.solver(cord.index) == engine::Solver::direct;
-  const double rest =
-      direct ? cord.coupling.cord(cord.index).rest_length(i) : cord.coupling.thesis_cord(cord.index).def().spacing;
+  const bool direct = cord.coupling.cord(cord.index).solver() == ribbon::box2d::Solver::direct;
+  const double rest = direct ? cord.coupling.cord(cord.index).direct().rest_length(i)
+                             : cord.coupling.cord(cord.index).thesis().def().spacing;
   return sum / rest - 1.0;
 }
 

@@ -10,16 +10,16 @@ namespace game {
 
 /// A cord at a moment between two ticks.
 struct DrawnCord {
-  const engine::Coupling& coupling;
-  engine::CordIndex index;
-  engine::CordShape shape;
+  const ribbon::box2d::Coupling& coupling;
+  ribbon::box2d::CordId index;
+  ribbon::box2d::CordShape shape;
   const std::vector<ribbon::Vec2>& points;  ///< m
   bool is_line = false;                     ///< the player's own
 
   int size() const { return static_cast<int>(points.size()); }
   int point(int i, int j) const { return i * shape.rows + j; }
   ribbon::Vec2 at(int p) const { return points[static_cast<std::size_t>(p)]; }
-  ribbon::PointKind kind(int p) const { return coupling.kind(index, p); }
+  ribbon::PointKind kind(int p) const { return coupling.cord(index).kind(p); }
 };
 
 /// By how much the cord is longer between two columns than at rest, as a share, in the middle of its rows.

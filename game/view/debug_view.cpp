@@ -19,12 +19,14 @@ constexpr Color operated_point{250, 220, 40};
 constexpr Color constrained_point{225, 40, 40};
 constexpr Color contact_color{255, 120, 220};
 
-bool is_direct(const DrawnCord& cord) { return cord.coupling.solver(cord.index) == engine::Solver::direct; }
+bool is_direct(const DrawnCord& cord) {
+  return cord.coupling.cord(cord.index).solver() == ribbon::box2d::Solver::direct;
+}
 
 /// White where there is no telling.
 Color bar_color(const DrawnCord& cord, int column) {
   if (cord.shape.rows > 1 || !is_direct(cord)) return {255, 255, 255, 200};
-  return tension_color(cord.coupling.cord(cord.index).tensions()[static_cast<std::size_t>(column)]);
+  return tension_color(cord.coupling.cord(cord.index).direct().tensions()[static_cast<std::size_t>(column)]);
 }
 
 void draw_bars(Pen& pen, const DrawnCord& cord) {
@@ -47,7 +49,7 @@ void draw_bars(Pen& pen, const DrawnCord& cord) {
 }
 
 void draw_points(Pen& pen, const DrawnCord& cord) {
-  const bool sleeps = is_direct(cord) && cord.coupling.cord(cord.index).is_asleep();
+  const bool sleeps = is_direct(cord) && cord.coupling.cord(cord.index).direct().is_asleep();
   for (int p = 0; p < cord.size(); ++p) {
     const PointKind kind = cord.kind(p);
     const Color color = kind == PointKind::free       ? (sleeps ? sleeping_point : free_point)
@@ -70,7 +72,7 @@ void draw_inverted_cells(Pen& pen, const DrawnCord& cord) {
 }
 
 void draw_reach(Pen& pen, const DrawnCord& cord) {
-  const ribbon::Box& box = cord.coupling.reach(cord.index);
+  const ribbon::Box& box = cord.coupling.cord(cord.index).swept_aabb();
   const std::array corners = {box.low, Vec2{box.high.x, box.low.y}, box.high, Vec2{box.low.x, box.high.y}, box.low};
   pen.canvas.polyline(corners, 0.02, {255, 255, 255, 150});
 }
@@ -78,7 +80,7 @@ void draw_reach(Pen& pen, const DrawnCord& cord) {
 /// As long as the impulse is large, by its root.
 void draw_contacts(Pen& pen, const DrawnCord& cord) {
   if (!is_direct(cord)) return;
-  for (const ribbon::Touch& touch : cord.coupling.cord(cord.index).touches()) {
+  for (const ribbon::Touch& touch : cord.coupling.cord(cord.index).direct().touches()) {
     const double long_as = std::clamp(0.25 * std::sqrt(std::abs(touch.impulse)), 0.2, 1.2);
     pen.canvas.polyline(std::array{touch.point, touch.point + long_as * touch.normal}, 0.035, contact_color);
     pen.canvas.circle(touch.point, 0.06, contact_color);

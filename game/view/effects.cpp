@@ -26,7 +26,7 @@ CameraSubject Effects::subject() const {
   const Player& player = simulation_->player();
   CameraSubject now;
   now.at = player.position();
-  now.velocity = engine::to_double(player.body().GetLinearVelocity());
+  now.velocity = ribbon::box2d::to_double(player.body().GetLinearVelocity());
   now.faces_left = player.faces_left();
   return now;
 }

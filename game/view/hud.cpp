@@ -63,17 +63,17 @@ std::vector<std::string> in_words(std::initializer_list<int> counts) {
   return row;
 }
 
-int points_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  return static_cast<int>(coupling.positions(cord).size());
+int points_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  return static_cast<int>(coupling.cord(cord).positions().size());
 }
 
-Table thesis_counts(const engine::Coupling& coupling) {
+Table thesis_counts(const ribbon::box2d::Coupling& coupling) {
   Table table = {
       {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) != engine::Solver::thesis) continue;
-    const ribbon::StepReport& report = coupling.thesis_report(c);
-    const ribbon::StepReport& total = coupling.thesis_total(c);
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::thesis) continue;
+    const ribbon::StepReport& report = coupling.cord(c).thesis_report();
+    const ribbon::StepReport& total = coupling.cord(c).thesis_total();
     table.push_back(in_words({c, points_of(coupling, c), report.self_contacts, report.circle_contacts,
                               report.tangled_columns, total.fem_skipped, total.motion_limited, report.strained_bars}));
   }
@@ -102,17 +102,17 @@ std::string cost_in_words(const Meter& meter) {
   return text.data();
 }
 
-Table direct_counts(const engine::Coupling& coupling, const Meter* meter) {
+Table direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter) {
   Table table = {
       {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
   if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) != engine::Solver::direct) continue;
-    const ribbon::CordReport& total = coupling.total(c);
-    const auto touches = static_cast<int>(coupling.cord(c).touches().size());
-    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.report(c).iterations, total.impacts,
-                              total.fallbacks, total.unconverged}));
-    if (coupling.cord(c).is_asleep()) table.back()[3] = "asleep";
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
+    const ribbon::CordReport& total = coupling.cord(c).island_total();
+    const auto touches = static_cast<int>(coupling.cord(c).direct().touches().size());
+    table.push_back(in_words({c, points_of(coupling, c), touches, coupling.cord(c).island_report().iterations,
+                              total.impacts, total.fallbacks, total.unconverged}));
+    if (coupling.cord(c).direct().is_asleep()) table.back()[3] = "asleep";
     if (meter == nullptr) continue;
     table.back().push_back(per_cent(meter->peak_stretch(c)));
     table.back().push_back(millimetres(meter->error_a_second(c)));
@@ -131,7 +131,7 @@ std::vector<double> column_edges(const Canvas& canvas, const Table& table, doubl
 
 /// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
 void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<std::string> legend = {
       "points: blue free, grey asleep, yellow dragged, red constrained; pink: contacts; boxes: what a cord may reach",
       "ropes: tension, from violet (1 N) to yellow (10 kN); red cells are inside out"};

@@ -22,17 +22,17 @@ namespace game {
 namespace {
 
 using engine::Color;
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 /// m, where a body holds a cord, if it holds one.
-std::optional<Vec2> held_place(const engine::Coupling& coupling, const Snapshot& now, const b2Body& body) {
+std::optional<Vec2> held_place(const ribbon::box2d::Coupling& coupling, const Snapshot& now, const b2Body& body) {
   const auto held = coupling.held_by(body);
   if (!held) return std::nullopt;
   const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
   const Vec2 point = x[static_cast<std::size_t>(held->point)];
   if (held->along == 0.0) return point;
-  const int after = held->point + coupling.shape(held->cord).rows;
+  const int after = held->point + coupling.cord(held->cord).shape().rows;
   return point + held->along * (x[static_cast<std::size_t>(after)] - point);
 }
 
@@ -53,10 +53,10 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
 }
 
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
   for (int c = 0; c < coupling.size(); ++c)
-    cords.push_back({coupling, c, coupling.shape(c), now.cords[static_cast<std::size_t>(c)],
+    cords.push_back({coupling, c, coupling.cord(c).shape(), now.cords[static_cast<std::size_t>(c)],
                      simulation.player().line().cord() == c});
   return cords;
 }

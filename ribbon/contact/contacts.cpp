@@ -164,7 +164,7 @@ bool Contacts::is_settled(std::span<const Vec2> x, double tolerated) {
     const double rub = std::clamp(-friction_share * pair.stiffness * slid, -most, most);
     take(pair, rub - rubs_[active.pair]);
   }
-  return off <= settled_share * sum || off_depth <= tolerated / rough_firmness;
+  return off <= settled_share * sum || off_depth <= tolerated / soft_firmness;
 }
 
 bool Contacts::are_shallow() const {

@@ -61,8 +61,8 @@ class Contacts {
   /// Of a contact [1], times the mass that may press, over the square of the step: so deep does what presses sink as
   /// its own way in a step is divided by that.
   static constexpr double firmness = 2e3;
-  /// The same of scenery, which needs less than half the Newton steps for being as soft as that.
-  static constexpr double rough_firmness = 1e2;
+  /// The same for Accuracy::soft_contacts, which need less than half the Newton steps.
+  static constexpr double soft_firmness = 1e2;
 
   /// Forgets all pairs and spots; points are the anchors before the spots.
   void clear(std::size_t points);

@@ -20,9 +20,12 @@ constexpr double posed_near_widening = 8.0;  // the same near by along an outlin
 constexpr double noise_share = 0.1;          // of the tolerance, that a point may move in a step without meaning it
 
 Accuracy sharper(const Accuracy& a, const Accuracy& b) {
-  return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator, std::max(a.substeps, b.substeps),
-          std::max(a.max_iterations, b.max_iterations), std::min(a.tolerance, b.tolerance),
-          std::max(a.max_work, b.max_work)};
+  return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator,
+          std::max(a.substeps, b.substeps),
+          std::max(a.max_iterations, b.max_iterations),
+          std::min(a.tolerance, b.tolerance),
+          std::max(a.max_work, b.max_work),
+          a.soft_contacts && b.soft_contacts};
 }
 
 }  // namespace

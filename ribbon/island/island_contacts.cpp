@@ -19,7 +19,7 @@ constexpr double tolerated_rebound = 5e-4;  // of the scene's energy, that a reb
 constexpr double penalty_factor = 2.0;      // by which the exact penalty of a search is above the tensions
 constexpr double unsettled_share = 1e-2;  // of the tolerance, that forces which are not as expected may move something
 constexpr double crawling_share = 0.1;    // of a step, less of which says that its contacts are not as expected
-constexpr int enough_fulls = 2;           // of a rough stage
+constexpr int enough_fulls = 2;           // of a stage with soft contacts
 constexpr double shortest_step = 1e-6;    // of a Newton step, below which a search gives up
 constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which it is none
 
@@ -37,8 +37,8 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
   double left = 1.0;  // of the way of what drives
   go_led(left);
   bool strict = false;
-  const bool rough = is_rough();
-  const double tolerated = rough ? unsettled_share * tolerance_ : 0.0;
+  const bool soft = accuracy_.soft_contacts;
+  const double tolerated = soft ? unsettled_share * tolerance_ : 0.0;
   const int most = is_patient() ? patient_touching_iterations : touching_iterations;
   int fulls = 0;
   for (int iteration = 0; iteration < most && !is_tried(report); ++iteration) {
@@ -60,7 +60,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     const double free = contacts_.free_way(positions_, trial_, false, 1.0);
     const bool small = moved <= tolerance_ && free == 1.0;
     // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
-    const bool in_full = small && (rough || iteration < patient_iterations || moved <= negligible_share * tolerance_);
+    const bool in_full = small && (soft || iteration < patient_iterations || moved <= negligible_share * tolerance_);
     if (in_full) ++fulls;
     const double share = in_full ? 1.0 : search(stage, free, iteration);
     if (share == 0.0) {
@@ -75,7 +75,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     positions_.swap(trial_);
     tensions_.swap(next_);
     if (!small || left > 0.0 || slips_ || !are_bars_settled(stage, iteration)) continue;
-    if (contacts_.is_settled(positions_, tolerated) || (rough && fulls >= enough_fulls && contacts_.are_shallow())) {
+    if (contacts_.is_settled(positions_, tolerated) || (soft && fulls >= enough_fulls && contacts_.are_shallow())) {
       return ends_stage(from);
     }
   }

@@ -171,7 +171,8 @@ double Island::pressing_mass(const Member& member) const {
 /// if he is in a little, in several if he is in deep.
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
-  pair.stiffness = (is_rough() ? Contacts::rough_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
+  pair.stiffness =
+      (accuracy_.soft_contacts ? Contacts::soft_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
   const auto& touches = member.cord->touches_;

@@ -20,8 +20,8 @@ int main() {
     const std::uint64_t hash = bits::hash_of_run(scene);
     const bool same = hash == scene.golden;
     different += same ? 0 : 1;
-    std::printf("%s: %s, %s\n", std::string(scene.name).c_str(), engine::to_hex(hash).c_str(),
-                same ? "same" : ("golden " + engine::to_hex(scene.golden)).c_str());
+    std::printf("%s: %s, %s\n", std::string(scene.name).c_str(), ribbon::box2d::to_hex(hash).c_str(),
+                same ? "same" : ("golden " + ribbon::box2d::to_hex(scene.golden)).c_str());
   }
   return different == 0 ? 0 : 1;
 }

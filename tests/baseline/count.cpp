@@ -33,9 +33,9 @@ std::vector<std::filesystem::path> recorded_runs() {
   return paths;
 }
 
-int points(const engine::Coupling& coupling) {
+int points(const ribbon::box2d::Coupling& coupling) {
   int sum = 0;
-  for (int c = 0; c < coupling.size(); ++c) sum += static_cast<int>(coupling.positions(c).size());
+  for (int c = 0; c < coupling.size(); ++c) sum += static_cast<int>(coupling.cord(c).positions().size());
   return sum;
 }
 

@@ -10,12 +10,12 @@
 namespace bits {
 namespace {
 
-using engine::Coupling;
-using engine::to_float;
 using ribbon::Accuracy;
 using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::Vec2;
+using ribbon::box2d::Coupling;
+using ribbon::box2d::to_float;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -99,11 +99,11 @@ void build_ropes(BitWorld& scene) {
 }
 
 void drive_ropes(BitWorld& scene, int tick) {
-  if (tick == 20) scene.coupling.cord(0).reel(5, 25, 2.0, 1.5);
-  if (tick == 60) scene.coupling.cord(1).set_load(15, {30.0, 10.0});
-  if (tick >= 80 && tick < 100) scene.coupling.operate(1, 10, {1.0 + 0.01 * tick, 4.0});
-  if (tick == 100) scene.coupling.release(1, 10);
-  if (tick == 110) scene.coupling.release(0, 0);
+  if (tick == 20) scene.coupling.cord(0).direct().reel(5, 25, 2.0, 1.5);
+  if (tick == 60) scene.coupling.cord(1).direct().set_load(15, {30.0, 10.0});
+  if (tick >= 80 && tick < 100) scene.coupling.cord(1).drag(10, {1.0 + 0.01 * tick, 4.0});
+  if (tick == 100) scene.coupling.cord(1).free(10);
+  if (tick == 110) scene.coupling.cord(0).free(0);
 }
 
 /// Bending and links that only pull, as a band; the presets beside each other.
@@ -139,7 +139,7 @@ void build_ribbons(BitWorld& scene) {
   bars.stretch_stiffness = 1e4;
   bars.pins = {0, 1, 2};
   for (const CordDef& def : {crushed, narrow, bars}) scene.coupling.add(Cord(def));
-  scene.coupling.cord(1).attach_mass(41, 2.0);
+  scene.coupling.cord(1).direct().attach_mass(41, 2.0);
 }
 
 /// Balls, a box and a cord's own end on a bridge, posts and ground below it, friction and restitution.
@@ -181,26 +181,39 @@ void build_grips(BitWorld& scene) {
   Coupling& coupling = scene.coupling;
   coupling.hold(0, 25, add_holder(scene, {0.0, -5.1}, 0.3), {0.0F, 0.1F});
   b2Body& between = add_holder(scene, {1.0, -3.0}, 0.2);
-  coupling.grip(between, {.cord = 0, .arc = 3.03, .local_hand = {-0.9F, 0.0F}});
-  coupling.grip(between, {.cord = 1, .arc = 2.51, .local_hand = {0.9F, 0.0F}});
+  coupling.hold(between, {.cord = 0, .arc = 3.03, .local_anchor = {-0.9F, 0.0F}});
+  coupling.hold(between, {.cord = 1, .arc = 2.51, .local_anchor = {0.9F, 0.0F}});
   b2Body& climber = add_holder(scene, {2.0, -4.4}, 0.25);
-  coupling.climb(coupling.grip(climber, {.cord = 1, .arc = 4.33}), 3.4, 0.8);
-  coupling.grip(add_holder(scene, {2.1, -1.0}, 0.1), {.cord = 1, .arc = 1.0, .strength = 3.0});
+  coupling.grip(coupling.hold(climber, {.cord = 1, .arc = 4.33})).climb(3.4, 0.8);
+  coupling.hold(add_holder(scene, {2.1, -1.0}, 0.1), {.cord = 1, .arc = 1.0, .strength = 3.0});
   b2Body& left = add_holder(scene, {5.0, 0.0}, 0.1);
   b2Body& right = add_holder(scene, {6.4, 0.1}, 0.1);
-  coupling.grip(left, {.cord = 2, .arc = 0.0});
-  coupling.grip(left, {.cord = 2, .arc = 0.1, .row = 1, .local_hand = {0.1F, 0.1F}});
-  coupling.grip(right, {.cord = 2, .arc = 1.35, .row = 1});
-  coupling.grip(add_holder(scene, {5.7, 0.3}, 0.2), {.cord = 2, .arc = 0.7, .strength = 60.0, .lets_go = true});
+  coupling.hold(left, {.cord = 2, .arc = 0.0});
+  coupling.hold(left, {.cord = 2, .arc = 0.1, .row = 1, .local_anchor = {0.1F, 0.1F}});
+  coupling.hold(right, {.cord = 2, .arc = 1.35, .row = 1});
+  coupling.hold(add_holder(scene, {5.7, 0.3}, 0.2), {.cord = 2, .arc = 0.7, .strength = 60.0, .lets_go = true});
   add_circle(scene, {5.6, -1.0}, 0.3, b2_staticBody);
+}
+
+/// Moves a grip to a point of another cord. Only a changed state can do that: a body that holds again gets a new grip.
+void move_to_cord(BitWorld& scene, ribbon::box2d::GripId grip, ribbon::box2d::CordId cord, int point) {
+  Coupling::State state = scene.coupling.save(scene.world);
+  for (Coupling::State::Grip& held : state.grips) {
+    if (held.memory.id != grip) continue;
+    held.memory.cord = cord;
+    held.memory.point = point;
+    held.memory.along = 0.0;
+    held.memory.local_anchor = held.memory.next_anchor = {0.0F, 0.0F};
+  }
+  scene.coupling.restore(state, scene.world);
 }
 
 void drive_grips(BitWorld& scene, int tick) {
   b2Body& swinger = body(scene.world, 0);
   if (tick < 60) swinger.ApplyLinearImpulseToCenter({0.5F, 0.0F}, true);
-  if (tick == 70) scene.coupling.hold(0, 25, swinger, {0.05F, 0.2F});
+  if (tick == 70) scene.coupling.grip(1).move_anchor({0.05F, 0.2F});
   if (tick == 100) scene.coupling.release(swinger);
-  if (tick == 120) scene.coupling.hold(1, 25, body(scene.world, 1), {0.0F, 0.0F});
+  if (tick == 120) move_to_cord(scene, 2, 1, 25);
 }
 
 /// A rope that falls into a pile on itself, ribbons on one another and a ball that joins them.
@@ -255,9 +268,9 @@ void build_thesis(BitWorld& scene) {
 }
 
 void drive_thesis(BitWorld& scene, int tick) {
-  if (tick >= 40 && tick < 80) scene.coupling.operate(0, 27, {0.7 - 0.005 * tick, -0.2});
-  if (tick == 80) scene.coupling.release(0, 27);
-  if (tick == 90) scene.coupling.release(1, 0);
+  if (tick >= 40 && tick < 80) scene.coupling.cord(0).drag(27, {0.7 - 0.005 * tick, -0.2});
+  if (tick == 80) scene.coupling.cord(0).free(27);
+  if (tick == 90) scene.coupling.cord(1).free(0);
 }
 
 /// What no step resolves: a hand that yanks, another that pulls further than the cord is long, a whip, a load that
@@ -278,13 +291,13 @@ void build_rough(BitWorld& scene) {
 void drive_rough(BitWorld& scene, int tick) {
   Coupling& coupling = scene.coupling;
   const double back_and_forth = tick % 8 < 4 ? 1.0 : -1.0;
-  if (tick < 60) coupling.operate(0, 0, {1.2 * back_and_forth, 0.4 * (tick % 5)});
-  if (tick == 30) coupling.operate(0, 20, {9.0, 0.0});
-  if (tick == 40) coupling.release(0, 20);
-  if (tick == 60) coupling.release(0, 0);
-  if (tick % 20 == 5) coupling.cord(1).attach_mass(20, tick % 40 == 5 ? 1e4 : 0.0);
-  if (tick < 40) coupling.operate(1, 0, {0.0, 1.0 + 0.5 * back_and_forth});
-  if (tick % 30 == 10) coupling.cord(2).set_velocity(35, {60.0 * back_and_forth, 80.0});
+  if (tick < 60) coupling.cord(0).drag(0, {1.2 * back_and_forth, 0.4 * (tick % 5)});
+  if (tick == 30) coupling.cord(0).drag(20, {9.0, 0.0});
+  if (tick == 40) coupling.cord(0).free(20);
+  if (tick == 60) coupling.cord(0).free(0);
+  if (tick % 20 == 5) coupling.cord(1).direct().attach_mass(20, tick % 40 == 5 ? 1e4 : 0.0);
+  if (tick < 40) coupling.cord(1).drag(0, {0.0, 1.0 + 0.5 * back_and_forth});
+  if (tick % 30 == 10) coupling.cord(2).direct().set_velocity(35, {60.0 * back_and_forth, 80.0});
 }
 
 /// A lamp on a rope and a ball in a hammock, which fall asleep and are woken: by a blow, a reel, a hammock that goes.
@@ -312,9 +325,9 @@ void build_asleep(BitWorld& scene) {
 
 void drive_asleep(BitWorld& scene, int tick) {
   if (tick == 150) body(scene.world, 0).ApplyLinearImpulseToCenter({0.2F, 0.0F}, true);
-  if (tick == 170) scene.coupling.set_enabled(1, false);
-  if (tick == 175) scene.coupling.set_enabled(1, true);
-  if (tick == 190) scene.coupling.cord(0).reel(0, 20, 1.5, 1.0);
+  if (tick == 170) scene.coupling.cord(1).set_enabled(false);
+  if (tick == 175) scene.coupling.cord(1).set_enabled(true);
+  if (tick == 190) scene.coupling.cord(0).direct().reel(0, 20, 1.5, 1.0);
 }
 
 constexpr std::array<BitScene, 9> scenes = {{
@@ -343,14 +356,11 @@ b2Body& body(b2World& world, int n) {
 
 void tick(const BitScene& scene, BitWorld& world, int number) {
   if (scene.drive != nullptr) scene.drive(world, number);
-  world.coupling.gather(world.world, dt);
-  world.coupling.step();
-  world.coupling.apply();
-  world.world.Step(static_cast<float>(dt), 8, 3);
+  world.coupling.tick(world.world, dt);
 }
 
 std::uint64_t hash_of(const Coupling& coupling, const b2World& world) {
-  engine::Hasher hasher;
+  ribbon::box2d::Hasher hasher;
   add_to(hasher, coupling.save(world));
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     const b2Transform& transform = body->GetTransform();
@@ -367,7 +377,7 @@ std::uint64_t hash_of(const Coupling& coupling, const b2World& world) {
 std::uint64_t hash_of_run(const BitScene& scene) {
   BitWorld world;
   scene.build(world);
-  engine::Hasher all;
+  ribbon::box2d::Hasher all;
   for (int k = 0; k < scene.ticks; ++k) {
     tick(scene, world, k);
     all.add(hash_of(world.coupling, world.world));

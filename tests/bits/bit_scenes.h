@@ -19,7 +19,7 @@ inline constexpr double dt = 1.0 / 60.0;  // s
 /// A world with cords in it, between two ticks.
 struct BitWorld {
   b2World world{b2Vec2(0.0F, -9.81F)};
-  engine::Coupling coupling;
+  ribbon::box2d::Coupling coupling;
 };
 
 /// What is done to a world before each tick.
@@ -41,7 +41,7 @@ b2Body& body(b2World& world, int n);
 void tick(const BitScene& scene, BitWorld& world, int number);
 
 /// Of every bit of the coupling's state and of the bodies'.
-std::uint64_t hash_of(const engine::Coupling& coupling, const b2World& world);
+std::uint64_t hash_of(const ribbon::box2d::Coupling& coupling, const b2World& world);
 
 /// Of all of a scene's ticks.
 std::uint64_t hash_of_run(const BitScene& scene);

@@ -32,7 +32,7 @@ std::string played(const GoldenRun& run) {
 
 std::string wanted(const GoldenRun& run) {
   return "verified " + std::to_string(run.replay.ticks.size()) + " ticks, hash " +
-         engine::to_hex(run.replay.ticks.back().state.combined());
+         ribbon::box2d::to_hex(run.replay.ticks.back().state.combined());
 }
 
 TEST_P(SameBitsReplay, RepeatedlyAndInThreads) {
@@ -71,10 +71,10 @@ TEST_P(SameBitsReplay, At20And60And144FramesASecond) {
 
 /// Everything once, in few seconds: what tests/bits/build compares builds by, in one line.
 TEST(SameBitsAll, ScenesAndReplaysHaveOneHash) {
-  engine::Hasher all;
+  ribbon::box2d::Hasher all;
   for (const BitScene& scene : bit_scenes()) {
     const std::uint64_t hash = hash_of_run(scene);
-    EXPECT_EQ(engine::to_hex(hash), engine::to_hex(scene.golden)) << scene.name;
+    EXPECT_EQ(ribbon::box2d::to_hex(hash), ribbon::box2d::to_hex(scene.golden)) << scene.name;
     all.add(hash);
   }
   for (const std::string& path : golden_replays()) {
@@ -82,7 +82,7 @@ TEST(SameBitsAll, ScenesAndReplaysHaveOneHash) {
     EXPECT_EQ(played(run), wanted(run));
     for (const engine::RecordedTick& recorded : run.replay.ticks) all.add(recorded.state.combined());
   }
-  std::printf("hash of everything: %s\n", engine::to_hex(all.value()).c_str());
+  std::printf("hash of everything: %s\n", ribbon::box2d::to_hex(all.value()).c_str());
 }
 
 }  // namespace

@@ -43,12 +43,13 @@ void set_velocities(b2World& world, const std::vector<Velocity>& velocities) {
 
 /// Leaves nothing of a coupling as it was, but the world: it goes on from what it was long before, and then some ticks
 /// in which nothing else moves.
-void spoil(engine::Coupling& coupling, b2World& world, const engine::Coupling::State& long_before) {
+void spoil(ribbon::box2d::Coupling& coupling, b2World& world, const ribbon::box2d::Coupling::State& long_before) {
   const std::vector<Velocity> velocities = velocities_of(world);
   coupling.restore(long_before, world);
   for (int k = 0; k < 2; ++k) {
     coupling.gather(world, dt);
     coupling.step();
+    coupling.restore(coupling.save(world), world);  // in place of apply
   }
   set_velocities(world, velocities);
 }
@@ -60,9 +61,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Restored, testing::ValuesIn(bit_scenes().begin(
 TEST_P(Restored, SavedIsWhatComesBack) {
   BitWorld world;
   GetParam().build(world);
-  const engine::Coupling::State start = world.coupling.save(world.world);
+  const ribbon::box2d::Coupling::State start = world.coupling.save(world.world);
   for (int k = 0; k < GetParam().ticks / 2; ++k) tick(GetParam(), world, k);
-  const engine::Coupling::State state = world.coupling.save(world.world);
+  const ribbon::box2d::Coupling::State state = world.coupling.save(world.world);
   EXPECT_FALSE(start == state);
   world.coupling.restore(start, world.world);
   EXPECT_TRUE(world.coupling.save(world.world) == start);
@@ -80,7 +81,7 @@ TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
     twins.push_back(std::make_unique<BitWorld>());
     scene.build(*twins.back());
   }
-  const engine::Coupling::State start = world.coupling.save(world.world);
+  const ribbon::box2d::Coupling::State start = world.coupling.save(world.world);
   for (int k = 0; k < scene.ticks; ++k) {
     BitWorld& twin = *twins[static_cast<std::size_t>(k % together)];
     spoil(twin.coupling, twin.world, start);
@@ -89,7 +90,8 @@ TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
     const std::uint64_t hash = hash_of(world.coupling, world.world);
     for (const auto& each : twins) {
       tick(scene, *each, k);
-      ASSERT_EQ(engine::to_hex(hash_of(each->coupling, each->world)), engine::to_hex(hash)) << "tick " << k;
+      ASSERT_EQ(ribbon::box2d::to_hex(hash_of(each->coupling, each->world)), ribbon::box2d::to_hex(hash))
+          << "tick " << k;
     }
   }
 }
@@ -102,9 +104,9 @@ TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
   game::Simulation simulation(run.level);
   std::vector<std::unique_ptr<game::Simulation>> twins;
   for (int k = 0; k < together; ++k) twins.push_back(std::make_unique<game::Simulation>(run.level));
-  engine::Coupling::State long_before = simulation.scene().coupling().save(simulation.scene().world());
+  ribbon::box2d::Coupling::State long_before = simulation.scene().coupling().save(simulation.scene().world());
   for (std::size_t k = 0; k < run.replay.ticks.size(); ++k) {
-    const engine::Coupling::State state = simulation.scene().coupling().save(simulation.scene().world());
+    const ribbon::box2d::Coupling::State state = simulation.scene().coupling().save(simulation.scene().world());
     // Restored are cords that are there: where one comes into being or goes, what was before it is of no use.
     if (state.cords.size() != long_before.cords.size()) long_before = state;
     engine::Scene& twin = twins[k % together]->scene();
@@ -115,7 +117,8 @@ TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
     ASSERT_EQ(simulation.hash(), run.replay.ticks[k].state) << "tick " << k;
     for (const auto& each : twins) {
       each->tick(run.replay.ticks[k].input);
-      ASSERT_EQ(engine::to_hex(hash_of(each->scene().coupling(), each->scene().world())), engine::to_hex(hash))
+      ASSERT_EQ(ribbon::box2d::to_hex(hash_of(each->scene().coupling(), each->scene().world())),
+                ribbon::box2d::to_hex(hash))
           << "tick " << k;
       ASSERT_EQ(each->hash(), simulation.hash()) << "tick " << k;
     }
@@ -130,7 +133,7 @@ struct Frame {
     Velocity velocity;
   };
   std::vector<Body> bodies;
-  std::optional<engine::CordPoint> held;
+  std::optional<ribbon::box2d::CordPoint> held;
   b2Vec2 hand;
 };
 
@@ -145,7 +148,7 @@ std::vector<Frame> record(const GoldenRun& run) {
     }
     simulation.tick(recorded.input);
     frame.held = simulation.scene().coupling().held_by(simulation.player().body());
-    frame.hand = engine::to_float(simulation.player().grip());
+    frame.hand = ribbon::box2d::to_float(simulation.player().grip());
     frames.push_back(std::move(frame));
   }
   return frames;
@@ -163,20 +166,26 @@ class Stand {
       body->SetLinearVelocity(set->velocity.linear);
       body->SetAngularVelocity(set->velocity.angular);
     }
-    if (frame.held) {
-      coupling().hold(frame.held->cord, frame.held->point, player_.body(), frame.hand);
-    } else {
-      coupling().release(player_.body());
-    }
+    follow_hand(frame);
     coupling().gather(scene_->world(), dt);
     coupling().step();
     coupling().apply();
     return hash_of(coupling(), scene_->world());
   }
-  engine::Coupling& coupling() { return scene_->coupling(); }
+  ribbon::box2d::Coupling& coupling() { return scene_->coupling(); }
   b2World& world() { return scene_->world(); }
 
  private:
+  void follow_hand(const Frame& frame) {
+    const auto grip = coupling().first_grip(player_.body());
+    const auto held = coupling().held_by(player_.body());
+    if (frame.held && held && held->cord == frame.held->cord && held->point == frame.held->point) {
+      return coupling().grip(*grip).move_anchor(frame.hand);
+    }
+    coupling().release(player_.body());
+    if (frame.held) coupling().hold(frame.held->cord, frame.held->point, player_.body(), frame.hand);
+  }
+
   std::unique_ptr<engine::Scene> scene_;
   game::Player player_;
 };
@@ -188,7 +197,7 @@ TEST(RestoredRun, InItsOwnWorldAtEveryTickItStepsAgainToTheSameBits) {
   Stand stand(run.level);
   std::size_t held = 0;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const engine::Coupling::State state = stand.coupling().save(stand.world());
+    const ribbon::box2d::Coupling::State state = stand.coupling().save(stand.world());
     const std::size_t end = std::min(frames.size(), k + together);
     std::vector<std::uint64_t> first;
     for (std::size_t t = k; t < end; ++t) first.push_back(stand.tick(frames[t]));

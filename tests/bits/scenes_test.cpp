@@ -18,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bit_scenes().begin(
 
 /// A change of a method changes these: take over what the test prints, once the change is understood.
 TEST_P(SameBits, OnEveryCompilerAndMachine) {
-  EXPECT_EQ("0x" + engine::to_hex(hash_of_run(GetParam())), "0x" + engine::to_hex(GetParam().golden));
+  EXPECT_EQ("0x" + ribbon::box2d::to_hex(hash_of_run(GetParam())), "0x" + ribbon::box2d::to_hex(GetParam().golden));
 }
 
 /// Again and again: all scenes in each of several threads, every thread beginning with another one, so that the same
@@ -36,7 +36,7 @@ TEST(SameBitsThreads, OfAnyNumberOfThreads) {
     for (std::thread& thread : running) thread.join();
     for (std::size_t t = 0; t < threads; ++t) {
       for (std::size_t k = 0; k < count; ++k) {
-        EXPECT_EQ(engine::to_hex(found[t][k]), engine::to_hex(bit_scenes()[k].golden))
+        EXPECT_EQ(ribbon::box2d::to_hex(found[t][k]), ribbon::box2d::to_hex(bit_scenes()[k].golden))
             << bit_scenes()[k].name << " in thread " << t << " of " << threads;
       }
     }
@@ -59,22 +59,22 @@ TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
     for (int k = 0; k < scene.ticks; ++k) {
       tick(scene, world, k);
       for (int c = 0; c < world.coupling.size(); ++c) {
-        off += world.coupling.is_enabled(c) ? 0U : 1U;
-        if (world.coupling.solver(c) != engine::Solver::direct) continue;
-        const bool is_asleep = world.coupling.cord(c).is_asleep();
+        off += world.coupling.cord(c).is_enabled() ? 0U : 1U;
+        if (world.coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
+        const bool is_asleep = world.coupling.cord(c).direct().is_asleep();
         slept += is_asleep ? 1U : 0U;
         woken += was_asleep[static_cast<std::size_t>(c)] && !is_asleep ? 1U : 0U;
         was_asleep[static_cast<std::size_t>(c)] = is_asleep;
       }
       begun += world.coupling.touch_events().size();
       for (int grip = 1; grip < 20; ++grip) {
-        const auto state = world.coupling.state(grip);
-        slipped += state && state->slips ? 1U : 0U;
+        const auto held = world.coupling.grip(grip);
+        slipped += held.is_valid() && held.state().slips ? 1U : 0U;
       }
     }
     for (int c = 0; c < world.coupling.size(); ++c) {
-      direct += world.coupling.total(c);
-      thesis += world.coupling.thesis_total(c);
+      direct += world.coupling.cord(c).island_total();
+      thesis += world.coupling.cord(c).thesis_total();
     }
   }
   EXPECT_GT(direct.searches, 0);

@@ -48,10 +48,7 @@ std::vector<std::uint64_t> hashes(const ribbon::ParallelFor& parallel_for) {
   made.coupling.use(parallel_for);
   std::vector<std::uint64_t> found;
   for (int k = 0; k < ticks; ++k) {
-    made.coupling.gather(made.world, dt);
-    made.coupling.step();
-    made.coupling.apply();
-    made.world.Step(static_cast<float>(dt), 8, 3);
+    made.coupling.tick(made.world, dt);
     found.push_back(hash_of(made.coupling, made.world));
   }
   return found;

@@ -138,12 +138,12 @@ TEST(ContactCord, ABoxRestsOnABridge) {
   for (int k = 0; k < 600; ++k) {
     scene.tick();
     for (const Vec2 x : scene.cord().positions()) {
-      const Vec2 inside = to_double(body->GetLocalPoint(to_float(x)));
+      const Vec2 inside = ribbon::box2d::to_double(body->GetLocalPoint(ribbon::box2d::to_float(x)));
       const Vec2 off{std::max(0.0, std::abs(inside.x) - 0.3), std::max(0.0, std::abs(inside.y) - 0.2)};
       deepest = std::max(deepest, reach - length(off));
     }
     for (const float x : {-0.3F, 0.3F}) {
-      deepest = std::max(deepest, depth(scene.cord(), to_double(body->GetWorldPoint({x, -0.2F})),
+      deepest = std::max(deepest, depth(scene.cord(), ribbon::box2d::to_double(body->GetWorldPoint({x, -0.2F})),
                                         static_cast<double>(b2_polygonRadius)));
     }
   }
@@ -174,7 +174,7 @@ TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
     for (const Vec2 x : scene.cord().positions()) {
       worst = std::max(worst, std::abs(x.y - def.radius - static_cast<double>(shape.m_radius)));
     }
-    EXPECT_EQ(scene.coupling.total(0).unconverged, 0);
+    EXPECT_EQ(scene.coupling.cord(0).island_total().unconverged, 0);
     return worst;
   };
   const std::array<b2Vec2, 4> line = {b2Vec2{-3.0F, 0.0F}, {0.5F, 0.0F}, {1.2F, 0.0F}, {5.0F, 0.0F}};
@@ -300,7 +300,7 @@ int escapes(double radii, double least, double most, int tries, bool with_contac
     b2Body* ball = scene.add_ball({}, radius, std::pow(10.0, dice(-2.0, 2.0)), 0.4);
     if (!with_contact) ball->GetFixtureList()->SetSensor(true);
     const double angle = dice(0.0, 2.0 * pi);
-    ball->SetLinearVelocity(to_float((radii * radius / dt) * Vec2{std::cos(angle), std::sin(angle)}));
+    ball->SetLinearVelocity(ribbon::box2d::to_float((radii * radius / dt) * Vec2{std::cos(angle), std::sin(angle)}));
     bool out = false;
     for (int k = 0; k < 20 && !out; ++k) {
       scene.tick();
@@ -589,7 +589,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
   body->SetAngularVelocity(turning);
   scene.tick(2);
   scene.coupling.destroy(scene.world, *body);
-  const int before = scene.coupling.total(0).unconverged;
+  const int before = scene.coupling.cord(0).island_total().unconverged;
   const std::vector<Vec2> shape = copy(scene.cord().positions());
   for (int k = 0; k < 60; ++k) {
     scene.tick();
@@ -597,7 +597,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     for (const Vec2 v : scene.cord().velocities()) result.finite = result.finite && is_finite(v);
     result.alive = result.alive || furthest(shape, scene.cord().positions()) > 1e-3;
   }
-  result.unconverged = scene.coupling.total(0).unconverged - before;
+  result.unconverged = scene.coupling.cord(0).island_total().unconverged - before;
   return result;
 }
 

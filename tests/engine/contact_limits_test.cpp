@@ -82,7 +82,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
   body->SetAngularVelocity(turning);
   scene.tick(2);
   scene.coupling.destroy(scene.world, *body);
-  const int before = scene.coupling.total(0).unconverged;
+  const int before = scene.coupling.cord(0).island_total().unconverged;
   const std::vector<Vec2> shape = copy(scene.cord().positions());
   for (int k = 0; k < 60; ++k) {
     scene.tick();
@@ -90,7 +90,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
     for (const Vec2 v : scene.cord().velocities()) result.finite = result.finite && is_finite(v);
     result.alive = result.alive || furthest(shape, scene.cord().positions()) > 1e-3;
   }
-  result.unconverged = scene.coupling.total(0).unconverged - before;
+  result.unconverged = scene.coupling.cord(0).island_total().unconverged - before;
   return result;
 }
 
@@ -161,12 +161,12 @@ TEST(ContactCordLimits, ASnappingStringDoesNotGoThroughAPeg) {
   World scene;
   scene.coupling.add(Cord(def));
   for (int k = 1; k <= 80; ++k) {
-    scene.coupling.operate(0, 20, {1.0, -0.05 * std::min(k, 20)});
+    scene.coupling.cord(0).drag(20, {1.0, -0.05 * std::min(k, 20)});
     scene.tick();
   }
   const Vec2 peg{1.03, 0.2};
   add_shape(scene.add_body(peg, b2_staticBody), circle(0.1), 0.0, 0.0);
-  scene.coupling.release(0, 20);
+  scene.coupling.cord(0).free(20);
   for (int k = 0; k < 60; ++k) {
     scene.tick();
     bool below = true;
@@ -190,7 +190,7 @@ TEST(ContactCordLimits, FrictionTakesFewNewtonSteps) {
     ribbon::CordReport total;
     for (int k = 0; k < 600; ++k) {
       world.tick();
-      total += world.coupling.report(0);
+      total += world.coupling.cord(0).island_report();
     }
     EXPECT_LE(total.iterations, 4 * total.stages);
     EXPECT_EQ(total.halvings, 0);

@@ -50,7 +50,7 @@ TEST(CoupledWorld, APullIsAThesisCordsMomentum) {
   constexpr int ticks = 6;
   for (int k = 0; k < ticks; ++k) world.tick();
   Vec2 momentum;
-  for (const Vec2 v : world.coupling.thesis_cord(0).velocities()) momentum += mass / 22.0 * v;
+  for (const Vec2 v : world.coupling.cord(0).thesis().velocities()) momentum += mass / 22.0 * v;
   EXPECT_NEAR(momentum.x, 2.0 * ticks * CoupledWorld::dt, 1e-9);
   EXPECT_NEAR(momentum.y, 0.0, 1e-9);
 }
@@ -71,7 +71,7 @@ TEST(CoupledWorld, AThesisCordHangsByItsPinOnCirclesThatItMeets) {
   EXPECT_LT(deepest, 0.01);
   EXPECT_LT(stretch(world, 0), 0.1);
   world.calm(60);
-  EXPECT_NEAR(length(world.coupling.thesis_cord(0).velocities()[10]), 0.0, 0.1);
+  EXPECT_NEAR(length(world.coupling.cord(0).thesis().velocities()[10]), 0.0, 0.1);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ constexpr double dt = 1.0 / 60.0;
 /// A ribbon of 5 × 2 points of each solver, 2 m long and 0.5 m wide, in a world without gravity.
 struct OneOfEach {
   b2World world{{0.0F, 0.0F}};
-  Coupling coupling;
+  ribbon::box2d::Coupling coupling;
 
   OneOfEach() {
     ribbon::ThesisDef thesis;
@@ -32,49 +32,44 @@ struct OneOfEach {
     direct.pins = {0};
     coupling.add(ribbon::Cord(direct));
   }
-  void tick() {
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
-    world.Step(static_cast<float>(dt), 8, 3);
-  }
+  void tick() { coupling.tick(world, dt); }
 };
 
 TEST(CouplingCords, KnowsWhichSolverACordHas) {
   const OneOfEach each;
-  EXPECT_EQ(each.coupling.solver(0), Solver::thesis);
-  EXPECT_EQ(each.coupling.solver(1), Solver::direct);
-  EXPECT_EQ(solver_name(Solver::thesis), "thesis");
-  EXPECT_EQ(solver_name(Solver::direct), "direct");
+  EXPECT_EQ(each.coupling.cord(0).solver(), ribbon::box2d::Solver::thesis);
+  EXPECT_EQ(each.coupling.cord(1).solver(), ribbon::box2d::Solver::direct);
+  EXPECT_EQ(ribbon::box2d::solver_name(ribbon::box2d::Solver::thesis), "thesis");
+  EXPECT_EQ(ribbon::box2d::solver_name(ribbon::box2d::Solver::direct), "direct");
 }
 
 TEST(CouplingCords, TellsTheShapeOfEither) {
   const OneOfEach each;
-  for (const CordIndex cord : {0, 1}) {
-    EXPECT_EQ(each.coupling.shape(cord).columns, 5);
-    EXPECT_EQ(each.coupling.shape(cord).rows, 2);
-    EXPECT_EQ(each.coupling.positions(cord).size(), 10U);
+  for (const ribbon::box2d::CordId cord : {0, 1}) {
+    EXPECT_EQ(each.coupling.cord(cord).shape().columns, 5);
+    EXPECT_EQ(each.coupling.cord(cord).shape().rows, 2);
+    EXPECT_EQ(each.coupling.cord(cord).positions().size(), 10U);
   }
-  EXPECT_DOUBLE_EQ(each.coupling.shape(0).thickness, 0.5);
-  EXPECT_DOUBLE_EQ(each.coupling.shape(1).thickness, 0.52);
-  EXPECT_TRUE(each.coupling.shape(0).braced);
-  EXPECT_FALSE(each.coupling.shape(1).braced);
+  EXPECT_DOUBLE_EQ(each.coupling.cord(0).shape().thickness, 0.5);
+  EXPECT_DOUBLE_EQ(each.coupling.cord(1).shape().thickness, 0.52);
+  EXPECT_TRUE(each.coupling.cord(0).shape().braced);
+  EXPECT_FALSE(each.coupling.cord(1).shape().braced);
 }
 
 TEST(CouplingCords, DragsAndLetsGoAPointOfEither) {
   OneOfEach each;
-  for (const CordIndex cord : {0, 1}) {
-    EXPECT_EQ(each.coupling.kind(cord, 0), ribbon::PointKind::constrained);
-    EXPECT_EQ(each.coupling.kind(cord, 9), ribbon::PointKind::free);
-    const Vec2 target = each.coupling.positions(cord)[9] + Vec2{-0.01, 0.02};
-    each.coupling.operate(cord, 9, target);
-    EXPECT_EQ(each.coupling.kind(cord, 9), ribbon::PointKind::operated);
+  for (const ribbon::box2d::CordId cord : {0, 1}) {
+    EXPECT_EQ(each.coupling.cord(cord).kind(0), ribbon::PointKind::constrained);
+    EXPECT_EQ(each.coupling.cord(cord).kind(9), ribbon::PointKind::free);
+    const Vec2 target = each.coupling.cord(cord).positions()[9] + Vec2{-0.01, 0.02};
+    each.coupling.cord(cord).drag(9, target);
+    EXPECT_EQ(each.coupling.cord(cord).kind(9), ribbon::PointKind::operated);
     each.tick();
-    EXPECT_LT(length(each.coupling.positions(cord)[9] - target), 1e-12);
-    each.coupling.release(cord, 9);
-    EXPECT_EQ(each.coupling.kind(cord, 9), ribbon::PointKind::free);
-    EXPECT_THROW(each.coupling.operate(cord, 10, target), ribbon::DefinitionError);
-    EXPECT_THROW(each.coupling.release(cord, -1), ribbon::DefinitionError);
+    EXPECT_LT(length(each.coupling.cord(cord).positions()[9] - target), 1e-12);
+    each.coupling.cord(cord).free(9);
+    EXPECT_EQ(each.coupling.cord(cord).kind(9), ribbon::PointKind::free);
+    EXPECT_THROW(each.coupling.cord(cord).drag(10, target), ribbon::DefinitionError);
+    EXPECT_THROW(each.coupling.cord(cord).free(-1), ribbon::DefinitionError);
   }
 }
 
@@ -82,13 +77,13 @@ TEST(CouplingCords, SumsUpTheReportsOfADirectCord) {
   OneOfEach each;
   ribbon::CordReport sum;
   for (int k = 0; k < 5; ++k) {
-    each.coupling.operate(1, 9, each.coupling.positions(1)[9] + Vec2{0.0, 0.05});
+    each.coupling.cord(1).drag(9, each.coupling.cord(1).positions()[9] + Vec2{0.0, 0.05});
     each.tick();
-    sum += each.coupling.report(1);
+    sum += each.coupling.cord(1).island_report();
   }
   EXPECT_GT(sum.iterations, 5);
-  EXPECT_EQ(each.coupling.total(1), sum);
-  EXPECT_EQ(each.coupling.total(0), ribbon::CordReport{});
+  EXPECT_EQ(each.coupling.cord(1).island_total(), sum);
+  EXPECT_EQ(each.coupling.cord(0).island_total(), ribbon::CordReport{});
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace engine {
 namespace {
 
+using ribbon::CallError;
 using ribbon::CordDef;
-using ribbon::DefinitionError;
 using ribbon::Vec2;
 
 std::vector<Vec2> level(double left, double y, int points, double length) {
@@ -44,8 +44,8 @@ ribbon::ThesisCord thesis_ribbon() {
 
 struct World : test_support::ShapeWorld {
   b2Body& ball(Vec2 position, double radius = 0.1) { return *add_ball(position, radius, 0.3); }
-  std::vector<Vec2> points(CordIndex cord) const {
-    return {coupling.positions(cord).begin(), coupling.positions(cord).end()};
+  std::vector<Vec2> points(ribbon::box2d::CordId cord) const {
+    return {coupling.cord(cord).positions().begin(), coupling.cord(cord).positions().end()};
   }
 };
 
@@ -57,19 +57,19 @@ TEST(CouplingEnabled, ACordThatIsOffStaysAsItIsAndIsMetByNobody) {
   b2Body& other = there.ball({0.5, 0.2});
   there.tick(3);
   const std::array before = {there.points(0), there.points(1)};
-  const int stages = there.coupling.total(0).stages;
-  for (const CordIndex cord : {0, 1}) {
-    EXPECT_TRUE(there.coupling.is_enabled(cord));
-    there.coupling.set_enabled(cord, false);
-    EXPECT_FALSE(there.coupling.is_enabled(cord));
+  const int stages = there.coupling.cord(0).island_total().stages;
+  for (const ribbon::box2d::CordId cord : {0, 1}) {
+    EXPECT_TRUE(there.coupling.cord(cord).is_enabled());
+    there.coupling.cord(cord).set_enabled(false);
+    EXPECT_FALSE(there.coupling.cord(cord).is_enabled());
   }
   there.tick(60);
-  for (const CordIndex cord : {0, 1}) {
+  for (const ribbon::box2d::CordId cord : {0, 1}) {
     EXPECT_EQ(there.points(cord), before.at(static_cast<std::size_t>(cord)));
-    EXPECT_EQ(there.coupling.gathered_near(cord), 0);
+    EXPECT_EQ(there.coupling.cord(cord).near_count(), 0);
   }
-  EXPECT_EQ(there.coupling.total(0).stages, stages);
-  EXPECT_EQ(there.coupling.report(0).stages, 0);
+  EXPECT_EQ(there.coupling.cord(0).island_total().stages, stages);
+  EXPECT_EQ(there.coupling.cord(0).island_report().stages, 0);
   EXPECT_EQ(there.coupling.islands(), 0);
   for (const b2Body* body : {&ball, &other}) EXPECT_LT(body->GetPosition().y, -4.0F) << "it fell through";
 }
@@ -83,14 +83,14 @@ TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
     } else {
       there.coupling.add(thesis_ribbon());
     }
-    b2Body& hand = there.ball(there.coupling.positions(0)[10], 0.02);
+    b2Body& hand = there.ball(there.coupling.cord(0).positions()[10], 0.02);
     there.coupling.hold(0, 10, hand, {0.0F, 0.0F});
     there.tick(5);
     ASSERT_TRUE(there.coupling.held_by(hand));
     const Vec2 velocity = there.coupling.velocity(hand);
-    there.coupling.set_enabled(0, false);
+    there.coupling.cord(0).set_enabled(false);
     EXPECT_FALSE(there.coupling.held_by(hand));
-    EXPECT_LT(length(to_double(hand.GetLinearVelocity()) - velocity), 1e-6);
+    EXPECT_LT(length(ribbon::box2d::to_double(hand.GetLinearVelocity()) - velocity), 1e-6);
     there.tick(60);
     EXPECT_NEAR(hand.GetLinearVelocity().y, static_cast<float>(velocity.y) - 9.81F, 1e-3F);
   }
@@ -99,26 +99,27 @@ TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
 TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
   World there;
   there.coupling.add(rope());
-  there.coupling.set_enabled(0, false);
+  there.coupling.cord(0).set_enabled(false);
   b2Body& hand = there.ball({1.0, -1.0});
   const auto refusal = [](auto&& what) -> std::string {
     try {
       what();
-    } catch (const DefinitionError& error) {
+    } catch (const CallError& error) {
       return error.what();
     }
     return "accepted";
   };
-  const std::string said = "cord 0 is switched off; accepted is one that is enabled";
+  const std::string said = "cord 0 is disabled; accepted is one that is enabled";
   EXPECT_EQ(refusal([&] { there.coupling.hold(0, 3, hand, {0.0F, 0.0F}); }), said);
-  EXPECT_EQ(refusal([&] { there.coupling.grip(hand, {.cord = 0, .arc = 0.5}); }), said);
+  EXPECT_EQ(refusal([&] { there.coupling.hold(hand, {.cord = 0, .arc = 0.5}); }), said);
   EXPECT_FALSE(there.coupling.held_by(hand));
-  for (const CordIndex none : {-1, 1}) {
-    EXPECT_EQ(refusal([&] { there.coupling.set_enabled(none, false); }),
-              "cord is " + std::to_string(none) + "; accepted is an index from 0 to 0");
+  for (const ribbon::box2d::CordId none : {-1, 1}) {
+    EXPECT_EQ(refusal([&] { there.coupling.cord(none).set_enabled(false); }),
+              "cord is " + std::to_string(none) +
+                  "; accepted is the id of one of the 1 cords that were added and not removed");
   }
-  there.coupling.set_enabled(0, true);
-  EXPECT_EQ(refusal([&] { there.coupling.grip(hand, {.cord = 0, .arc = 0.5}); }), "accepted");
+  there.coupling.cord(0).set_enabled(true);
+  EXPECT_EQ(refusal([&] { there.coupling.hold(hand, {.cord = 0, .arc = 0.5}); }), "accepted");
 }
 
 /// Also where no cord is left that is on.
@@ -133,18 +134,18 @@ TEST(CouplingEnabled, WhatTouchedItCeasesToAndBeginsToAgain) {
   ASSERT_TRUE(there.coupling.touch_events()[0].begins);
   ball.SetType(b2_staticBody);
   there.tick();
-  ASSERT_EQ(there.coupling.touching(0).size(), 1U);
+  ASSERT_EQ(there.coupling.cord(0).touching().size(), 1U);
 
-  there.coupling.set_enabled(0, false);
+  there.coupling.cord(0).set_enabled(false);
   there.tick();
   ASSERT_EQ(there.coupling.touch_events().size(), 1U);
   EXPECT_FALSE(there.coupling.touch_events()[0].begins);
   EXPECT_EQ(there.coupling.touch_events()[0].fixture, ball.GetFixtureList());
-  EXPECT_TRUE(there.coupling.touching(0).empty());
+  EXPECT_TRUE(there.coupling.cord(0).touching().empty());
   there.tick();
   EXPECT_TRUE(there.coupling.touch_events().empty()) << "told once";
 
-  there.coupling.set_enabled(0, true);
+  there.coupling.cord(0).set_enabled(true);
   for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();
   ASSERT_EQ(there.coupling.touch_events().size(), 1U);
   EXPECT_TRUE(there.coupling.touch_events()[0].begins);
@@ -154,14 +155,14 @@ TEST(CouplingEnabled, NothingFindsOneThatIsOff) {
   World there;
   there.coupling.add(rope(0.0));
   there.coupling.add(rope(1.0));
-  there.coupling.set_enabled(0, false);
+  there.coupling.cord(0).set_enabled(false);
   const Vec2 here{1.02, 0.0};
   EXPECT_FALSE(there.coupling.nearest_point(here, 0.5));
   EXPECT_FALSE(there.coupling.nearest_place(here, 0.5));
   ASSERT_TRUE(there.coupling.nearest_place(here, 2.0));
   EXPECT_EQ(there.coupling.nearest_place(here, 2.0)->cord, 1);
   EXPECT_EQ(there.coupling.nearest_point(here, 2.0)->cord, 1);
-  there.coupling.set_enabled(0, true);
+  there.coupling.cord(0).set_enabled(true);
   EXPECT_EQ(there.coupling.nearest_place(here, 0.5)->cord, 0);
 }
 
@@ -173,10 +174,10 @@ TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
     there.coupling.add(rope(0.0));
     there.coupling.add(off ? rope(0.02) : rope(50.0, 50.0));
     there.coupling.add(rope(0.06, 0.2, false));
-    if (off) there.coupling.set_enabled(1, false);
+    if (off) there.coupling.cord(1).set_enabled(false);
     there.ball({1.0, 0.3});
     there.tick(30);
-    return std::array{there.coupling.cord(0).save(), there.coupling.cord(2).save()};
+    return std::array{there.coupling.cord(0).direct().save(), there.coupling.cord(2).direct().save()};
   };
   const auto with = run(false);
   const auto without = run(true);
@@ -193,9 +194,9 @@ TEST(CouplingEnabled, SwitchedOnAgainItGoesOnAsIfNoTimeHadPassed) {
     there.coupling.add(rope());
     there.coupling.add(thesis_ribbon());
     there.tick(20);
-    for (const CordIndex cord : {0, 1}) there.coupling.set_enabled(cord, false);
+    for (const ribbon::box2d::CordId cord : {0, 1}) there.coupling.cord(cord).set_enabled(false);
     there.tick(pause);
-    for (const CordIndex cord : {0, 1}) there.coupling.set_enabled(cord, true);
+    for (const ribbon::box2d::CordId cord : {0, 1}) there.coupling.cord(cord).set_enabled(true);
     there.tick(20);
     return std::array{there.points(0), there.points(1)};
   };
@@ -205,24 +206,24 @@ TEST(CouplingEnabled, SwitchedOnAgainItGoesOnAsIfNoTimeHadPassed) {
 TEST(CouplingEnabled, IsSavedAndRestored) {
   World there;
   there.coupling.add(rope());
-  const Coupling::State on = there.coupling.save(there.world);
-  there.coupling.set_enabled(0, false);
-  const Coupling::State off = there.coupling.save(there.world);
+  const ribbon::box2d::Coupling::State on = there.coupling.save(there.world);
+  there.coupling.cord(0).set_enabled(false);
+  const ribbon::box2d::Coupling::State off = there.coupling.save(there.world);
   there.coupling.restore(on, there.world);
-  EXPECT_TRUE(there.coupling.is_enabled(0));
+  EXPECT_TRUE(there.coupling.cord(0).is_enabled());
   there.coupling.restore(off, there.world);
-  EXPECT_FALSE(there.coupling.is_enabled(0));
+  EXPECT_FALSE(there.coupling.cord(0).is_enabled());
 }
 
 /// A cord that goes leaves its place to the next.
 TEST(CouplingEnabled, ReplacingOneThatIsOffSwitchesItOn) {
   World there;
   there.coupling.add(rope());
-  there.coupling.set_enabled(0, false);
-  there.coupling.replace(0, rope(1.0));
-  EXPECT_TRUE(there.coupling.is_enabled(0));
+  there.coupling.cord(0).set_enabled(false);
+  there.coupling.cord(0).replace(rope(1.0));
+  EXPECT_TRUE(there.coupling.cord(0).is_enabled());
   there.tick(5);
-  EXPECT_LT(there.coupling.positions(0)[10].y, 1.0);
+  EXPECT_LT(there.coupling.cord(0).positions()[10].y, 1.0);
 }
 
 /// Between gather and apply, where none should, nothing breaks.
@@ -230,16 +231,16 @@ TEST(CouplingEnabled, InTheMidstOfATickIsBorne) {
   for (const bool first : {true, false}) {
     World there;
     there.coupling.add(rope());
-    there.coupling.set_enabled(0, first);
+    there.coupling.cord(0).set_enabled(first);
     b2Body& ball = there.ball({1.0, 0.11});
-    if (first) there.coupling.grip(ball, {.cord = 0, .arc = 1.0, .local_hand = {0.0F, -0.1F}});
+    if (first) there.coupling.hold(ball, {.cord = 0, .arc = 1.0, .local_anchor = {0.0F, -0.1F}});
     there.coupling.gather(there.world, World::dt);
-    there.coupling.set_enabled(0, !first);
+    there.coupling.cord(0).set_enabled(!first);
     there.coupling.step();
     there.coupling.apply();
     there.tick(10);
     EXPECT_TRUE(ball.GetPosition().IsValid());
-    for (const Vec2 x : there.coupling.positions(0)) EXPECT_LT(length(x), 10.0);
+    for (const Vec2 x : there.coupling.cord(0).positions()) EXPECT_LT(length(x), 10.0);
   }
 }
 

@@ -27,9 +27,9 @@ struct World : test_support::ShapeWorld {
     body.SetAngularDamping(2.0F);
     return body;
   }
-  bool falls_asleep(CordIndex index = 0) {
-    for (int k = 0; k < long_enough && !coupling.cord(index).is_asleep(); ++k) tick();
-    return coupling.cord(index).is_asleep();
+  bool falls_asleep(ribbon::box2d::CordId index = 0) {
+    for (int k = 0; k < long_enough && !coupling.cord(index).direct().is_asleep(); ++k) tick();
+    return coupling.cord(index).direct().is_asleep();
   }
 };
 
@@ -55,10 +55,10 @@ struct Lamp : World {
     def.pins = {0};
     coupling.add(ribbon::Cord(def));
     lamp = &ball_of(1.0, {0.0, -2.1});
-    grip = coupling.grip(*lamp, {.cord = 0, .arc = 2.0, .local_hand = {0.0F, 0.1F}});
+    grip = coupling.hold(*lamp, {.cord = 0, .arc = 2.0, .local_anchor = {0.0F, 0.1F}});
   }
   b2Body* lamp;
-  GripId grip;
+  ribbon::box2d::GripId grip;
 };
 
 /// A rope that hangs through between two pins a little nearer to each other than it is long, and a ball in its middle.
@@ -78,18 +78,19 @@ TEST(CouplingSleep, ALampSleepsOnItsRopeAndNothingOfItMoves) {
   ASSERT_TRUE(there.falls_asleep());
   EXPECT_FALSE(there.lamp->IsAwake());
   const b2Vec2 place = there.lamp->GetPosition();
-  const auto& x = there.coupling.positions(0);
+  const auto& x = there.coupling.cord(0).positions();
   const std::vector<Vec2> points(x.begin(), x.end());
-  const Vec2 pull = there.coupling.state(there.grip)->pull;
+  const Vec2 pull = there.coupling.grip(there.grip).state().pull;
   for (int k = 0; k < 600; ++k) {
     there.tick();
-    ASSERT_EQ(there.coupling.report(0).stages, 0);
+    ASSERT_EQ(there.coupling.cord(0).island_report().stages, 0);
   }
   EXPECT_EQ(there.lamp->GetPosition(), place);
   EXPECT_EQ(std::vector<Vec2>(x.begin(), x.end()), points);
-  EXPECT_EQ(there.coupling.state(there.grip)->pull, pull);
+  EXPECT_EQ(there.coupling.grip(there.grip).state().pull, pull);
   EXPECT_NEAR(pull.y, 9.81 * static_cast<double>(there.lamp->GetMass()), 0.02 * 9.81);
-  EXPECT_LT(length(to_double(there.lamp->GetWorldPoint({0.0F, 0.1F})) - x[20]), 1e-5) << "the hand is where it was";
+  EXPECT_LT(length(ribbon::box2d::to_double(there.lamp->GetWorldPoint({0.0F, 0.1F})) - x[20]), 1e-5)
+      << "the hand is where it was";
 }
 
 /// Hit by a ball it swings as one that has not slept.
@@ -106,7 +107,7 @@ TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
       there.tick();
       furthest = std::max(furthest, there.lamp->GetPosition().x);
     }
-    EXPECT_FALSE(there.coupling.cord(0).is_asleep());
+    EXPECT_FALSE(there.coupling.cord(0).direct().is_asleep());
     return furthest;
   };
   const float awake = swing(false);
@@ -121,14 +122,14 @@ TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
   for (int k = 0; k < 60; ++k) {
     there.tick();
     ASSERT_TRUE(there.coupling.touch_events().empty());
-    ASSERT_EQ(there.coupling.touching(0).size(), 1U);
-    ASSERT_EQ(there.coupling.report(0).stages, 0);
+    ASSERT_EQ(there.coupling.cord(0).touching().size(), 1U);
+    ASSERT_EQ(there.coupling.cord(0).island_report().stages, 0);
   }
-  EXPECT_NEAR(there.coupling.touching(0)[0].impulse, 9.81 * World::dt * static_cast<double>(there.ball->GetMass()),
-              0.05 * 9.81 * World::dt);
+  EXPECT_NEAR(there.coupling.cord(0).touching()[0].impulse,
+              9.81 * World::dt * static_cast<double>(there.ball->GetMass()), 0.05 * 9.81 * World::dt);
   there.ball->ApplyLinearImpulseToCenter({0.0F, 1.0F}, true);
   there.tick(10);
-  EXPECT_GT(there.coupling.report(0).stages, 0);
+  EXPECT_GT(there.coupling.cord(0).island_report().stages, 0);
   EXPECT_GT(there.ball->GetPosition().y, 0.0F);
 }
 
@@ -141,12 +142,12 @@ TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
     def.pins = {0, 20};
     there.coupling.add(ribbon::Cord(def));
     there.tick(long_enough);
-    EXPECT_EQ(there.coupling.cord(0).is_asleep(), allow_sleep);
+    EXPECT_EQ(there.coupling.cord(0).direct().is_asleep(), allow_sleep);
     b2Body& ball = there.ball_of(0.3, {0.95, 4.0});
     double least = 1.0;
     for (int k = 0; k < 120; ++k) {
       there.tick();
-      const Vec2 center = to_double(ball.GetPosition());
+      const Vec2 center = ribbon::box2d::to_double(ball.GetPosition());
       if (const auto place = there.coupling.nearest_place(center, 10.0)) {
         least = std::min(least, place->distance - 0.12);
       }
@@ -159,18 +160,18 @@ TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
 
 TEST(CouplingSleep, WhoeverLosesHisCordWakes) {
   const std::vector<std::function<void(World&)>> ways = {
-      [](World& there) { there.coupling.set_enabled(0, false); },
+      [](World& there) { there.coupling.cord(0).set_enabled(false); },
       [](World& there) {
         CordDef def = rope_def(true);
         for (int p = 0; p < def.points; ++p) def.positions.push_back({100.0 + 0.1 * p, 0.0});
-        there.coupling.replace(0, ribbon::Cord(def));
+        there.coupling.cord(0).replace(ribbon::Cord(def));
       },
   };
   for (const auto& take_away : ways) {
     Hammock hammock;
     ASSERT_TRUE(hammock.falls_asleep());
     take_away(hammock);
-    const Coupling::State state = hammock.coupling.save(hammock.world);
+    const ribbon::box2d::Coupling::State state = hammock.coupling.save(hammock.world);
     hammock.coupling.restore(state, hammock.world);
     hammock.tick(60);
     EXPECT_LT(hammock.ball->GetPosition().y, -4.0F);
@@ -184,7 +185,7 @@ TEST(CouplingSleep, WhoeverLosesHisCordWakes) {
   for (const bool by_grip : {true, false}) {
     Lamp lamp;
     ASSERT_TRUE(lamp.falls_asleep());
-    by_grip ? lamp.coupling.let_go(lamp.grip) : lamp.coupling.release(*lamp.lamp);
+    by_grip ? lamp.coupling.grip(lamp.grip).release() : lamp.coupling.release(*lamp.lamp);
     lamp.tick(60);
     EXPECT_LT(lamp.lamp->GetPosition().y, -6.0F);
   }
@@ -205,11 +206,11 @@ TEST(CouplingSleep, WhatChangesTheCordWakesItAndWhoHangsOnIt) {
   Lamp there;
   ASSERT_TRUE(there.falls_asleep());
   const float low = there.lamp->GetPosition().y;
-  there.coupling.cord(0).reel(0, 20, 1.0, 1.0);
+  there.coupling.cord(0).direct().reel(0, 20, 1.0, 1.0);
   there.tick(120);
   EXPECT_NEAR(there.lamp->GetPosition().y, low + 1.0F, 0.05F);
   ASSERT_TRUE(there.falls_asleep());
-  there.coupling.climb(there.grip, 0.5, 0.5);
+  there.coupling.grip(there.grip).climb(0.5, 0.5);
   there.tick(120);
   EXPECT_GT(there.lamp->GetPosition().y, low + 1.3F);
 }
@@ -227,7 +228,7 @@ TEST(CouplingSleep, IsNotForWhoeverMayNot) {
   thesis.pins = {0, 1};
   with_thesis_cord.coupling.add(ribbon::ThesisCord(thesis));
   EXPECT_FALSE(with_thesis_cord.falls_asleep());
-  EXPECT_GT(with_thesis_cord.coupling.gathered_near(1), 0);
+  EXPECT_GT(with_thesis_cord.coupling.cord(1).near_count(), 0);
 }
 
 }  // namespace

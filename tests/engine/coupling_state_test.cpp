@@ -20,7 +20,7 @@ namespace {
 using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::DefinitionError;
-using State = Coupling::State;
+using State = ribbon::box2d::Coupling::State;
 
 constexpr double dt = 1.0 / 60.0;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +38,7 @@ struct Scene {
     coupling.add(ribbon::ThesisCord(thesis));
     holder = &add_circle({1.0F, -0.2F}, 0.1F);
     ball = &add_circle({0.8F, 0.12F}, 0.1F);
-    grip = coupling.grip(*holder, {.cord = 0, .arc = 1.23, .local_hand = {0.2F, 0.2F}});
+    grip = coupling.hold(*holder, {.cord = 0, .arc = 1.23, .local_anchor = {0.2F, 0.2F}});
   }
   b2Body& add_circle(b2Vec2 position, float radius) {
     b2BodyDef definition;
@@ -52,23 +52,20 @@ struct Scene {
   }
   void tick(int times = 1) {
     for (int k = 0; k < times; ++k) {
-      coupling.gather(world, dt);
-      coupling.step();
-      coupling.apply();
-      world.Step(static_cast<float>(dt), 8, 3);
+      coupling.tick(world, dt);
     }
   }
 
   b2World world{b2Vec2(0.0F, -9.81F)};
-  Coupling coupling;
+  ribbon::box2d::Coupling coupling;
   b2Body* holder;
   b2Body* ball;
-  GripId grip;
+  ribbon::box2d::GripId grip;
 };
 
 std::uint64_t hash_of(const State& state) {
-  Hasher hasher;
-  add_to(hasher, state);
+  ribbon::box2d::Hasher hasher;
+  ribbon::box2d::add_to(hasher, state);
   return hasher.value();
 }
 
@@ -91,8 +88,10 @@ TEST(CouplingState, OfOtherCordsIsRefused) {
   Scene scene;
   scene.tick(20);
   EXPECT_EQ(refusal(scene, [](State& s) { s.cords.pop_back(); }), "state is of 1 cords; accepted is one of 2");
-  EXPECT_EQ(refusal(scene, [](State& s) { std::swap(s.cords[0], s.cords[1]); }),
+  EXPECT_EQ(refusal(scene, [](State& s) { std::swap(s.cords[0].state, s.cords[1].state); }),
             "state of cord 0 is of another solver; accepted is direct");
+  EXPECT_EQ(refusal(scene, [](State& s) { s.cords[1].id = 7; }),
+            "state has cord 7 where the coupling has cord 1; accepted is a state of the same cords");
   EXPECT_NE(refusal(scene, [](State& s) { std::get<Cord::State>(s.cords[0].state).rest.pop_back(); })
                 .find("state is of another cord"),
             std::string::npos);
@@ -124,14 +123,14 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
   scene.tick(20);
   const State state = scene.coupling.save(scene.world);
   ASSERT_EQ(state.grips.size(), 1U);
-  ASSERT_EQ(state.led.size(), 2U);
+  ASSERT_EQ(state.carries.size(), 2U);
   ASSERT_EQ(state.fixtures.size(), 2U);
   ASSERT_EQ(state.cords[0].touching.size(), 1U);
   const std::vector<std::pair<const char*, std::function<void(State&)>>> spoilt = {
       {"state.grips.body", [](State& s) { s.grips[0].body = 2; }},
       {"state.grips.body", [](State& s) { s.grips[0].body = -1; }},
       {"state.grips.cord", [](State& s) { s.grips[0].memory.cord = 2; }},
-      {"state.grips.cord is 0, which is switched off", [](State& s) { s.cords[0].enabled = false; }},
+      {"state.grips.cord is 0; accepted is the id of an enabled cord", [](State& s) { s.cords[0].enabled = false; }},
       {"state.grips.point", [](State& s) { s.grips[0].memory.point = 21; }},
       {"state.grips.point", [](State& s) { s.grips[0].memory.point = -1; }},
       {"state.grips.along", [](State& s) { s.grips[0].memory.along = 1.5; }},
@@ -141,20 +140,20 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
       {"state.grips.most_pull", [](State& s) { s.grips[0].memory.most_pull = -1.0; }},
       {"state.grips.climb_to", [](State& s) { s.grips[0].memory.climb_to = 21.0; }},
       {"state.grips.climb_speed", [](State& s) { s.grips[0].memory.climb_speed = -1.0; }},
-      {"state.grips.local_hand", [](State& s) { s.grips[0].memory.local_hand.x = 2e9F; }},
-      {"state.grips.next_hand", [](State& s) { s.grips[0].memory.next_hand.y = static_cast<float>(nan); }},
+      {"state.grips.local_anchor", [](State& s) { s.grips[0].memory.local_anchor.x = 2e9F; }},
+      {"state.grips.next_anchor", [](State& s) { s.grips[0].memory.next_anchor.y = static_cast<float>(nan); }},
       {"state.grips.pull", [](State& s) { s.grips[0].memory.pull.x = nan; }},
       {"state.grips.id", [](State& s) { s.grips[0].memory.id = s.next_grip; }},
       {"state.grips.id", [](State& s) { s.grips.push_back(s.grips[0]); }},
       {"state.next_grip", [](State& s) { s.next_grip = 0; }},
-      {"state.led.body", [](State& s) { s.led[1].body = 2; }},
-      {"state.led.body", [](State& s) { std::swap(s.led[0], s.led[1]); }},
-      {"state.led", [](State& s) { s.led[0].memory.expected_push.x = nan; }},
-      {"state.led.ahead", [](State& s) { s.led[0].memory.ahead.y = 2e9; }},
-      {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = 2e9; }},
-      {"state.led.ahead_turning", [](State& s) { s.led[0].memory.ahead_turning = nan; }},
-      {"state.led.turning", [](State& s) { s.led[0].memory.turning = nan; }},
-      {"state.led.dt", [](State& s) { s.led[0].memory.dt = -1.0; }},
+      {"state.carries.body", [](State& s) { s.carries[1].body = 2; }},
+      {"state.carries.body", [](State& s) { std::swap(s.carries[0], s.carries[1]); }},
+      {"state.carries", [](State& s) { s.carries[0].memory.expected_delta_v.x = nan; }},
+      {"state.carries.carry", [](State& s) { s.carries[0].memory.carry.y = 2e9; }},
+      {"state.carries.angular_carry", [](State& s) { s.carries[0].memory.angular_carry = 2e9; }},
+      {"state.carries.angular_carry", [](State& s) { s.carries[0].memory.angular_carry = nan; }},
+      {"state.carries.angular_velocity", [](State& s) { s.carries[0].memory.angular_velocity = nan; }},
+      {"state.carries.dt", [](State& s) { s.carries[0].memory.dt = -1.0; }},
       {"state.fixtures.body", [](State& s) { s.fixtures[0].body = 2; }},
       {"state.fixtures.place", [](State& s) { s.fixtures[0].place = 1; }},
       {"state.fixtures.place", [](State& s) { s.fixtures[0].body = s.fixtures[1].body; }},
@@ -166,7 +165,22 @@ TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
       {"state.cords.touching.impulse", [](State& s) { s.cords[0].touching[0].impulse = nan; }},
       {"state.cords.touching.most", [](State& s) { s.cords[0].touching[0].most = nan; }},
       {"state.cords.touching", [](State& s) { s.cords[0].touching[0].normal.y = nan; }},
-      {"state.cords.direct_error", [](State& s) { s.cords[0].direct_error = nan; }},
+      {"state.cords.error", [](State& s) { s.cords[0].error = nan; }},
+      {"state.next_cord", [](State& s) { s.next_cord = -1; }},
+      {"state.cords.id", [](State& s) { s.next_cord = 1; }},
+      {"state.ending.cord",
+       [](State& s) {
+         s.ending.push_back({2, s.cords[0].touching[0]});
+       }},
+      {"state.ending.touch.fixture",
+       [](State& s) {
+         s.ending.push_back({0, {0, 0.0, 0.0, {}, {}}});
+       }},
+      {"state.ending are",
+       [](State& s) {
+         s.ending.push_back({0, s.cords[0].touching[0]});
+         s.ending.push_back(s.ending[0]);
+       }},
       {"state.events.cord",
        [](State& s) {
          s.events.push_back({7, true, 0, 0.0, {}, {}});
@@ -197,7 +211,7 @@ TEST(CouplingState, ALockedWorldIsRefused) {
     void BeginContact(b2Contact*) override {
       try {
         scene->coupling.restore(scene->coupling.save(scene->world), scene->world);
-      } catch (const DefinitionError&) {
+      } catch (const ribbon::CallError&) {
         ++refused;
       }
     }
@@ -219,10 +233,10 @@ TEST(CouplingState, LeavesOutWhoIsNoLongerInTheWorld) {
   scene.world.DestroyBody(scene.holder);
   const State state = scene.coupling.save(scene.world);
   EXPECT_EQ(state.grips.size(), 0U);
-  ASSERT_EQ(state.led.size(), 1U);
-  EXPECT_EQ(state.led[0].body, 0) << "the ball is the first of those that are there";
+  ASSERT_EQ(state.carries.size(), 1U);
+  EXPECT_EQ(state.carries[0].body, 0) << "the ball is the first of those that are there";
   scene.coupling.restore(state, scene.world);
-  EXPECT_FALSE(scene.coupling.state(scene.grip));
+  EXPECT_FALSE(scene.coupling.grip(scene.grip).is_valid());
   scene.tick(5);
 }
 
@@ -238,16 +252,16 @@ TEST(CouplingState, WhatItTellsGoesBackToo) {
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   const b2Fixture* fixture = scene.coupling.touch_events()[0].fixture;
   EXPECT_EQ(fixture, scene.ball->GetFixtureList());
-  const ribbon::CordReport total = scene.coupling.total(0);
+  const ribbon::CordReport total = scene.coupling.cord(0).island_total();
   scene.coupling.restore(start, scene.world);
   EXPECT_TRUE(scene.coupling.touch_events().empty());
-  EXPECT_EQ(scene.coupling.total(0).stages, 0);
-  EXPECT_EQ(scene.coupling.grip(*scene.ball, {.cord = 0, .arc = 0.5}), 2);
+  EXPECT_EQ(scene.coupling.cord(0).island_total().stages, 0);
+  EXPECT_EQ(scene.coupling.hold(*scene.ball, {.cord = 0, .arc = 0.5}), 2);
   scene.coupling.restore(touched, scene.world);
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   EXPECT_EQ(scene.coupling.touch_events()[0].fixture, fixture);
-  EXPECT_EQ(scene.coupling.total(0), total);
-  EXPECT_FALSE(scene.coupling.state(2));
+  EXPECT_EQ(scene.coupling.cord(0).island_total(), total);
+  EXPECT_FALSE(scene.coupling.grip(2).is_valid());
 }
 
 }  // namespace

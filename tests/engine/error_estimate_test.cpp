@@ -38,16 +38,11 @@ struct World {
     load->SetMassData(&mass);
     coupling.hold(0, 20, *load, b2Vec2_zero);
   }
-  void tick() {
-    coupling.gather(box2d, dt);
-    coupling.step();
-    coupling.apply();
-    box2d.Step(static_cast<float>(dt), 8, 3);
-  }
+  void tick() { coupling.tick(box2d, dt); }
 
   b2World box2d{b2Vec2(0.0F, -9.81F)};
   b2Body* load = nullptr;
-  Coupling coupling;
+  ribbon::box2d::Coupling coupling;
 };
 
 /// m, the sum of what 40 ticks are estimated to be off, and how far off the cord is at their end.
@@ -64,10 +59,11 @@ Outcome run(const Accuracy& accuracy) {
   for (int k = 0; k < 40; ++k) {
     world.tick();
     exact.tick();
-    outcome.estimated += world.coupling.error(0);
+    outcome.estimated += world.coupling.cord(0).error();
   }
   for (std::size_t p = 0; p < 21; ++p) {
-    outcome.actual = std::max(outcome.actual, length(world.coupling.positions(0)[p] - exact.coupling.positions(0)[p]));
+    outcome.actual =
+        std::max(outcome.actual, length(world.coupling.cord(0).positions()[p] - exact.coupling.cord(0).positions()[p]));
   }
   return outcome;
 }
@@ -91,12 +87,12 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
     watched.coupling.estimate_errors(k % 3 == 0);
     watched.tick();
     alone.tick();
-    EXPECT_EQ(watched.coupling.error(0) > 0.0, k % 3 == 0);
-    EXPECT_EQ(alone.coupling.error(0), 0.0);
+    EXPECT_EQ(watched.coupling.cord(0).error() > 0.0, k % 3 == 0);
+    EXPECT_EQ(alone.coupling.cord(0).error(), 0.0);
   }
-  EXPECT_TRUE(watched.coupling.cord(0).save() == alone.coupling.cord(0).save());
+  EXPECT_TRUE(watched.coupling.cord(0).direct().save() == alone.coupling.cord(0).direct().save());
   EXPECT_EQ(watched.load->GetPosition().x, alone.load->GetPosition().x);
-  EXPECT_TRUE(watched.coupling.report(0) == alone.coupling.report(0));
+  EXPECT_TRUE(watched.coupling.cord(0).island_report() == alone.coupling.cord(0).island_report());
 }
 
 /// It copies each cord's state anew in every tick, and keeps no more of them for that.
@@ -127,12 +123,12 @@ TEST(ErrorEstimate, FollowsTheCordsThatThereAre) {
   ribbon::ThesisDef thesis;
   thesis.w = 5;
   thesis.h = 2;
-  const CordIndex other = world.coupling.add(ribbon::ThesisCord(thesis));
-  const CordIndex third = world.coupling.add(ribbon::Cord(swinging(Accuracy::fast())));
+  const ribbon::box2d::CordId other = world.coupling.add(ribbon::ThesisCord(thesis));
+  const ribbon::box2d::CordId third = world.coupling.add(ribbon::Cord(swinging(Accuracy::fast())));
   world.tick();
-  EXPECT_EQ(world.coupling.error(other), 0.0);
-  EXPECT_GT(world.coupling.error(third), world.coupling.error(0));
-  EXPECT_GT(world.coupling.error(0), 0.0);
+  EXPECT_EQ(world.coupling.cord(other).error(), 0.0);
+  EXPECT_GT(world.coupling.cord(third).error(), world.coupling.cord(0).error());
+  EXPECT_GT(world.coupling.cord(0).error(), 0.0);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ Speeds speeds_in(const b2World& world) {
 
 /// m, that the documentation says a part of a body may go.
 double way_of(const b2Body& body, const Speeds& speeds, const Box& box, double fall) {
-  const Vec2 center = to_double(body.GetWorldCenter());
+  const Vec2 center = ribbon::box2d::to_double(body.GetWorldCenter());
   double extent = 0.0;
   for (const Vec2 corner : {box.low, box.high, Vec2{box.low.x, box.high.y}, Vec2{box.high.x, box.low.y}}) {
     extent = std::max(extent, length(corner - center));
@@ -62,7 +62,7 @@ double way_of(const b2Body& body, const Speeds& speeds, const Box& box, double f
 }
 
 Found by_looking_at_all(const b2World& world, const Speeds& speeds, const Box& reach, const b2Filter& filter) {
-  const double fall = length(to_double(world.GetGravity())) * dt * dt;
+  const double fall = length(ribbon::box2d::to_double(world.GetGravity())) * dt * dt;
   Found found;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (!body->IsEnabled() || (body->GetType() == b2_dynamicBody && !(body->GetMass() > 0.0F))) continue;
@@ -70,7 +70,7 @@ Found by_looking_at_all(const b2World& world, const Speeds& speeds, const Box& r
       if (f->IsSensor() || !should_collide(f->GetFilterData(), filter)) continue;
       for (int child = 0; child < f->GetShape()->GetChildCount(); ++child) {
         const b2AABB& aabb = f->GetAABB(child);
-        const Box box{to_double(aabb.lowerBound), to_double(aabb.upperBound)};
+        const Box box{ribbon::box2d::to_double(aabb.lowerBound), ribbon::box2d::to_double(aabb.upperBound)};
         if (overlap(box, widened(reach, way_of(*body, speeds, box, fall)))) found.emplace_back(f, child);
       }
     }
@@ -78,9 +78,10 @@ Found by_looking_at_all(const b2World& world, const Speeds& speeds, const Box& r
   return sorted(found);
 }
 
-Found by_gather(const Coupling& coupling, CordIndex cord) {
+Found by_gather(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
   Found found;
-  for (const NearShape& shape : coupling.near(cord)) found.emplace_back(shape.fixture, shape.child);
+  for (const ribbon::box2d::NearShape& shape : coupling.cord(cord).near())
+    found.emplace_back(shape.fixture, shape.child);
   return sorted(found);
 }
 
@@ -98,16 +99,11 @@ class RandomWorld {
   void disturb() {
     for (int k = below(6); k > 0; --k) disturb_one();
   }
-  void tick() {
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
-    world.Step(static_cast<float>(dt), 8, 3);
-  }
-  const b2Filter& filter(CordIndex cord) const { return filters_[static_cast<std::size_t>(cord)]; }
+  void tick() { coupling.tick(world, dt); }
+  const b2Filter& filter(ribbon::box2d::CordId cord) const { return filters_[static_cast<std::size_t>(cord)]; }
 
   b2World world{b2Vec2(0.0F, -9.81F)};
-  Coupling coupling;
+  ribbon::box2d::Coupling coupling;
 
  private:
   int below(int n) { return std::min(n - 1, static_cast<int>(dice_() * n)); }
@@ -131,7 +127,7 @@ class RandomWorld {
   void add_body() {
     b2BodyDef def;
     def.type = std::array{b2_staticBody, b2_kinematicBody, b2_dynamicBody}[static_cast<std::size_t>(below(3))];
-    def.position = to_float(place());
+    def.position = ribbon::box2d::to_float(place());
     def.angle = static_cast<float>(dice_(-3.0, 3.0));
     def.bullet = dice_.coin();
     b2Body* const body = world.CreateBody(&def);
@@ -157,7 +153,7 @@ class RandomWorld {
   }
   void set_velocity(b2Body& body) {
     const double fast = dice_.coin() ? 3.0 : 200.0;
-    body.SetLinearVelocity(to_float(Vec2{dice_(-fast, fast), dice_(-fast, fast)}));
+    body.SetLinearVelocity(ribbon::box2d::to_float(Vec2{dice_(-fast, fast), dice_(-fast, fast)}));
     if (dice_.coin()) body.SetAngularVelocity(static_cast<float>(dice_(-20.0, 20.0)));
   }
   void destroy(std::size_t k) {
@@ -182,15 +178,15 @@ class RandomWorld {
         destroy(k);
         add_body();  // often at the same address
         break;
-      case 3: body.SetTransform(to_float(place()), static_cast<float>(dice_(-3.0, 3.0))); break;
+      case 3: body.SetTransform(ribbon::box2d::to_float(place()), static_cast<float>(dice_(-3.0, 3.0))); break;
       case 4: body.SetEnabled(!body.IsEnabled()); break;
       case 5: set_velocity(body); break;
       case 6: add_fixture(body); break;
       case 7: body.SetType(body.GetType() == b2_staticBody ? b2_dynamicBody : b2_staticBody); break;
       default:
         if (body.GetType() == b2_dynamicBody && body.GetMass() > 0.0F && body.IsEnabled() && !coupling.held_by(body)) {
-          const CordIndex cord = below(coupling.size());
-          coupling.hold(cord, coupling.shape(cord).columns - 1, body, {0.0F, 0.0F});
+          const ribbon::box2d::CordId cord = below(coupling.size());
+          coupling.hold(cord, coupling.cord(cord).shape().columns - 1, body, {0.0F, 0.0F});
         } else if (coupling.held_by(body)) {
           coupling.release(body);
         }
@@ -212,8 +208,9 @@ void check_scenes(unsigned first, unsigned last) {
       random.disturb();
       const Speeds speeds = speeds_in(random.world);
       random.coupling.gather(random.world, dt);
-      for (CordIndex c = 0; c < random.coupling.size(); ++c) {
-        const Found wanted = by_looking_at_all(random.world, speeds, random.coupling.reach(c), random.filter(c));
+      for (ribbon::box2d::CordId c = 0; c < random.coupling.size(); ++c) {
+        const Found wanted =
+            by_looking_at_all(random.world, speeds, random.coupling.cord(c).swept_aabb(), random.filter(c));
         ASSERT_EQ(by_gather(random.coupling, c), wanted) << "seed " << seed << ", tick " << k << ", cord " << c;
         all += wanted.size();
       }
@@ -270,11 +267,11 @@ TEST(Gather, WhatIsFarAwayChangesNoBitOfACord) {
   for (int k = 0; k < 90; ++k) {
     alone.tick();
     among.tick();
-    for (CordIndex c = 0; c < alone.coupling.size(); ++c) {
-      const auto a = alone.coupling.positions(c);
-      const auto b = among.coupling.positions(c);
+    for (ribbon::box2d::CordId c = 0; c < alone.coupling.size(); ++c) {
+      const auto a = alone.coupling.cord(c).positions();
+      const auto b = among.coupling.cord(c).positions();
       ASSERT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end())) << "tick " << k << ", cord " << c;
-      touches += alone.coupling.touching(c).size();
+      touches += alone.coupling.cord(c).touching().size();
     }
   }
   EXPECT_GT(touches, 90U);
@@ -315,10 +312,10 @@ TEST(Gather, ABodyThatIsTakenAwayGetsWhatBox2DCouldNotShow) {
     held.ball->SetLinearVelocity({3.0F, 0.0F});
     held.tick(10);
     const Vec2 momentary = held.coupling.velocity(*held.ball);
-    ASSERT_GT(length(momentary - to_double(held.ball->GetLinearVelocity())), 0.01);
-    held.coupling.set_enabled(0, false);
-    EXPECT_LT(length(momentary - to_double(held.ball->GetLinearVelocity())), 1e-5);
-    EXPECT_EQ(held.coupling.velocity(*held.ball), to_double(held.ball->GetLinearVelocity()));
+    ASSERT_GT(length(momentary - ribbon::box2d::to_double(held.ball->GetLinearVelocity())), 0.01);
+    held.coupling.cord(0).set_enabled(false);
+    EXPECT_LT(length(momentary - ribbon::box2d::to_double(held.ball->GetLinearVelocity())), 1e-5);
+    EXPECT_EQ(held.coupling.velocity(*held.ball), ribbon::box2d::to_double(held.ball->GetLinearVelocity()));
   }
 }
 
@@ -344,17 +341,17 @@ TEST(Gather, ACordThatSleepsAndIsPutElsewhereLooksAroundThere) {
     here.tick();
     there.tick();
   }
-  ASSERT_TRUE(here.coupling.cord(0).is_asleep() && there.coupling.cord(0).is_asleep());
-  ASSERT_EQ(here.coupling.gathered_near(0), 0);
-  here.coupling.cord(0).restore(there.coupling.cord(0).save());
-  ASSERT_TRUE(here.coupling.cord(0).is_asleep());
+  ASSERT_TRUE(here.coupling.cord(0).direct().is_asleep() && there.coupling.cord(0).direct().is_asleep());
+  ASSERT_EQ(here.coupling.cord(0).near_count(), 0);
+  here.coupling.cord(0).direct().restore(there.coupling.cord(0).direct().save());
+  ASSERT_TRUE(here.coupling.cord(0).direct().is_asleep());
   here.tick();
-  EXPECT_NEAR(here.coupling.reach(0).low.x, 5.0, 0.5);
-  EXPECT_GT(here.coupling.gathered_near(0), 0);
+  EXPECT_NEAR(here.coupling.cord(0).swept_aabb().low.x, 5.0, 0.5);
+  EXPECT_GT(here.coupling.cord(0).near_count(), 0);
 }
 
 TEST(Gather, FewerWorkersThanOneAreRefused) {
-  Coupling coupling;
+  ribbon::box2d::Coupling coupling;
   try {
     coupling.use({nullptr, nullptr, 0});
     FAIL() << "it was taken";

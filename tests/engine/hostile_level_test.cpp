@@ -40,8 +40,8 @@ std::string level(const std::string& fields, const std::vector<Property>& proper
 }
 
 bool all_finite(const Scene& scene) {
-  for (CordIndex c = 0; c < scene.coupling().size(); ++c) {
-    for (const ribbon::Vec2 x : scene.coupling().positions(c)) {
+  for (ribbon::box2d::CordId c = 0; c < scene.coupling().size(); ++c) {
+    for (const ribbon::Vec2 x : scene.coupling().cord(c).positions()) {
       if (!std::isfinite(x.x) || !std::isfinite(x.y)) return false;
     }
   }

@@ -83,13 +83,13 @@ TickInput some_input(std::uint16_t i) {
 }
 
 /// Tick i has i + 1 parts.
-StateHash some_state(std::uint16_t i) {
-  StateHash state;
+ribbon::box2d::StateHash some_state(std::uint16_t i) {
+  ribbon::box2d::StateHash state;
   for (std::uint16_t part = 0; part <= i; ++part) {
-    Hasher hasher;
+    ribbon::box2d::Hasher hasher;
     hasher.add(i);
     hasher.add(part);
-    state.add(static_cast<Subsystem>(part % subsystem_count), part, hasher);
+    state.add(static_cast<ribbon::box2d::Subsystem>(part % ribbon::box2d::subsystem_count), part, hasher);
   }
   return state;
 }
@@ -190,7 +190,7 @@ TEST(Replay, TheFileIsAsDocumented) {
   // Byte by byte from the description of the format: a change to either breaks every replay that exists.
   const std::string path = temp_path("as_documented");
   ReplayWriter writer(path, {.level = "a", .level_hash = 0xff, .tick_rate = 50, .settings = {}});
-  const StateHash state({{Subsystem::cord, 0x0102, 0x11223344}}, 0x0102030405060708);
+  const ribbon::box2d::StateHash state({{ribbon::box2d::Subsystem::cord, 0x0102, 0x11223344}}, 0x0102030405060708);
   writer.write({.buttons = 0x8001, .pointer_x_cm = -2, .pointer_y_cm = 258}, state);
   writer.finish();
 
@@ -541,8 +541,8 @@ TEST(ReplayWriter, AFullDiskIsToldOnceAndWhatWasWrittenStays) {
 TEST(ReplayWriter, RefusesMorePartsThanAReaderAccepts) {
   const std::string path = temp_path("parts");
   ReplayWriter writer(path, some_header());
-  const StateHash most(std::vector<StatePart>(4096), 1);
-  const StateHash too_many(std::vector<StatePart>(4097), 1);
+  const ribbon::box2d::StateHash most(std::vector<ribbon::box2d::StatePart>(4096), 1);
+  const ribbon::box2d::StateHash too_many(std::vector<ribbon::box2d::StatePart>(4097), 1);
   writer.write({}, most);
   EXPECT_THROW(writer.write({}, too_many), ReplayError);
   EXPECT_EQ(load_replay(path).ticks.size(), 1U);
@@ -587,14 +587,14 @@ TEST(ReplayVerifier, AllTicksEqualIsVerified) {
   }
   EXPECT_TRUE(verifier.done());
   EXPECT_EQ(verifier.result().outcome, VerifyOutcome::verified);
-  EXPECT_EQ(verifier.result().message(), "verified 3 ticks, hash " + to_hex(some_state(2).combined()));
+  EXPECT_EQ(verifier.result().message(), "verified 3 ticks, hash " + ribbon::box2d::to_hex(some_state(2).combined()));
   EXPECT_EQ(exit_status(verifier.result().outcome), 0);
 }
 
 TEST(ReplayVerifier, StopsAtTheFirstDifferenceAndNamesTickAndPart) {
   Replay replay = parse(recorded(5, true, "diverged"));
-  const StateHash first({{Subsystem::cord, 2, 0x89abcdef}}, 1);
-  const StateHash now({{Subsystem::cord, 2, 0x01234567}}, 2);
+  const ribbon::box2d::StateHash first({{ribbon::box2d::Subsystem::cord, 2, 0x89abcdef}}, 1);
+  const ribbon::box2d::StateHash now({{ribbon::box2d::Subsystem::cord, 2, 0x01234567}}, 2);
   replay.ticks[2].state = first;
   ReplayVerifier verifier(replay);
   EXPECT_TRUE(verifier.check(some_state(0)));

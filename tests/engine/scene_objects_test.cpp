@@ -91,7 +91,7 @@ TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
       ASSERT_TRUE(scene.coupling().held_by(body));
       ASSERT_NEAR(from_pin(), 2.0F, 2e-3F) << k;
     }
-    EXPECT_EQ(scene.coupling().total(0).unconverged, 0);
+    EXPECT_EQ(scene.coupling().cord(0).island_total().unconverged, 0);
   }
 }
 
@@ -120,12 +120,12 @@ TEST(SceneLoad, IsRefusedWithTheObjectAndPropertyNamed) {
 TEST(SceneAnchor, ConstrainsTheNearestPointToItsPlace) {
   MapObject anchor = thing(9, "anchor", MapShape::point, {5.1, 9.0});
   Scene scene(map_of({cord(7, false), anchor}));
-  EXPECT_EQ(scene.coupling().kind(0, 0), ribbon::PointKind::constrained);
-  EXPECT_EQ(scene.coupling().kind(0, 1), ribbon::PointKind::free);
+  EXPECT_EQ(scene.coupling().cord(0).kind(0), ribbon::PointKind::constrained);
+  EXPECT_EQ(scene.coupling().cord(0).kind(1), ribbon::PointKind::free);
   scene.tick(1.0 / 60.0);
-  EXPECT_NEAR(scene.coupling().positions(0)[0].x, 5.1, 1e-12);
-  EXPECT_THROW(scene.coupling().constrain(1, 0, {}), ribbon::DefinitionError);
-  EXPECT_THROW(scene.coupling().constrain(0, 21, {}), ribbon::DefinitionError);
+  EXPECT_NEAR(scene.coupling().cord(0).positions()[0].x, 5.1, 1e-12);
+  EXPECT_THROW(scene.coupling().cord(1).pin(0, {}), ribbon::CallError);
+  EXPECT_THROW(scene.coupling().cord(0).pin(21, {}), ribbon::DefinitionError);
 }
 
 TEST(SceneAnchor, GoesForTheCordThatItNames) {
@@ -134,8 +134,8 @@ TEST(SceneAnchor, GoesForTheCordThatItNames) {
   MapObject anchor = thing(9, "anchor", MapShape::point, {5.0, 9.0});
   anchor.properties.insert("cord", std::int64_t{6});
   const Scene scene(map_of({cord(7, false), other, anchor}));
-  EXPECT_EQ(scene.coupling().kind(0, 0), ribbon::PointKind::free);
-  EXPECT_EQ(scene.coupling().kind(1, 0), ribbon::PointKind::constrained);
+  EXPECT_EQ(scene.coupling().cord(0).kind(0), ribbon::PointKind::free);
+  EXPECT_EQ(scene.coupling().cord(1).kind(0), ribbon::PointKind::constrained);
 }
 
 TEST(SceneAnchor, IsRefusedWhereNoCordIs) {
@@ -150,7 +150,7 @@ TEST(SceneRibbon, IsACordOfThreeRowsUnlessGiven) {
   cloth.kind = "ribbon";
   cloth.properties.insert("stretch_stiffness", 5000.0);
   cloth.properties.insert("bending_stiffness", 1.0);
-  EXPECT_EQ(Scene(map_of({cloth})).coupling().shape(0).rows, 3);
+  EXPECT_EQ(Scene(map_of({cloth})).coupling().cord(0).shape().rows, 3);
   EXPECT_EQ(Scene(map_of({cloth})).cord_object(0), 7);
   EXPECT_EQ(Scene(map_of({cloth})).cord_object(5), 0);
   cloth.properties.insert("rows", std::int64_t{1});
@@ -200,8 +200,8 @@ TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   peg.properties.insert("body", std::string("static"));
   Scene scene(map_of({rock, peg, bridge}));
   for (int k = 0; k < 300; ++k) scene.tick(1.0 / 60.0);
-  EXPECT_EQ(scene.coupling().total(0).unconverged, 0);
-  EXPECT_LT(scene.coupling().total(0).iterations, 300 * 30);
+  EXPECT_EQ(scene.coupling().cord(0).island_total().unconverged, 0);
+  EXPECT_LT(scene.coupling().cord(0).island_total().iterations, 300 * 30);
 }
 
 TEST(Replacing, ACordLetsGoOfItsHoldersAndForgetsWhatItCounted) {
@@ -212,14 +212,14 @@ TEST(Replacing, ACordLetsGoOfItsHoldersAndForgetsWhatItCounted) {
   def.length = 1.0;
   def.mass_per_length = 0.1;
   def.positions = {{1.0, 5.0}, {1.25, 5.0}, {1.5, 5.0}, {1.75, 5.0}, {2.0, 5.0}};
-  scene.coupling().replace(0, ribbon::Cord(def));
+  scene.coupling().cord(0).replace(ribbon::Cord(def));
   EXPECT_FALSE(scene.coupling().held_by(*scene.bodies()[0].body));
   EXPECT_EQ(scene.coupling().size(), 1);
-  EXPECT_EQ(scene.coupling().positions(0).size(), 5U);
-  EXPECT_EQ(scene.coupling().total(0).stages, 0);
+  EXPECT_EQ(scene.coupling().cord(0).positions().size(), 5U);
+  EXPECT_EQ(scene.coupling().cord(0).island_total().stages, 0);
   for (int k = 0; k < 10; ++k) scene.tick(1.0 / 60.0);
   EXPECT_LT(scene.bodies()[0].body->GetLinearVelocity().y, -1.0F);
-  EXPECT_THROW(scene.coupling().replace(1, ribbon::Cord(def)), ribbon::DefinitionError);
+  EXPECT_THROW(scene.coupling().cord(1).replace(ribbon::Cord(def)), ribbon::CallError);
 }
 
 TEST(Replacing, RefusesACordOfTheThesis) {
@@ -228,8 +228,8 @@ TEST(Replacing, RefusesACordOfTheThesis) {
   object.properties.insert("spring_stiffness", 1000.0);
   Scene scene(map_of({object}));
   ribbon::CordDef def;
-  EXPECT_THROW(scene.coupling().replace(0, ribbon::Cord(def)), ribbon::DefinitionError);
-  EXPECT_EQ(scene.coupling().solver(0), Solver::thesis);
+  EXPECT_THROW(scene.coupling().cord(0).replace(ribbon::Cord(def)), ribbon::CallError);
+  EXPECT_EQ(scene.coupling().cord(0).solver(), ribbon::box2d::Solver::thesis);
 }
 
 TEST(NearestPlace, IsBetweenThePointsOfADirectCordAndNotOfTheOneLeftOut) {
@@ -248,17 +248,17 @@ TEST(NearestPlace, IsBetweenThePointsOfADirectCordAndNotOfTheOneLeftOut) {
 TEST(MovingAHand, TakesTheBodyAlongAndRefusesAGripThatIsNone) {
   Scene scene(map_of({cord(7), load(8, 0)}));
   b2Body& body = *scene.bodies()[0].body;
-  GripDef grip;
+  ribbon::box2d::GripDef grip;
   grip.arc = 2.0;
-  grip.local_hand = {0.0F, 0.7F};
-  const GripId id = scene.coupling().grip(body, grip);
+  grip.local_anchor = {0.0F, 0.7F};
+  const ribbon::box2d::GripId id = scene.coupling().hold(body, grip);
   for (int k = 0; k < 60; ++k) {
-    scene.coupling().move_hand(id, {0.0F, 0.7F + 0.005F * static_cast<float>(k)});
+    scene.coupling().grip(id).move_anchor({0.0F, 0.7F + 0.005F * static_cast<float>(k)});
     scene.tick(1.0 / 60.0);
   }
   EXPECT_NEAR(static_cast<double>(body.GetPosition().y), 7.0 - 0.7 - 0.295, 0.02);
-  EXPECT_NEAR(scene.coupling().state(id)->place.y, 7.0, 1e-3);
-  EXPECT_THROW(scene.coupling().move_hand(id + 1, {}), ribbon::DefinitionError);
+  EXPECT_NEAR(scene.coupling().grip(id).state().place.y, 7.0, 1e-3);
+  EXPECT_THROW(scene.coupling().grip(id + 1).move_anchor({}), ribbon::CallError);
 }
 
 }  // namespace

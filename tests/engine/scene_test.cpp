@@ -54,7 +54,7 @@ TEST(Scene, BuildsWhatTheMapDeclares) {
   const Scene scene(map_with(object("cord", line, cord_properties + "," + whole("rows", "3") + "," + yes("pin_first"))),
                     {});
   ASSERT_EQ(scene.coupling().size(), 1);
-  const ribbon::ThesisCord& cord = scene.coupling().thesis_cord(0);
+  const ribbon::ThesisCord& cord = scene.coupling().cord(0).thesis();
   EXPECT_EQ(cord.mesh().w, 9);
   EXPECT_EQ(cord.mesh().h, 3);
   EXPECT_DOUBLE_EQ(cord.mesh().spacing, 0.5);
@@ -79,7 +79,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + whole("max_work", "77") + "," +
       yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
-  const ribbon::Cord& cord = scene.coupling().cord(0);
+  const ribbon::Cord& cord = scene.coupling().cord(0).direct();
   const ribbon::CordDef& def = cord.def();
   EXPECT_EQ(def.points, 9);
   EXPECT_EQ(def.rows, 3);
@@ -111,7 +111,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
 /// A term that is not declared is not there; each preset and `tension_only` arrive.
 TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   const auto def_of = [](const std::string& more) {
-    return Scene(map_with(object("cord", line, direct_properties + more))).coupling().cord(0).def();
+    return Scene(map_with(object("cord", line, direct_properties + more))).coupling().cord(0).direct().def();
   };
   ribbon::CordDef plain;
   const ribbon::CordDef def = def_of("");
@@ -136,9 +136,9 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
 
 TEST(Scene, ACordThatAsksForNoSolverHasTheDefault) {
   const std::string own =
-      Scene::default_solver == Solver::thesis ? number("spring_stiffness", "1000") : yes("pin_first");
+      Scene::default_solver == ribbon::box2d::Solver::thesis ? number("spring_stiffness", "1000") : yes("pin_first");
   const Scene scene(map_with(object("cord", line, either_cord + "," + own)));
-  EXPECT_EQ(scene.coupling().solver(0), Scene::default_solver);
+  EXPECT_EQ(scene.coupling().cord(0).solver(), Scene::default_solver);
 }
 
 /// Links that cut a corner, and those of a path that folds back on itself, are as long as all others: there is nothing
@@ -151,15 +151,15 @@ TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
     map.properties.insert("gravity_y", 0.0);
     Scene scene(map);
     scene.tick(1.0 / 60.0);
-    for (const ribbon::Vec2 v : scene.coupling().cord(0).velocities()) EXPECT_LT(length(v), 1e-9) << path;
+    for (const ribbon::Vec2 v : scene.coupling().cord(0).direct().velocities()) EXPECT_LT(length(v), 1e-9) << path;
   }
 }
 
 TEST(Scene, ADirectCordReachesFromTheStartOfItsPathToTheEnd) {
   const std::string path = R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5}])";
   const Scene scene(map_with(object("cord", path, direct_properties)));
-  EXPECT_LT(length(scene.coupling().positions(0).front() - ribbon::Vec2{2.0, 7.0}), 1e-12);
-  EXPECT_LT(length(scene.coupling().positions(0).back() - ribbon::Vec2{6.0, 7.5}), 1e-9);
+  EXPECT_LT(length(scene.coupling().cord(0).positions().front() - ribbon::Vec2{2.0, 7.0}), 1e-12);
+  EXPECT_LT(length(scene.coupling().cord(0).positions().back() - ribbon::Vec2{6.0, 7.5}), 1e-9);
 }
 
 TEST(Scene, BuildsGroundAndCircles) {
@@ -259,7 +259,7 @@ TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
   expect_refused(object("cord", line, cord_properties + "," + number("radius", "0.1")), "another solver");
   expect_refused(object("cord", line, cord_properties + "," + yes("tension_only")), "\"thesis\"");
   expect_refused(object("cord", line, cord_properties + "," + number("friction", "0.5")), "another solver");
-  const std::string others = Scene::default_solver == Solver::thesis ? "damping" : "bar_damping";
+  const std::string others = Scene::default_solver == ribbon::box2d::Solver::thesis ? "damping" : "bar_damping";
   expect_refused(object("cord", line, either_cord + "," + number(others, "0")), "the default");
 }
 
@@ -268,7 +268,7 @@ TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
 using State = ribbon::Cord::State;
 
 std::uint64_t hash_of(Scene& scene) {
-  StateHash hash;
+  ribbon::box2d::StateHash hash;
   scene.add_to(hash);
   return hash.combined();
 }
@@ -291,7 +291,7 @@ struct SwingingRibbon {
     scene.coupling().hold(0, 12, *scene.world().GetBodyList(), {-0.4F, 0.0F});
     for (int k = 0; k < 5; ++k) tick();
   }
-  ribbon::Cord& cord() { return scene.coupling().cord(0); }
+  ribbon::Cord& cord() { return scene.coupling().cord(0).direct(); }
   void tick() { scene.tick(1.0 / 60.0); }
 };
 

@@ -25,16 +25,16 @@ struct Tuned {
   TiledMap map = engine::parse_tiled_map(text, "mixed.tmj");
   Scene scene{map, others, {}, {"title", "hint", "number", "gold", "silver", "bronze"}};
 
-  engine::CordIndex first(engine::Solver solver) const {
+  ribbon::box2d::CordId first(ribbon::box2d::Solver solver) const {
     for (int c = 0; c < scene.coupling().size(); ++c) {
-      if (scene.coupling().solver(c) == solver) return c;
+      if (scene.coupling().cord(c).solver() == solver) return c;
     }
     return -1;
   }
   void run(int ticks) {
     for (int k = 0; k < ticks; ++k) scene.tick(dt);
   }
-  void set(engine::CordIndex cord, const std::string& property, const Properties::Value& value) {
+  void set(ribbon::box2d::CordId cord, const std::string& property, const Properties::Value& value) {
     const int object = scene.cord_object(cord);
     text = engine::with_property(text, object, property, value);
     map = engine::parse_tiled_map(text, "mixed.tmj");
@@ -43,23 +43,23 @@ struct Tuned {
 };
 
 TEST(SceneTuning, ACordIsWhereItWasAndMovesOnOtherwise) {
-  for (const engine::Solver solver : {engine::Solver::direct, engine::Solver::thesis}) {
+  for (const ribbon::box2d::Solver solver : {ribbon::box2d::Solver::direct, ribbon::box2d::Solver::thesis}) {
     Tuned tuned;
     Tuned plain;
-    const engine::CordIndex cord = tuned.first(solver);
+    const ribbon::box2d::CordId cord = tuned.first(solver);
     ASSERT_GE(cord, 0);
     tuned.run(60);
     plain.run(60);
     tuned.set(cord, "drag", 8.0);
-    const auto now = tuned.scene.coupling().positions(cord);
-    const auto then = plain.scene.coupling().positions(cord);
+    const auto now = tuned.scene.coupling().cord(cord).positions();
+    const auto then = plain.scene.coupling().cord(cord).positions();
     for (std::size_t p = 0; p < now.size(); ++p) ASSERT_EQ(now[p], then[p]);
     tuned.run(60);
     plain.run(60);
     double apart = 0.0;
     for (std::size_t p = 0; p < now.size(); ++p) {
-      apart = std::max(apart,
-                       length(tuned.scene.coupling().positions(cord)[p] - plain.scene.coupling().positions(cord)[p]));
+      apart = std::max(apart, length(tuned.scene.coupling().cord(cord).positions()[p] -
+                                     plain.scene.coupling().cord(cord).positions()[p]));
     }
     EXPECT_GT(apart, 1e-3);
     EXPECT_LT(apart, 5.0);
@@ -69,22 +69,22 @@ TEST(SceneTuning, ACordIsWhereItWasAndMovesOnOtherwise) {
 TEST(SceneTuning, WhatIsSetToWhatItWasMovesOnAsBefore) {
   Tuned tuned;
   Tuned plain;
-  const engine::CordIndex cord = tuned.first(engine::Solver::direct);
+  const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
   tuned.run(90);
   plain.run(90);
   tuned.set(cord, "friction", 0.25);
-  tuned.set(cord, "friction", plain.scene.coupling().cord(cord).def().friction);
+  tuned.set(cord, "friction", plain.scene.coupling().cord(cord).direct().def().friction);
   tuned.run(30);
   plain.run(30);
-  const auto now = tuned.scene.coupling().positions(cord);
-  const auto then = plain.scene.coupling().positions(cord);
+  const auto now = tuned.scene.coupling().cord(cord).positions();
+  const auto then = plain.scene.coupling().cord(cord).positions();
   for (std::size_t p = 0; p < now.size(); ++p) EXPECT_LT(length(now[p] - then[p]), 2e-3);
 }
 
 TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
   Tuned tuned;
-  const engine::CordIndex cord = tuned.first(engine::Solver::direct);
-  ribbon::Cord& before = tuned.scene.coupling().cord(cord);
+  const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
+  ribbon::Cord& before = tuned.scene.coupling().cord(cord).direct();
   const int last = before.size() - 1;
   before.attach_mass(last, 12.0);
   const double own = before.mass(last) - 12.0;
@@ -100,7 +100,7 @@ TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
   tuned.run(5);
   const double mass = before.def().mass_per_length * before.def().length;
   tuned.set(cord, "mass", 3.0 * mass);
-  EXPECT_NEAR(tuned.scene.coupling().cord(cord).mass(last), 12.0 + 3.0 * own, 1e-9);
+  EXPECT_NEAR(tuned.scene.coupling().cord(cord).direct().mass(last), 12.0 + 3.0 * own, 1e-9);
   tuned.run(30);
   const auto held = tuned.scene.coupling().held_by(*body);
   ASSERT_TRUE(held);
@@ -109,12 +109,12 @@ TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
 
 TEST(SceneTuning, WhatNeedsANewSceneIsRefusedAndChangesNothing) {
   Tuned tuned;
-  const engine::CordIndex cord = tuned.first(engine::Solver::direct);
+  const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
   tuned.run(10);
-  const auto before = tuned.scene.coupling().cord(cord).save();
+  const auto before = tuned.scene.coupling().cord(cord).direct().save();
   EXPECT_THROW(tuned.set(cord, "columns", std::int64_t{7}), engine::MapError);
   EXPECT_THROW(tuned.set(cord, "friction", -1.0), engine::MapError);
-  EXPECT_TRUE(tuned.scene.coupling().cord(cord).save() == before);
+  EXPECT_TRUE(tuned.scene.coupling().cord(cord).direct().save() == before);
 }
 
 }  // namespace

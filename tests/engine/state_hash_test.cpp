@@ -13,30 +13,30 @@ namespace {
 
 template <class... Values>
 std::uint64_t hash_of(Values... values) {
-  Hasher hasher;
+  ribbon::box2d::Hasher hasher;
   (hasher.add(values), ...);
   return hasher.value();
 }
 
-Hasher hasher_of(double value) {
-  Hasher hasher;
+ribbon::box2d::Hasher hasher_of(double value) {
+  ribbon::box2d::Hasher hasher;
   hasher.add(value);
   return hasher;
 }
 
 /// A state with two cords and a body.
-StateHash state(double cord_0 = 1.0, double cord_1 = 2.0, double body_0 = 3.0) {
-  StateHash hash;
-  hash.add(Subsystem::cord, 0, hasher_of(cord_0));
-  hash.add(Subsystem::cord, 1, hasher_of(cord_1));
-  hash.add(Subsystem::body, 0, hasher_of(body_0));
+ribbon::box2d::StateHash state(double cord_0 = 1.0, double cord_1 = 2.0, double body_0 = 3.0) {
+  ribbon::box2d::StateHash hash;
+  hash.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(cord_0));
+  hash.add(ribbon::box2d::Subsystem::cord, 1, hasher_of(cord_1));
+  hash.add(ribbon::box2d::Subsystem::body, 0, hasher_of(body_0));
   return hash;
 }
 
 TEST(Hasher, IsTheSameFunctionForEver) {
   // Recorded replays hold these hashes: if this test fails, every one of them has become worthless.
-  EXPECT_EQ(to_hex(hash_of()), "e9e0033e3badaf36");
-  EXPECT_EQ(to_hex(hash_of(1.0, -2.5F, std::uint32_t{7}, std::int64_t{-1}, true)), "a754c32fa3b972e7");
+  EXPECT_EQ(ribbon::box2d::to_hex(hash_of()), "e9e0033e3badaf36");
+  EXPECT_EQ(ribbon::box2d::to_hex(hash_of(1.0, -2.5F, std::uint32_t{7}, std::int64_t{-1}, true)), "a754c32fa3b972e7");
 }
 
 TEST(Hasher, TellsApartWhatComparesEqual) {
@@ -51,7 +51,7 @@ TEST(Hasher, SeesTheLastBitOrderAndNumberOfValues) {
   EXPECT_NE(hash_of(1.0), hash_of(1.0 + std::numeric_limits<double>::epsilon()));
   EXPECT_NE(hash_of(1.0, 2.0), hash_of(2.0, 1.0));
   std::set<std::uint64_t> zeros;
-  Hasher hasher;
+  ribbon::box2d::Hasher hasher;
   for (int n = 0; n < 1000; ++n, hasher.add(0)) zeros.insert(hasher.value());
   EXPECT_EQ(zeros.size(), 1000U) << "a run of zeros must not hide how long it is";
 }
@@ -68,113 +68,114 @@ TEST(Hasher, OneFlippedBitFlipsAboutHalfOfTheValue) {
 
 TEST(StateHash, EqualStatesHaveNoDifference) {
   EXPECT_EQ(state(), state());
-  EXPECT_FALSE(first_difference(state(), state()));
-  EXPECT_FALSE(first_difference({}, {}));
+  EXPECT_FALSE(ribbon::box2d::first_difference(state(), state()));
+  EXPECT_FALSE(ribbon::box2d::first_difference({}, {}));
 }
 
 TEST(StateHash, NamesThePartThatDiffers) {
-  const StateHash recorded = state(1.0, 2.0, 3.0);
-  const StateHash computed = state(1.0, 2.5, 3.5);
-  const auto difference = first_difference(recorded, computed);
+  const ribbon::box2d::StateHash recorded = state(1.0, 2.0, 3.0);
+  const ribbon::box2d::StateHash computed = state(1.0, 2.5, 3.5);
+  const auto difference = ribbon::box2d::first_difference(recorded, computed);
   ASSERT_TRUE(difference);
-  EXPECT_EQ(difference->kind, Divergence::Kind::differs);
-  EXPECT_EQ(difference->subsystem, Subsystem::cord);
+  EXPECT_EQ(difference->kind, ribbon::box2d::Divergence::Kind::differs);
+  EXPECT_EQ(difference->subsystem, ribbon::box2d::Subsystem::cord);
   EXPECT_EQ(difference->index, 1);
-  EXPECT_EQ(describe(*difference), "cord 1 differs (recorded " + to_hex(recorded.parts()[1].hash) + ", now " +
-                                       to_hex(computed.parts()[1].hash) + ")");
+  EXPECT_EQ(describe(*difference), "cord 1 differs (recorded " + ribbon::box2d::to_hex(recorded.parts()[1].hash) +
+                                       ", now " + ribbon::box2d::to_hex(computed.parts()[1].hash) + ")");
 }
 
 TEST(StateHash, NamesAPartThatIsGone) {
-  StateHash computed;
-  computed.add(Subsystem::cord, 0, hasher_of(1.0));
-  computed.add(Subsystem::body, 0, hasher_of(3.0));
-  const auto difference = first_difference(state(), computed);
+  ribbon::box2d::StateHash computed;
+  computed.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
+  computed.add(ribbon::box2d::Subsystem::body, 0, hasher_of(3.0));
+  const auto difference = ribbon::box2d::first_difference(state(), computed);
   ASSERT_TRUE(difference);
-  EXPECT_EQ(difference->kind, Divergence::Kind::missing);
+  EXPECT_EQ(difference->kind, ribbon::box2d::Divergence::Kind::missing);
   EXPECT_EQ(describe(*difference),
-            "cord 1 is missing (recorded " + to_hex(state().parts()[1].hash) + ", now not there)");
+            "cord 1 is missing (recorded " + ribbon::box2d::to_hex(state().parts()[1].hash) + ", now not there)");
 }
 
 TEST(StateHash, NamesAPartThatIsGoneFromTheEnd) {
-  StateHash computed;
-  computed.add(Subsystem::cord, 0, hasher_of(1.0));
-  const auto difference = first_difference(state(), computed);
+  ribbon::box2d::StateHash computed;
+  computed.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
+  const auto difference = ribbon::box2d::first_difference(state(), computed);
   ASSERT_TRUE(difference);
-  EXPECT_EQ(difference->kind, Divergence::Kind::missing);
-  EXPECT_EQ(difference->subsystem, Subsystem::cord);
+  EXPECT_EQ(difference->kind, ribbon::box2d::Divergence::Kind::missing);
+  EXPECT_EQ(difference->subsystem, ribbon::box2d::Subsystem::cord);
   EXPECT_EQ(difference->index, 1);
 }
 
 TEST(StateHash, NamesAPartThatIsNewWhereverItStands) {
-  StateHash in_front;
-  in_front.add(Subsystem::game, 0, hasher_of(9.0));
-  for (std::uint16_t i = 0; i < 2; ++i) in_front.add(Subsystem::cord, i, hasher_of(1.0 + i));
-  in_front.add(Subsystem::body, 0, hasher_of(3.0));
-  const auto first = first_difference(state(), in_front);
+  ribbon::box2d::StateHash in_front;
+  in_front.add(ribbon::box2d::Subsystem::game, 0, hasher_of(9.0));
+  for (std::uint16_t i = 0; i < 2; ++i) in_front.add(ribbon::box2d::Subsystem::cord, i, hasher_of(1.0 + i));
+  in_front.add(ribbon::box2d::Subsystem::body, 0, hasher_of(3.0));
+  const auto first = ribbon::box2d::first_difference(state(), in_front);
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->kind, Divergence::Kind::extra);
-  EXPECT_EQ(describe(*first), "game 0 is new (not recorded there, now " + to_hex(in_front.parts()[0].hash) + ")");
+  EXPECT_EQ(first->kind, ribbon::box2d::Divergence::Kind::extra);
+  EXPECT_EQ(describe(*first),
+            "game 0 is new (not recorded there, now " + ribbon::box2d::to_hex(in_front.parts()[0].hash) + ")");
 
-  StateHash at_the_end = state();
-  at_the_end.add(Subsystem::body, 1, hasher_of(9.0));
-  const auto last = first_difference(state(), at_the_end);
+  ribbon::box2d::StateHash at_the_end = state();
+  at_the_end.add(ribbon::box2d::Subsystem::body, 1, hasher_of(9.0));
+  const auto last = ribbon::box2d::first_difference(state(), at_the_end);
   ASSERT_TRUE(last);
-  EXPECT_EQ(last->kind, Divergence::Kind::extra);
-  EXPECT_EQ(last->subsystem, Subsystem::body);
+  EXPECT_EQ(last->kind, ribbon::box2d::Divergence::Kind::extra);
+  EXPECT_EQ(last->subsystem, ribbon::box2d::Subsystem::body);
   EXPECT_EQ(last->index, 1);
 }
 
 TEST(StateHash, TheSamePartsInAnotherOrderDiffer) {
-  StateHash swapped;
-  swapped.add(Subsystem::cord, 1, hasher_of(2.0));
-  swapped.add(Subsystem::cord, 0, hasher_of(1.0));
-  swapped.add(Subsystem::body, 0, hasher_of(3.0));
+  ribbon::box2d::StateHash swapped;
+  swapped.add(ribbon::box2d::Subsystem::cord, 1, hasher_of(2.0));
+  swapped.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
+  swapped.add(ribbon::box2d::Subsystem::body, 0, hasher_of(3.0));
   EXPECT_NE(swapped.combined(), state().combined());
-  EXPECT_TRUE(first_difference(state(), swapped));
+  EXPECT_TRUE(ribbon::box2d::first_difference(state(), swapped));
 }
 
 TEST(StateHash, The64BitsTellWhatThe32BitsOfAPartCannot) {
-  const StateHash recorded({{Subsystem::cord, 0, 1}}, 10);
-  const StateHash computed({{Subsystem::cord, 0, 1}}, 11);
-  const auto difference = first_difference(recorded, computed);
+  const ribbon::box2d::StateHash recorded({{ribbon::box2d::Subsystem::cord, 0, 1}}, 10);
+  const ribbon::box2d::StateHash computed({{ribbon::box2d::Subsystem::cord, 0, 1}}, 11);
+  const auto difference = ribbon::box2d::first_difference(recorded, computed);
   ASSERT_TRUE(difference);
-  EXPECT_EQ(difference->kind, Divergence::Kind::combined);
+  EXPECT_EQ(difference->kind, ribbon::box2d::Divergence::Kind::combined);
   EXPECT_EQ(describe(*difference),
             "the state differs (recorded 000000000000000a, now 000000000000000b) though no single part shows it");
 }
 
 TEST(StateHash, ClearedAndRefilledIsTheSameAndAllocatesNothing) {
-  StateHash hash = state();
-  const StatePart* storage = hash.parts().data();
+  ribbon::box2d::StateHash hash = state();
+  const ribbon::box2d::StatePart* storage = hash.parts().data();
   hash.clear();
   EXPECT_TRUE(hash.parts().empty());
-  EXPECT_EQ(hash.combined(), StateHash().combined());
-  hash.add(Subsystem::cord, 0, hasher_of(1.0));
-  hash.add(Subsystem::cord, 1, hasher_of(2.0));
-  hash.add(Subsystem::body, 0, hasher_of(3.0));
+  EXPECT_EQ(hash.combined(), ribbon::box2d::StateHash().combined());
+  hash.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
+  hash.add(ribbon::box2d::Subsystem::cord, 1, hasher_of(2.0));
+  hash.add(ribbon::box2d::Subsystem::body, 0, hasher_of(3.0));
   EXPECT_EQ(hash, state());
   EXPECT_EQ(hash.parts().data(), storage);
 }
 
 TEST(StateHash, SubsystemsHaveNames) {
-  EXPECT_EQ(subsystem_name(Subsystem::game), "game");
-  EXPECT_EQ(subsystem_name(Subsystem::cord), "cord");
-  EXPECT_EQ(subsystem_name(Subsystem::body), "body");
+  EXPECT_EQ(ribbon::box2d::subsystem_name(ribbon::box2d::Subsystem::game), "game");
+  EXPECT_EQ(ribbon::box2d::subsystem_name(ribbon::box2d::Subsystem::cord), "cord");
+  EXPECT_EQ(ribbon::box2d::subsystem_name(ribbon::box2d::Subsystem::body), "body");
 }
 
 TEST(HashBytes, IsFnv1a) {
   // Test vectors of the FNV reference implementation (Fowler, Noll, Vo; draft-eastlake-fnv).
-  EXPECT_EQ(to_hex(hash_bytes("")), "cbf29ce484222325");
-  EXPECT_EQ(to_hex(hash_bytes("a")), "af63dc4c8601ec8c");
-  EXPECT_EQ(to_hex(hash_bytes("foobar")), "85944171f73967e8");
-  EXPECT_NE(hash_bytes(std::string_view("\0", 1)), hash_bytes(""));
-  EXPECT_NE(hash_bytes("\xff"), hash_bytes("\x7f"));
+  EXPECT_EQ(ribbon::box2d::to_hex(ribbon::box2d::hash_bytes("")), "cbf29ce484222325");
+  EXPECT_EQ(ribbon::box2d::to_hex(ribbon::box2d::hash_bytes("a")), "af63dc4c8601ec8c");
+  EXPECT_EQ(ribbon::box2d::to_hex(ribbon::box2d::hash_bytes("foobar")), "85944171f73967e8");
+  EXPECT_NE(ribbon::box2d::hash_bytes(std::string_view("\0", 1)), ribbon::box2d::hash_bytes(""));
+  EXPECT_NE(ribbon::box2d::hash_bytes("\xff"), ribbon::box2d::hash_bytes("\x7f"));
 }
 
 TEST(ToHex, KeepsLeadingZeros) {
-  EXPECT_EQ(to_hex(std::uint64_t{0x0123456789abcdef}), "0123456789abcdef");
-  EXPECT_EQ(to_hex(std::uint64_t{0}), "0000000000000000");
-  EXPECT_EQ(to_hex(std::uint32_t{0xabc}), "00000abc");
+  EXPECT_EQ(ribbon::box2d::to_hex(std::uint64_t{0x0123456789abcdef}), "0123456789abcdef");
+  EXPECT_EQ(ribbon::box2d::to_hex(std::uint64_t{0}), "0000000000000000");
+  EXPECT_EQ(ribbon::box2d::to_hex(std::uint32_t{0xabc}), "00000abc");
 }
 
 }  // namespace

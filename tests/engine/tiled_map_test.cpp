@@ -220,8 +220,8 @@ TEST(TiledMap, BackgroundColour) {
 
 TEST(TiledMap, ContentHashIsOfTheVeryBytes) {
   const std::string text = map_of(json::array()).dump();
-  EXPECT_EQ(parse_tiled_map(text, file).content_hash, hash_bytes(text));
-  EXPECT_NE(parse_tiled_map(text + "\n", file).content_hash, hash_bytes(text));
+  EXPECT_EQ(parse_tiled_map(text, file).content_hash, ribbon::box2d::hash_bytes(text));
+  EXPECT_NE(parse_tiled_map(text + "\n", file).content_hash, ribbon::box2d::hash_bytes(text));
 }
 
 TEST(TiledMap, LoadsFromAFileAndNamesItInErrors) {
@@ -230,7 +230,7 @@ TEST(TiledMap, LoadsFromAFileAndNamesItInErrors) {
   const TiledMap map = load_tiled_map(path);
   EXPECT_EQ(map.file, path);
   EXPECT_EQ(map.objects.size(), 1U);
-  EXPECT_EQ(map.content_hash, hash_bytes(map_of(list(point())).dump(1)));
+  EXPECT_EQ(map.content_hash, ribbon::box2d::hash_bytes(map_of(list(point())).dump(1)));
 
   EXPECT_EQ(error_of([] { load_tiled_map("/nowhere.tmj"); }), "/nowhere.tmj: there is no such file");
   EXPECT_TRUE(says(error_of([] { load_tiled_map(testing::TempDir()); }), "is a directory"));

@@ -44,7 +44,7 @@ TEST(Workers, ASteadyTickTakesNoHeapMemory) {
       world.our_share();
       ASSERT_EQ(allocations.so_far(), 0) << count << " workers, tick " << tick;
       world.step_world();
-      for (int c = 0; c < world.cords(); ++c) touched += world.coupling.cord(c).touches().empty() ? 0 : 1;
+      for (int c = 0; c < world.cords(); ++c) touched += world.coupling.cord(c).direct().touches().empty() ? 0 : 1;
     }
     EXPECT_GT(touched, 600);
   }

@@ -46,7 +46,7 @@ TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
     EXPECT_LT(worst.stretch, 1e-12) << seed;
     for (int c = 0; c < world.coupling().size(); ++c) {
       // The rows of a ribbon on an arc are of different lengths.
-      if (world.coupling().cord(c).def().rows == 1) continue;
+      if (world.coupling().cord(c).direct().def().rows == 1) continue;
       EXPECT_LT(worst.strain, 0.5) << seed;
     }
     EXPECT_EQ(inverted(world.coupling()), 0) << seed;
@@ -148,7 +148,7 @@ TEST(AnySceneCode, NamesEveryFieldThatIsNotAsByDefault) {
            "holds[0].cord = 3;",
            "holds[0].arc = 0.5;",
            "holds[0].row = 1;",
-           "holds[0].local_hand = {0.1, 0.2};",
+           "holds[0].local_anchor = {0.1, 0.2};",
            "holds[0].strength = 44.0;",
            "holds[0].lets_go = true;",
            "holds[0].climb_to = 0.75;",

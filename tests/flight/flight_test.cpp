@@ -16,10 +16,10 @@ namespace flight {
 namespace {
 
 /// Keeps the last step, with what came of it.
-class LastStep : public engine::StepWatcher {
+class LastStep : public ribbon::box2d::StepWatcher {
  public:
-  void before(const engine::SolverInput& input) noexcept override { engine::capture(input, step); }
-  void after(const engine::SolverInput& input, std::span<const ribbon::CordReport> reports,
+  void before(const ribbon::box2d::SolverInput& input) noexcept override { engine::capture(input, step); }
+  void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> reports,
              const ribbon::CordReport& total) noexcept override {
     step.outcome = {"a test", total.work, total.unconverged, engine::hash_of_positions(input.cords)};
     by_cord.assign(reports.begin(), reports.end());

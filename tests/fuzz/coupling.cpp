@@ -1,11 +1,12 @@
-// engine::Coupling, its calls in any order with any numbers, on cords of both solvers among bodies that come and go:
-// each is done, or refused with nothing changed; and cords and bodies stay finite.
+// ribbon::box2d::Coupling, its calls in any order with any numbers, on cords of both solvers among bodies that come and
+// go: each is done, or refused with nothing changed; and cords and bodies stay finite.
 
 #include "ribbon/box2d/coupling.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -18,10 +19,10 @@
 
 namespace {
 
-using engine::Coupling;
 using fuzz::Bytes;
 using fuzz::demand;
 using ribbon::Vec2;
+using ribbon::box2d::Coupling;
 
 constexpr int most_calls = 10;
 constexpr std::size_t most_bodies = 6;
@@ -55,9 +56,9 @@ class Fuzzed {
   template <typename Do>
   bool accepts(Do&& what);
 
-  int cord() { return bytes_.whole(0, coupling_.size() - 1); }
+  ribbon::box2d::CordId cord() { return bytes_.whole(0, 3); }  // of one that was there, is, or never will be
   int point() { return bytes_.whole(0, 15); }
-  engine::GripId grip() { return bytes_.whole(0, 8); }
+  ribbon::box2d::GripId grip() { return bytes_.whole(0, 8); }
   b2Body* body() { return bodies_.empty() ? nullptr : bodies_[bytes_.byte() % bodies_.size()]; }
 
   Bytes& bytes_;
@@ -86,20 +87,20 @@ void Fuzzed::add_cord() {
 
 Seen Fuzzed::see() const {
   Seen seen;
-  for (int c = 0; c < coupling_.size(); ++c) {
-    if (coupling_.solver(c) == engine::Solver::direct) {
-      seen.cords.emplace_back(coupling_.cord(c).save());
+  for (const ribbon::box2d::CordId c : coupling_.cords()) {
+    if (coupling_.cord(c).solver() == ribbon::box2d::Solver::direct) {
+      seen.cords.emplace_back(coupling_.cord(c).direct().save());
     } else {
-      seen.cords.emplace_back(coupling_.thesis_cord(c).save());
+      seen.cords.emplace_back(coupling_.cord(c).thesis().save());
     }
   }
   for (const b2Body* body : bodies_) {
     const auto held = coupling_.held_by(*body);
     seen.holds.push_back(held ? 1000 * held->cord + held->point : -1);
   }
-  for (engine::GripId grip = 0; grip < 9; ++grip) {
-    const auto state = coupling_.state(grip);
-    seen.arcs.push_back(state ? state->arc : -1.0);
+  for (ribbon::box2d::GripId grip = 0; grip < 9; ++grip) {
+    const auto held = coupling_.grip(grip);
+    seen.arcs.push_back(held.is_valid() ? held.state().arc : -1.0);
   }
   return seen;
 }
@@ -107,14 +108,19 @@ Seen Fuzzed::see() const {
 template <typename Do>
 bool Fuzzed::accepts(Do&& what) {
   const Seen before = see();
-  try {
-    what();
-    return true;
-  } catch (const ribbon::DefinitionError& error) {
+  const auto refused = [&](const std::logic_error& error) {
     demand(std::string_view(error.what()).find("accepted") != std::string_view::npos, "it is said what is accepted",
            error.what());
     demand(see() == before, "a refusal changes nothing", error.what());
     return false;
+  };
+  try {
+    what();
+    return true;
+  } catch (const ribbon::DefinitionError& error) {
+    return refused(error);
+  } catch (const ribbon::CallError& error) {
+    return refused(error);
   }
 }
 
@@ -125,7 +131,8 @@ void Fuzzed::call() {
     case 2: drive_a_cord(); break;
     case 3: change_bodies(); break;
     case 4: ask(); break;
-    case 5: gathered_ = accepts([&] { coupling_.gather(world_, bytes_.number(1e-3, 0.1)); }); break;
+    case 5: gathered_ = accepts([&] { coupling_.gather(world_, bytes_.number(1e-3, 0.1)); }) || gathered_; break;
+    case 6: demand(!accepts([&] { coupling_.apply(); }), "there is no apply without a step"); break;
     default: tick();
   }
 }
@@ -139,8 +146,8 @@ void Fuzzed::tick() {
   coupling_.apply();
   gathered_ = false;
   world_.Step(1.0F / 60.0F, 8, 3);
-  for (int c = 0; c < coupling_.size(); ++c) {
-    for (const Vec2 x : coupling_.positions(c)) demand(is_finite(x), "the cord is somewhere");
+  for (const ribbon::box2d::CordId c : coupling_.cords()) {
+    for (const Vec2 x : coupling_.cord(c).positions()) demand(is_finite(x), "the cord is somewhere");
   }
   for (const b2Body* body : bodies_) {
     if (!box2d_keeps_them()) break;
@@ -168,31 +175,39 @@ void Fuzzed::grip_something() {
       break;
     }
     case 1: coupling_.release(*holder); break;
-    case 2: accepts([&] { coupling_.climb(grip(), bytes_.number(0.0, 2.0), bytes_.number(0.1, 10.0)); }); break;
-    case 3: coupling_.let_go(grip()); break;
+    case 2: accepts([&] { coupling_.grip(grip()).climb(bytes_.number(0.0, 2.0), bytes_.number(0.1, 10.0)); }); break;
+    case 3: coupling_.grip(grip()).release(); break;
     default: {
-      engine::GripDef def;
+      ribbon::box2d::GripDef def;
       def.cord = cord();
       def.arc = bytes_.number(0.0, 2.0);
       def.row = bytes_.whole(0, 2);
-      def.local_hand = fuzz::some_hand(bytes_);
+      def.local_anchor = fuzz::some_hand(bytes_);
       if (bytes_.yes()) def.strength = bytes_.number(0.1, 1e4);
       def.lets_go = bytes_.yes();
-      accepts([&] { coupling_.grip(*holder, def); });
+      if (bytes_.below(4) == 0) def.point = point();
+      accepts([&] { coupling_.hold(*holder, def); });
     }
   }
 }
 
 void Fuzzed::drive_a_cord() {
-  const int c = bytes_.below(coupling_.size());
+  const ribbon::box2d::CordId c = cord();
   const int p = point();
   switch (bytes_.below(6)) {
-    case 0: accepts([&] { coupling_.operate(cord(), p, bytes_.vector(-2.0, 2.0)); }); break;
-    case 1: accepts([&] { coupling_.release(cord(), p); }); break;
-    case 2: accepts([&] { coupling_.set_enabled(cord(), bytes_.yes()); }); break;
+    case 0: accepts([&] { coupling_.cord(cord()).drag(p, bytes_.vector(-2.0, 2.0)); }); break;
+    case 1: accepts([&] { coupling_.cord(cord()).free(p); }); break;
+    case 2: accepts([&] { coupling_.cord(cord()).set_enabled(bytes_.yes()); }); break;
+    case 3:
+      if (bytes_.yes()) {
+        accepts([&] { coupling_.remove(cord()); });
+      } else if (coupling_.size() < 3) {
+        add_cord();
+      }
+      break;
     default: {
-      if (coupling_.solver(c) != engine::Solver::direct) return;
-      ribbon::Cord& direct = coupling_.cord(c);
+      if (!coupling_.cord(c).is_valid() || coupling_.cord(c).solver() != ribbon::box2d::Solver::direct) return;
+      ribbon::Cord& direct = coupling_.cord(c).direct();
       if (bytes_.yes()) {
         accepts([&] { direct.reel(bytes_.whole(0, 3), bytes_.whole(1, 4), bytes_.number(0.01, 10.0), 1.0); });
       } else {
@@ -219,10 +234,11 @@ void Fuzzed::change_bodies() {
 
 void Fuzzed::ask() {
   const auto nearest = coupling_.nearest_point(bytes_.vector(-2.0, 2.0), bytes_.number(0.0, 2.0));
-  demand(!nearest || (nearest->cord < coupling_.size() && nearest->distance >= 0.0), "what is near is a cord's");
-  demand(!nearest || coupling_.is_enabled(nearest->cord), "what is near is of a cord that is on");
+  demand(!nearest || (coupling_.cord(nearest->cord).is_valid() && nearest->distance >= 0.0),
+         "what is near is a cord's");
+  demand(!nearest || coupling_.cord(nearest->cord).is_enabled(), "what is near is of a cord that is on");
   if (bytes_.yes()) coupling_.estimate_errors(bytes_.yes());
-  for (const engine::TouchEvent& touch : coupling_.touch_events()) {
+  for (const ribbon::box2d::TouchEvent& touch : coupling_.touch_events()) {
     demand(is_finite(touch.point) && is_finite(touch.normal), "a touch is somewhere");
   }
   if (!box2d_keeps_them()) return;

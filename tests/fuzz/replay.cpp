@@ -82,6 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   verify(*replay);
   verify_otherwise(*replay);
   check_headers(replay->header);
-  damage(bytes, *replay, static_cast<std::size_t>(engine::hash_bytes(bytes)));
+  damage(bytes, *replay, static_cast<std::size_t>(ribbon::box2d::hash_bytes(bytes)));
   return 0;
 }

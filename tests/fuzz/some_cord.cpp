@@ -37,6 +37,7 @@ ribbon::Accuracy some_accuracy(Bytes& bytes) {
   accuracy.substeps = bytes.whole(1, 3);
   accuracy.max_iterations = bytes.whole(1, 12);
   accuracy.tolerance = bytes.number(1e-12, 1.0);
+  accuracy.soft_contacts = accuracy.integrator == ribbon::Integrator::implicit_euler;
   if (bytes.yes()) accuracy.max_work = bytes.whole(1, 1000);
   return accuracy;
 }

@@ -17,8 +17,8 @@
 namespace game {
 namespace {
 
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 const Level& sandbox() {
   static const Level level = load_level("sandbox");
@@ -96,7 +96,7 @@ TEST(Drag, ABodyIsHeldWhereItWasTakenAndTurnsAboutThat) {
   Simulation simulation(sandbox());
   b2Body& ball = body_named(simulation, "loose ball");
   const Vec2 rim = to_double(ball.GetWorldCenter()) + Vec2{0.45, 0.0};
-  const b2Vec2 held = ball.GetLocalPoint(engine::to_float(rim));
+  const b2Vec2 held = ball.GetLocalPoint(ribbon::box2d::to_float(rim));
   lead(simulation, rim, rim + Vec2{0.0, 2.0}, 60);
   EXPECT_LT(length(to_double(ball.GetWorldPoint(held)) - rim - Vec2{0.0, 2.0}), 0.15);
   EXPECT_GT(std::abs(static_cast<double>(ball.GetAngle())), 0.5) << "its weight is beside the pointer";
@@ -107,19 +107,19 @@ TEST(Drag, WhatACordIsFixedToComesAlong) {
   for (const int cord : {0, 1, 4}) {  // a rope, one of the thesis's with two rows, a hammock with two ends
     Simulation simulation(sandbox());
     for (int k = 0; k < 30; ++k) simulation.tick({});
-    const engine::Coupling& coupling = simulation.scene().coupling();
-    const auto x = coupling.positions(cord);
+    const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+    const auto x = coupling.cord(cord).positions();
     const Vec2 from = x[0];
     const Vec2 to = from + Vec2{1.0, 1.0};
-    ASSERT_EQ(coupling.kind(cord, 0), ribbon::PointKind::constrained);
+    ASSERT_EQ(coupling.cord(cord).kind(0), ribbon::PointKind::constrained);
     lead(simulation, from, to, 90);
-    EXPECT_EQ(coupling.kind(cord, 0), ribbon::PointKind::constrained);
+    EXPECT_EQ(coupling.cord(cord).kind(0), ribbon::PointKind::constrained);
     EXPECT_LT(length(x[0] - to), cord == 4 ? 0.6 : 0.02) << "cord " << cord;
     const Vec2 there = x[0];
     for (int k = 0; k < 60; ++k) simulation.tick({});
     EXPECT_LT(length(x[0] - there), 1e-6) << "it stays there";
-    if (coupling.solver(cord) == engine::Solver::direct) {
-      EXPECT_EQ(coupling.total(cord).unconverged, 0) << "cord " << cord;
+    if (coupling.cord(cord).solver() == ribbon::box2d::Solver::direct) {
+      EXPECT_EQ(coupling.cord(cord).island_total().unconverged, 0) << "cord " << cord;
     }
   }
 }
@@ -135,19 +135,19 @@ TEST(Drag, TheGroundStays) {
 TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordReaches) {
   Simulation simulation(sandbox());
   for (int k = 0; k < 30; ++k) simulation.tick({});
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   b2Body& block = body_named(simulation, "block");
   const auto held = coupling.held_by(block);
   ASSERT_TRUE(held);
-  const auto x = coupling.positions(held->cord);
-  const double cord_length = coupling.cord(held->cord).def().length;
+  const auto x = coupling.cord(held->cord).positions();
+  const double cord_length = coupling.cord(held->cord).direct().def().length;
   const Vec2 from = to_double(block.GetWorldCenter());
   simulation.tick(drag_at(from));
   for (int k = 0; k < 120; ++k) {
     simulation.tick(drag_at(from + Vec2{-12.0, 0.0}));
     ASSERT_LT(length(x.back() - x.front()), 1.001 * cord_length) << "tick " << k;
   }
-  EXPECT_EQ(coupling.total(held->cord).unconverged, 0);
+  EXPECT_EQ(coupling.cord(held->cord).island_total().unconverged, 0);
 }
 
 TEST(Drag, SameBitsOfTheSameInputsWhateverIsDragged) {

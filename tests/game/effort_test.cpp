@@ -22,11 +22,11 @@ struct Effort {
 };
 
 void add_tick(Effort& effort, const Simulation& simulation) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   int steps = 0;
   for (int c = 0; c < coupling.size(); ++c) {
-    steps += coupling.report(c).iterations;
-    effort.unconverged += coupling.report(c).unconverged;
+    steps += coupling.cord(c).island_report().iterations;
+    effort.unconverged += coupling.cord(c).island_report().unconverged;
   }
   if (steps > effort.most_steps) effort.tick = simulation.ticks();
   effort.most_steps = std::max(effort.most_steps, steps);

@@ -21,7 +21,7 @@ class Novelty {
   /// Whether in the last tick a cord came into being, an island was joined or left, somebody took or let go a cord,
   /// began or ceased to touch one, or more came near one than ever before.
   bool is_new(const Simulation& simulation) {
-    const engine::Coupling& coupling = simulation.scene().coupling();
+    const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const int islands = coupling.islands();
     const bool holds = coupling.held_by(simulation.player().body()).has_value();
     bool found = islands != islands_ || holds != holds_ || simulation.player().line().is_new() ||
@@ -31,8 +31,8 @@ class Novelty {
     most_near_.resize(static_cast<std::size_t>(coupling.size()));
     for (int c = 0; c < coupling.size(); ++c) {
       int& most = most_near_[static_cast<std::size_t>(c)];
-      found = found || coupling.gathered_near(c) > most;
-      most = std::max(most, coupling.gathered_near(c));
+      found = found || coupling.cord(c).near_count() > most;
+      most = std::max(most, coupling.cord(c).near_count());
     }
     return found;
   }

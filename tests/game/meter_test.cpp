@@ -36,7 +36,7 @@ TEST(Meter, RemembersTheMostThatACordWasStretchedSinceTheRestart) {
   for (int k = 0; k < 120; ++k) {
     simulation.tick({});
     meter.add(simulation, 0);
-    const auto& cord = simulation.scene().coupling().cord(0);
+    const auto& cord = simulation.scene().coupling().cord(0).direct();
     double along = 0.0;
     for (std::size_t p = 1; p < cord.positions().size(); ++p) {
       along += length(cord.positions()[p] - cord.positions()[p - 1]);
@@ -66,7 +66,7 @@ TEST(Meter, EstimatesErrorsTenTimesASecondAndNoTimeByThose) {
     simulation.tick({});
     alone.tick({});
     meter.add(simulation, wanted ? 900'000 : 10'000);
-    if (wanted) sum += simulation.scene().coupling().error(3);
+    if (wanted) sum += simulation.scene().coupling().cord(3).error();
     estimates += wanted ? 1 : 0;
   }
   EXPECT_EQ(estimates, 10);

@@ -132,7 +132,7 @@ std::set<std::string> accepted_by(json object) {
 std::string hash_of(const Level& level) {
   Simulation simulation(level);
   for (int k = 0; k < 30; ++k) simulation.tick({});
-  return engine::to_hex(simulation.hash().combined());
+  return ribbon::box2d::to_hex(simulation.hash().combined());
 }
 
 TEST(ObjectTypes, HaveEveryClassThatTheLoaderTakes) {

@@ -35,8 +35,8 @@ void tick(Simulation& simulation, int buttons, int ticks = 1, Vec2 pointer = {})
   for (int k = 0; k < ticks; ++k) simulation.tick(input);
 }
 
-engine::CordPoint held(const Simulation& simulation) {
-  return simulation.scene().coupling().held_by(simulation.player().body()).value_or(engine::CordPoint{-1});
+ribbon::box2d::CordPoint held(const Simulation& simulation) {
+  return simulation.scene().coupling().held_by(simulation.player().body()).value_or(ribbon::box2d::CordPoint{-1});
 }
 
 double held_arc(const Simulation& simulation) { return simulation.scene().coupling().arc(held(simulation)); }
@@ -84,7 +84,7 @@ TEST(LettingGo, ByJumpingHopsAndKeepsWhatTheSwingGave) {
   Simulation& jumps = simulation;
   const Vec2 before = jumps.scene().coupling().velocity(jumps.player().body());
   tick(jumps, button_jump);
-  const Vec2 after = engine::to_double(jumps.player().body().GetLinearVelocity());
+  const Vec2 after = ribbon::box2d::to_double(jumps.player().body().GetLinearVelocity());
   EXPECT_NEAR(after.x, before.x, 0.05);
   EXPECT_NEAR(after.y, before.y + jumps.player().tuning().hop_speed - 9.81 / 60.0, 0.05);
 }
@@ -122,7 +122,7 @@ class ThrownLine : public testing::Test {
 TEST_F(ThrownLine, CatchesTheRingAndIsAsLongAsTheWay) {
   ASSERT_EQ(simulation.player().line().state(), Line::State::held);
   EXPECT_NEAR(simulation.player().line().length(), length(ring - simulation.player().hand()), 1e-3);
-  const auto x = simulation.scene().coupling().positions(*simulation.player().line().cord());
+  const auto x = simulation.scene().coupling().cord(*simulation.player().line().cord()).positions();
   EXPECT_EQ(x.front(), ring);
 }
 
@@ -187,12 +187,12 @@ TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
     ASSERT_LT(simulation.ticks(), 600);
     simulation.tick(player.input(simulation));
   }
-  const engine::CordIndex cord = *simulation.player().line().cord();
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::CordId cord = *simulation.player().line().cord();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   tick(simulation, 0, 1200);
-  EXPECT_EQ(coupling.total(cord).unconverged, 0);
-  const Vec2 hook = coupling.positions(cord).front();
-  const Vec2 end = coupling.positions(cord).back();
+  EXPECT_EQ(coupling.cord(cord).island_total().unconverged, 0);
+  const Vec2 hook = coupling.cord(cord).positions().front();
+  const Vec2 end = coupling.cord(cord).positions().back();
   EXPECT_NEAR(hook.y - end.y, simulation.player().line().length(), 0.2);
   EXPECT_NEAR(end.x, hook.x, 0.5);
 }
@@ -229,10 +229,10 @@ TEST(Load, OfAThousandTimesItsCordsWeightDoesNotStretchIt) {
   const Level level = load_level("heavy_load");
   Simulation simulation(level);
   tick(simulation, 0, 300);
-  const auto x = simulation.scene().coupling().positions(0);
+  const auto x = simulation.scene().coupling().cord(0).positions();
   double way = 0.0;
   for (std::size_t p = 1; p < x.size(); ++p) way += length(x[p] - x[p - 1]);
-  EXPECT_NEAR(way, simulation.scene().coupling().cord(0).def().length, 1e-6);
+  EXPECT_NEAR(way, simulation.scene().coupling().cord(0).direct().def().length, 1e-6);
 }
 
 TEST(Checkpoint, IsWhereAFallAndARetryEnd) {

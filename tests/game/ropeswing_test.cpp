@@ -58,8 +58,8 @@ TEST(ReplayProgram, SeeksATickAndSaysHowFast) {
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(ended.output.rfind("tick 300 reached in ", 0), 0U) << ended.output;
   EXPECT_NE(ended.output.find(" times real time\n"), std::string::npos) << ended.output;
-  const engine::StateHash recorded = engine::load_replay(golden()).ticks[299].state;
-  EXPECT_EQ(last_line(ended.output), "hash " + engine::to_hex(recorded.combined()));
+  const ribbon::box2d::StateHash recorded = engine::load_replay(golden()).ticks[299].state;
+  EXPECT_EQ(last_line(ended.output), "hash " + ribbon::box2d::to_hex(recorded.combined()));
   const Ended beyond = ropeswing("--headless --seek 100000 --replay " + golden());
   EXPECT_EQ(beyond.status, 2);
   EXPECT_NE(beyond.output.find("tick 100000 is not in the replay; accepted is 0 to "), std::string::npos);
@@ -78,11 +78,11 @@ std::string diverging_replay(std::size_t tick, std::size_t part) {
   std::string path = scratch("diverging.replay");
   engine::ReplayWriter writer(path, replay.header);
   for (std::size_t k = 0; k < replay.ticks.size(); ++k) {
-    engine::StateHash state = replay.ticks[k].state;
+    ribbon::box2d::StateHash state = replay.ticks[k].state;
     if (k + 1 == tick) {
-      std::vector<engine::StatePart> parts(state.parts().begin(), state.parts().end());
+      std::vector<ribbon::box2d::StatePart> parts(state.parts().begin(), state.parts().end());
       parts[part].hash ^= 1;
-      state = engine::StateHash(parts, state.combined() ^ 1);
+      state = ribbon::box2d::StateHash(parts, state.combined() ^ 1);
     }
     writer.write(replay.ticks[k].input, state);
   }

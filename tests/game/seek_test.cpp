@@ -20,7 +20,7 @@ TEST(ReplaySeek, EveryTickIsWhatWasRecordedWhereverOneComesFrom) {
   const auto last = static_cast<int>(replay.ticks.size());
   RecordedRun run(golden());
   const Simulation& simulation = run.simulation();
-  const engine::StateHash start = simulation.hash();
+  const ribbon::box2d::StateHash start = simulation.hash();
   for (const int tick : {0, 1, 2, 3, 120, 122, 122, 121, 7, last, last - 1, 0, 300}) {
     run.seek(tick);
     EXPECT_EQ(simulation.ticks(), tick);
@@ -45,7 +45,7 @@ TEST(ReplaySeek, ShowsBothTicksThatAreDrawnBetween) {
 TEST(ReplaySeek, RefusesWhatItCannotReach) {
   RecordedRun run(golden());
   run.seek(10);
-  const engine::StateHash before = run.simulation().hash();
+  const ribbon::box2d::StateHash before = run.simulation().hash();
   EXPECT_THROW(run.seek(-1), engine::ReplayError);
   EXPECT_THROW(run.seek(1'000'000), engine::ReplayError);
   EXPECT_EQ(run.simulation().hash(), before);

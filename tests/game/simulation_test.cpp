@@ -218,43 +218,43 @@ TEST(NoFall, AReplayDeclaresItAndNothingElseTakesIt) {
 
 TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
   Simulation simulation(level());
-  const engine::Coupling& coupling = simulation.scene().coupling();
-  const auto end = static_cast<int>(coupling.positions(0).size()) - 1;
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+  const auto end = static_cast<int>(coupling.cord(0).positions().size()) - 1;
   engine::TickInput input = press(button_drag);
-  engine::set_pointer(input, coupling.positions(0)[static_cast<std::size_t>(end)]);
+  engine::set_pointer(input, coupling.cord(0).positions()[static_cast<std::size_t>(end)]);
   simulation.tick(input);
   engine::set_pointer(input, {13.0, 12.0});
   for (int k = 0; k < 30; ++k) simulation.tick(input);
   int operated = -1;
   for (int p = 0; p <= end; ++p) {
-    if (coupling.kind(0, p) == ribbon::PointKind::operated) operated = p;
+    if (coupling.cord(0).kind(p) == ribbon::PointKind::operated) operated = p;
   }
   ASSERT_GE(operated, end - 1);
-  EXPECT_EQ(coupling.positions(0)[static_cast<std::size_t>(operated)], (ribbon::Vec2{13.0, 12.0}));
+  EXPECT_EQ(coupling.cord(0).positions()[static_cast<std::size_t>(operated)], (ribbon::Vec2{13.0, 12.0}));
   simulation.tick({});
-  EXPECT_EQ(coupling.kind(0, operated), ribbon::PointKind::free);
+  EXPECT_EQ(coupling.cord(0).kind(operated), ribbon::PointKind::free);
 }
 
 TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
   Simulation simulation(first_swing());
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto fastest = [&] {
     double most = 0.0;
-    for (const ribbon::Vec2 v : coupling.cord(0).velocities()) most = std::max(most, length(v));
+    for (const ribbon::Vec2 v : coupling.cord(0).direct().velocities()) most = std::max(most, length(v));
     return most;
   };
-  const ribbon::Vec2 pin = coupling.positions(0).front();
-  const double cord_length = coupling.cord(0).def().length;
+  const ribbon::Vec2 pin = coupling.cord(0).positions().front();
+  const double cord_length = coupling.cord(0).direct().def().length;
   engine::TickInput input = press(button_drag);
-  engine::set_pointer(input, coupling.positions(0).back());
+  engine::set_pointer(input, coupling.cord(0).positions().back());
   simulation.tick(input);
   engine::set_pointer(input, {40.0, 8.0});
   for (int k = 0; k < 60; ++k) {
     simulation.tick(input);
-    EXPECT_LT(length(coupling.positions(0).back() - pin), cord_length * 1.001) << "tick " << k;
+    EXPECT_LT(length(coupling.cord(0).positions().back() - pin), cord_length * 1.001) << "tick " << k;
     EXPECT_LT(fastest(), 40.0) << "tick " << k;  // m/s
   }
-  EXPECT_EQ(coupling.total(0).unconverged, 0);
+  EXPECT_EQ(coupling.cord(0).island_total().unconverged, 0);
   simulation.tick({});
   EXPECT_LT(fastest(), 5.0);
 }

@@ -41,7 +41,7 @@ TEST(Dials, EachChangesWhatItShows) {
   TunedLevel tuned(level);
   engine::Scene& scene = simulation.scene();
   int tried = 0;
-  for (engine::CordIndex cord = 0; cord < scene.coupling().size(); ++cord) {
+  for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
     for (const Dial& dial : dials_of(scene.coupling(), cord)) {
       const double wanted = dial.whole ? 3.0 : dial.on > 0.0 ? dial.on : 0.5 * (dial.least + dial.most);
       engine::Properties::Value value = wanted;
@@ -237,15 +237,15 @@ TEST(TuningPanel, OfARecordedRunNothingCanBeTuned) {
 TEST(Tables, CellsTurnedInsideOutAreCounted) {
   const Level level = load_level(own_level());
   Simulation simulation(level);
-  engine::Coupling& coupling = simulation.scene().coupling();
+  ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   for (int c = 0; c < coupling.size(); ++c) {
     EXPECT_EQ(inverted_cells(coupling, c), 0);
-    if (coupling.solver(c) != engine::Solver::thesis) continue;
-    ribbon::ThesisCord::State state = coupling.thesis_cord(c).save();
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::thesis) continue;
+    ribbon::ThesisCord::State state = coupling.cord(c).thesis().save();
     for (std::size_t p = 0; p + 1 < state.positions.size(); p += 2)
       std::swap(state.positions[p], state.positions[p + 1]);
-    coupling.thesis_cord(c).restore(state);
-    const engine::CordShape shape = coupling.shape(c);
+    coupling.cord(c).thesis().restore(state);
+    const ribbon::box2d::CordShape shape = coupling.cord(c).shape();
     if (shape.rows == 2) {
       EXPECT_EQ(inverted_cells(coupling, c), shape.columns - 1);
     }

@@ -37,10 +37,11 @@ class RecordingCanvas : public engine::Canvas {
 };
 
 int contacts_of(const Simulation& simulation) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   int count = 0;
   for (int c = 0; c < coupling.size(); ++c)
-    if (coupling.solver(c) == engine::Solver::direct) count += static_cast<int>(coupling.cord(c).touches().size());
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct)
+      count += static_cast<int>(coupling.cord(c).direct().touches().size());
   return count;
 }
 

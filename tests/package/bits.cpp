@@ -17,7 +17,7 @@ int main() {
   circle.m_radius = 0.25F;
   ball->CreateFixture(&circle, 4.0F);
 
-  engine::Coupling cords;
+  ribbon::box2d::Coupling cords;
   ribbon::CordDef rope;
   rope.points = 21;
   rope.bending_stiffness = 0.01;
@@ -32,12 +32,9 @@ int main() {
   ribbon::solid(1e5, 0.25, 0.01, cloth.width).apply_to(cloth);
   cords.add(ribbon::Cord(cloth));
   for (int tick = 0; tick < 60; ++tick) {
-    cords.gather(world, 1.0 / 64.0);
-    cords.step();
-    cords.apply();
-    world.Step(1.0F / 64.0F, 8, 3);
+    cords.tick(world, 1.0 / 64.0);
   }
-  engine::Hasher hasher;
+  ribbon::box2d::Hasher hasher;
   add_to(hasher, cords.save(world));
-  std::printf("%s\n", engine::to_hex(hasher.value()).c_str());
+  std::printf("%s\n", ribbon::box2d::to_hex(hasher.value()).c_str());
 }

@@ -26,7 +26,7 @@ Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support
     Frame frame;
     frame.us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (int c = 0; c < world.cords(); ++c) frame.cords.push_back(world.points(c));
-    for (const b2Body* body : movers) frame.movers.push_back(engine::to_double(body->GetPosition()));
+    for (const b2Body* body : movers) frame.movers.push_back(ribbon::box2d::to_double(body->GetPosition()));
     recording.push_back(std::move(frame));
     if (!is_somewhere(recording.back())) break;
   }

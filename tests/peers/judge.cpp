@@ -58,7 +58,7 @@ Figures judge(const SetUp& set_up, const Plan& plan, const Recording& recording)
       return figures;
     }
     for (std::size_t m = 0; m < movers.size(); ++m) {
-      movers[m]->SetTransform(engine::to_float(frame.movers[m]), movers[m]->GetAngle());
+      movers[m]->SetTransform(ribbon::box2d::to_float(frame.movers[m]), movers[m]->GetAngle());
     }
     for (std::size_t c = 0; c < plan.cords.size(); ++c) {
       const CordPlan& cord = plan.cords[c];

@@ -10,9 +10,9 @@
 namespace peers {
 namespace {
 
-using engine::to_double;
 using nlohmann::ordered_json;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 using test_support::CoupledWorld;
 
 /// Box2D lists the newest first.

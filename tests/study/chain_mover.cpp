@@ -13,10 +13,10 @@
 namespace study {
 namespace {
 
-using engine::Coupling;
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::Coupling;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 using test_support::JointChain;
 
 constexpr double lost = 1e9;  // m, where a point is drawn that is no number any more
@@ -42,11 +42,11 @@ class ChainMover {
     ground_ = scene.world().CreateBody(&fixed);
     Coupling& coupling = scene.coupling();
     for (int c = 0; c < coupling.size(); ++c) {
-      ribbon::CordDef def = coupling.cord(c).def();
-      def.positions.assign(coupling.positions(c).begin(), coupling.positions(c).end());
+      ribbon::CordDef def = coupling.cord(c).direct().def();
+      def.positions.assign(coupling.cord(c).positions().begin(), coupling.cord(c).positions().end());
       const JointChain& chain = chains_.emplace_back(scene.world(), def, filter_of(def, c));
       for (const int pin : def.pins) chain.hold(pin, *ground_);
-      mirrors_.push_back(coupling.cord(c).save());
+      mirrors_.push_back(coupling.cord(c).direct().save());
     }
   }
 
@@ -68,7 +68,7 @@ class ChainMover {
         const b2Vec2 place = chains_[c].point(static_cast<int>(p));
         positions[p] = place.IsValid() ? to_double(place) : Vec2{lost, lost};
       }
-      scene_->coupling().cord(static_cast<int>(c)).restore(mirrors_[c]);
+      scene_->coupling().cord(static_cast<int>(c)).direct().restore(mirrors_[c]);
     }
   }
 
@@ -104,8 +104,8 @@ class ChainMover {
     limits_.clear();
   }
 
-  void keep_near_pins(const engine::CordPoint& held) {
-    const ribbon::CordDef& def = scene_->coupling().cord(held.cord).def();
+  void keep_near_pins(const ribbon::box2d::CordPoint& held) {
+    const ribbon::CordDef& def = scene_->coupling().cord(held.cord).direct().def();
     for (const int pin : def.pins) {
       b2DistanceJointDef joint;
       joint.bodyA = &player_->body();
@@ -148,7 +148,7 @@ std::string why_no_chains(const game::Level& level, std::span<const engine::Tick
   const auto scene = level.make_scene();
   const Coupling& coupling = scene->coupling();
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) != engine::Solver::direct || coupling.shape(c).rows > 1) {
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct || coupling.cord(c).shape().rows > 1) {
       return "a chain has no width, and cord " + std::to_string(c) + " of the level is a ribbon";
     }
   }

@@ -39,7 +39,7 @@ game::Level one_cord(Vec2 way) {
   for (engine::MapObject& object : level.map.objects) {
     if (object.kind == "cord") object.points.back() = object.points.front() + way;
   }
-  const Vec2 point = level.make_scene()->coupling().positions(0)[30];
+  const Vec2 point = level.make_scene()->coupling().cord(0).positions()[30];
   const game::PlayerTuning tuning;
   level.player_start = point - Vec2{0.0, tuning.hand_height + 0.5 * tuning.height};
   return level;
@@ -94,7 +94,7 @@ TEST(ChainMover, ACaughtPointComesToTheHand) {
       run.show();
       const auto held = run.simulation().scene().coupling().held_by(run.simulation().player().body());
       ASSERT_TRUE(held);
-      const auto x = run.simulation().scene().coupling().positions(held->cord);
+      const auto x = run.simulation().scene().coupling().cord(held->cord).positions();
       last = length(x[static_cast<std::size_t>(held->point)] - run.simulation().player().hand());
       if (k == 0) first = last;
     }

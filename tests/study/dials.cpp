@@ -20,6 +20,7 @@ std::string name_of(const Dials& dials) {
 ribbon::Accuracy accuracy_of(const Dials& dials) {
   ribbon::Accuracy accuracy;
   if (dials.integrator == "implicit_euler") accuracy.integrator = ribbon::Integrator::implicit_euler;
+  accuracy.soft_contacts = accuracy.integrator == ribbon::Integrator::implicit_euler;
   accuracy.substeps = dials.substeps;
   accuracy.tolerance = dials.tolerance;
   if (dials.iterations > 0) accuracy.max_iterations = dials.iterations;

@@ -7,22 +7,24 @@
 namespace study {
 namespace {
 
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 /// The greater; a number is greater than none.
 double greater(double a, double b) { return b > a || a != a ? b : a; }
 
-bool is_direct(const engine::Coupling& coupling, engine::CordIndex cord) {
-  return coupling.solver(cord) == engine::Solver::direct;
+bool is_direct(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  return coupling.cord(cord).solver() == ribbon::box2d::Solver::direct;
 }
 
-double mass_of_point(const engine::Coupling& coupling, engine::CordIndex cord, int point) {
-  return is_direct(coupling, cord) ? coupling.cord(cord).mass(point) : coupling.thesis_cord(cord).def().point_mass;
+double mass_of_point(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int point) {
+  return is_direct(coupling, cord) ? coupling.cord(cord).direct().mass(point)
+                                   : coupling.cord(cord).thesis().def().point_mass;
 }
 
-std::span<const Vec2> velocities_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  return is_direct(coupling, cord) ? coupling.cord(cord).velocities() : coupling.thesis_cord(cord).velocities();
+std::span<const Vec2> velocities_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  return is_direct(coupling, cord) ? coupling.cord(cord).direct().velocities()
+                                   : coupling.cord(cord).thesis().velocities();
 }
 
 /// N, of a rope's links, or of a ribbon's bars, which stand behind its cells.
@@ -49,7 +51,7 @@ struct Motion {
   }
 };
 
-Motion motion_of_bodies(const b2World& world, const engine::Coupling& coupling) {
+Motion motion_of_bodies(const b2World& world, const ribbon::box2d::Coupling& coupling) {
   Motion motion;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
@@ -64,9 +66,9 @@ Motion motion_of_bodies(const b2World& world, const engine::Coupling& coupling) 
   return motion;
 }
 
-Motion motion_of_cord(const engine::Coupling& coupling, engine::CordIndex cord, Vec2 gravity) {
+Motion motion_of_cord(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, Vec2 gravity) {
   Motion motion;
-  const auto x = coupling.positions(cord);
+  const auto x = coupling.cord(cord).positions();
   const auto v = velocities_of(coupling, cord);
   for (std::size_t p = 0; p < x.size(); ++p) {
     motion.add(mass_of_point(coupling, cord, static_cast<int>(p)), x[p], v[p], gravity);
@@ -76,13 +78,13 @@ Motion motion_of_cord(const engine::Coupling& coupling, engine::CordIndex cord, 
 
 }  // namespace
 
-double mass_of(const b2World& world, const engine::Coupling& coupling) {
+double mass_of(const b2World& world, const ribbon::box2d::Coupling& coupling) {
   double mass = motion_of_bodies(world, coupling).mass;
   for (int c = 0; c < coupling.size(); ++c) mass += motion_of_cord(coupling, c, {}).mass;
   return mass;
 }
 
-Figures figures_of(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter) {
+Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter) {
   const Vec2 gravity = to_double(world.GetGravity());
   const Motion bodies = motion_of_bodies(world, coupling);
   Figures figures;
@@ -97,7 +99,7 @@ Figures figures_of(const b2World& world, const engine::Coupling& coupling, const
       figures.energy = lacking;
       continue;
     }
-    const ribbon::Cord& cord = coupling.cord(c);
+    const ribbon::Cord& cord = coupling.cord(c).direct();
     figures.energy += cord.energy(gravity).total();
     figures.tension = greater(figures.tension, tension_of(cord));
     const double radius = cord.def().radius;
@@ -108,10 +110,10 @@ Figures figures_of(const b2World& world, const engine::Coupling& coupling, const
   return figures;
 }
 
-test_support::Outline outline_of(const engine::Coupling& coupling, engine::CordIndex cord) {
-  const int rows = coupling.shape(cord).rows;
-  const double radius = is_direct(coupling, cord) ? coupling.cord(cord).def().radius : 0.0;
-  return {test_support::outline_of(coupling.positions(cord), rows), rows > 1, radius};
+test_support::Outline outline_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const int rows = coupling.cord(cord).shape().rows;
+  const double radius = is_direct(coupling, cord) ? coupling.cord(cord).direct().def().radius : 0.0;
+  return {test_support::outline_of(coupling.cord(cord).positions(), rows), rows > 1, radius};
 }
 
 }  // namespace study

@@ -26,12 +26,12 @@ struct Figures {
 };
 
 /// kg, of all cords and dynamic bodies.
-double mass_of(const b2World& world, const engine::Coupling& coupling);
+double mass_of(const b2World& world, const ribbon::box2d::Coupling& coupling);
 
 /// All but the stretch, which needs the lengths at rest. `filter` is that of the cords.
-Figures figures_of(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter);
+Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter);
 
 /// What of a cord of either solver can be touched.
-test_support::Outline outline_of(const engine::Coupling& coupling, engine::CordIndex cord);
+test_support::Outline outline_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 }  // namespace study

@@ -39,7 +39,7 @@ b2Fixture& add_box(b2World& world, Vec2 center, double half_width, double half_h
 TEST(Figures, AreThoseOfCordsAndBodies) {
   test_support::CoupledWorld world({}, {0.0, -10.0});
   world.add(rope(3.0));
-  world.coupling.cord(0).set_velocity(4, {0.0, 4.0});  // an eighth of 2 kg
+  world.coupling.cord(0).direct().set_velocity(4, {0.0, 4.0});  // an eighth of 2 kg
   b2Body& ball = world.add_circle(b2_dynamicBody, {0.0, -5.0}, 0.5, 4.0, 0.0);
   ball.SetLinearVelocity({3.0F, 0.0F});
   ball.SetAngularVelocity(2.0F);
@@ -64,7 +64,7 @@ TEST(Figures, TensionIsThatOfTheTautestLink) {
 
 TEST(Figures, TheThesisCordsLackWhatTheyHaveNot) {
   b2World world({0.0F, -10.0F});
-  engine::Coupling coupling;
+  ribbon::box2d::Coupling coupling;
   coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
   const Figures figures = figures_of(world, coupling, {});
   EXPECT_TRUE(std::isnan(figures.tension));

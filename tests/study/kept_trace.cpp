@@ -88,7 +88,7 @@ void visit_all(T& trace, Visit& visit) {
 
 /// What stands before it: the key, and the hash of what follows.
 std::string head_of(const std::string& key, const std::string& content) {
-  return key + ' ' + std::to_string(engine::hash_bytes(content)) + '\n';
+  return key + ' ' + std::to_string(ribbon::box2d::hash_bytes(content)) + '\n';
 }
 
 }  // namespace

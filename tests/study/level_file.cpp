@@ -201,7 +201,7 @@ LevelFile LevelFile::varied(unsigned seed) const {
       cord[axis] = cord[axis].get<double>() + offset * pixels_per_metre_;
     }
   });
-  other.hash_ = engine::hash_bytes(other.json_.dump());
+  other.hash_ = ribbon::box2d::hash_bytes(other.json_.dump());
   other.level();  // what cannot be built is refused here
   return other;
 }

@@ -103,8 +103,8 @@ TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
   const auto changed = level.make_scene();
   const auto before = file.level().make_scene();
   for (int c = 0; c < changed->coupling().size(); ++c) {
-    const ribbon::CordDef& def = changed->coupling().cord(c).def();
-    const ribbon::CordDef& old = before->coupling().cord(c).def();
+    const ribbon::CordDef& def = changed->coupling().cord(c).direct().def();
+    const ribbon::CordDef& old = before->coupling().cord(c).direct().def();
     EXPECT_EQ(def.accuracy.integrator, ribbon::Integrator::implicit_euler);
     EXPECT_EQ(def.accuracy.substeps, 3);
     EXPECT_EQ(def.accuracy.tolerance, 1e-6);
@@ -112,11 +112,11 @@ TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
     EXPECT_EQ(def.friction, old.friction);
     EXPECT_EQ(def.bending_stiffness, old.bending_stiffness);
   }
-  EXPECT_EQ(file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 32}).make_scene()->coupling().cord(0).def().accuracy,
+  EXPECT_EQ(file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 32}).make_scene()->coupling().cord(0).direct().def().accuracy,
             (ribbon::Accuracy{ribbon::Integrator::tr_bdf2, 1, 32, 5e-4}));
   const auto thesis = file.with({"thesis", "", 4, 0.0}).make_scene();
-  EXPECT_EQ(thesis->coupling().solver(0), engine::Solver::thesis);
-  EXPECT_EQ(thesis->coupling().thesis_cord(0).def().substeps, 4);
+  EXPECT_EQ(thesis->coupling().cord(0).solver(), ribbon::box2d::Solver::thesis);
+  EXPECT_EQ(thesis->coupling().cord(0).thesis().def().substeps, 4);
 }
 
 TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
@@ -126,8 +126,8 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
     const game::Level level = file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 0, rows});
     const auto ribbons = level.make_scene();
     for (int c = 0; c < ropes->coupling().size(); ++c) {
-      const ribbon::CordDef& is = ribbons->coupling().cord(c).def();
-      const ribbon::CordDef& was = ropes->coupling().cord(c).def();
+      const ribbon::CordDef& is = ribbons->coupling().cord(c).direct().def();
+      const ribbon::CordDef& was = ropes->coupling().cord(c).direct().def();
       EXPECT_EQ(is.rows, rows);
       EXPECT_EQ(is.points, was.points);
       EXPECT_EQ(is.mass_per_length, was.mass_per_length);
@@ -156,8 +156,8 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
 TEST_F(LevelStudy, WhatIsAppliedStandsInTheFile) {
   LevelFile(level_path).apply({"direct", "tr_bdf2", 2, 1e-5});
   const auto scene = game::load_level(level_path).make_scene();
-  EXPECT_EQ(scene->coupling().cord(0).def().accuracy.substeps, 2);
-  EXPECT_EQ(scene->coupling().cord(0).def().accuracy.tolerance, 1e-5);
+  EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.substeps, 2);
+  EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.tolerance, 1e-5);
   EXPECT_EQ(LevelFile(level_path).declares("friction"), true);
   const std::string before = content_of(level_path);
   EXPECT_THROW(LevelFile(level_path).apply({"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
@@ -426,7 +426,7 @@ TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
   const game::Level held = *LevelFile(level_path).switched_on("tension_only", true);
   game::Simulation simulation(held);
   for (int k = 0; k < 10; ++k) simulation.tick({});
-  EXPECT_FALSE(pushes(simulation.scene().coupling().cord(0), 9.81));
+  EXPECT_FALSE(pushes(simulation.scene().coupling().cord(0).direct(), 9.81));
 }
 
 /// Of cords of two rows, which are no ropes, the first alone is made one.
@@ -440,8 +440,8 @@ TEST_F(LevelStudy, ATermIsSwitchedOnWhereItCanBe) {
   const auto tension_only = LevelFile(level_path).switched_on("tension_only", true)->make_scene();
   const auto area = LevelFile(level_path).switched_on("area_stiffness", 1.0)->make_scene();
   for (int c = 0; c < cords; ++c) {
-    EXPECT_EQ(tension_only->coupling().cord(c).def().tension_only, c == 0) << c;
-    EXPECT_EQ(area->coupling().cord(c).def().area_stiffness, c == 0 ? 0.0 : 1.0) << c;
+    EXPECT_EQ(tension_only->coupling().cord(c).direct().def().tension_only, c == 0) << c;
+    EXPECT_EQ(area->coupling().cord(c).direct().def().area_stiffness, c == 0 ? 0.0 : 1.0) << c;
   }
 }
 

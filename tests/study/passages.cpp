@@ -12,8 +12,8 @@
 namespace study {
 namespace {
 
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 using Line = std::vector<Vec2>;
 
 constexpr std::size_t lag = 15;  // ticks, by which a run's motion may differ from its reference's
@@ -48,11 +48,11 @@ PassingLink passing_link(const PassageWatch::Moment& moment, std::size_t cord, s
 }
 
 /// By column of a cord: whether somebody drives a point of it.
-std::vector<char> driven_columns(const engine::Coupling& coupling, engine::CordIndex cord) {
-  const engine::CordShape shape = coupling.shape(cord);
+std::vector<char> driven_columns(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const ribbon::box2d::CordShape shape = coupling.cord(cord).shape();
   std::vector<char> driven(static_cast<std::size_t>(shape.columns), 0);
   for (int p = 0; p < shape.columns * shape.rows; ++p) {
-    if (coupling.kind(cord, p) != ribbon::PointKind::free) driven[static_cast<std::size_t>(p / shape.rows)] = 1;
+    if (coupling.cord(cord).kind(p) != ribbon::PointKind::free) driven[static_cast<std::size_t>(p / shape.rows)] = 1;
   }
   return driven;
 }
@@ -89,8 +89,8 @@ bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::siz
 }
 
 /// What the thesis's cords should not cross is known to others only.
-bool may_declare(const engine::Coupling& coupling, engine::CordIndex cord, bool ribbon::CordDef::*contact) {
-  return coupling.solver(cord) == engine::Solver::thesis || coupling.cord(cord).def().*contact;
+bool may_declare(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, bool ribbon::CordDef::*contact) {
+  return coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis || coupling.cord(cord).direct().def().*contact;
 }
 
 void mark(Passages& passages, int cord, Passage kind) {
@@ -98,7 +98,7 @@ void mark(Passages& passages, int cord, Passage kind) {
   bits = static_cast<unsigned char>(bits | kind);
 }
 
-void mark_crossings(Passages& passages, const engine::Coupling& coupling, const std::vector<Line>& lines) {
+void mark_crossings(Passages& passages, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines) {
   for (int a = 0; a < coupling.size(); ++a) {
     const Line& line = lines[static_cast<std::size_t>(a)];
     if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
@@ -132,7 +132,7 @@ bool passes(const PassingLink& before, const PassingLink& after) {
   return (sum != 0.0 && is_between(c0 / sum)) || (c2 != 0.0 && is_between(sum / c2));
 }
 
-Passages PassageWatch::look(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter) {
+Passages PassageWatch::look(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter) {
   const std::vector<const b2Fixture*> fixtures = fixtures_of(world, filter);
   Moment now;
   for (const b2Fixture* fixture : fixtures) now.centers.push_back(center_of(*fixture));
@@ -143,7 +143,7 @@ Passages PassageWatch::look(const b2World& world, const engine::Coupling& coupli
   Passages passages(now.lines.size(), 0);
   for (int c = 0; c < coupling.size(); ++c) {
     const std::vector<char> driven = driven_columns(coupling, c);
-    const double half_thickness = 0.5 * coupling.shape(c).thickness;
+    const double half_thickness = 0.5 * coupling.cord(c).shape().thickness;
     for (std::size_t k = 0; k + 1 < driven.size(); ++k) {
       if (driven[k] != 0 || driven[k + 1] != 0) continue;
       for (std::size_t f = 0; f < fixtures.size(); ++f) {
@@ -158,12 +158,12 @@ Passages PassageWatch::look(const b2World& world, const engine::Coupling& coupli
   return passages;
 }
 
-Passages declared_contacts(const engine::Coupling& coupling) {
+Passages declared_contacts(const ribbon::box2d::Coupling& coupling) {
   Passages declared(static_cast<std::size_t>(coupling.size()), through_body);
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) == engine::Solver::thesis) continue;
-    if (coupling.cord(c).def().self_contact) mark(declared, c, through_itself);
-    if (coupling.cord(c).def().cord_contact) mark(declared, c, through_cord);
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::thesis) continue;
+    if (coupling.cord(c).direct().def().self_contact) mark(declared, c, through_itself);
+    if (coupling.cord(c).direct().def().cord_contact) mark(declared, c, through_cord);
   }
   return declared;
 }

@@ -20,7 +20,7 @@ enum Passage : unsigned char {
 using Passages = std::vector<unsigned char>;
 
 /// What cords must not go through: bodies, and what they declare contact with.
-Passages declared_contacts(const engine::Coupling& coupling);
+Passages declared_contacts(const ribbon::box2d::Coupling& coupling);
 
 /// Looks after every tick for what cords went through. What only sinks in does not count: a middle line that crosses an
 /// edge, is deeper in a polygon than half the cord's thickness, or nearer to a circle's centre does; and so does one
@@ -29,7 +29,7 @@ Passages declared_contacts(const engine::Coupling& coupling);
 class PassageWatch {
  public:
   /// `filter` is that of the cords.
-  Passages look(const b2World& world, const engine::Coupling& coupling, const b2Filter& filter);
+  Passages look(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter);
   /// Of what was seen before: the next world is a new one.
   void forget() { before_ = {}; }
 

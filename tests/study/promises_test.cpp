@@ -189,8 +189,8 @@ TEST(Variation, GoesThroughItsRangesAndNoFurther) {
     player.add(level.player_mass / own_mass);
     const auto scene = level.make_scene();
     for (int c = 0; c < own->coupling().size(); ++c) {
-      const ribbon::CordDef& is = scene->coupling().cord(c).def();
-      const ribbon::CordDef& was = own->coupling().cord(c).def();
+      const ribbon::CordDef& is = scene->coupling().cord(c).direct().def();
+      const ribbon::CordDef& was = own->coupling().cord(c).direct().def();
       mass.add(is.mass_per_length * is.length / (was.mass_per_length * was.length));
       links.add((is.points - 1.0) / (was.points - 1.0));
       drag.add(is.drag / was.drag);
@@ -212,9 +212,10 @@ TEST(Variation, IsWhatIsMeasured) {
   const LevelFile file = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").varied(7);
   const auto with = file.with({"direct", "tr_bdf2", 2, 1e-5}).make_scene();
   const auto own = file.level().make_scene();
-  EXPECT_EQ(with->coupling().cord(0).def().points, own->coupling().cord(0).def().points);
-  EXPECT_EQ(with->coupling().cord(0).def().mass_per_length, own->coupling().cord(0).def().mass_per_length);
-  EXPECT_EQ(with->coupling().cord(0).def().accuracy.substeps, 2);
+  EXPECT_EQ(with->coupling().cord(0).direct().def().points, own->coupling().cord(0).direct().def().points);
+  EXPECT_EQ(with->coupling().cord(0).direct().def().mass_per_length,
+            own->coupling().cord(0).direct().def().mass_per_length);
+  EXPECT_EQ(with->coupling().cord(0).direct().def().accuracy.substeps, 2);
 }
 
 }  // namespace

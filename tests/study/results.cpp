@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-unsigned long long hash_of(const std::string& path) { return engine::hash_bytes(content_of(path)); }
+unsigned long long hash_of(const std::string& path) { return ribbon::box2d::hash_bytes(content_of(path)); }
 
 Json json_of(const Errors& e) {
   return Json::array(

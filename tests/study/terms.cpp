@@ -37,17 +37,18 @@ void note(Symptom& symptom, std::size_t tick) {
 }
 
 /// The middle lines of all cords of the direct solver.
-std::vector<std::vector<Vec2>> lines_of(const engine::Coupling& coupling) {
+std::vector<std::vector<Vec2>> lines_of(const ribbon::box2d::Coupling& coupling) {
   std::vector<std::vector<Vec2>> lines;
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) == engine::Solver::direct) lines.push_back(middle_line(coupling, c));
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) lines.push_back(middle_line(coupling, c));
   }
   return lines;
 }
 
-bool any_pushing(const engine::Coupling& coupling, double gravity) {
+bool any_pushing(const ribbon::box2d::Coupling& coupling, double gravity) {
   for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.solver(c) == engine::Solver::direct && pushes(coupling.cord(c), gravity)) return true;
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct && pushes(coupling.cord(c).direct(), gravity))
+      return true;
   }
   return false;
 }
@@ -67,10 +68,10 @@ bool any_mutual_crossing(const std::vector<std::vector<Vec2>>& lines) {
 }
 
 /// Cells whose corners are in another order than they should.
-bool any_inverted_cell(const engine::Coupling& coupling) {
+bool any_inverted_cell(const ribbon::box2d::Coupling& coupling) {
   for (int c = 0; c < coupling.size(); ++c) {
-    const int rows = coupling.shape(c).rows;
-    const auto x = coupling.positions(c);
+    const int rows = coupling.cord(c).shape().rows;
+    const auto x = coupling.cord(c).positions();
     const auto at = [&](std::size_t column, int row) {
       return x[column * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row)];
     };
@@ -93,7 +94,7 @@ std::vector<Symptom> find_symptoms(const LevelFile& file, std::span<const engine
   run.reset();
   for (std::size_t tick = 1; tick <= inputs.size(); ++tick) {
     run.tick();
-    const engine::Coupling& coupling = run.simulation().scene().coupling();
+    const ribbon::box2d::Coupling& coupling = run.simulation().scene().coupling();
     const auto lines = lines_of(coupling);
     if (any_self_crossing(lines)) note(self, tick);
     if (any_mutual_crossing(lines)) note(mutual, tick);

@@ -90,7 +90,7 @@ Figures figures_of(const engine::Scene& scene, const Method& method) {
 }
 
 void add_tick(Trace& trace, const game::Simulation& simulation, const Method& method) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<Vec2>& places = trace.places.emplace_back();
   Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene(), method));
   double& most_stretch = trace.stretch.emplace_back(0.0);
@@ -101,10 +101,10 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
     const double stretch = length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0;
     most_stretch = std::max(most_stretch, stretch);
     figures.stretch += stretch / coupling.size();
-    if (coupling.solver(c) != engine::Solver::direct) continue;
-    trace.work += coupling.report(c);
-    trace.contacts += static_cast<int>(coupling.cord(c).touches().size());
-    unconverged = unconverged || coupling.report(c).unconverged > 0;
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
+    trace.work += coupling.cord(c).island_report();
+    trace.contacts += static_cast<int>(coupling.cord(c).direct().touches().size());
+    unconverged = unconverged || coupling.cord(c).island_report().unconverged > 0;
   }
   trace.unconverged_ticks += unconverged ? 1 : 0;
   trace.player.push_back(simulation.player().position());
@@ -126,9 +126,9 @@ bool is_somewhere(Vec2 place) { return std::abs(place.x) <= furthest && std::abs
 
 }  // namespace
 
-std::vector<Vec2> middle_line(const engine::Coupling& coupling, engine::CordIndex cord) {
-  const auto shape = coupling.shape(cord);
-  const auto x = coupling.positions(cord);
+std::vector<Vec2> middle_line(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const auto shape = coupling.cord(cord).shape();
+  const auto x = coupling.cord(cord).positions();
   const auto rows = static_cast<std::size_t>(shape.rows);
   std::vector<Vec2> line;
   for (std::size_t p = 0; p + rows <= x.size(); p += rows) line.push_back(0.5 * (x[p] + x[p + rows - 1]));
@@ -187,9 +187,9 @@ Trace run_from(const game::Level& level, std::span<const engine::TickInput> inpu
   Trace trace = trace_of(run.simulation().scene());
   for (std::size_t k = 0; k < begin; ++k) run.tick();
   for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
-    engine::Coupling& coupling = run.simulation().scene().coupling();
+    ribbon::box2d::Coupling& coupling = run.simulation().scene().coupling();
     for (int c = 0; c < coupling.size(); ++c) {
-      if (coupling.solver(c) == engine::Solver::direct) coupling.cord(c).set_accuracy(accuracy);
+      if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) coupling.cord(c).direct().set_accuracy(accuracy);
     }
     run.tick();
     add_tick(trace, run.simulation(), {});

@@ -70,7 +70,7 @@ tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::Tick
 std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 
 /// m, of a cord's columns, from its first to its last: their middles.
-std::vector<ribbon::Vec2> middle_line(const engine::Coupling& coupling, engine::CordIndex cord);
+std::vector<ribbon::Vec2> middle_line(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 /// Runs all inputs, or until a place is no number or further off than a kilometre.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});

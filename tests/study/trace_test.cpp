@@ -97,7 +97,7 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
   const Trace trace = run(level, inputs);
   game::Simulation simulation(level);
   for (const engine::TickInput& input : inputs) simulation.tick(input);
-  const auto x = simulation.scene().coupling().positions(0);
+  const auto x = simulation.scene().coupling().cord(0).positions();
   ASSERT_EQ(trace.places.size(), 20U);
   EXPECT_EQ(trace.places.back().front(), x.front());
   EXPECT_EQ(trace.places.back()[Trace::stations - 1], x.back());

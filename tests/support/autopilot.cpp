@@ -17,12 +17,12 @@ constexpr double let_go_climb = 0.5;   // m/s, upwards, at least
 constexpr int most_ticks_on_cord = 900;
 
 Vec2 velocity(const game::Simulation& simulation) {
-  return engine::to_double(simulation.player().body().GetLinearVelocity());
+  return ribbon::box2d::to_double(simulation.player().body().GetLinearVelocity());
 }
 
-bool hangs_free(const engine::Coupling& coupling, engine::CordIndex cord) {
-  const auto end = static_cast<int>(coupling.positions(cord).size()) - 1;
-  return coupling.kind(cord, end) == ribbon::PointKind::free;
+bool hangs_free(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const auto end = static_cast<int>(coupling.cord(cord).positions().size()) - 1;
+  return coupling.cord(cord).kind(end) == ribbon::PointKind::free;
 }
 
 }  // namespace
@@ -34,10 +34,10 @@ std::uint16_t Autopilot::buttons(const game::Simulation& simulation) {
   return fly_or_run(simulation);
 }
 
-std::uint16_t Autopilot::hang(const game::Simulation& simulation, const engine::CordPoint& held) {
+std::uint16_t Autopilot::hang(const game::Simulation& simulation, const ribbon::box2d::CordPoint& held) {
   last_cord_ = held.cord;
   ++ticks_on_cord_;
-  const Vec2 top = simulation.scene().coupling().positions(held.cord)[0];
+  const Vec2 top = simulation.scene().coupling().cord(held.cord).positions()[0];
   const Vec2 from_top = simulation.player().position() - top;
   const Vec2 v = velocity(simulation);
   const bool far_out = from_top.x > let_go_angle * length(from_top);
@@ -56,7 +56,7 @@ std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
   const bool at_step = x > step_up && velocity(simulation).x < 1.0;
   if (player.is_on_ground() && (at_edge || at_step)) buttons |= game::button_jump;
   if (!player.is_on_ground()) {
-    const engine::Coupling& coupling = simulation.scene().coupling();
+    const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const auto near = coupling.nearest_point(player.hand(), player.tuning().reach);
     // Not the cord it has just left, which is the one within reach; and only cords that hang free.
     if (near && near->cord != last_cord_ && hangs_free(coupling, near->cord)) buttons |= game::button_grab;

@@ -15,7 +15,7 @@ class Autopilot {
   std::uint16_t buttons(const game::Simulation& simulation);
 
  private:
-  std::uint16_t hang(const game::Simulation& simulation, const engine::CordPoint& held);
+  std::uint16_t hang(const game::Simulation& simulation, const ribbon::box2d::CordPoint& held);
   std::uint16_t fly_or_run(const game::Simulation& simulation) const;
 
   int last_cord_ = -1;

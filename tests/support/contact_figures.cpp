@@ -10,9 +10,9 @@
 namespace test_support {
 namespace {
 
-using engine::to_double;
 using ribbon::gap_between;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

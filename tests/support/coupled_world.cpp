@@ -10,9 +10,9 @@
 namespace test_support {
 namespace {
 
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 
 /// J, without that of its springs, which as stiff as these hold next to none.
 double energy_of(const ribbon::ThesisCord& cord, Vec2 gravity) {
@@ -150,7 +150,7 @@ void CoupledWorld::hold(int cord, int point, b2Body& body) {
     hold_chain(cord, point, body);
   } else {
     const int index = index_of(cord, point);
-    coupling.hold(cord, index, body, body.GetLocalPoint(to_float(coupling.positions(cord)[at(index)])));
+    coupling.hold(cord, index, body, body.GetLocalPoint(to_float(coupling.cord(cord).positions()[at(index)])));
   }
 }
 
@@ -160,7 +160,7 @@ void CoupledWorld::hold_chain(int cord, int point, b2Body& body) {
 }
 
 void CoupledWorld::pull(int cord, int point, Vec2 force) {
-  if (!method_.chain && !method_.thesis) coupling.cord(cord).set_load(point, force);
+  if (!method_.chain && !method_.thesis) coupling.cord(cord).direct().set_load(point, force);
   for (Pull& pull : pulls_) {
     if (pull.cord != cord || pull.point != point) continue;
     pull.force = force;
@@ -179,7 +179,7 @@ void CoupledWorld::our_share() {
 
 void CoupledWorld::pull_thesis_cords() {
   for (const Pull& pull : pulls_) {
-    ribbon::ThesisCord& cord = coupling.thesis_cord(pull.cord);
+    ribbon::ThesisCord& cord = coupling.cord(pull.cord).thesis();
     const int point = index_of(pull.cord, pull.point);
     cord.set_velocity(point, cord.velocities()[at(point)] + (dt / cord.def().point_mass) * pull.force);
   }
@@ -200,7 +200,7 @@ void CoupledWorld::step_world() {
 
 std::vector<Vec2> CoupledWorld::points(int cord) const {
   if (!method_.chain) {
-    const auto positions = coupling.positions(cord);
+    const auto positions = coupling.cord(cord).positions();
     std::vector<Vec2> points;
     const int count = defs_[at(cord)].points * defs_[at(cord)].rows;
     for (int p = 0; p < count; ++p) points.push_back(positions[at(index_of(cord, p))]);
@@ -214,14 +214,14 @@ std::vector<Vec2> CoupledWorld::points(int cord) const {
 
 std::vector<Vec2> CoupledWorld::outline(int cord) const {
   if (!is_closed(cord)) return points(cord);
-  return outline_of(coupling.positions(cord), rows(cord));
+  return outline_of(coupling.cord(cord).positions(), rows(cord));
 }
 
 double CoupledWorld::tension(int cord, int point) const {
   const bool first = is_first(cord, point);
   if (method_.thesis) return std::numeric_limits<double>::quiet_NaN();
   if (!method_.chain) {
-    const auto tensions = coupling.cord(cord).tensions();
+    const auto tensions = coupling.cord(cord).direct().tensions();
     return first ? tensions.front() : tensions.back();
   }
   const Chain& chain = chains_[at(cord)];
@@ -234,7 +234,8 @@ double CoupledWorld::energy() const {
   const Vec2 gravity = to_double(world.GetGravity());
   double sum = 0.0;
   for (int c = 0; c < coupling.size(); ++c) {
-    sum += method_.thesis ? energy_of(coupling.thesis_cord(c), gravity) : coupling.cord(c).energy(gravity).total();
+    sum += method_.thesis ? energy_of(coupling.cord(c).thesis(), gravity)
+                          : coupling.cord(c).direct().energy(gravity).total();
   }
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
@@ -273,7 +274,7 @@ void CoupledWorld::calm(int ticks) {
   for (int k = 0; k < ticks; ++k) {
     tick();
     for (int c = 0; c < coupling.size(); ++c) {
-      method_.thesis ? slow_down(coupling.thesis_cord(c)) : slow_down(coupling.cord(c));
+      method_.thesis ? slow_down(coupling.cord(c).thesis()) : slow_down(coupling.cord(c).direct());
     }
   }
   damp_bodies(0.0F);

@@ -81,7 +81,7 @@ class CoupledWorld {
   void calm(int ticks);
 
   b2World world;
-  engine::Coupling coupling;
+  ribbon::box2d::Coupling coupling;
 
  private:
   struct Chain {
@@ -95,7 +95,7 @@ class CoupledWorld {
     ribbon::Vec2 force;
   };
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  int rows(int cord) const { return method_.thesis ? coupling.shape(cord).rows : defs_[at(cord)].rows; }
+  int rows(int cord) const { return method_.thesis ? coupling.cord(cord).shape().rows : defs_[at(cord)].rows; }
   /// The point of the coupling's cord that stands for one of the definition's.
   int index_of(int cord, int point) const { return point * (rows(cord) / defs_[at(cord)].rows); }
   void pull_thesis_cords();

@@ -7,8 +7,8 @@
 namespace test_support {
 namespace {
 
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_float;
 
 /// A box's skin is half its thickness, for Box2D's own is a centimetre.
 void add_shape(b2Body& box, const ribbon::CordDef& def, double length, const b2Filter& filter) {

@@ -12,7 +12,7 @@ using ribbon::Vec2;
 Vec2 position(const Simulation& simulation) { return simulation.player().position(); }
 
 Vec2 velocity(const Simulation& simulation) {
-  return engine::to_double(simulation.player().body().GetLinearVelocity());
+  return ribbon::box2d::to_double(simulation.player().body().GetLinearVelocity());
 }
 
 double sign(int side) { return side == game::button_left ? -1.0 : 1.0; }
@@ -27,9 +27,9 @@ bool line_is_held(const Simulation& simulation) {
 
 /// Of what the held cord hangs from, m.
 Vec2 top_of_cord(const Simulation& simulation) {
-  const engine::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto held = coupling.held_by(simulation.player().body());
-  return held ? coupling.positions(held->cord)[0] : position(simulation);
+  return held ? coupling.cord(held->cord).positions()[0] : position(simulation);
 }
 
 int pumping(const Simulation& simulation) {

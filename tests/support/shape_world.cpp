@@ -4,15 +4,10 @@
 
 namespace test_support {
 
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_float;
 
-void ShapeWorld::tick() {
-  coupling.gather(world, dt);
-  coupling.step();
-  coupling.apply();
-  world.Step(static_cast<float>(dt), 8, 3);
-}
+void ShapeWorld::tick() { coupling.tick(world, dt); }
 
 b2Body* ShapeWorld::add_body(Vec2 position, b2BodyType type) {
   b2BodyDef definition;
@@ -56,6 +51,6 @@ b2EdgeShape edge(Vec2 a, Vec2 b) {
   return shape;
 }
 
-Vec2 position(const b2Body* body) { return engine::to_double(body->GetWorldCenter()); }
+Vec2 position(const b2Body* body) { return ribbon::box2d::to_double(body->GetWorldCenter()); }
 
 }  // namespace test_support

@@ -11,7 +11,7 @@ namespace test_support {
 /// A Box2D world of 60 ticks a second with cords in it, to put bodies of any shape into, which do not
 /// sleep.
 struct ShapeWorld {
-  explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(engine::to_float(gravity)) {}
+  explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(ribbon::box2d::to_float(gravity)) {}
 
   static constexpr double dt = 1.0 / 60.0;  // s
 
@@ -22,10 +22,10 @@ struct ShapeWorld {
   b2Body* add_body(ribbon::Vec2 position, b2BodyType type = b2_dynamicBody);
   /// A ball of this mass [kg].
   b2Body* add_ball(ribbon::Vec2 position, double radius, double mass, double friction = 0.5);
-  const ribbon::Cord& cord() const { return coupling.cord(0); }
+  const ribbon::Cord& cord() const { return coupling.cord(0).direct(); }
 
   b2World world;
-  engine::Coupling coupling{};
+  ribbon::box2d::Coupling coupling{};
 };
 
 b2Fixture* add_shape(b2Body* body, const b2Shape& shape, double density, double friction, b2Filter filter = {});

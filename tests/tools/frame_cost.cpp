@@ -57,9 +57,9 @@ void take(double& least, Work work) {
   least = std::min(least, now_ms() - begun);
 }
 
-int newton_steps(const engine::Coupling& coupling) {
+int newton_steps(const ribbon::box2d::Coupling& coupling) {
   int sum = 0;
-  for (int c = 0; c < coupling.size(); ++c) sum += coupling.report(c).iterations;
+  for (int c = 0; c < coupling.size(); ++c) sum += coupling.cord(c).island_report().iterations;
   return sum;
 }
 

@@ -25,12 +25,12 @@ Accuracy preset(const std::string& name) {
 void count_reports(const CoupledWorld& world, ContactFigures& figures) {
   for (int c = 0; c < world.coupling.size(); ++c) {
     if (world.method().thesis) {
-      const ribbon::StepReport& report = world.coupling.thesis_report(c);
+      const ribbon::StepReport& report = world.coupling.cord(c).thesis_report();
       figures.unconverged += report.fem_skipped > 0 ? 1 : 0;
       figures.mended += report.motion_limited > 0 ? 1 : 0;
       continue;
     }
-    const ribbon::CordReport& report = world.coupling.report(c);
+    const ribbon::CordReport& report = world.coupling.cord(c).island_report();
     figures.unconverged += report.unconverged > 0 ? 1 : 0;
     figures.mended += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
   }

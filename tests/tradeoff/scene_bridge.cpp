@@ -13,7 +13,7 @@ using test_support::CoupledWorld;
 
 bool is_below(const b2Body& ball, const CoupledWorld& world) {
   const std::vector<Vec2> x = world.points(0);
-  return std::all_of(x.begin(), x.end(), [&](Vec2 p) { return engine::to_double(ball.GetPosition()).y < p.y; });
+  return std::all_of(x.begin(), x.end(), [&](Vec2 p) { return ribbon::box2d::to_double(ball.GetPosition()).y < p.y; });
 }
 
 /// Ten seconds after it has come to rest: how far the ball goes from where it was, and the most that it moves in a tick
@@ -21,13 +21,13 @@ bool is_below(const b2Body& ball, const CoupledWorld& world) {
 std::vector<double> figures(CoupledWorld& world) {
   world.calm(1800);
   const b2Body& ball = *world.world.GetBodyList();  // the last made is the first there
-  const Vec2 start = engine::to_double(ball.GetPosition());
+  const Vec2 start = ribbon::box2d::to_double(ball.GetPosition());
   Vec2 before = start;
   double drift = 0.0;
   double jitter = 0.0;
   int tick = 0;
   const ContactFigures of_run = run(world, 600, [&](CoupledWorld&) {
-    const Vec2 here = engine::to_double(ball.GetPosition());
+    const Vec2 here = ribbon::box2d::to_double(ball.GetPosition());
     drift = std::max(drift, length(here - start));
     if (++tick > 540) jitter = std::max(jitter, length(here - before));
     before = here;

@@ -32,7 +32,7 @@ void set_up(CoupledWorld& world, double angle) {
   test_support::wind_around_post(world, angle, friction);
   world.pull(0, 0, {0.0, -slack_pull});
   b2Body& hand = world.add_load(b2_kinematicBody, world.points(0).back(), 0.0, 0.0);
-  hand.SetLinearVelocity(engine::to_float(drag_speed * taut_direction(world)));
+  hand.SetLinearVelocity(ribbon::box2d::to_float(drag_speed * taut_direction(world)));
   world.hold(0, last_point(world), hand);
 }
 

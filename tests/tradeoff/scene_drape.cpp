@@ -21,8 +21,8 @@ double fastest(const CoupledWorld& world) {
     }
     return speed;
   }
-  const auto velocities =
-      world.method().thesis ? world.coupling.thesis_cord(0).velocities() : world.coupling.cord(0).velocities();
+  const auto velocities = world.method().thesis ? world.coupling.cord(0).thesis().velocities()
+                                                : world.coupling.cord(0).direct().velocities();
   for (const ribbon::Vec2 v : velocities) speed = std::max(speed, length(v));
   return speed;
 }

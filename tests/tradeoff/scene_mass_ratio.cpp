@@ -23,11 +23,11 @@ std::vector<double> figures(CoupledWorld& world, double ratio, double stiffness)
   const auto run_figures = run(world, 600);
   const b2Body& load = *world.world.GetBodyList();  // the last made is the first there
   const int last = world.def(0).points - 1;
-  Vec2 before = engine::to_double(load.GetPosition());
+  Vec2 before = ribbon::box2d::to_double(load.GetPosition());
   double jitter = 0.0;
   double pull = 0.0;
   run(world, 60, [&](CoupledWorld& now) {
-    const Vec2 here = engine::to_double(load.GetPosition());
+    const Vec2 here = ribbon::box2d::to_double(load.GetPosition());
     jitter = std::max(jitter, length(here - before));
     before = here;
     pull += now.tension(0, last) / 60.0;

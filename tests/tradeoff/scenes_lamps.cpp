@@ -35,10 +35,10 @@ struct Lamps {
     def.allow_sleep = may_sleep;
     for (int p = 0; p < def.points; ++p) def.positions.push_back({x, -0.1 * p});
     def.pins = {0};
-    const engine::CordIndex cord = coupling.add(ribbon::Cord(def));
+    const ribbon::box2d::CordId cord = coupling.add(ribbon::Cord(def));
     b2BodyDef body;
     body.type = b2_dynamicBody;
-    body.position = engine::to_float(Vec2{x, -2.1});
+    body.position = ribbon::box2d::to_float(Vec2{x, -2.1});
     body.linearDamping = 1.0F;
     body.angularDamping = 5.0F;
     b2CircleShape circle;
@@ -49,29 +49,24 @@ struct Lamps {
     coupling.hold(cord, def.points - 1, *lamp, {0.0F, 0.1F});
   }
 
-  void tick() {
-    coupling.gather(world, frame_dt);
-    coupling.step();
-    coupling.apply();
-    world.Step(static_cast<float>(frame_dt), 8, 3);
-  }
+  void tick() { coupling.tick(world, frame_dt); }
 
-  b2World world{engine::to_float(earth_gravity)};
-  engine::Coupling coupling;
+  b2World world{ribbon::box2d::to_float(earth_gravity)};
+  ribbon::box2d::Coupling coupling;
 };
 
-double iterations(const engine::Coupling& coupling) {
+double iterations(const ribbon::box2d::Coupling& coupling) {
   double sum = 0.0;
-  for (int c = 0; c < coupling.size(); ++c) sum += coupling.report(c).iterations;
+  for (int c = 0; c < coupling.size(); ++c) sum += coupling.cord(c).island_report().iterations;
   return sum / coupling.size();
 }
 
 /// m, the furthest that a point of one is from the same of the other.
-double furthest(const engine::Coupling& a, const engine::Coupling& b) {
+double furthest(const ribbon::box2d::Coupling& a, const ribbon::box2d::Coupling& b) {
   double most = 0.0;
   for (int c = 0; c < a.size(); ++c) {
-    for (std::size_t p = 0; p < a.positions(c).size(); ++p) {
-      most = std::max(most, length(a.positions(c)[p] - b.positions(c)[p]));
+    for (std::size_t p = 0; p < a.cord(c).positions().size(); ++p) {
+      most = std::max(most, length(a.cord(c).positions()[p] - b.cord(c).positions()[p]));
     }
   }
   return most;

@@ -99,7 +99,7 @@ class Place {
     std::vector<b2Vec2> vertices;
     for (int k = 0; k <= many_edges; ++k) {
       const double x = 0.5 * (k - 0.5 * many_edges);
-      vertices.push_back(engine::to_float(Vec2{x, -(points * link) - 0.05 - 0.02 * (k % 2)}));
+      vertices.push_back(ribbon::box2d::to_float(Vec2{x, -(points * link) - 0.05 - 0.02 * (k % 2)}));
     }
     b2ChainShape chain;
     chain.CreateChain(vertices.data(), many_edges + 1, vertices.front() - b2Vec2(1.0F, 0.0F),
@@ -112,7 +112,7 @@ class Place {
       b2BodyDef def;
       def.type = b2_dynamicBody;
       def.awake = false;
-      def.position = engine::to_float(far_place(k));
+      def.position = ribbon::box2d::to_float(far_place(k));
       add_circle(def);
     }
   }
@@ -125,20 +125,20 @@ class Place {
       def.type = b2_dynamicBody;
       def.gravityScale = 0.0F;
       def.allowSleep = false;
-      def.position = engine::to_float(place);
+      def.position = ribbon::box2d::to_float(place);
       fast_.push_back(add_circle(def));
     }
   }
   void turn_the_fast() {
     for (b2Body* body : fast_) {
-      const Vec2 place = engine::to_double(body->GetPosition());
-      body->SetLinearVelocity(engine::to_float((20.0 / length(place)) * perp(place)));
+      const Vec2 place = ribbon::box2d::to_double(body->GetPosition());
+      body->SetLinearVelocity(ribbon::box2d::to_float((20.0 / length(place)) * perp(place)));
     }
   }
   void let_a_body_hold() {
     b2BodyDef def;
     def.type = b2_dynamicBody;
-    def.position = engine::to_float(Vec2{0.0, -link * (points - 1) - box_half});
+    def.position = ribbon::box2d::to_float(Vec2{0.0, -link * (points - 1) - box_half});
     coupling_.hold(0, points - 1, *add_circle(def), {0.0F, static_cast<float>(box_half)});
   }
 
@@ -180,7 +180,7 @@ class Place {
     b2PolygonShape shape;
     shape.SetAsBox(static_cast<float>(box_half), static_cast<float>(box_half));
     b2BodyDef def;
-    def.position = engine::to_float(place);
+    def.position = ribbon::box2d::to_float(place);
     world_.CreateBody(&def)->CreateFixture(&shape, 0.0F);
   }
   b2Body* add_circle(const b2BodyDef& def) {
@@ -195,8 +195,8 @@ class Place {
     return body;
   }
 
-  b2World world_{engine::to_float(earth_gravity)};
-  engine::Coupling coupling_;
+  b2World world_{ribbon::box2d::to_float(earth_gravity)};
+  ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> fast_;
   int columns_;
   int settled_ = 0;

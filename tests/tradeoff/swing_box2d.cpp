@@ -9,8 +9,8 @@ namespace tradeoff {
 namespace {
 
 namespace heavy = test_support::heavy;
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 using test_support::Box2dChain;
 using test_support::Box2dRope;
 

@@ -12,8 +12,8 @@ namespace tradeoff {
 namespace {
 
 namespace heavy = test_support::heavy;
-using engine::to_double;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -37,7 +37,7 @@ class HeldSwing final : public Swing {
       scene_->coupling.gather(scene_->world, heavy::tick);
       scene_->coupling.step();
       scene_->coupling.apply();
-      unconverged_ += scene_->coupling.report(0).unconverged;
+      unconverged_ += scene_->coupling.cord(0).island_report().unconverged;
     }
     scene_->world.Step(static_cast<float>(heavy::tick), 8, 3);
   }
@@ -45,7 +45,7 @@ class HeldSwing final : public Swing {
   std::vector<Vec2> path() const override {
     std::vector<Vec2> points{{}};
     if (accuracy_) {
-      const auto positions = scene_->coupling.positions(0);
+      const auto positions = scene_->coupling.cord(0).positions();
       points.assign(positions.begin(), positions.end());
     }
     points.back() = to_double(scene_->load->GetPosition());
@@ -55,7 +55,7 @@ class HeldSwing final : public Swing {
   double energy() override {
     const Vec2 position = to_double(scene_->load->GetPosition());
     const double load = energy_of(heavy::load_mass, position, scene_->coupling.velocity(*scene_->load));
-    return load + (accuracy_ ? scene_->coupling.cord(0).energy({0.0, -heavy::gravity}).total() : 0.0);
+    return load + (accuracy_ ? scene_->coupling.cord(0).direct().energy({0.0, -heavy::gravity}).total() : 0.0);
   }
 
   std::optional<int> unconverged() const override { return unconverged_; }
@@ -66,7 +66,7 @@ class HeldSwing final : public Swing {
     Scene() {
       b2BodyDef definition;
       definition.type = b2_dynamicBody;
-      definition.position = engine::to_float({heavy::length, 0.0});
+      definition.position = ribbon::box2d::to_float({heavy::length, 0.0});
       definition.allowSleep = false;
       load = world.CreateBody(&definition);
       b2MassData data;
@@ -76,7 +76,7 @@ class HeldSwing final : public Swing {
       load->SetMassData(&data);
     }
     b2World world{{0.0F, static_cast<float>(-heavy::gravity)}};
-    engine::Coupling coupling;
+    ribbon::box2d::Coupling coupling;
     b2Body* load = nullptr;
   };
 

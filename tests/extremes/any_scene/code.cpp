@@ -124,7 +124,7 @@ std::string code_of(const Hold& hold, const std::string& object) {
   lines.set("cord", hold.cord, plain.cord);
   lines.set("arc", hold.arc, plain.arc);
   lines.set("row", hold.row, plain.row);
-  lines.set("local_hand", hold.local_hand, plain.local_hand);
+  lines.set("local_anchor", hold.local_anchor, plain.local_anchor);
   lines.set("strength", hold.strength, plain.strength);
   lines.set("lets_go", hold.lets_go, plain.lets_go);
   lines.set("climb_to", hold.climb_to, plain.climb_to);

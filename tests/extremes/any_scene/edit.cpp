@@ -147,7 +147,7 @@ Vec2 place_of(const Scene& scene, const Hold& hold) {
 
 void hold_again(Scene& scene) {
   for (Hold& hold : scene.holds) {
-    hold.local_hand = pose_of(scene.solids[slot(hold.solid)]).to_local(place_of(scene, hold));
+    hold.local_anchor = pose_of(scene.solids[slot(hold.solid)]).to_local(place_of(scene, hold));
   }
 }
 

@@ -15,9 +15,9 @@ std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-int work(const engine::Coupling& coupling) { return coupling.tick_report().iterations; }
+int work(const ribbon::box2d::Coupling& coupling) { return coupling.tick_report().iterations; }
 
-int unconverged(const engine::Coupling& coupling) { return coupling.tick_report().unconverged; }
+int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.tick_report().unconverged; }
 
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
     : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
@@ -34,10 +34,10 @@ EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) 
   return scale > 0.0 ? Gain{gained / scale, risen / scale} : Gain{};
 }
 
-Lengths lengths(const engine::Coupling& coupling) {
+Lengths lengths(const ribbon::box2d::Coupling& coupling) {
   Lengths worst;
   for (int c = 0; c < coupling.size(); ++c) {
-    const ribbon::Cord& cord = coupling.cord(c);
+    const ribbon::Cord& cord = coupling.cord(c).direct();
     const ribbon::CordDef& def = cord.def();
     for (int i = 0; i + 1 < def.points; ++i) {
       for (int j = 0; j < def.rows; ++j) {
@@ -52,10 +52,10 @@ Lengths lengths(const engine::Coupling& coupling) {
   return worst;
 }
 
-int inverted(const engine::Coupling& coupling) {
+int inverted(const ribbon::box2d::Coupling& coupling) {
   int count = 0;
   for (int c = 0; c < coupling.size(); ++c) {
-    const ribbon::Cord& cord = coupling.cord(c);
+    const ribbon::Cord& cord = coupling.cord(c).direct();
     if (cord.def().area_stiffness == 0.0) continue;
     const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };
     for (int i = 0; i + 1 < cord.def().points; ++i) {

@@ -33,13 +33,13 @@ struct Lengths {
   double stretch = 0.0;
   double strain = 0.0;
 };
-Lengths lengths(const engine::Coupling& coupling);
+Lengths lengths(const ribbon::box2d::Coupling& coupling);
 /// Corners of cells that are inside out, of ribbons with area stiffness.
-int inverted(const engine::Coupling& coupling);
+int inverted(const ribbon::box2d::Coupling& coupling);
 
 /// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
-int work(const engine::Coupling& coupling);
+int work(const ribbon::box2d::Coupling& coupling);
 /// Substeps of the last tick, of all islands.
-int unconverged(const engine::Coupling& coupling);
+int unconverged(const ribbon::box2d::Coupling& coupling);
 
 }  // namespace any_scene

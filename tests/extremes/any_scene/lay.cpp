@@ -175,7 +175,7 @@ bool Room::bring(Dice& dice, int solid, int cord, double arc, Hold& hold) {
   if (!Room(others).is_clear(moved, solid)) return false;
   if (overlap(def, outline(def, def.positions), moved) > touching) return false;
   scene_.solids[slot(solid)] = moved;
-  hold.local_hand = pose_of(moved).to_local(hand);
+  hold.local_anchor = pose_of(moved).to_local(hand);
   return true;
 }
 

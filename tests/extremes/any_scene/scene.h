@@ -49,7 +49,7 @@ struct Hold {
   int cord = 0;                                               ///< which one
   double arc = 0.0;                                           ///< m at rest from the cord's first point
   int row = 0;                                                ///< of a ribbon
-  ribbon::Vec2 local_hand;                                    ///< m, in the solid's own frame
+  ribbon::Vec2 local_anchor;                                  ///< m, in the solid's own frame
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
   bool lets_go = false;                                       ///< in place of slipping
   double climb_to = -1.0;                                     ///< m at rest, where it climbs to; below 0: it stays

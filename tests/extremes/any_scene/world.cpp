@@ -8,9 +8,9 @@
 
 namespace any_scene {
 
-using engine::to_double;
-using engine::to_float;
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
 
 namespace {
 
@@ -98,34 +98,35 @@ void World::add(const SceneCord& cord, Preset preset) {
 }
 
 void World::add(const Hold& hold) {
-  engine::GripDef def;
+  ribbon::box2d::GripDef def;
   def.cord = hold.cord;
   def.arc = hold.arc;
   def.row = hold.row;
-  def.local_hand = to_float(hold.local_hand);
+  def.local_anchor = to_float(hold.local_anchor);
   def.strength = hold.strength;
   def.lets_go = hold.lets_go;
-  grips_.push_back(coupling_.grip(*bodies_[slot(hold.solid)], def));
-  if (hold.climb_to >= 0.0) coupling_.climb(grips_.back(), hold.climb_to, hold.climb_speed);
+  grips_.push_back(coupling_.hold(*bodies_[slot(hold.solid)], def));
+  if (hold.climb_to >= 0.0) coupling_.grip(grips_.back()).climb(hold.climb_to, hold.climb_speed);
 }
 
 void World::drive(int number) {
   for (const Reel& reel : scene_.reels) {
-    if (reel.from_tick == number) coupling_.cord(reel.cord).reel(reel.first, reel.last, reel.length, reel.speed);
+    if (reel.from_tick == number)
+      coupling_.cord(reel.cord).direct().reel(reel.first, reel.last, reel.length, reel.speed);
   }
   for (std::size_t k = 0; k < scene_.drags.size(); ++k) {
     const Drag& drag = scene_.drags[k];
     if (number < drag.from_tick) continue;
-    if (number == drag.from_tick) drag_starts_[k] = coupling_.positions(drag.cord)[slot(drag.point)];
+    if (number == drag.from_tick) drag_starts_[k] = coupling_.cord(drag.cord).positions()[slot(drag.point)];
     bool arrived = false;
     bool was_there = false;
     const double arc = drag.speed * dt * (number - drag.from_tick);
     along(drag.path, drag_starts_[k], arc, was_there);
     const Vec2 target = along(drag.path, drag_starts_[k], arc + drag.speed * dt, arrived);
     if (!was_there) {
-      coupling_.operate(drag.cord, drag.point, target);
-    } else if (coupling_.kind(drag.cord, drag.point) == ribbon::PointKind::operated) {
-      coupling_.release(drag.cord, drag.point);
+      coupling_.cord(drag.cord).drag(drag.point, target);
+    } else if (coupling_.cord(drag.cord).kind(drag.point) == ribbon::PointKind::operated) {
+      coupling_.cord(drag.cord).free(drag.point);
     }
   }
 }
@@ -147,7 +148,7 @@ double World::tick(int number) {
 Snapshot World::snapshot() const {
   Snapshot now;
   for (int c = 0; c < coupling_.size(); ++c) {
-    now.cords.push_back(outline(coupling_.cord(c).def(), coupling_.positions(c)));
+    now.cords.push_back(outline(coupling_.cord(c).direct().def(), coupling_.cord(c).positions()));
   }
   for (const b2Body* body : bodies_) {
     const b2Rot& turned = body->GetTransform().q;
@@ -173,7 +174,7 @@ double World::energy(const b2Body& body, const Moving& moving) const {
 /// J, of bodies that cords have nothing to do with.
 double World::energy_of_free_bodies() const {
   std::vector<char> is_led(bodies_.size(), 0);
-  for (const engine::CouplingState::Led& led : coupling_.save(world_).led) is_led[slot(led.body)] = 1;
+  for (const auto& carry : coupling_.save(world_).carries) is_led[slot(carry.body)] = 1;
   double sum = 0.0;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (bodies_[k]->GetType() == b2_dynamicBody && is_led[k] == 0) sum += energy(*bodies_[k], now(*bodies_[k]));
@@ -184,7 +185,7 @@ double World::energy_of_free_bodies() const {
 World::Energy World::energy() const {
   Energy sum;
   for (int c = 0; c < coupling_.size(); ++c) {
-    const ribbon::Cord::Energy of_cord = coupling_.cord(c).energy(scene_.gravity);
+    const ribbon::Cord::Energy of_cord = coupling_.cord(c).direct().energy(scene_.gravity);
     sum.total += of_cord.total();
     sum.kinetic += of_cord.kinetic;
   }
@@ -209,7 +210,7 @@ Vec2 World::heights() const {
   Vec2 range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const auto take = [&](double y) { range = {std::min(range.x, y), std::max(range.y, y)}; };
   for (int c = 0; c < coupling_.size(); ++c) {
-    for (const Vec2 x : coupling_.positions(c)) take(x.y);
+    for (const Vec2 x : coupling_.cord(c).positions()) take(x.y);
   }
   for (const b2Body* body : bodies_) {
     if (body->GetType() == b2_dynamicBody) take(static_cast<double>(body->GetPosition().y));
@@ -220,17 +221,17 @@ Vec2 World::heights() const {
 double World::fastest() const {
   double most = 0.0;
   for (int c = 0; c < coupling_.size(); ++c) {
-    for (const Vec2 v : coupling_.cord(c).velocities()) most = std::max(most, length(v));
+    for (const Vec2 v : coupling_.cord(c).direct().velocities()) most = std::max(most, length(v));
   }
   return most;
 }
 
 bool World::is_finite() const {
   for (int c = 0; c < coupling_.size(); ++c) {
-    for (const Vec2 x : coupling_.positions(c)) {
+    for (const Vec2 x : coupling_.cord(c).positions()) {
       if (!ribbon::is_finite(x)) return false;
     }
-    for (const Vec2 v : coupling_.cord(c).velocities()) {
+    for (const Vec2 v : coupling_.cord(c).direct().velocities()) {
       if (!ribbon::is_finite(v)) return false;
     }
   }
@@ -243,7 +244,7 @@ bool World::is_finite() const {
 /// Whether a grip that may slip is at an end of its cord, where nothing is left to hold.
 bool World::has_slipped_off(double arc, const Hold& hold) const {
   if (std::isinf(hold.strength)) return false;
-  const ribbon::Cord& cord = coupling_.cord(hold.cord);
+  const ribbon::Cord& cord = coupling_.cord(hold.cord).direct();
   double whole = 0.0;
   for (int i = 0; i + 1 < cord.def().points; ++i) whole += cord.rest_length(i);
   return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
@@ -251,11 +252,11 @@ bool World::has_slipped_off(double arc, const Hold& hold) const {
 
 /// m; 0 if it has been let go.
 double World::gap(std::size_t hold) const {
-  const auto held = coupling_.state(grips_[hold]);
-  if (!held || has_slipped_off(held->arc, scene_.holds[hold])) return 0.0;
+  const auto grip = coupling_.grip(grips_[hold]);
+  if (!grip.is_valid() || has_slipped_off(grip.state().arc, scene_.holds[hold])) return 0.0;
   const b2Body& body = *bodies_[slot(scene_.holds[hold].solid)];
-  const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[hold].local_hand)));
-  return length(held->place - hand);
+  const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[hold].local_anchor)));
+  return length(grip.state().place - hand);
 }
 
 void World::see_who_was_pushed() {

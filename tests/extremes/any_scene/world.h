@@ -28,7 +28,7 @@ class World {
   /// One tick; returns the milliseconds of Coupling::step.
   double tick(int number);
 
-  const engine::Coupling& coupling() const { return coupling_; }
+  const ribbon::box2d::Coupling& coupling() const { return coupling_; }
   Snapshot snapshot() const;
   /// J, of cords and dynamic bodies.
   struct Energy {
@@ -64,9 +64,9 @@ class World {
 
   const Scene scene_;
   b2World world_;
-  engine::Coupling coupling_;
+  ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> bodies_;
-  std::vector<engine::GripId> grips_;
+  std::vector<ribbon::box2d::GripId> grips_;
   std::vector<char> pushed_;  // by hold: Box2D has pushed its solid, and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
   double box2d_work_ = 0.0;  // J

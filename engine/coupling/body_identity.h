@@ -3,7 +3,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
 
-namespace engine {
+namespace ribbon::box2d {
 
 /// Returns whether a body or fixture is the one that was seen before, and not a new one at the same address. Box2D
 /// inserts a new body at the head of the world's list, and a new fixture at the head of its body's list, and never
@@ -50,4 +50,4 @@ struct SeenFixture {
   }
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

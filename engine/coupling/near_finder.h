@@ -9,22 +9,15 @@
 #include <vector>
 
 #include "ribbon/box.h"
+#include "ribbon/box2d/coupling_types.h"
 #include "ribbon/parallel_for.h"
 #include "ribbon/vec2.h"
 
-namespace engine {
-
-/// A part of a fixture that a cord may touch: one edge of a chain, or the whole of any other shape.
-struct NearShape {
-  b2Fixture* fixture;        ///< belongs to an enabled body; not a sensor
-  int child;                 ///< index of the child shape
-  double way;                ///< m, upper bound of its displacement in the tick
-  std::uint64_t number = 0;  ///< number of the fixture
-};
+namespace ribbon::box2d {
 
 /// A search for one cord.
 struct Look {
-  ribbon::Box reach;             ///< m, box that the cord can reach in the tick
+  Box reach;                     ///< m, box that the cord can reach in the tick
   b2Filter filter;               ///< filter of the cord, as between two Box2D fixtures
   bool circles;                  ///< find circles only, for the thesis's solver
   std::vector<NearShape>* near;  ///< results are appended here, in any order and possibly twice
@@ -43,8 +36,7 @@ class NearFinder {
   /// Reserves memory for so many tree leaves near a cord and for so many cords.
   void reserve(std::size_t leaves, std::size_t cords);
   /// Runs all searches for a tick of dt seconds under `gravity` [m/s²]. Each search must have its own result list.
-  void find(b2World& world, std::span<const Look> looks, ribbon::Vec2 gravity, double dt,
-            const ribbon::ParallelFor& parallel_for);
+  void find(b2World& world, std::span<const Look> looks, Vec2 gravity, double dt, const ParallelFor& parallel_for);
 
  private:
   /// A leaf of the broad phase's tree.
@@ -75,4 +67,4 @@ class NearFinder {
   double widest_ = 0.0;            // m, of these the widest
 };
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -1,14 +1,11 @@
-#include "ribbon/box2d/coupling_shapes.h"
+#include "ribbon/box2d/fixture_shapes.h"
 
 #include <algorithm>
 
 #include "ribbon/box2d/convert.h"
 
-namespace engine {
+namespace ribbon::box2d {
 namespace {
-
-using ribbon::Box;
-using ribbon::Vec2;
 
 constexpr std::uint64_t most_features = 1U << 20U;  // of a fixture; a chain's vertices are fewer
 
@@ -27,7 +24,7 @@ class Outline {
     restitution_ = within(fixture.GetRestitution(), 1.0);
   }
 
-  void add_corner(b2Vec2 local, float radius, std::uint64_t feature, std::vector<ribbon::RigidCircle>& circles) const {
+  void add_corner(b2Vec2 local, float radius, std::uint64_t feature, std::vector<RigidCircle>& circles) const {
     const Vec2 x = to_double(b2Mul(transform_, local));
     const double r = static_cast<double>(radius);
     if (!overlap({x - Vec2{r, r}, x + Vec2{r, r}}, reach_)) return;
@@ -35,7 +32,7 @@ class Outline {
   }
 
   void add_edge(b2Vec2 local_a, b2Vec2 local_b, float radius, std::uint64_t feature,
-                std::vector<ribbon::RigidSegment>& segments) const {
+                std::vector<RigidSegment>& segments) const {
     const Vec2 a = to_double(b2Mul(transform_, local_a));
     const Vec2 b = to_double(b2Mul(transform_, local_b));
     const double r = static_cast<double>(radius);
@@ -60,8 +57,8 @@ class Outline {
 
 std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / most_features; }
 
-void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, std::vector<ribbon::RigidCircle>& circles,
-                std::vector<ribbon::RigidSegment>& segments) {
+void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, std::vector<RigidCircle>& circles,
+                std::vector<RigidSegment>& segments) {
   const NearShape& first = parts.front();
   const b2Fixture& fixture = *first.fixture;
   const b2Shape* shape = fixture.GetShape();
@@ -110,4 +107,4 @@ void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, st
   }
 }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -1,4 +1,4 @@
-#include "ribbon/box2d/coupling_near.h"
+#include "ribbon/box2d/near_finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,8 @@
 
 #include "ribbon/box2d/convert.h"
 
-namespace engine {
+namespace ribbon::box2d {
 namespace {
-
-using ribbon::Box;
-using ribbon::Vec2;
 
 constexpr double times_way = 4.0;       // that a body goes in a tick by itself, it is looked for from
 constexpr double single_least = 1e-30;  // m
@@ -19,7 +16,7 @@ constexpr int cords_a_part = 64;        // at least, that are one task
 constexpr std::size_t most_cords_a_query = 16;
 constexpr std::size_t few_leaves = 4;    // for each cord of a group: the next group may be larger
 constexpr std::size_t many_leaves = 16;  // for each cord of a group: it is too large
-constexpr int bodies_a_leaf = 30;       // that are gone through in the time in which a leaf of a tree is looked at
+constexpr int bodies_a_leaf = 30;        // that are gone through in the time in which a leaf of a tree is looked at
 
 bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for what is none
 
@@ -120,7 +117,7 @@ void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
 /// What the tree has further off matters only if it moves. It is looked at about each cord as long as that takes less
 /// than to go through all bodies once.
 void NearFinder::find(b2World& world, std::span<const Look> looks, Vec2 gravity, double dt,
-                      const ribbon::ParallelFor& parallel_for) {
+                      const ParallelFor& parallel_for) {
   broad_phase_ = &world.GetContactManager().m_broadPhase;
   if (broad_phase_->GetProxyCount() == 0) return;
   dt_ = dt;
@@ -232,4 +229,4 @@ void NearFinder::look_from(std::span<const Look> looks, b2Fixture& fixture, int 
   }
 }
 
-}  // namespace engine
+}  // namespace ribbon::box2d

@@ -1,0 +1,12 @@
+#pragma once
+
+/// @file
+/// All of the coupling of cords with Box2D. The headers can be included separately too.
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/coupling_state.h"
+#include "ribbon/box2d/coupling_types.h"
+#include "ribbon/box2d/handles.h"
+#include "ribbon/box2d/state_hash.h"
+#include "ribbon/box2d/step_watcher.h"

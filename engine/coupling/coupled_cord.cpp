@@ -1,0 +1,145 @@
+#include "ribbon/box2d/coupled_cord.h"
+
+#include <string>
+#include <utility>
+
+namespace ribbon::box2d {
+namespace {
+
+// Memory that every cord has from the start.
+constexpr std::size_t usual_fixtures = 64;
+constexpr std::size_t usual_grips = 8;
+constexpr std::size_t usual_touches = 16;
+
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+CordShape shape_of(const ThesisCord& cord) {
+  const Mesh& mesh = cord.mesh();
+  return {mesh.w, mesh.h, (mesh.h - 1) * mesh.spacing, true};
+}
+
+CordShape shape_of(const Cord& cord) {
+  const CordDef& def = cord.def();
+  const bool braced = def.rows > 1 && def.elements == Elements::bars;
+  return {def.points, def.rows, def.width + 2.0 * def.radius, braced};
+}
+
+[[noreturn]] void refuse_solver(const CoupledCord& coupled, Solver wanted) {
+  throw CallError("cord " + std::to_string(coupled.id) + " is of the " + std::string(solver_name(coupled.solver())) +
+                  " solver; accepted is one of the " + std::string(solver_name(wanted)) + " solver");
+}
+
+}  // namespace
+
+std::string_view solver_name(Solver solver) { return solver == Solver::direct ? "direct" : "thesis"; }
+
+Cord& CoupledCord::direct() { return const_cast<Cord&>(std::as_const(*this).direct()); }
+
+const Cord& CoupledCord::direct() const {
+  if (!is_direct()) refuse_solver(*this, Solver::direct);
+  return std::get<Cord>(cord);
+}
+
+ThesisCord& CoupledCord::thesis() { return const_cast<ThesisCord&>(std::as_const(*this).thesis()); }
+
+const ThesisCord& CoupledCord::thesis() const {
+  if (is_direct()) refuse_solver(*this, Solver::thesis);
+  return std::get<ThesisCord>(cord);
+}
+
+CordShape CoupledCord::shape() const {
+  return std::visit([](const auto& of_solver) { return shape_of(of_solver); }, cord);
+}
+
+Vec2 CoupledCord::position(int point, double along) const {
+  const auto x = positions();
+  if (along == 0.0) return x[slot(point)];
+  return x[slot(point)] + along * (x[slot(point + shape().rows)] - x[slot(point)]);
+}
+
+double CoupledCord::arc_at(double column) const {
+  if (!is_direct()) return 0.0;
+  const Cord& direct = this->direct();
+  double arc = 0.0;
+  int whole = 0;
+  for (; whole + 1 <= column && whole + 1 < direct.def().points; ++whole) arc += direct.rest_length(whole);
+  return whole + 1 < direct.def().points ? arc + (column - whole) * direct.rest_length(whole) : arc;
+}
+
+double CoupledCord::column_at(double arc) const {
+  const Cord& direct = this->direct();
+  int column = 0;
+  while (column + 2 < direct.def().points && arc > direct.rest_length(column)) arc -= direct.rest_length(column++);
+  return column + std::min(1.0, arc / direct.rest_length(column));
+}
+
+bool CoupledCord::may_be_within(Vec2 position, double distance) const {
+  if (!enabled) return false;
+  if (!is_direct()) return true;
+  return overlap(widened(direct().sweep().box, distance), {position, position});
+}
+
+void CoupledCord::reserve() {
+  if (auto* thesis = std::get_if<ThesisCord>(&cord)) {
+    thesis->reserve(usual_fixtures, usual_fixtures, usual_grips);
+  } else {
+    direct().reserve(usual_grips);
+  }
+  circles.reserve(usual_fixtures);
+  segments.reserve(usual_fixtures);
+  near.reserve(usual_fixtures);
+  grips.reserve(usual_grips);
+  grip_ids.reserve(usual_grips);
+  touching.reserve(usual_touches);
+  touched.reserve(usual_touches);
+}
+
+void CoupledCord::clear_environment() {
+  circles.clear();
+  segments.clear();
+  grips.clear();
+  grip_ids.clear();
+}
+
+CordId CordTable::add(CoupledCord cord) {
+  cord.id = next_;
+  cord.reserve();
+  cords_.push_back(std::make_unique<CoupledCord>(std::move(cord)));
+  ids_.push_back(next_);
+  return next_++;
+}
+
+void CordTable::remove(CordId id) {
+  const auto at = static_cast<std::ptrdiff_t>(place(id));
+  cords_.erase(cords_.begin() + at);
+  ids_.erase(ids_.begin() + at);
+}
+
+/// The number of cords with smaller ids. A cord is at its id until one before it has been removed.
+std::size_t CordTable::place(CordId id) const {
+  if (id >= 0 && id < size() && ids_[slot(id)] == id) return slot(id);
+  return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+}
+
+const CoupledCord* CordTable::find(CordId id) const {
+  const std::size_t at = place(id);
+  return at < ids_.size() && ids_[at] == id ? cords_[at].get() : nullptr;
+}
+
+CoupledCord* CordTable::find(CordId id) { return const_cast<CoupledCord*>(std::as_const(*this).find(id)); }
+
+const CoupledCord& CordTable::at(CordId id) const {
+  if (const CoupledCord* found = find(id)) return *found;
+  throw CallError("cord is " + std::to_string(id) + "; accepted is the id of one of the " + std::to_string(size()) +
+                  " cords that were added and not removed");
+}
+
+CoupledCord& CordTable::at(CordId id) { return const_cast<CoupledCord&>(std::as_const(*this).at(id)); }
+
+CoupledCord& CordTable::enabled(CordId id) {
+  CoupledCord& found = at(id);
+  if (found.enabled) return found;
+  throw CallError("cord " + std::to_string(id) + " is disabled; accepted is one that is enabled");
+}
+
+}  // namespace ribbon::box2d

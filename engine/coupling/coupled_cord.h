@@ -1,0 +1,123 @@
+#pragma once
+
+#include <box2d/b2_fixture.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "ribbon/box.h"
+#include "ribbon/box2d/coupling_state.h"
+#include "ribbon/box2d/coupling_types.h"
+#include "ribbon/cord.h"
+#include "ribbon/rigid_circle.h"
+#include "ribbon/thesis/thesis_cord.h"
+
+namespace ribbon::box2d {
+
+/// A cord of a coupling: the object of its solver, its reports, and its environment in this tick. Only the functions of
+/// this struct distinguish the two solvers where a user need not.
+struct CoupledCord {
+  std::variant<ThesisCord, Cord> cord;
+  b2Filter filter;
+  CordId id = -1;
+  bool enabled = true;
+  std::uintptr_t user_data = 0;
+  CordReport island_report{};
+  CordReport island_total{};
+  double error = 0.0;
+  StepReport thesis_report{};
+  StepReport thesis_total{};
+  // In this tick:
+  Box swept_aabb{};               // in which fixtures are searched
+  std::vector<NearShape> near{};  // the fixtures found
+  std::vector<RigidCircle> circles{};
+  std::vector<RigidSegment> segments{};
+  std::vector<Grip> grips{};
+  std::vector<GripId> grip_ids{};        // of each grip
+  std::vector<FixtureTouch> touching{};  // in the last step, by fixture number
+  std::vector<FixtureTouch> touched{};   // in the step before it
+
+  Solver solver() const { return std::holds_alternative<Cord>(cord) ? Solver::direct : Solver::thesis; }
+  bool is_direct() const { return solver() == Solver::direct; }
+  // They throw CallError for a cord of the other solver.
+  Cord& direct();
+  const Cord& direct() const;
+  ThesisCord& thesis();
+  const ThesisCord& thesis() const;
+
+  CordShape shape() const;
+  std::span<const Vec2> positions() const {
+    return std::visit([](const auto& of_solver) { return of_solver.positions(); }, cord);
+  }
+  /// m, between `point` and the point of the next column.
+  Vec2 position(int point, double along) const;
+  /// Converts a position along the cord from columns, 0 … columns − 1, to rest length [m]; 0 for the thesis's solver.
+  double arc_at(double column) const;
+  /// The inverse, for the direct solver.
+  double column_at(double arc) const;
+  /// Returns whether a point of the cord may be within `distance` [m] of `position`.
+  bool may_be_within(Vec2 position, double distance) const;
+
+  /// Reserves memory, so that the first circle to come near allocates none.
+  void reserve();
+  /// Clears what the last gather found.
+  void clear_environment();
+};
+
+/// The cords of a coupling, by id. References to a cord are valid until it is removed.
+class CordTable {
+ public:
+  /// Adds a cord and assigns its id.
+  CordId add(CoupledCord cord);
+  /// Removes the cord with that id, which exists.
+  void remove(CordId id);
+  /// Returns a cord, or null if there is none with that id.
+  CoupledCord* find(CordId id);
+  const CoupledCord* find(CordId id) const;
+  /// Returns a cord. Throws CallError if there is none with that id.
+  CoupledCord& at(CordId id);
+  const CoupledCord& at(CordId id) const;
+  /// Returns a cord. Throws CallError if there is none with that id or it is disabled.
+  CoupledCord& enabled(CordId id);
+
+  int size() const { return static_cast<int>(cords_.size()); }
+  /// Returns the ids, ascending.
+  std::span<const CordId> ids() const { return ids_; }
+  /// Returns the id of the next cord to be added.
+  CordId next() const { return next_; }
+  /// Sets the id of the next cord, above those of all cords.
+  void continue_from(CordId next) { next_ = next; }
+
+  template <typename Base, typename Value>
+  struct Iterator {
+    Base at;
+    Value& operator*() const { return **at; }
+    Iterator& operator++() {
+      ++at;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+  };
+  // In the order of adding:
+  auto begin() { return iterator<CoupledCord>(cords_.begin()); }
+  auto end() { return iterator<CoupledCord>(cords_.end()); }
+  auto begin() const { return iterator<const CoupledCord>(cords_.begin()); }
+  auto end() const { return iterator<const CoupledCord>(cords_.end()); }
+
+ private:
+  template <typename Value, typename Base>
+  static Iterator<Base, Value> iterator(Base at) {
+    return {at};
+  }
+  std::size_t place(CordId id) const;
+
+  std::vector<std::unique_ptr<CoupledCord>> cords_;  // by id
+  std::vector<CordId> ids_;                          // of each
+  CordId next_ = 0;
+};
+
+}  // namespace ribbon::box2d

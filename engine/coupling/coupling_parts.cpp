@@ -1,0 +1,40 @@
+#include "ribbon/box2d/coupling_parts.h"
+
+namespace ribbon::box2d {
+
+void CouplingParts::enter(const b2World& world) {
+  if (!finder.enter(world)) return;
+  carry.clear();
+  fixtures.forget_all();
+  grips.forget_gone(finder);
+}
+
+void CouplingParts::forget_predecessor(const b2Body& body) {
+  if (!grips.has_predecessor(body) && !carry.has_predecessor(body)) return;
+  grips.forget(body);
+  carry.forget(body);
+}
+
+bool CouplingParts::release(GripId grip) {
+  const BodyGrip* const found = grips.find(grip);
+  if (found == nullptr) return false;
+  b2Body* const body = found->body;
+  const bool exists = finder.exists(found->seen);
+  grips.remove(grip);
+  if (!exists) return true;
+  body->SetAwake(true);
+  if (grips.first_of(*body) == nullptr) carry.release(*body);
+  return true;
+}
+
+void CouplingParts::release_all(CordId cord) {
+  for (std::size_t k = 0; k < grips.all().size();) {
+    if (grips.all()[k].cord == cord) {
+      release(grips.all()[k].id);
+    } else {
+      ++k;
+    }
+  }
+}
+
+}  // namespace ribbon::box2d

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ribbon/box2d/body_finder.h"
+#include "ribbon/box2d/coupled_cord.h"
+#include "ribbon/box2d/fixture_ids.h"
+#include "ribbon/box2d/gatherer.h"
+#include "ribbon/box2d/grip_table.h"
+#include "ribbon/box2d/step_watcher.h"
+#include "ribbon/box2d/tick_bodies.h"
+#include "ribbon/box2d/touch_tracker.h"
+#include "ribbon/box2d/velocity_carry.h"
+#include "ribbon/direct_solver.h"
+#include "ribbon/error_probe.h"
+#include "ribbon/parallel_for.h"
+
+namespace ribbon::box2d {
+
+/// What has been done of a tick.
+enum class TickPhase : unsigned char { between_ticks, gathered, stepped };
+
+/// What a Coupling and its handles work on.
+struct CouplingParts {
+  // The state between two ticks:
+  CordTable cords;
+  GripTable grips;
+  VelocityCarry carry;
+  FixtureIds fixtures;
+  TouchTracker touches;
+  // Of this tick:
+  TickPhase phase = TickPhase::between_ticks;
+  StepConditions conditions;
+  TickBodies bodies;
+  // Tools and memory:
+  BodyFinder finder;
+  Gatherer gatherer;
+  DirectSolver solver;
+  std::vector<IslandCord> island_cords;
+  std::vector<CordReport> reports;
+  std::optional<ErrorProbe> probe;
+  StepWatcher* watcher = nullptr;
+  ParallelFor parallel_for;
+
+  /// Sets the world of the coupling. In another world than before, only the bodies that hold cords are known.
+  void enter(const b2World& world);
+  /// Forgets what is stored for the address of a body that is a new one.
+  void forget_predecessor(const b2Body& body);
+  /// Releases a grip. Returns false if there is none with that id.
+  bool release(GripId grip);
+  /// Releases all grips of a cord.
+  void release_all(CordId cord);
+};
+
+}  // namespace ribbon::box2d

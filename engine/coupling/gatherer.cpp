@@ -1,0 +1,163 @@
+#include "ribbon/box2d/gatherer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <variant>
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/fixture_shapes.h"
+
+namespace ribbon::box2d {
+namespace {
+
+constexpr double direct_margin = 4.0;  // multiples of the distance that a cord of the direct solver moves in a tick
+constexpr double snap = 2.0;  // multiples of the speed of the whole cord if it had all of its elastic energy as kinetic
+
+/// Returns the distance that something moves in dt that falls and has a speed of √speed2, m.
+double distance_in_tick(double speed2, Vec2 gravity, double dt) {
+  return std::sqrt(speed2) * dt + length(gravity) * dt * dt;
+}
+
+/// Returns a box in which a cord stays in a tick in most cases: it contains the points and their targets, with a margin
+/// for the speed of the fastest point, for the fall, and of one spacing for what forces add.
+Box swept_aabb(const ThesisCord& cord, Vec2 gravity, double dt) {
+  Box box{cord.positions()[0], cord.positions()[0]};
+  double speed2 = 0.0;
+  for (std::size_t p = 0; p < cord.positions().size(); ++p) {
+    const Vec2 x = cord.positions()[p];
+    box = joined(box, {x, x});
+    if (cord.kind(static_cast<int>(p)) != PointKind::free) {
+      const Vec2 target = cord.target(static_cast<int>(p));
+      box = joined(box, {target, target});
+    }
+    speed2 = std::max(speed2, dot(cord.velocities()[p], cord.velocities()[p]));
+  }
+  return widened(box, distance_in_tick(speed2, gravity, dt) + cord.mesh().spacing);
+}
+
+/// The same for the direct solver, which uses the same margin itself and enlarges it if it is too small. A cord that
+/// is stretched may become faster than it is now.
+Box swept_aabb(const Cord& cord, Vec2 gravity, double dt) {
+  const Cord::Sweep sweep = cord.sweep();
+  const double snap2 = 2.0 * snap * snap * sweep.elastic / (cord.def().mass_per_length * cord.def().length);
+  const double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), gravity, dt);
+  return widened(sweep.box, distance + cord.rest_length(0) + cord.def().radius);
+}
+
+/// Adds a circle fixture to a cord of the thesis's solver, if it may reach it.
+void add_circle(CoupledCord& cord, const b2Fixture& fixture, int body, const StepConditions& conditions) {
+  const auto& circle = static_cast<const b2CircleShape&>(*fixture.GetShape());
+  const b2Body& owner = *fixture.GetBody();
+  const double dt = conditions.dt;
+  const Vec2 center = to_double(owner.GetWorldPoint(circle.m_p));
+  const auto radius = static_cast<double>(circle.m_radius);
+  const auto speed = static_cast<double>(owner.GetLinearVelocityFromLocalPoint(circle.m_p).Length());
+  const double margin = radius + speed * dt + length(conditions.gravity) * dt * dt;
+  if (!overlap(box_around(center, center, margin), cord.swept_aabb)) return;
+  cord.circles.push_back({body, center - to_double(owner.GetWorldCenter()), radius});
+}
+
+/// Sorts fixtures by number and child, and removes duplicates.
+void sort(std::vector<NearShape>& near) {
+  std::sort(near.begin(), near.end(), [](const NearShape& a, const NearShape& b) {
+    return a.number != b.number ? a.number < b.number : a.child < b.child;
+  });
+  const auto is_same = [](const NearShape& a, const NearShape& b) {
+    return a.number == b.number && a.child == b.child;
+  };
+  near.erase(std::unique(near.begin(), near.end(), is_same), near.end());
+}
+
+/// Sorts by address, for lookup only, and removes duplicates.
+template <typename T>
+void sort_addresses(std::vector<const T*>& addresses) {
+  std::sort(addresses.begin(), addresses.end(), std::less<>());
+  addresses.erase(std::unique(addresses.begin(), addresses.end()), addresses.end());
+}
+
+template <typename T>
+bool contains(const std::vector<const T*>& addresses, const T* address) {
+  return std::binary_search(addresses.begin(), addresses.end(), address, std::less<>());
+}
+
+}  // namespace
+
+void Gatherer::reserve(std::size_t fixtures, std::size_t cords) {
+  near_finder_.reserve(fixtures, cords);
+  looks_.reserve(cords);
+  new_fixtures_.reserve(fixtures);
+  new_bodies_.reserve(fixtures);
+}
+
+void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
+                             const ParallelFor& parallel_for) {
+  looks_.clear();
+  for (CoupledCord& cord : cords) {
+    cord.near.clear();
+    cord.swept_aabb = {};
+    if (!cord.enabled) continue;
+    cord.swept_aabb = std::visit(
+        [&](const auto& of_solver) { return swept_aabb(of_solver, conditions.gravity, conditions.dt); }, cord.cord);
+    looks_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
+  }
+  near_finder_.find(world, looks_, conditions.gravity, conditions.dt, parallel_for);
+  number_new_fixtures(world, cords, fixtures);
+}
+
+void Gatherer::number_new_fixtures(const b2World& world, CordTable& cords, FixtureIds& fixtures) {
+  new_fixtures_.clear();
+  for (CoupledCord& cord : cords) {
+    for (NearShape& shape : cord.near) {
+      shape.number = fixtures.of(*shape.fixture);
+      if (shape.number == 0) new_fixtures_.push_back(shape.fixture);
+    }
+  }
+  if (new_fixtures_.empty()) return;
+  number_in_order(world, fixtures);
+  for (CoupledCord& cord : cords) {
+    for (NearShape& shape : cord.near) {
+      if (shape.number == 0) shape.number = fixtures.of(*shape.fixture);
+    }
+  }
+}
+
+/// Numbers several new fixtures in the order of the world's lists, which depends on when they were created, and neither
+/// on addresses nor on what is far away. The bodies of the world are walked through only if several have new fixtures.
+void Gatherer::number_in_order(const b2World& world, FixtureIds& fixtures) {
+  sort_addresses(new_fixtures_);
+  new_bodies_.clear();
+  for (const b2Fixture* fixture : new_fixtures_) new_bodies_.push_back(fixture->GetBody());
+  sort_addresses(new_bodies_);
+  if (new_bodies_.size() == 1) return number_fixtures_of(*new_bodies_.front(), fixtures);
+  std::size_t left = new_bodies_.size();
+  for (const b2Body* body = world.GetBodyList(); body != nullptr && left > 0; body = body->GetNext()) {
+    if (!contains(new_bodies_, body)) continue;
+    number_fixtures_of(*body, fixtures);
+    --left;
+  }
+}
+
+void Gatherer::number_fixtures_of(const b2Body& body, FixtureIds& fixtures) const {
+  for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) {
+    if (contains(new_fixtures_, f)) fixtures.add(*f);
+  }
+}
+
+void Gatherer::add_shapes_of(CoupledCord& cord, const StepConditions& conditions,
+                             const std::function<int(b2Body&)>& index_of) {
+  std::vector<NearShape>& near = cord.near;
+  sort(near);
+  for (auto first = near.begin(); first != near.end();) {
+    const auto last = std::find_if(first, near.end(), [&](const NearShape& s) { return s.number != first->number; });
+    const int body = index_of(*first->fixture->GetBody());
+    if (cord.is_direct()) {
+      add_shapes({first, last}, body, cord.swept_aabb, cord.circles, cord.segments);
+    } else {
+      add_circle(cord, *first->fixture, body, conditions);
+    }
+    first = last;
+  }
+}
+
+}  // namespace ribbon::box2d

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <functional>
+#include <vector>
+
+#include "ribbon/box2d/coupled_cord.h"
+#include "ribbon/box2d/fixture_ids.h"
+#include "ribbon/box2d/near_finder.h"
+#include "ribbon/box2d/velocity_carry.h"
+#include "ribbon/parallel_for.h"
+
+namespace ribbon::box2d {
+
+/// Finds the environment of each cord in a tick: the circles and edges that it may touch. It stores no state between
+/// ticks, only memory.
+class Gatherer {
+ public:
+  /// Reserves memory for so many fixtures near a cord and for so many cords.
+  void reserve(std::size_t fixtures, std::size_t cords);
+  /// Finds the fixtures that each enabled cord may touch in the tick, and their numbers.
+  void find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
+                     const ParallelFor& parallel_for);
+  /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. `index_of` returns the index of a
+  /// body in the step.
+  static void add_shapes_of(CoupledCord& cord, const StepConditions& conditions,
+                            const std::function<int(b2Body&)>& index_of);
+
+ private:
+  void number_new_fixtures(const b2World& world, CordTable& cords, FixtureIds& fixtures);
+  void number_in_order(const b2World& world, FixtureIds& fixtures);
+  void number_fixtures_of(const b2Body& body, FixtureIds& fixtures) const;
+
+  NearFinder near_finder_;
+  std::vector<Look> looks_;  // of enabled cords
+  // Fixtures without a number yet, and their bodies, sorted by address for lookup only.
+  std::vector<const b2Fixture*> new_fixtures_;
+  std::vector<const b2Body*> new_bodies_;
+};
+
+}  // namespace ribbon::box2d

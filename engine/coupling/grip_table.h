@@ -1,0 +1,77 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "ribbon/box2d/body_finder.h"
+#include "ribbon/box2d/body_identity.h"
+#include "ribbon/box2d/coupled_cord.h"
+#include "ribbon/box2d/coupling_state.h"
+#include "ribbon/box2d/coupling_types.h"
+
+namespace ribbon::box2d {
+
+/// A grip and the body that holds.
+struct BodyGrip : GripMemory {
+  b2Body* body = nullptr;
+  SeenBody seen;
+};
+
+/// Moves a grip to a column of its cord, 0 … columns − 1, at the same row: to the nearest end if the column is beyond
+/// it, and nowhere if it is not a number. Within 1e-9 of a point it is at the point.
+void set_column(GripMemory& grip, double column, int columns, int rows);
+
+/// Throws DefinitionError unless `arc` is on a cord of the direct solver, 0 … its length [m].
+void check_arc(const CoupledCord& cord, double arc);
+
+/// All grips of a coupling, ordered by id.
+class GripTable {
+ public:
+  /// Adds a grip as `def` describes it. Throws CallError or DefinitionError as Coupling::hold does.
+  GripId add(b2Body& body, const GripDef& def, const CoupledCord& cord);
+  /// Removes the grip with that id, which exists.
+  void remove(GripId id);
+  /// Returns a grip, or null if there is none with that id.
+  BodyGrip* find(GripId id);
+  const BodyGrip* find(GripId id) const;
+  /// Returns a grip. Throws CallError if there is none with that id.
+  BodyGrip& at(GripId id);
+  /// Returns the first grip of a body, or null.
+  const BodyGrip* first_of(const b2Body& body) const;
+  /// Returns whether there is a grip of a body that is not this one but had its address.
+  bool has_predecessor(const b2Body& body) const;
+  /// Returns the grips, by id.
+  std::span<const BodyGrip> all() const { return grips_; }
+
+  /// Removes the grips of a body.
+  void forget(const b2Body& body);
+  /// Removes the grips of bodies that no longer exist. O(bodies) if there is a grip.
+  void forget_gone(BodyFinder& finder);
+  /// Removes the grips of bodies that cannot hold: disabled ones and those with values out of range.
+  void drop_unable();
+
+  /// Passes each grip of a body that cords can meet to its cord, for a step of dt seconds. `index_of` returns the index
+  /// of a body in the step.
+  void gather(CordTable& cords, double dt, const std::function<int(b2Body&)>& index_of);
+  /// Reads the forces and positions of the grips after a step.
+  void follow(const CordTable& cords);
+
+  /// Returns the id of the next grip to be added.
+  GripId next() const { return next_; }
+  /// Removes all grips.
+  void clear(GripId next);
+  /// Adds a grip that was saved.
+  void restore(const GripMemory& memory, b2Body& body);
+
+ private:
+  std::vector<BodyGrip> grips_;
+  GripId next_ = 1;
+};
+
+/// Returns the position of a grip along its cord, columns.
+double column_of(const GripMemory& grip, const CoupledCord& cord);
+
+}  // namespace ribbon::box2d

@@ -1,0 +1,113 @@
+#include "ribbon/box2d/handles.h"
+
+#include <utility>
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling_parts.h"
+
+namespace ribbon::box2d {
+
+bool CordView::is_valid() const { return parts_->cords.find(id_) != nullptr; }
+Solver CordView::solver() const { return parts_->cords.at(id_).solver(); }
+CordShape CordView::shape() const { return parts_->cords.at(id_).shape(); }
+const Cord& CordView::direct() const { return parts_->cords.at(id_).direct(); }
+const ThesisCord& CordView::thesis() const { return parts_->cords.at(id_).thesis(); }
+std::span<const Vec2> CordView::positions() const { return parts_->cords.at(id_).positions(); }
+
+PointKind CordView::kind(int point) const {
+  const auto kind_of = [point](const auto& of_solver) {
+    of_solver.check_point(point);
+    return of_solver.kind(point);
+  };
+  return std::visit(kind_of, parts_->cords.at(id_).cord);
+}
+
+bool CordView::is_enabled() const { return parts_->cords.at(id_).enabled; }
+std::uintptr_t CordView::user_data() const { return parts_->cords.at(id_).user_data; }
+std::span<const FixtureTouch> CordView::touching() const { return parts_->cords.at(id_).touching; }
+std::span<const NearShape> CordView::near() const { return parts_->cords.at(id_).near; }
+
+int CordView::near_count() const {
+  const CoupledCord& cord = parts_->cords.at(id_);
+  return static_cast<int>(cord.circles.size() + cord.segments.size());
+}
+
+Box CordView::swept_aabb() const { return parts_->cords.at(id_).swept_aabb; }
+const CordReport& CordView::island_report() const { return parts_->cords.at(id_).island_report; }
+const CordReport& CordView::island_total() const { return parts_->cords.at(id_).island_total; }
+double CordView::error() const { return parts_->cords.at(id_).error; }
+const StepReport& CordView::thesis_report() const { return parts_->cords.at(id_).thesis_report; }
+const StepReport& CordView::thesis_total() const { return parts_->cords.at(id_).thesis_total; }
+
+Cord& CordRef::direct() const { return parts_->cords.at(id()).direct(); }
+ThesisCord& CordRef::thesis() const { return parts_->cords.at(id()).thesis(); }
+
+void CordRef::drag(int point, Vec2 target) const {
+  std::visit([=](auto& of_solver) { of_solver.operate(point, target); }, parts_->cords.at(id()).cord);
+}
+
+void CordRef::pin(int point, Vec2 target) const {
+  std::visit([=](auto& of_solver) { of_solver.constrain(point, target); }, parts_->cords.at(id()).cord);
+}
+
+void CordRef::free(int point) const {
+  std::visit([=](auto& of_solver) { of_solver.release(point); }, parts_->cords.at(id()).cord);
+}
+
+void CordRef::set_enabled(bool enabled) const {
+  CoupledCord& cord = parts_->cords.at(id());
+  cord.enabled = enabled;
+  if (enabled) return;
+  parts_->release_all(id());
+  cord.island_report = {};
+  cord.error = 0.0;
+  cord.thesis_report = {};
+}
+
+void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).user_data = data; }
+
+void CordRef::replace(Cord cord, const b2Filter& filter) const {
+  CoupledCord& old = parts_->cords.at(id());
+  (void)old.direct();  // refuses the other solver
+  parts_->release_all(id());
+  CoupledCord coupled{std::move(cord), filter, id()};
+  coupled.user_data = old.user_data;
+  coupled.reserve();
+  coupled.touching = old.touching;
+  old = std::move(coupled);
+}
+
+bool GripRef::is_valid() const { return parts_->grips.find(id_) != nullptr; }
+
+GripState GripRef::state() const {
+  const BodyGrip& grip = parts_->grips.at(id_);
+  const CoupledCord& cord = parts_->cords.at(grip.cord);
+  return {grip.cord,
+          cord.arc_at(column_of(grip, cord)),
+          cord.position(grip.point, grip.along),
+          grip.pull,
+          grip.slips,
+          grip.point,
+          grip.along};
+}
+
+void GripRef::climb(double arc, double speed) const {
+  BodyGrip& grip = parts_->grips.at(id_);
+  const CoupledCord& cord = parts_->cords.at(grip.cord);
+  const Cord& direct = cord.direct();
+  check_arc(cord, arc);
+  if (!(speed > 0.0)) refuse("speed", speed, "above 0, up to 1e+06");
+  check_range("speed", speed, 0.0, 1e6);
+  grip.climb_to = cord.column_at(arc);
+  grip.climb_speed = speed / direct.rest_length(0);
+}
+
+void GripRef::move_anchor(b2Vec2 local_anchor) const {
+  BodyGrip& grip = parts_->grips.at(id_);
+  check_coordinates("local_anchor", to_double(local_anchor));
+  grip.next_anchor = local_anchor;
+}
+
+bool GripRef::release() const { return parts_->release(id_); }
+
+}  // namespace ribbon::box2d

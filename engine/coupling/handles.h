@@ -1,0 +1,122 @@
+#pragma once
+
+#include <box2d/b2_fixture.h>
+
+#include <cstdint>
+#include <span>
+
+#include "ribbon/box.h"
+#include "ribbon/box2d/coupling_state.h"
+#include "ribbon/box2d/coupling_types.h"
+#include "ribbon/cord.h"
+#include "ribbon/definition.h"
+#include "ribbon/thesis/thesis_cord.h"
+#include "ribbon/vec2.h"
+
+namespace ribbon::box2d {
+
+struct CouplingParts;
+
+/// A cord of a coupling, for reading: a small handle to copy and pass by value. It stays usable while other cords are
+/// added and removed and while the coupling is moved, and must not outlive the coupling. All functions except `id` and
+/// `is_valid` throw CallError if the cord has been removed.
+class CordView {
+ public:
+  /// Returns the handle of a cord; Coupling::cord calls this.
+  CordView(const CouplingParts& parts, CordId id) : parts_(&parts), id_(id) {}
+
+  CordId id() const { return id_; }  ///< of the cord
+  /// Returns whether the cord exists: it has been added and not removed.
+  bool is_valid() const;
+  Solver solver() const;    ///< the solver of the cord
+  CordShape shape() const;  ///< the layout of its points
+  /// Returns the cord of the direct solver. Throws CallError for one of the thesis's solver. The reference is valid
+  /// until the cord is removed or replaced.
+  const Cord& direct() const;
+  /// Returns the cord of the thesis's solver. Throws CallError for one of the direct solver.
+  const ThesisCord& thesis() const;
+  std::span<const Vec2> positions() const;  ///< m, by point
+  /// Returns what determines the motion of a point. Throws DefinitionError for an unknown point.
+  PointKind kind(int point) const;
+  bool is_enabled() const;                         ///< initially true
+  std::uintptr_t user_data() const;                ///< initially 0
+  std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
+  std::span<const NearShape> near() const;         ///< valid until the next gather or the destruction of a fixture
+  /// Returns the number of circles and edges that the cord could have touched in the last tick.
+  int near_count() const;
+  /// Returns the box [m] in which the last gather searched for fixtures; empty if the cord was disabled.
+  Box swept_aabb() const;
+
+  // Of cords of the direct solver:
+  /// Returns the report of the last step of the island that the cord belongs to.
+  const CordReport& island_report() const;
+  /// Returns the sum of these reports since the cord was added.
+  const CordReport& island_total() const;
+  /// Returns the estimated time integration error of the last tick [m], for exact initial values; 0 if errors are not
+  /// estimated.
+  double error() const;
+  // Of cords of the thesis's solver:
+  const StepReport& thesis_report() const;  ///< of the last step
+  const StepReport& thesis_total() const;   ///< the sum since the cord was added
+
+ private:
+  const CouplingParts* parts_;
+  CordId id_;
+};
+
+/// A cord of a coupling, for reading and writing. Change cords between ticks.
+class CordRef : public CordView {
+ public:
+  /// Returns the handle of a cord; Coupling::cord calls this.
+  CordRef(CouplingParts& parts, CordId id) : CordView(parts, id), parts_(&parts) {}
+
+  Cord& direct() const;        ///< see CordView
+  ThesisCord& thesis() const;  ///< see CordView
+  /// Drags a point to `target` [m] in the next tick. Call it in each tick while dragging. Throws DefinitionError for an
+  /// unknown point and for a coordinate beyond ±1e9.
+  void drag(int point, Vec2 target) const;
+  /// Pins a point to `target` [m]. The point moves there in the next tick and then stays. Throws as `drag` does.
+  void pin(int point, Vec2 target) const;
+  /// Frees a dragged or pinned point, which keeps its velocity. Throws DefinitionError for an unknown point.
+  void free(int point) const;
+  /// Enables or disables the cord, like b2Body::SetEnabled. A disabled cord does not move, costs nothing, touches
+  /// nothing and is not found by queries. Bodies that held it release it, and its contacts end in the next step.
+  void set_enabled(bool enabled) const;
+  /// Stores a number of yours, such as an index or a pointer. It is not part of the state that Coupling::save returns.
+  void set_user_data(std::uintptr_t data) const;
+  /// Replaces a cord of the direct solver. The id and the user data stay. Bodies that held the old cord release it, and
+  /// its reports are reset. What touched the old cord and does not touch the new one gets an end event in the next
+  /// step. Throws CallError, and changes nothing, for a cord of the thesis's solver.
+  void replace(Cord cord, const b2Filter& filter = {}) const;
+
+ private:
+  CouplingParts* parts_;
+};
+
+/// A grip of a coupling: a small handle, with the same rules as CordView. A grip ends when it is released, when it
+/// gives way (GripDef::lets_go), and when its body or its cord is gone.
+class GripRef {
+ public:
+  /// Returns the handle of a grip; Coupling::grip calls this.
+  GripRef(CouplingParts& parts, GripId id) : parts_(&parts), id_(id) {}
+
+  GripId id() const { return id_; }  ///< of the grip
+  /// Returns whether the grip exists.
+  bool is_valid() const;
+  /// Returns the state of the grip.
+  GripState state() const;
+  /// Moves the grip along a cord of the direct solver to `arc` [m] at `speed` [m of rest length per second, above 0],
+  /// so that the body climbs. Throws DefinitionError for values out of range, and CallError for the thesis's solver.
+  void climb(double arc, double speed) const;
+  /// Moves the anchor in the body's frame, at constant velocity during the next tick. Throws DefinitionError for a
+  /// coordinate beyond ±1e9.
+  void move_anchor(b2Vec2 local_anchor) const;
+  /// Releases the cord. Returns false if the grip did not exist. Its body may be destroyed already. O(bodies).
+  bool release() const;
+
+ private:
+  CouplingParts* parts_;
+  GripId id_;
+};
+
+}  // namespace ribbon::box2d

@@ -1,0 +1,86 @@
+#include "ribbon/box2d/touch_tracker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ribbon/box2d/fixture_shapes.h"
+
+namespace ribbon::box2d {
+namespace {
+
+/// Adds the contacts of a cord, one entry per fixture, by its number.
+void add_touches(const Cord& cord, std::vector<FixtureTouch>& touching) {
+  for (const Touch& touch : cord.touches()) {
+    const std::uint64_t fixture = fixture_of(touch.other);
+    if (fixture == 0) continue;
+    const auto place = std::lower_bound(touching.begin(), touching.end(), fixture,
+                                        [](const FixtureTouch& a, std::uint64_t b) { return a.fixture < b; });
+    if (place == touching.end() || place->fixture != fixture) {
+      touching.insert(place, {fixture, touch.impulse, touch.impulse, touch.point, touch.normal});
+      continue;
+    }
+    place->impulse += touch.impulse;
+    if (touch.impulse <= place->most) continue;
+    place->most = touch.impulse;
+    place->point = touch.point;
+    place->normal = touch.normal;
+  }
+}
+
+bool contains(std::span<const FixtureTouch> touches, std::uint64_t fixture) {
+  return std::any_of(touches.begin(), touches.end(),
+                     [fixture](const FixtureTouch& touch) { return touch.fixture == fixture; });
+}
+
+}  // namespace
+
+void TouchTracker::find_events(CordTable& cords, const FixtureIds& fixtures) {
+  events_.clear();
+  for (const EndingTouch& ending : ending_) report(ending.cord, false, ending.touch, fixtures);
+  ending_.clear();
+  for (CoupledCord& cord : cords) {
+    if (!cord.is_direct()) continue;
+    cord.touched.swap(cord.touching);
+    cord.touching.clear();
+    if (cord.enabled) add_touches(cord.direct(), cord.touching);
+    report_missing(cord.id, false, cord.touched, cord.touching, fixtures);
+    report_missing(cord.id, true, cord.touching, cord.touched, fixtures);
+  }
+  if (events_.empty()) return;
+  const auto by_cord = [](const TouchEvent& a, const TouchEvent& b) { return a.cord < b.cord; };
+  if (!std::is_sorted(events_.begin(), events_.end(), by_cord)) {
+    std::stable_sort(events_.begin(), events_.end(), by_cord);
+  }
+}
+
+void TouchTracker::report_missing(CordId cord, bool begins, std::span<const FixtureTouch> all,
+                                  std::span<const FixtureTouch> in, const FixtureIds& fixtures) {
+  for (const FixtureTouch& touch : all) {
+    if (!contains(in, touch.fixture)) report(cord, begins, touch, fixtures);
+  }
+}
+
+void TouchTracker::report(CordId cord, bool begins, const FixtureTouch& touch, const FixtureIds& fixtures) {
+  const b2Fixture* const fixture = fixtures.fixture(touch.fixture);
+  events_.push_back({cord, begins, fixture, begins ? touch.impulse : 0.0, touch.point, touch.normal,
+                     fixture != nullptr ? touch.fixture : 0});
+}
+
+void TouchTracker::end_all(const CoupledCord& cord) {
+  for (const FixtureTouch& touch : cord.touching) ending_.push_back({cord.id, touch});
+}
+
+void TouchTracker::forget(const b2Fixture& fixture) {
+  for (TouchEvent& event : events_) {
+    if (event.fixture != &fixture) continue;
+    event.fixture = nullptr;
+    event.number = 0;
+  }
+}
+
+void TouchTracker::restore(std::vector<TouchEvent> events, std::vector<EndingTouch> ending) {
+  events_ = std::move(events);
+  ending_ = std::move(ending);
+}
+
+}  // namespace ribbon::box2d
