@@ -1,5 +1,6 @@
 #include "ribbon/box2d/coupled_cord.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -130,8 +131,7 @@ CoupledCord* CordTable::find(CordId id) { return const_cast<CoupledCord*>(std::a
 
 const CoupledCord& CordTable::at(CordId id) const {
   if (const CoupledCord* found = find(id)) return *found;
-  throw CallError("cord is " + std::to_string(id) + "; accepted is the id of one of the " + std::to_string(size()) +
-                  " cords that were added and not removed");
+  throw CallError("cord is " + std::to_string(id) + "; accepted is the id of a cord that was added and not removed");
 }
 
 CoupledCord& CordTable::at(CordId id) { return const_cast<CoupledCord&>(std::as_const(*this).at(id)); }

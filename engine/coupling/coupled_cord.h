@@ -2,7 +2,7 @@
 
 #include <box2d/b2_fixture.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,8 +18,7 @@
 
 namespace ribbon::box2d {
 
-/// A cord of a coupling: the object of its solver, its reports, and its environment in this tick. Only the functions of
-/// this struct distinguish the two solvers where a user need not.
+/// A cord of a coupling: the object of its solver, its reports, and its environment in this tick.
 struct CoupledCord {
   std::variant<ThesisCord, Cord> cord;
   b2Filter filter;

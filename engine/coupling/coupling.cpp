@@ -15,8 +15,21 @@ void check_unlocked(const b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
 }
 
-/// Returns the id by which the direct solver knows a cord. The ids of fixtures are far below.
-std::uint64_t solver_id(CordId cord) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(cord); }
+void wake(const b2Fixture& fixture) { const_cast<b2Body*>(fixture.GetBody())->SetAwake(true); }
+
+/// Wakes the bodies that touched a cord which was disabled or removed since the last step. They may be near other
+/// cords.
+void wake_what_touched_cords_that_are_gone(const CouplingParts& parts) {
+  const auto wake_body = [&parts](const FixtureTouch& touch) {
+    const FixtureIds::Known* const known = parts.fixtures.known(touch.fixture);
+    if (known != nullptr && known->seen) wake(*known->seen_as.fixture);
+  };
+  for (const CoupledCord& cord : parts.cords) {
+    if (cord.enabled) continue;
+    for (const FixtureTouch& touch : cord.touching) wake_body(touch);
+  }
+  for (const EndingTouch& ending : parts.touches.ending()) wake_body(ending.touch);
+}
 
 /// Wakes sleeping bodies whose contact with a cord is over because the fixture has moved away, as Box2D does where one
 /// of its contacts ends. `touch` is a contact of the last step.
@@ -84,7 +97,7 @@ CordId Coupling::add(CoupledCord cord) {
 
 void Coupling::remove(CordId cord) {
   parts_->touches.end_all(parts_->cords.at(cord));
-  parts_->release_all(cord);
+  parts_->detach(cord);
   parts_->cords.remove(cord);
 }
 
@@ -93,9 +106,10 @@ std::span<const CordId> Coupling::cords() const { return parts_->cords.ids(); }
 GripId Coupling::hold(b2Body& body, const GripDef& def) {
   const CoupledCord& cord = parts_->cords.enabled(def.cord);
   check_unlocked(*body.GetWorld());
+  const BodyGrip grip = parts_->grips.make(body, def, cord);
   parts_->enter(*body.GetWorld());
   parts_->forget_predecessor(body);
-  return parts_->grips.add(body, def, cord);
+  return parts_->grips.add(grip);
 }
 
 GripId Coupling::hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor) {
@@ -137,6 +151,7 @@ void Coupling::gather(b2World& world, double dt) {
   check_unlocked(world);
   if (parts.phase == TickPhase::stepped) throw CallError("gather follows step; accepted is gather, step, apply");
   check_step(dt, to_double(world.GetGravity()));
+  parts.phase = TickPhase::between_ticks;
   parts.conditions = {to_double(world.GetGravity()), dt};
   parts.bodies.clear();
   parts.fixtures.begin_tick();
@@ -144,6 +159,7 @@ void Coupling::gather(b2World& world, double dt) {
   if (!parts.finder.trusts_forget()) parts.grips.forget_gone(parts.finder);
   parts.grips.drop_unable();
   parts.gatherer.find_fixtures(world, parts.conditions, parts.cords, parts.fixtures, parts.parallel_for);
+  wake_what_touched_cords_that_are_gone(parts);
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
   for (CoupledCord& cord : parts.cords) {
     cord.clear_environment();
@@ -167,6 +183,7 @@ void Coupling::step() {
   if (parts_->phase != TickPhase::gathered) {
     throw CallError("step does not follow gather; accepted is gather, step, apply");
   }
+  parts_->phase = TickPhase::between_ticks;  // also if something throws
   step_thesis();
   step_direct();
   parts_->grips.follow(parts_->cords);

@@ -67,6 +67,7 @@ struct CoupledCord;
 class Coupling {
  public:
   Coupling();
+  // A coupling that was moved from can only be destroyed or assigned to. Handles follow the cords to the new object.
   Coupling(Coupling&& other) noexcept;
   Coupling& operator=(Coupling&& other) noexcept;
   ~Coupling();
@@ -89,13 +90,17 @@ class Coupling {
   int size() const { return static_cast<int>(cords().size()); }
 
   /// Makes a body hold a cord, in addition to its other grips. Throws CallError for a cord that is unknown or disabled,
-  /// a place that the body holds already, and inside world.Step; DefinitionError for a value out of range.
+  /// a place that the body holds already, inside world.Step, and for a cord of the thesis's solver unless the grip is
+  /// at a point and of infinite strength; DefinitionError for a value out of range.
   GripId hold(b2Body& body, const GripDef& def);
   /// Makes a body hold a point of a cord of either solver at an anchor in the body's frame: a short form. Start with an
-  /// anchor at the point; a distant point is pulled to the anchor with great force, over several ticks.
+  /// anchor at the point; a distant point is pulled to the anchor with great force, over several ticks. Throws
+  /// likewise.
   GripId hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor);
   /// Returns the handle of a grip, existing or not.
-  GripRef grip(GripId grip) const { return {*parts_, grip}; }
+  GripRef grip(GripId grip) { return {*parts_, grip}; }
+  /// Returns the handle of a grip for reading.
+  GripView grip(GripId grip) const { return {*parts_, grip}; }
   /// Releases all grips of a body. Body and cords keep their velocities. Returns false if the body held nothing.
   bool release(b2Body& body);
   /// Returns the first grip of a body, or nothing if it holds nothing.
@@ -107,8 +112,9 @@ class Coupling {
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
   /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick. Ignores
   /// sensors, disabled bodies, dynamic bodies without mass, and bodies whose position or velocity is not finite or
-  /// beyond ±1e9 (m, m/s). A second call discards the first. Throws CallError for a locked world and between step and
-  /// apply; DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
+  /// beyond ±1e9 (m, m/s). A second call replaces the result of the first, for measurements: bodies that Box2D pushes,
+  /// and contacts that end, may take the tick a little differently then. Throws CallError for a locked world and
+  /// between step and apply; DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
   /// bodies as the ones before it left them. Do not change the world between gather and apply. Throws CallError without
@@ -134,8 +140,8 @@ class Coupling {
   /// Sets an object whose functions are called before and after each step of the direct solver, or null for none. It
   /// must outlive the steps. It is not part of the state, and costs nothing if it is null.
   void watch(StepWatcher* watcher);
-  /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord and fixture. Valid
-  /// until the next gather.
+  /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
+  /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
   std::span<const TouchEvent> touch_events() const;
   /// Returns the fixture with a number from CordView::touching, or null if it was destroyed before the last gather or
   /// with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next function.
@@ -143,7 +149,7 @@ class Coupling {
   /// Returns the fixture with that number if it is still in its world, else null. O(bodies + fixtures).
   const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;
   /// Returns the momentary velocity of a body's centre of mass, m/s. It differs from Box2D's for bodies that the solver
-  /// moves; see above. O(log bodies).
+  /// moves; see above. O(log bodies + contacts of the body).
   Vec2 velocity(const b2Body& body) const;
   /// Returns the momentary angular velocity of a body, rad/s.
   double angular_velocity(const b2Body& body) const;
@@ -154,10 +160,11 @@ class Coupling {
   /// Returns the nearest place on an enabled cord other than `except`, also between two points; for cords of the
   /// thesis's solver, the nearest point.
   std::optional<CordPoint> nearest_place(Vec2 position, double reach, std::optional<CordId> except = {}) const;
-  /// Returns the position of a place, m. Throws CallError for an unknown cord.
+  /// Returns the position of a place, m. Throws CallError for an unknown cord, DefinitionError for a point that it does
+  /// not have.
   Vec2 position(const CordPoint& place) const;
-  /// Returns the rest length of a cord of the direct solver from its first column to a place, m. Throws CallError for
-  /// an unknown cord.
+  /// Returns the rest length of a cord of the direct solver from its first column to a place, m. Throws as position
+  /// does.
   double arc(const CordPoint& place) const;
 
   /// Releases what a body holds and destroys it. Use it for bodies that hold or touch cords. (Otherwise the next gather
@@ -174,13 +181,15 @@ class Coupling {
 
   /// The state that save returns and restore takes.
   using State = CouplingState;
-  /// Returns the state between an apply and the next gather. `world` is the world of the coupling. Grips of destroyed
-  /// bodies are left out. The state does not contain the bodies of Box2D: restore their positions and velocities
-  /// yourself. (The contacts that Box2D stores cannot be restored.)
+  /// Returns the state between an apply and the next gather; inside a tick, a state from which other ticks follow.
+  /// `world` is the world of the coupling. Grips of destroyed bodies are left out. The state does not contain the
+  /// bodies of Box2D: restore their positions and velocities yourself. (The contacts that Box2D stores cannot be
+  /// restored.)
   State save(const b2World& world) const;
   /// Continues from a saved state, with the same bits if the bodies have the same state too. `world` may be another
   /// world that was built in the same way, with the same numbers of bodies and fixtures in the same order. A gather
-  /// without its apply is discarded. Throws DefinitionError, and changes nothing, for a state of other cords or of
+  /// without its apply is discarded. The next ids are those of the state again, so drop ids that were issued since.
+  /// Throws DefinitionError, and changes nothing, for a state of other cords or of
   /// another world and a value out of range; CallError for a locked world.
   void restore(const State& state, b2World& world);
 

@@ -1,5 +1,7 @@
 #include "ribbon/box2d/coupling_parts.h"
 
+#include <algorithm>
+
 namespace ribbon::box2d {
 
 void CouplingParts::enter(const b2World& world) {
@@ -27,13 +29,20 @@ bool CouplingParts::release(GripId grip) {
   return true;
 }
 
-void CouplingParts::release_all(CordId cord) {
+void CouplingParts::detach(CordId cord) {
   for (std::size_t k = 0; k < grips.all().size();) {
     if (grips.all()[k].cord == cord) {
       release(grips.all()[k].id);
     } else {
       ++k;
     }
+  }
+  for (CoupledCord& other : cords) {
+    if (!other.is_direct() || other.id == cord) continue;
+    const auto touched = other.direct().touches();
+    const bool is_touched = std::any_of(touched.begin(), touched.end(),
+                                        [cord](const Touch& touch) { return touch.other == solver_id(cord); });
+    if (is_touched) other.direct().wake();
   }
 }
 

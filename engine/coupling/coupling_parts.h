@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -49,8 +50,11 @@ struct CouplingParts {
   void forget_predecessor(const b2Body& body);
   /// Releases a grip. Returns false if there is none with that id.
   bool release(GripId grip);
-  /// Releases all grips of a cord.
-  void release_all(CordId cord);
+  /// Releases all grips of a cord that is about to be disabled, replaced or removed, and wakes the cords that touch it.
+  void detach(CordId cord);
 };
+
+/// Returns the id by which the direct solver knows a cord. The ids of fixtures are far below.
+inline std::uint64_t solver_id(CordId cord) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(cord); }
 
 }  // namespace ribbon::box2d

@@ -3,7 +3,7 @@
 #include "ribbon/box2d/coupling_state.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,6 +16,7 @@ namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 constexpr double most_single = 1e30;  // limit of values that become single precision
+constexpr double most_ids = 1e9;      // of cords or grips that were ever added
 constexpr double most_number = 1e12;  // limit of fixture numbers: ids of their corners must fit into 63 bits
 
 std::vector<b2Body*> bodies_of(b2Body* newest) {
@@ -107,7 +108,7 @@ void check_cords(const CouplingState& state, const CordTable& cords) {
     throw DefinitionError("state is of " + std::to_string(state.cords.size()) + " cords; accepted is one of " +
                           std::to_string(cords.size()));
   }
-  check_range("state.next_cord", state.next_cord, 0, std::numeric_limits<int>::max());
+  check_range("state.next_cord", state.next_cord, 0, most_ids);
   auto saved = state.cords.begin();
   for (const CoupledCord& cord : cords) {
     const CouplingState::Cord& from = *saved++;
@@ -131,7 +132,7 @@ void check_cords(const CouplingState& state, const CordTable& cords) {
 }
 
 void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords) {
-  check_range("state.next_grip", state.next_grip, 1, std::numeric_limits<int>::max());
+  check_range("state.next_grip", state.next_grip, 1, most_ids);
   for (const CouplingState::Grip& grip : state.grips) {
     check_body("state.grips.body", grip.body, bodies);
     const auto held = std::find_if(state.cords.begin(), state.cords.end(),

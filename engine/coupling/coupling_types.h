@@ -13,7 +13,8 @@
 
 namespace ribbon::box2d {
 
-/// Id of a cord in its coupling: 0, 1, 2 … in the order of adding. Ids are never reused.
+/// Id of a cord in its coupling: 0, 1, 2 … in the order of adding. Ids are never reused,
+/// except that Coupling::restore goes back to the next id of the state.
 using CordId = int;
 
 /// The two solvers.
@@ -40,7 +41,7 @@ struct CordPoint {
   double along = 0.0;     ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// Id of a grip in its coupling: 1, 2, 3 … Ids are never reused.
+/// Id of a grip in its coupling: 1, 2, 3 … The same holds for it.
 using GripId = int;
 
 /// Defines how a body holds a cord.
@@ -49,7 +50,7 @@ struct GripDef {
   double arc = 0.0;                 ///< m of rest length from the first point, 0 … length of the cord
   int row = 0;                      ///< row of a ribbon
   b2Vec2 local_anchor{0.0F, 0.0F};  ///< m, anchor in the body's frame
-  /// N, force along the cord above which the grip of a dynamic body slips.
+  /// N, force along the cord above which the grip of a dynamic body slips. Infinite for the thesis's solver.
   double strength = std::numeric_limits<double>::infinity();
   bool lets_go = false;  ///< the grip is released above its strength, in any direction, instead of slipping
   /// Index of a point to hold, in place of `arc` and `row`. A cord of the thesis's solver is held at points only.
@@ -71,7 +72,7 @@ struct GripState {
 struct NearShape {
   b2Fixture* fixture;        ///< belongs to an enabled body; not a sensor
   int child;                 ///< index of the child shape
-  double way;                ///< m, upper bound of its displacement in the tick
+  double travel;             ///< m, upper bound of its displacement in the tick
   std::uint64_t number = 0;  ///< number of the fixture
 };
 

@@ -7,16 +7,15 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr std::uint64_t most_features = 1U << 20U;  // of a fixture; a chain's vertices are fewer
+constexpr std::uint64_t max_features = 1U << 20U;  // of a fixture; a chain has less than half as many vertices
 
-/// 0 … most; 0 for what is no number. Box2D takes anything.
-double within(float value, double most) { return value > 0.0F ? std::min(static_cast<double>(value), most) : 0.0; }
+/// Limits a value to 0 … max; NaN becomes 0. Box2D accepts any value.
+double within(float value, double max) { return value > 0.0F ? std::min(static_cast<double>(value), max) : 0.0; }
 
 /// The corners and edges of one fixture.
 class Outline {
  public:
-  Outline(const b2Fixture& fixture, int body, std::uint64_t id, const Box& reach)
-      : body_(body), id_(id), reach_(reach) {
+  Outline(const b2Fixture& fixture, int body, std::uint64_t id, const Box& box) : body_(body), id_(id), box_(box) {
     const b2Body& owner = *fixture.GetBody();
     transform_ = owner.GetTransform();
     center_ = to_double(owner.GetWorldCenter());
@@ -27,8 +26,8 @@ class Outline {
   void add_corner(b2Vec2 local, float radius, std::uint64_t feature, std::vector<RigidCircle>& circles) const {
     const Vec2 x = to_double(b2Mul(transform_, local));
     const double r = static_cast<double>(radius);
-    if (!overlap({x - Vec2{r, r}, x + Vec2{r, r}}, reach_)) return;
-    circles.push_back({body_, x - center_, r, friction_, restitution_, id_ * most_features + 2 * feature});
+    if (!overlap({x - Vec2{r, r}, x + Vec2{r, r}}, box_)) return;
+    circles.push_back({body_, x - center_, r, friction_, restitution_, id_ * max_features + 2 * feature});
   }
 
   void add_edge(b2Vec2 local_a, b2Vec2 local_b, float radius, std::uint64_t feature,
@@ -38,15 +37,15 @@ class Outline {
     const double r = static_cast<double>(radius);
     const Vec2 low{std::min(a.x, b.x) - r, std::min(a.y, b.y) - r};
     const Vec2 high{std::max(a.x, b.x) + r, std::max(a.y, b.y) + r};
-    if (!overlap({low, high}, reach_)) return;
+    if (!overlap({low, high}, box_)) return;
     segments.push_back(
-        {body_, a - center_, b - center_, r, friction_, restitution_, id_ * most_features + 2 * feature + 1});
+        {body_, a - center_, b - center_, r, friction_, restitution_, id_ * max_features + 2 * feature + 1});
   }
 
  private:
   int body_;
   std::uint64_t id_;
-  Box reach_;
+  Box box_;
   b2Transform transform_;
   Vec2 center_;
   double friction_;
@@ -55,16 +54,16 @@ class Outline {
 
 }  // namespace
 
-std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / most_features; }
+std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / max_features; }
 
-void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, std::vector<RigidCircle>& circles,
+void add_shapes(std::span<const NearShape> parts, int body, const Box& swept_aabb, std::vector<RigidCircle>& circles,
                 std::vector<RigidSegment>& segments) {
   const NearShape& first = parts.front();
   const b2Fixture& fixture = *first.fixture;
   const b2Shape* shape = fixture.GetShape();
-  double way = 0.0;
-  for (const NearShape& part : parts) way = std::max(way, part.way);
-  const Outline outline(fixture, body, first.number, widened(reach, way));
+  double travel = 0.0;
+  for (const NearShape& part : parts) travel = std::max(travel, part.travel);
+  const Outline outline(fixture, body, first.number, widened(swept_aabb, travel));
   const auto add_line = [&](const b2Vec2* vertices, int count, bool closed) {
     for (int k = 0; k < count; ++k) {
       const auto feature = static_cast<std::uint64_t>(k);
@@ -90,7 +89,7 @@ void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, st
       break;
     }
     case b2Shape::e_chain: {
-      // A loop's last vertex is its first once more: a corner more where there is one already.
+      // The last vertex of a loop is its first one again. The second corner there does no harm.
       const auto& chain = static_cast<const b2ChainShape&>(*shape);
       int next_corner = 0;
       for (const NearShape& part : parts) {

@@ -12,13 +12,14 @@
 
 namespace ribbon::box2d {
 
-/// Parts of a fixture as a cord of the direct solver sees them: a circle as such, an edge or polygon as its edges, and
-/// its corners as circles of the same radius; of a chain the edges of these children, which rise. Adds what overlaps
-/// the `reach` of the cord [m] widened by each part's way; `body` is the index of the fixture's body.
-void add_shapes(std::span<const NearShape> parts, int body, const Box& reach, std::vector<RigidCircle>& circles,
+/// Adds the parts of a fixture that a cord of the direct solver may touch: a circle as a circle; an edge or a polygon
+/// as its edges, with its corners as circles of the same radius; of a chain the edges of the given children, which are
+/// ascending. Parts that do not overlap `swept_aabb` [m], enlarged by the travel of the fixture, are left out. `body`
+/// is the index of the body in the step.
+void add_shapes(std::span<const NearShape> parts, int body, const Box& swept_aabb, std::vector<RigidCircle>& circles,
                 std::vector<RigidSegment>& segments);
 
-/// The id of the fixture that a touch is with, 0 for another cord.
+/// Returns the number of the fixture that a contact is with, or 0 for another cord.
 std::uint64_t fixture_of(std::uint64_t touched);
 
 }  // namespace ribbon::box2d

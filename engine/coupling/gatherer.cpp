@@ -85,23 +85,23 @@ bool contains(const std::vector<const T*>& addresses, const T* address) {
 
 void Gatherer::reserve(std::size_t fixtures, std::size_t cords) {
   near_finder_.reserve(fixtures, cords);
-  looks_.reserve(cords);
+  queries_.reserve(cords);
   new_fixtures_.reserve(fixtures);
   new_bodies_.reserve(fixtures);
 }
 
 void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
                              const ParallelFor& parallel_for) {
-  looks_.clear();
+  queries_.clear();
   for (CoupledCord& cord : cords) {
     cord.near.clear();
     cord.swept_aabb = {};
     if (!cord.enabled) continue;
     cord.swept_aabb = std::visit(
         [&](const auto& of_solver) { return swept_aabb(of_solver, conditions.gravity, conditions.dt); }, cord.cord);
-    looks_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
+    queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
   }
-  near_finder_.find(world, looks_, conditions.gravity, conditions.dt, parallel_for);
+  near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
   number_new_fixtures(world, cords, fixtures);
 }
 

@@ -33,7 +33,7 @@ class Gatherer {
   void number_fixtures_of(const b2Body& body, FixtureIds& fixtures) const;
 
   NearFinder near_finder_;
-  std::vector<Look> looks_;  // of enabled cords
+  std::vector<NearQuery> queries_;  // of enabled cords
   // Fixtures without a number yet, and their bodies, sorted by address for lookup only.
   std::vector<const b2Fixture*> new_fixtures_;
   std::vector<const b2Body*> new_bodies_;

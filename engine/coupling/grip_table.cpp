@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -92,7 +93,7 @@ double column_of(const GripMemory& grip, const CoupledCord& cord) {
   return whole + grip.along;
 }
 
-GripId GripTable::add(b2Body& body, const GripDef& def, const CoupledCord& cord) {
+BodyGrip GripTable::make(b2Body& body, const GripDef& def, const CoupledCord& cord) const {
   if (!cord.is_direct() && (!def.point || def.strength != std::numeric_limits<double>::infinity())) {
     throw CallError("cord " + std::to_string(cord.id) +
                     " is of the thesis solver; accepted is a grip at a point, with infinite strength");
@@ -106,12 +107,16 @@ GripId GripTable::add(b2Body& body, const GripDef& def, const CoupledCord& cord)
   set_place(grip, def, cord);
   for (const BodyGrip& other : grips_) {
     const bool same_row = (other.point - grip.point) % cord.shape().rows == 0;
-    if (other.body != &body || other.cord != cord.id || !same_row) continue;
+    if (other.body != &body || !other.seen.is(body) || other.cord != cord.id || !same_row) continue;
     if (std::abs(column_of(other, cord) - column_of(grip, cord)) > same_place) continue;
     throw CallError("the body holds cord " + std::to_string(cord.id) + " at point " + std::to_string(other.point) +
                     " already, by grip " + std::to_string(other.id) +
                     "; accepted is another place, or a move of that grip");
   }
+  return grip;
+}
+
+GripId GripTable::add(const BodyGrip& grip) {
   grips_.push_back(grip);
   return next_++;
 }
@@ -126,8 +131,10 @@ const BodyGrip* GripTable::find(GripId id) const {
 
 BodyGrip* GripTable::find(GripId id) { return const_cast<BodyGrip*>(std::as_const(*this).find(id)); }
 
-BodyGrip& GripTable::at(GripId id) {
-  if (BodyGrip* const found = find(id)) return *found;
+BodyGrip& GripTable::at(GripId id) { return const_cast<BodyGrip&>(std::as_const(*this).at(id)); }
+
+const BodyGrip& GripTable::at(GripId id) const {
+  if (const BodyGrip* const found = find(id)) return *found;
   throw CallError("grip is " + std::to_string(id) + "; accepted is the id of one that has not been released");
 }
 
@@ -175,11 +182,11 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     grip.strength = held.strength;
     cord.grips.push_back(grip);
     cord.grip_ids.push_back(held.id);
-    held.local_anchor = held.next_anchor;
   }
 }
 
 void GripTable::follow(const CordTable& cords) {
+  for (BodyGrip& grip : grips_) grip.local_anchor = grip.next_anchor;
   for (const CoupledCord& cord : cords) {
     if (!cord.is_direct()) continue;
     for (std::size_t k = 0; k < cord.grips.size(); ++k) {

@@ -30,8 +30,11 @@ void check_arc(const CoupledCord& cord, double arc);
 /// All grips of a coupling, ordered by id.
 class GripTable {
  public:
-  /// Adds a grip as `def` describes it. Throws CallError or DefinitionError as Coupling::hold does.
-  GripId add(b2Body& body, const GripDef& def, const CoupledCord& cord);
+  /// Returns a grip as `def` describes it, with the next id. Throws CallError or DefinitionError as Coupling::hold
+  /// does.
+  BodyGrip make(b2Body& body, const GripDef& def, const CoupledCord& cord) const;
+  /// Adds a grip that make returned.
+  GripId add(const BodyGrip& grip);
   /// Removes the grip with that id, which exists.
   void remove(GripId id);
   /// Returns a grip, or null if there is none with that id.
@@ -39,6 +42,7 @@ class GripTable {
   const BodyGrip* find(GripId id) const;
   /// Returns a grip. Throws CallError if there is none with that id.
   BodyGrip& at(GripId id);
+  const BodyGrip& at(GripId id) const;
   /// Returns the first grip of a body, or null.
   const BodyGrip* first_of(const b2Body& body) const;
   /// Returns whether there is a grip of a body that is not this one but had its address.

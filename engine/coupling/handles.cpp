@@ -58,7 +58,7 @@ void CordRef::set_enabled(bool enabled) const {
   CoupledCord& cord = parts_->cords.at(id());
   cord.enabled = enabled;
   if (enabled) return;
-  parts_->release_all(id());
+  parts_->detach(id());
   cord.island_report = {};
   cord.error = 0.0;
   cord.thesis_report = {};
@@ -69,7 +69,7 @@ void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).
 void CordRef::replace(Cord cord, const b2Filter& filter) const {
   CoupledCord& old = parts_->cords.at(id());
   (void)old.direct();  // refuses the other solver
-  parts_->release_all(id());
+  parts_->detach(id());
   CoupledCord coupled{std::move(cord), filter, id()};
   coupled.user_data = old.user_data;
   coupled.reserve();
@@ -77,9 +77,9 @@ void CordRef::replace(Cord cord, const b2Filter& filter) const {
   old = std::move(coupled);
 }
 
-bool GripRef::is_valid() const { return parts_->grips.find(id_) != nullptr; }
+bool GripView::is_valid() const { return parts_->grips.find(id_) != nullptr; }
 
-GripState GripRef::state() const {
+GripState GripView::state() const {
   const BodyGrip& grip = parts_->grips.at(id_);
   const CoupledCord& cord = parts_->cords.at(grip.cord);
   return {grip.cord,
@@ -92,7 +92,7 @@ GripState GripRef::state() const {
 }
 
 void GripRef::climb(double arc, double speed) const {
-  BodyGrip& grip = parts_->grips.at(id_);
+  BodyGrip& grip = parts_->grips.at(id());
   const CoupledCord& cord = parts_->cords.at(grip.cord);
   const Cord& direct = cord.direct();
   check_arc(cord, arc);
@@ -103,11 +103,11 @@ void GripRef::climb(double arc, double speed) const {
 }
 
 void GripRef::move_anchor(b2Vec2 local_anchor) const {
-  BodyGrip& grip = parts_->grips.at(id_);
+  BodyGrip& grip = parts_->grips.at(id());
   check_coordinates("local_anchor", to_double(local_anchor));
   grip.next_anchor = local_anchor;
 }
 
-bool GripRef::release() const { return parts_->release(id_); }
+bool GripRef::release() const { return parts_->release(id()); }
 
 }  // namespace ribbon::box2d

@@ -18,8 +18,9 @@ namespace ribbon::box2d {
 struct CouplingParts;
 
 /// A cord of a coupling, for reading: a small handle to copy and pass by value. It stays usable while other cords are
-/// added and removed and while the coupling is moved, and must not outlive the coupling. All functions except `id` and
-/// `is_valid` throw CallError if the cord has been removed.
+/// added and removed and while the coupling is moved, and must not outlive the coupling, nor its cords, which another
+/// coupling replaces that is assigned to it. Spans and references are valid until the next step, replace or remove. All
+/// functions except `id` and `is_valid` throw CallError if the cord has been removed.
 class CordView {
  public:
   /// Returns the handle of a cord; Coupling::cord calls this.
@@ -84,39 +85,51 @@ class CordRef : public CordView {
   void set_enabled(bool enabled) const;
   /// Stores a number of yours, such as an index or a pointer. It is not part of the state that Coupling::save returns.
   void set_user_data(std::uintptr_t data) const;
-  /// Replaces a cord of the direct solver. The id and the user data stay. Bodies that held the old cord release it, and
-  /// its reports are reset. What touched the old cord and does not touch the new one gets an end event in the next
-  /// step. Throws CallError, and changes nothing, for a cord of the thesis's solver.
+  /// Replaces a cord of the direct solver, and enables it. The id and the user data stay. Bodies that held the old cord
+  /// release it, and its reports are reset. What touched the old cord and does not touch the new one gets an end event
+  /// in the next step. Throws CallError, and changes nothing, for a cord of the thesis's solver.
   void replace(Cord cord, const b2Filter& filter = {}) const;
 
  private:
   CouplingParts* parts_;
 };
 
-/// A grip of a coupling: a small handle, with the same rules as CordView. A grip ends when it is released, when it
-/// gives way (GripDef::lets_go), and when its body or its cord is gone.
-class GripRef {
+/// A grip of a coupling, for reading: a small handle like CordView. A grip ends when it is released, when it gives way
+/// (GripDef::lets_go), and when its body or its cord is gone. Then all functions except `id`, `is_valid` and
+/// GripRef::release throw CallError.
+class GripView {
  public:
   /// Returns the handle of a grip; Coupling::grip calls this.
-  GripRef(CouplingParts& parts, GripId id) : parts_(&parts), id_(id) {}
+  GripView(const CouplingParts& parts, GripId id) : parts_(&parts), id_(id) {}
 
   GripId id() const { return id_; }  ///< of the grip
   /// Returns whether the grip exists.
   bool is_valid() const;
   /// Returns the state of the grip.
   GripState state() const;
+
+ private:
+  const CouplingParts* parts_;
+  GripId id_;
+};
+
+/// A grip of a coupling, for reading and writing.
+class GripRef : public GripView {
+ public:
+  /// Returns the handle of a grip; Coupling::grip calls this.
+  GripRef(CouplingParts& parts, GripId id) : GripView(parts, id), parts_(&parts) {}
+
   /// Moves the grip along a cord of the direct solver to `arc` [m] at `speed` [m of rest length per second, above 0],
   /// so that the body climbs. Throws DefinitionError for values out of range, and CallError for the thesis's solver.
   void climb(double arc, double speed) const;
-  /// Moves the anchor in the body's frame, at constant velocity during the next tick. Throws DefinitionError for a
-  /// coordinate beyond ±1e9.
+  /// Moves the anchor to a place in the body's frame, at constant velocity during the next tick, where it stays. Call
+  /// it before gather. Throws DefinitionError for a coordinate beyond ±1e9.
   void move_anchor(b2Vec2 local_anchor) const;
   /// Releases the cord. Returns false if the grip did not exist. Its body may be destroyed already. O(bodies).
   bool release() const;
 
  private:
   CouplingParts* parts_;
-  GripId id_;
 };
 
 }  // namespace ribbon::box2d

@@ -15,11 +15,11 @@
 
 namespace ribbon::box2d {
 
-/// A search for one cord.
-struct Look {
-  Box reach;                     ///< m, box that the cord can reach in the tick
+/// A search for the fixtures near one cord.
+struct NearQuery {
+  Box swept_aabb;                ///< m, box that the cord can reach in the tick
   b2Filter filter;               ///< filter of the cord, as between two Box2D fixtures
-  bool circles;                  ///< find circles only, for the thesis's solver
+  bool circles_only;             ///< find circles only, for the thesis's solver
   std::vector<NearShape>* near;  ///< results are appended here, in any order and possibly twice
 };
 
@@ -35,8 +35,9 @@ class NearFinder {
  public:
   /// Reserves memory for so many tree leaves near a cord and for so many cords.
   void reserve(std::size_t leaves, std::size_t cords);
-  /// Runs all searches for a tick of dt seconds under `gravity` [m/s²]. Each search must have its own result list.
-  void find(b2World& world, std::span<const Look> looks, Vec2 gravity, double dt, const ParallelFor& parallel_for);
+  /// Runs all queries for a tick of dt seconds under `gravity` [m/s²]. Each query must have its own result list.
+  void find(b2World& world, std::span<const NearQuery> queries, Vec2 gravity, double dt,
+            const ParallelFor& parallel_for);
 
  private:
   /// A leaf of the broad phase's tree.
@@ -44,27 +45,27 @@ class NearFinder {
     b2AABB fat;  // m, its box in the tree
     int proxy;
   };
-  /// The memory and the results of one task, which searches for some of the cords.
-  struct Lookout {
+  /// The memory and the results of one task, which runs some of the queries.
+  struct Task {
     std::vector<Leaf> leaves;                          // near a group of cords
-    std::vector<std::pair<std::size_t, int>> further;  // cord, and leaf that only a moving body brings near it
-    bool about_each = true;                            // there are few enough of them to look at each
+    std::vector<std::pair<std::size_t, int>> distant;  // query, and leaf that is near the cord only if its body moves
+    bool lists_distant = true;                         // there are few enough of them to test each
   };
 
-  void look_around(Lookout& lookout, std::span<const Look> looks, std::size_t first, std::size_t last);
-  bool list_leaves(Lookout& lookout, std::span<const Look> group) const;
-  void look_at_leaves(Lookout& lookout, const Look& look, std::size_t index) const;
-  void look_for_what_moves(b2World& world, std::span<const Look> looks);
-  void sort_by_x(std::span<const Look> looks);
-  void look_from(std::span<const Look> looks, b2Fixture& fixture, int child);
+  void run(Task& task, std::span<const NearQuery> queries, std::size_t first, std::size_t last);
+  bool list_leaves(Task& task, std::span<const NearQuery> group) const;
+  void test_leaves(Task& task, const NearQuery& query, std::size_t index) const;
+  void test_moving_bodies(b2World& world, std::span<const NearQuery> queries);
+  void sort_by_x(std::span<const NearQuery> queries);
+  void test_moving_fixture(std::span<const NearQuery> queries, b2Fixture& fixture, int child);
 
   const b2BroadPhase* broad_phase_ = nullptr;
-  double dt_ = 0.0;                // s
-  double fall_ = 0.0;              // m, in the tick
-  std::size_t most_leaves_ = 0;    // to be listed further off by one task
-  std::vector<Lookout> lookouts_;  // one a task
-  std::vector<std::size_t> by_x_;  // looks, by where their reaches begin
-  double widest_ = 0.0;            // m, of these the widest
+  double dt_ = 0.0;              // s
+  double fall_ = 0.0;            // m, g·dt²
+  std::size_t max_distant_ = 0;  // leaves that one task may list
+  std::vector<Task> tasks_;
+  std::vector<std::size_t> by_x_;  // queries, by the left side of their boxes
+  double max_width_ = 0.0;         // m, of these boxes
 };
 
 }  // namespace ribbon::box2d

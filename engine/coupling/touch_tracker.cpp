@@ -67,7 +67,11 @@ void TouchTracker::report(CordId cord, bool begins, const FixtureTouch& touch, c
 }
 
 void TouchTracker::end_all(const CoupledCord& cord) {
-  for (const FixtureTouch& touch : cord.touching) ending_.push_back({cord.id, touch});
+  const auto after = std::upper_bound(ending_.begin(), ending_.end(), cord.id,
+                                      [](CordId id, const EndingTouch& ending) { return id < ending.cord; });
+  std::vector<EndingTouch> ending;
+  for (const FixtureTouch& touch : cord.touching) ending.push_back({cord.id, touch});
+  ending_.insert(after, ending.begin(), ending.end());
 }
 
 void TouchTracker::forget(const b2Fixture& fixture) {

@@ -21,7 +21,7 @@ class TouchTracker {
   /// Removes a fixture from the events.
   void forget(const b2Fixture& fixture);
 
-  /// Returns the events of the last step, by cord and fixture number.
+  /// Returns the events of the last step, by cord; of each cord the ends first, and both by fixture number.
   std::span<const TouchEvent> events() const { return events_; }
   /// Returns the contacts of removed cords that end in the next step, by cord and fixture number.
   std::span<const EndingTouch> ending() const { return ending_; }

@@ -178,7 +178,7 @@ void Scene::add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId co
 }
 
 void Scene::add_to(ribbon::box2d::StateHash& hash) {
-  for (ribbon::box2d::CordId c = 0; c < coupling_.size(); ++c) add_cord_to(hash, c);
+  for (const ribbon::box2d::CordId c : coupling_.cords()) add_cord_to(hash, c);
   // Box2D lists the newest body first.
   int index = world_.GetBodyCount();
   for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {

@@ -182,7 +182,7 @@ void Player::feel_ground(const ribbon::box2d::Coupling& coupling) {
 /// A solid cord below the feet carries, once it has stopped the fall: a jump before that would waste what it stores.
 bool Player::stands_on_cord(const ribbon::box2d::Coupling& coupling) const {
   if (coupling.velocity(*body_).y < tuning_.sinking_speed) return false;
-  for (ribbon::box2d::CordId c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     for (const ribbon::box2d::FixtureTouch& touch : coupling.cord(c).touching()) {
       const b2Fixture* fixture = coupling.fixture(touch.fixture);
       if (fixture == nullptr || fixture->GetBody() != body_ || touch.impulse <= 0.0) continue;

@@ -38,7 +38,7 @@ void show_solving(const Simulation& simulation) {
   const Coupling& coupling = simulation.scene().coupling();
   const b2World& world = simulation.scene().world();
   int near = 0;
-  for (int c = 0; c < coupling.size(); ++c) near += coupling.cord(c).near_count();
+  for (const ribbon::box2d::CordId c : coupling.cords()) near += coupling.cord(c).near_count();
   ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.islands(), near);
   ImGui::Text("Box2D: %d bodies, %d contacts, %d proxies in a tree %d high", world.GetBodyCount(),
               world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
@@ -117,7 +117,7 @@ void show_tables(const Simulation& simulation, const Meter& meter) {
   for (const char* title : titles) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
   const Coupling& coupling = simulation.scene().coupling();
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     ImGui::TableNextRow();
     cell(c);
     cell(static_cast<int>(coupling.cord(c).positions().size()));

@@ -23,7 +23,7 @@ std::string text_of(const std::string& path) {
 
 /// -1: none.
 ribbon::box2d::CordId cord_of(const engine::Scene& scene, int object) {
-  for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
+  for (const ribbon::box2d::CordId cord : scene.coupling().cords()) {
     if (scene.cord_object(cord) == object) return cord;
   }
   return -1;

@@ -65,7 +65,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
       show_world(run);
       show_player(run);
       const engine::Scene& scene = run.simulation().scene();
-      for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
+      for (const ribbon::box2d::CordId cord : scene.coupling().cords()) {
         const std::string title = title_of(scene, run.level(), cord);
         ImGui::PushID(cord);
         if (ImGui::CollapsingHeader(title.c_str())) show_cord(scene, cord);

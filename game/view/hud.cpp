@@ -70,7 +70,7 @@ int points_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cor
 Table thesis_counts(const ribbon::box2d::Coupling& coupling) {
   Table table = {
       {"cord", "points", "self", "circles", "tangled", "FEM skipped in all", "held back in all", "strained"}};
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::thesis) continue;
     const ribbon::StepReport& report = coupling.cord(c).thesis_report();
     const ribbon::StepReport& total = coupling.cord(c).thesis_total();
@@ -106,7 +106,7 @@ Table direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter)
   Table table = {
       {"cord", "points", "touches", "iterations", "impacts in all", "fallbacks in all", "unconverged in all"}};
   if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
     const ribbon::CordReport& total = coupling.cord(c).island_total();
     const auto touches = static_cast<int>(coupling.cord(c).direct().touches().size());

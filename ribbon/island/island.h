@@ -93,7 +93,6 @@ class Island {
   void take_over(const Member& member);
   void find_tolerance();
   bool is_alone() const;
-  /// Whether the cords are scenery: what is of first order need not have its forces more exact than its motion.
   void drive_points(const Member& member, double dt);
   void drive(std::size_t slot, Vec2 velocity);
   void take_hold(Member& member);

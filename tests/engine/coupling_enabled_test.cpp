@@ -49,7 +49,7 @@ struct World : test_support::ShapeWorld {
   }
 };
 
-TEST(CouplingEnabled, ACordThatIsOffStaysAsItIsAndIsMetByNobody) {
+TEST(CouplingEnabled, ADisabledCordStaysAsItIsAndTouchesNothing) {
   World there;
   there.coupling.add(rope());
   there.coupling.add(thesis_ribbon());
@@ -74,7 +74,7 @@ TEST(CouplingEnabled, ACordThatIsOffStaysAsItIsAndIsMetByNobody) {
   for (const b2Body* body : {&ball, &other}) EXPECT_LT(body->GetPosition().y, -4.0F) << "it fell through";
 }
 
-TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
+TEST(CouplingEnabled, BodiesThatHeldItReleaseItWithTheirMomentaryVelocity) {
   for (const bool direct : {true, false}) {
     SCOPED_TRACE(direct ? "direct" : "thesis");
     World there;
@@ -96,7 +96,7 @@ TEST(CouplingEnabled, WhoHeldItHasLetGoWithTheVelocityOfTheMoment) {
   }
 }
 
-TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
+TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
   World there;
   there.coupling.add(rope());
   there.coupling.cord(0).set_enabled(false);
@@ -115,8 +115,7 @@ TEST(CouplingEnabled, NobodyCanTakeHoldOfOneThatIsOff) {
   EXPECT_FALSE(there.coupling.held_by(hand));
   for (const ribbon::box2d::CordId none : {-1, 1}) {
     EXPECT_EQ(refusal([&] { there.coupling.cord(none).set_enabled(false); }),
-              "cord is " + std::to_string(none) +
-                  "; accepted is the id of one of the 1 cords that were added and not removed");
+              "cord is " + std::to_string(none) + "; accepted is the id of a cord that was added and not removed");
   }
   there.coupling.cord(0).set_enabled(true);
   EXPECT_EQ(refusal([&] { there.coupling.hold(hand, {.cord = 0, .arc = 0.5}); }), "accepted");

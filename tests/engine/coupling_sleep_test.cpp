@@ -158,7 +158,7 @@ TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
   EXPECT_NEAR(lowest_gap(true), lowest_gap(false), 1e-3);
 }
 
-TEST(CouplingSleep, WhoeverLosesHisCordWakes) {
+TEST(CouplingSleep, ABodyThatLosesItsCordWakes) {
   const std::vector<std::function<void(World&)>> ways = {
       [](World& there) { there.coupling.cord(0).set_enabled(false); },
       [](World& there) {
@@ -192,7 +192,7 @@ TEST(CouplingSleep, WhoeverLosesHisCordWakes) {
 }
 
 /// As in Box2D, where a contact that ends wakes both.
-TEST(CouplingSleep, WhoDoesNotCollideWithItAnyMoreWakes) {
+TEST(CouplingSleep, ABodyThatNoLongerCollidesWithItWakes) {
   Hammock there;
   ASSERT_TRUE(there.falls_asleep());
   b2Filter none;
@@ -202,7 +202,7 @@ TEST(CouplingSleep, WhoDoesNotCollideWithItAnyMoreWakes) {
   EXPECT_LT(there.ball->GetPosition().y, -4.0F);
 }
 
-TEST(CouplingSleep, WhatChangesTheCordWakesItAndWhoHangsOnIt) {
+TEST(CouplingSleep, WhatChangesTheCordWakesItAndTheBodyThatHangsOnIt) {
   Lamp there;
   ASSERT_TRUE(there.falls_asleep());
   const float low = there.lamp->GetPosition().y;
@@ -215,7 +215,7 @@ TEST(CouplingSleep, WhatChangesTheCordWakesItAndWhoHangsOnIt) {
   EXPECT_GT(there.lamp->GetPosition().y, low + 1.3F);
 }
 
-TEST(CouplingSleep, IsNotForWhoeverMayNot) {
+TEST(CouplingSleep, DoesNotIncludeBodiesThatMayNotSleep) {
   Lamp sleepless;
   sleepless.lamp->SetSleepingAllowed(false);
   EXPECT_FALSE(sleepless.falls_asleep());

@@ -227,7 +227,7 @@ TEST(CouplingState, ALockedWorldIsRefused) {
 }
 
 /// A body that was destroyed without the coupling's knowing is nobody's any more, and its grip is not saved.
-TEST(CouplingState, LeavesOutWhoIsNoLongerInTheWorld) {
+TEST(CouplingState, LeavesOutBodiesThatAreNoLongerInTheWorld) {
   Scene scene;
   scene.tick(20);
   scene.world.DestroyBody(scene.holder);
