@@ -98,7 +98,7 @@ TEST(CordIds, OfARemovedCordAreRefusedByEveryCall) {
   EXPECT_EQ(refusal([&] { there.coupling.remove(0); }), said);
   EXPECT_EQ(refusal([&] { (void)there.coupling.position({0, 3}); }), said);
   EXPECT_EQ(refusal([&] { (void)there.coupling.arc({0, 3}); }), said);
-  EXPECT_EQ(refusal([&] { there.coupling.hold(0, 3, ball, {}); }), said);
+  EXPECT_EQ(refusal([&] { there.coupling.hold(0, 3, ball, b2Vec2_zero); }), said);
 }
 
 TEST(CordRef, StaysUsableWhileCordsComeAndGoAndTheCouplingMoves) {
@@ -144,7 +144,7 @@ TEST(RemovingACord, ReleasesItsHoldersAndEndsItsContactsInTheNextStep) {
   b2Body& holder = there.ball({0.5, -1.0});
   there.coupling.add(rope(-8.0));
   const CordId id = there.coupling.add(rope());
-  there.coupling.hold(id, 5, holder, {});
+  there.coupling.hold(id, 5, holder, b2Vec2_zero);
   bool touches = false;
   for (int k = 0; k < 60 && !touches; ++k) {
     there.tick(1);
@@ -281,8 +281,8 @@ TEST(RemovingACord, BetweenGatherAndApplyIsSafe) {
     b2Body& holder = there.ball({0.5, -1.0});
     const CordId direct = there.coupling.add(rope());
     const CordId thesis = there.coupling.add(curtain());
-    there.coupling.hold(direct, 5, holder, {});
-    there.coupling.hold(thesis, 5, holder, {});
+    there.coupling.hold(direct, 5, holder, b2Vec2_zero);
+    there.coupling.hold(thesis, 5, holder, b2Vec2_zero);
     there.tick(5);
     there.coupling.gather(there.world, dt);
     if (after_step) there.coupling.step();
@@ -343,14 +343,14 @@ TEST(Tick, PartsOutOfOrderAreRefusedAndChangeNothing) {
 TEST(Holding, RefusedInAnotherWorldChangesNothing) {
   World there;
   const CordId cord = there.coupling.add(rope());
-  there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), {});
+  there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero);
   there.tick(10);
   const Coupling::State before = there.coupling.save(there.world);
   ASSERT_EQ(before.carries.size(), 1U);
   b2World elsewhere({0.0F, 0.0F});
   const b2BodyDef at;
   b2Body& stranger = *elsewhere.CreateBody(&at);
-  EXPECT_THROW(there.coupling.hold(cord, 21, stranger, {}), DefinitionError);
+  EXPECT_THROW(there.coupling.hold(cord, 21, stranger, b2Vec2_zero), DefinitionError);
   EXPECT_THROW(there.coupling.hold(stranger, {.cord = cord, .strength = -1.0}), DefinitionError);
   EXPECT_EQ(there.coupling.save(there.world), before);
 }
@@ -437,7 +437,7 @@ TEST(Holding, TwoRowsOfARibbonCarryTheBodyAtBoth) {
 TEST(GripRef, OfARemovedCordIsNotValid) {
   World there;
   const CordId cord = there.coupling.add(rope());
-  const GripRef grip = there.coupling.grip(there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), {}));
+  const GripRef grip = there.coupling.grip(there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero));
   EXPECT_TRUE(grip.is_valid());
   there.coupling.remove(cord);
   EXPECT_FALSE(grip.is_valid());
@@ -448,7 +448,7 @@ TEST(GripRef, OfARemovedCordIsNotValid) {
 TEST(Handles, AllocateNothing) {
   World there;
   const CordId cord = there.coupling.add(rope());
-  const GripId grip = there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), {});
+  const GripId grip = there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero);
   there.tick(2);
   const test_support::AllocationCount count;
   Vec2 sum;

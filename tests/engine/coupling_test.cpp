@@ -552,9 +552,9 @@ TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
 
 TEST(CouplingHold, RefusesWhatDoesNotExist) {
   Hanging hanging(2.0);
-  EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, {}), ribbon::CallError);
-  EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, {}), ribbon::CallError);
-  EXPECT_THROW(hanging.coupling.hold(0, 42, *hanging.body, {}), ribbon::DefinitionError);
+  EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);
+  EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);
+  EXPECT_THROW(hanging.coupling.hold(0, 42, *hanging.body, b2Vec2_zero), ribbon::DefinitionError);
   const b2Vec2 nowhere(std::numeric_limits<float>::quiet_NaN(), 0.0F);
   EXPECT_THROW(hanging.coupling.hold(0, 40, *hanging.body, nowhere), ribbon::DefinitionError);
   EXPECT_EQ(hanging.coupling.held_by(*hanging.body)->point, 40);  // as before

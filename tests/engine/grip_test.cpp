@@ -348,11 +348,11 @@ TEST(Grip, RefusesWhatCannotBe) {
   refuses({.cord = thesis, .point = 1000});
   EXPECT_THROW(scene.coupling.grip(grip + 1).climb(3.0, 1.0), CallError);
   EXPECT_THROW(scene.coupling.grip(grip + 1).state(), CallError);
-  EXPECT_THROW(scene.coupling.grip(grip + 1).move_anchor({}), CallError);
+  EXPECT_THROW(scene.coupling.grip(grip + 1).move_anchor(b2Vec2_zero), CallError);
   EXPECT_THROW(scene.coupling.grip(grip).climb(11.0, 1.0), DefinitionError);
   EXPECT_THROW(scene.coupling.grip(grip).climb(3.0, 0.0), DefinitionError);
   scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
-  scene.coupling.hold(1, 0, *scene.add_body({}, 1.0), {});
+  scene.coupling.hold(1, 0, *scene.add_body({}, 1.0), b2Vec2_zero);
   EXPECT_THROW(scene.coupling.grip(grip + 1).climb(0.1, 1.0), CallError);  // the hold's number, of another solver
   scene.coupling.release(*scene.world.GetBodyList());
   EXPECT_FALSE(scene.coupling.grip(grip + 1).release());
@@ -492,7 +492,7 @@ TEST(Grip, ABodyMadeAnewAtTheSameAddressCanTakeHold) {
   scene.add_body({50.0, 5.0}, 1.0);
   scene.tick(5);
   body = make_anew(scene, body, {0.0, -5.0}, 70.0);
-  scene.coupling.hold(0, 25, *body, {});
+  scene.coupling.hold(0, 25, *body, b2Vec2_zero);
   scene.tick(5);
   EXPECT_FALSE(scene.coupling.grip(after).is_valid());
   ASSERT_TRUE(scene.coupling.held_by(*body));

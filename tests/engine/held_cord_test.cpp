@@ -254,7 +254,7 @@ TEST(HeldCord, OneOfEachSolverLiveSideBySide) {
   EXPECT_THROW(scene.coupling.cord(1).thesis(), ribbon::CallError);
   EXPECT_THROW(scene.coupling.cord(0).direct(), ribbon::CallError);
   scene.make_body({10.0, 0.0}, 5.0, 1.0);
-  EXPECT_THROW(scene.coupling.hold(1, 51, *scene.body, {}), ribbon::DefinitionError);
+  EXPECT_THROW(scene.coupling.hold(1, 51, *scene.body, b2Vec2_zero), ribbon::DefinitionError);
   const auto nearest = scene.coupling.nearest_point({10.0, 0.1}, 0.5);
   ASSERT_TRUE(nearest.has_value());
   EXPECT_EQ(nearest->cord, 1);

@@ -258,7 +258,7 @@ TEST(MovingAHand, TakesTheBodyAlongAndRefusesAGripThatIsNone) {
   }
   EXPECT_NEAR(static_cast<double>(body.GetPosition().y), 7.0 - 0.7 - 0.295, 0.02);
   EXPECT_NEAR(scene.coupling().grip(id).state().place.y, 7.0, 1e-3);
-  EXPECT_THROW(scene.coupling().grip(id + 1).move_anchor({}), ribbon::CallError);
+  EXPECT_THROW(scene.coupling().grip(id + 1).move_anchor(b2Vec2_zero), ribbon::CallError);
 }
 
 }  // namespace
