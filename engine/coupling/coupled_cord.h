@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,16 +21,13 @@ namespace ribbon::box2d {
 
 /// A cord of a coupling: the object of its solver, its reports, and its environment in this tick.
 struct CoupledCord {
-  std::variant<ThesisCord, Cord> cord;
-  b2Filter filter;
+  CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
+      : filter(cord_filter), cord(std::move(of_solver)) {}
+
+  // What each tick reads of each cord comes first: a thousand cords at rest cost little else than this memory.
   CordId id = -1;
   bool enabled = true;
-  std::uintptr_t user_data = 0;
-  CordReport island_report{};
-  CordReport island_total{};
-  double error = 0.0;
-  StepReport thesis_report{};
-  StepReport thesis_total{};
+  b2Filter filter;
   // In this tick:
   Box swept_aabb{};               // in which fixtures are searched
   std::vector<NearShape> near{};  // the fixtures found
@@ -39,6 +37,14 @@ struct CoupledCord {
   std::vector<GripId> grip_ids{};        // of each grip
   std::vector<FixtureTouch> touching{};  // in the last step, by fixture number
   std::vector<FixtureTouch> touched{};   // in the step before it
+
+  std::variant<ThesisCord, Cord> cord;
+  std::uintptr_t user_data = 0;
+  CordReport island_report{};
+  CordReport island_total{};
+  double error = 0.0;
+  StepReport thesis_report{};
+  StepReport thesis_total{};
 
   Solver solver() const { return std::holds_alternative<Cord>(cord) ? Solver::direct : Solver::thesis; }
   bool is_direct() const { return solver() == Solver::direct; }

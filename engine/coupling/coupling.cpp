@@ -19,7 +19,8 @@ void wake(const b2Fixture& fixture) { const_cast<b2Body*>(fixture.GetBody())->Se
 
 /// Wakes the bodies that touched a cord which was disabled or removed since the last step. They may be near other
 /// cords.
-void wake_what_touched_cords_that_are_gone(const CouplingParts& parts) {
+void wake_what_touched_cords_that_are_gone(CouplingParts& parts) {
+  if (!std::exchange(parts.may_have_left_bodies, false)) return;
   const auto wake_body = [&parts](const FixtureTouch& touch) {
     const FixtureIds::Known* const known = parts.fixtures.known(touch.fixture);
     if (known != nullptr && known->seen) wake(*known->seen_as.fixture);
@@ -81,9 +82,9 @@ Coupling::Coupling(Coupling&& other) noexcept = default;
 Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
 Coupling::~Coupling() = default;
 
-CordId Coupling::add(Cord cord, const b2Filter& filter) { return add(CoupledCord{std::move(cord), filter}); }
+CordId Coupling::add(Cord cord, const b2Filter& filter) { return add(CoupledCord(std::move(cord), filter)); }
 
-CordId Coupling::add(ThesisCord cord, const b2Filter& filter) { return add(CoupledCord{std::move(cord), filter}); }
+CordId Coupling::add(ThesisCord cord, const b2Filter& filter) { return add(CoupledCord(std::move(cord), filter)); }
 
 CordId Coupling::add(CoupledCord cord) {
   const CordId id = parts_->cords.add(std::move(cord));

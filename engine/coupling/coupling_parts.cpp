@@ -30,6 +30,7 @@ bool CouplingParts::release(GripId grip) {
 }
 
 void CouplingParts::detach(CordId cord) {
+  may_have_left_bodies = true;
   for (std::size_t k = 0; k < grips.all().size();) {
     if (grips.all()[k].cord == cord) {
       release(grips.all()[k].id);

@@ -32,6 +32,7 @@ struct CouplingParts {
   TouchTracker touches;
   // Of this tick:
   TickPhase phase = TickPhase::between_ticks;
+  bool may_have_left_bodies = false;  // a cord was disabled or removed, and bodies that touched it may sleep
   StepConditions conditions;
   TickBodies bodies;
   // Tools and memory:

@@ -272,6 +272,7 @@ void Coupling::restore(const State& state, b2World& world) {
   for (CoupledCord& cord : parts.cords) restore_cord(*saved++, cord);
   parts.cords.continue_from(state.next_cord);
   parts.phase = TickPhase::between_ticks;
+  parts.may_have_left_bodies = true;
   parts.bodies.clear();
   parts.grips.clear(state.next_grip);
   for (const State::Grip& grip : state.grips) parts.grips.restore(grip.memory, body_at(grip.body));

@@ -70,7 +70,8 @@ void CordRef::replace(Cord cord, const b2Filter& filter) const {
   CoupledCord& old = parts_->cords.at(id());
   (void)old.direct();  // refuses the other solver
   parts_->detach(id());
-  CoupledCord coupled{std::move(cord), filter, id()};
+  CoupledCord coupled(std::move(cord), filter);
+  coupled.id = id();
   coupled.user_data = old.user_data;
   coupled.reserve();
   coupled.touching = old.touching;
