@@ -80,7 +80,7 @@ struct CouplingState {
   struct Cord {
     CordId id = 0;                                               ///< its id
     std::variant<ThesisCord::State, ribbon::Cord::State> state;  ///< of its solver
-    bool enabled = true;                                         ///< it is not switched off
+    bool enabled = true;                                         ///< see CordView
     CordReport island_report;                                    ///< see CordView
     CordReport island_total;                                     ///< see CordView
     double error = 0.0;                                          ///< m, see CordView
