@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,8 +15,8 @@
 
 namespace ribbon {
 
-class Elasticity;
 class Island;
+struct CordParts;
 
 /// Statistics of one step, summed over its substeps. Counts from `searches` to `unlocked` are of difficulties that the
 /// solver overcame; `unconverged` counts those that it did not.
@@ -59,26 +58,26 @@ class Cord {
   ~Cord();
 
   /// Returns the definition, with the accuracy that set_accuracy set last.
-  const CordDef& def() const { return def_; }
+  const CordDef& def() const;
   /// Returns the number of points, columns · rows.
-  int size() const { return def_.points * def_.rows; }
+  int size() const;
   /// Returns the index of point (i, j): column i = 0 … points − 1 along the cord, row j = 0 … rows − 1 across it. Rows
   /// count upwards in the default layout.
-  int index(int i, int j) const { return i * def_.rows + j; }
-  std::span<const Vec2> positions() const { return positions_; }    ///< m, by index
-  std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by index
+  int index(int i, int j) const;
+  std::span<const Vec2> positions() const;   ///< m, by index
+  std::span<const Vec2> velocities() const;  ///< m/s, by index
   /// N, tensions of the links of a rope or of the bars of a ribbon; negative under compression. A ribbon of cells has
   /// one entry per cell first, column by column, (μ + λ)·area·(|z| − 2) [J], then the tensions of its spine, if any
   /// [N].
-  std::span<const double> tensions() const { return tensions_; }
+  std::span<const double> tensions() const;
   /// Returns what determines the motion of a point. This and the next three do not check the index.
-  PointKind kind(int point) const { return kinds_[slot(point)]; }
+  PointKind kind(int point) const;
   /// Returns the target of a constrained or operated point, m.
-  Vec2 target(int point) const { return targets_[slot(point)]; }
+  Vec2 target(int point) const;
   /// Returns the mass of a point with what is attached to it, kg.
-  double mass(int point) const { return masses_[slot(point)]; }
+  double mass(int point) const;
   /// Returns the rest length of the link from column i to column i + 1, m.
-  double rest_length(int i) const { return rest_[slot(i)]; }
+  double rest_length(int i) const;
   /// Energies of the cord, its loads and its attached masses.
   struct Energy {
     double kinetic = 0.0;    ///< J
@@ -97,18 +96,18 @@ class Cord {
     double elastic = 0.0;  ///< J, elastic energy; 0 while the cord sleeps
   };
   /// Returns the bounds. O(1) after a step of a DirectSolver, until the cord is changed; otherwise O(points).
-  Sweep sweep() const { return sweep_ ? *sweep_ : find_sweep(); }
+  Sweep sweep() const;
   /// Caches the bounds until the cord is changed.
-  void remember_sweep() {
-    if (!sweep_) sweep_ = find_sweep();
-  }
+  void remember_sweep();
+  /// Returns whether the bounds are cached, so the cord has not been changed since then.
+  bool remembers_sweep() const;
 
   /// s, rest time before a cord falls asleep, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;
   /// Returns whether the cord slept during the last step (CordDef::allow_sleep). The next step wakes it if something
   /// near it has changed or is awake, including another cord of its island. The setters below wake it too, except
   /// set_accuracy.
-  bool is_asleep() const { return asleep_; }
+  bool is_asleep() const;
   /// Wakes the cord and restarts its rest time.
   void wake();
 
@@ -146,7 +145,7 @@ class Cord {
   void reserve(std::size_t grips);
 
   /// Returns the contacts of the last step with shapes that have an id.
-  std::span<const Touch> touches() const { return touches_; }
+  std::span<const Touch> touches() const;
 
   /// State of a body that held the cord in the last step.
   struct Holder {
@@ -161,32 +160,32 @@ class Cord {
     bool operator==(const Holder&) const = default;
   };
   /// Returns the dynamic bodies that held the cord in the last step, ordered by point.
-  std::span<const Holder> holders() const { return holders_; }
+  std::span<const Holder> holders() const;
 
   /// Everything that later steps depend on, except the definition.
   struct State {
-    std::vector<Vec2> positions;       ///< m, by point
-    std::vector<Vec2> velocities;      ///< m/s, by point
-    std::vector<Vec2> accelerations;   ///< m/s², by point
-    std::vector<Vec2> targets;         ///< m, by point, of constrained and operated ones
-    std::vector<PointKind> kinds;      ///< by point
-    std::vector<double> masses;        ///< kg, by point, with attached masses
-    std::vector<Vec2> loads;           ///< N, by point; empty until set_load is first called
-    std::vector<double> tensions;      ///< see Cord::tensions
-    std::vector<double> rest;          ///< m, rest lengths by link
-    std::vector<double> rest_targets;  ///< m, by link, goal of the reel; empty until reel is first called
-    std::vector<double> rest_speeds;   ///< m/s, by link, speed of the reel; the same
-    std::vector<char> unlocked;        ///< by cell, if area stiffness is declared: 1 while it is turned back
-    std::vector<Holder> holders;       ///< see Cord::holders
-    std::vector<Touch> touches;        ///< see Cord::touches
-    bool touch_changed = false;        ///< a contact began or ended in the last step
-    double ledger = 0.0;               ///< J, energy that may be regained; see CordReport::energy_gains
-    double balance = 0.0;              ///< J, lost since the cord was created; negative if gained
-    bool damping_apart = false;        ///< the tensions exclude damping
-    bool restart = true;               ///< the accelerations are out of date
-    double rested = 0.0;               ///< s, rest time so far, up to time_to_sleep
-    bool asleep = false;               ///< see Cord::is_asleep
-    std::uint64_t still_among = 0;     ///< hash of its surroundings at rest; 0 if they moved
+    std::vector<Vec2> positions;          ///< m, by point
+    std::vector<Vec2> velocities;         ///< m/s, by point
+    std::vector<Vec2> accelerations;      ///< m/s², by point
+    std::vector<Vec2> targets;            ///< m, by point, of constrained and operated ones
+    std::vector<PointKind> kinds;         ///< by point
+    std::vector<double> masses;           ///< kg, by point, with attached masses
+    std::vector<Vec2> loads;              ///< N, by point; empty until set_load is first called
+    std::vector<double> tensions;         ///< see Cord::tensions
+    std::vector<double> rest;             ///< m, rest lengths by link
+    std::vector<double> rest_targets;     ///< m, by link, goal of the reel; empty until reel is first called
+    std::vector<double> rest_speeds;      ///< m/s, by link, speed of the reel; the same
+    std::vector<char> unlocked;           ///< by cell, if area stiffness is declared: 1 while it is turned back
+    std::vector<Holder> holders;          ///< see Cord::holders
+    std::vector<Touch> touches;           ///< see Cord::touches
+    bool touch_changed = false;           ///< a contact began or ended in the last step
+    double regainable_energy = 0.0;       ///< J, energy that may be regained; see CordReport::energy_gains
+    double energy_drift = 0.0;            ///< J, lost since the cord was created; negative if gained
+    bool damping_excluded = false;        ///< the tensions exclude damping
+    bool restart = true;                  ///< the accelerations are out of date
+    double rest_time = 0.0;               ///< s, rest time so far, up to time_to_sleep
+    bool asleep = false;                  ///< see Cord::is_asleep
+    std::uint64_t surroundings_hash = 0;  ///< hash of its surroundings at rest; 0 if they moved
     bool operator==(const State&) const = default;
   };
   /// Returns the state, for restore.
@@ -198,50 +197,16 @@ class Cord {
   /// Throws DefinitionError unless the state fits this cord's size and terms and all its values are in range.
   void check_state(const State& state) const;
 
+  /// For the solver only: what the cord consists of, without any checks.
+  CordParts& parts() { return *parts_; }
+  const CordParts& parts() const { return *parts_; }
+
  private:
-  friend class Island;
-
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
-  std::size_t count() const { return targets_.size(); }
-  void set_damping_apart();
-  void put_damping_back();
-  void drive(int point, Vec2 target, PointKind kind);
-  void disturb();
-  void fall_asleep();
-  bool is_winding() const { return !rest_targets_.empty() && rest_ != rest_targets_; }
-  double own_mass(std::size_t point) const;
-  Sweep find_sweep() const;
+  void set_target(int point, Vec2 target, PointKind kind);
 
-  CordDef def_;
-  std::unique_ptr<Elasticity> elasticity_;
-
-  std::vector<Vec2> positions_;
-  std::vector<Vec2> velocities_;
-  std::vector<Vec2> accelerations_;
-  std::vector<Vec2> targets_;
-  std::vector<PointKind> kinds_;
-  std::vector<double> own_masses_;  // kg, without what was attached
-  std::vector<double> masses_;      // kg
-  std::vector<Vec2> loads_;
-  std::vector<double> tensions_;
-  std::vector<double> rest_;          // m, of each link
-  std::vector<double> rest_targets_;  // m, where a reel is taking it
-  std::vector<double> rest_speeds_;   // m/s, how fast
-  double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
-  double balance_ = 0.0;              // J, the same since it was made
-  std::vector<Holder> holders_;
-  std::vector<Touch> touches_;
-  bool touch_changed_ = false;     // in the last step
-  bool damping_apart_ = false;     // tensions_ are the elastic ones alone, for velocities may be changed
-  bool restart_ = true;            // accelerations_ are not those of this state
-  std::optional<Sweep> sweep_;     // of this state, if it was found
-  double rested_ = 0.0;            // s, for which it has rested,
-  bool asleep_ = false;            // in the last step,
-  std::uint64_t still_among_ = 0;  // among what: see State
-
-  std::vector<double> rest_start_, rest_end_;  // of this step, while something is reeled
-  std::vector<int> outline_;                   // points around which the cord is touched, in order
-  std::unique_ptr<Island> alone_;              // for steps by itself
+  std::unique_ptr<CordParts> parts_;
+  std::unique_ptr<Island> island_;  // for steps by itself
 };
 
 }  // namespace ribbon

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ribbon/collision/motion_bounds.h"
 #include "ribbon/geometry/quadtree.h"
 #include "ribbon/island/island.h"
 
@@ -149,7 +150,7 @@ Box DirectSolver::take_reach(const IslandCord& island_cord, std::span<const Rigi
   const Cord& cord = *island_cord.cord;
   const auto x = cord.positions();
   const auto v = cord.velocities();
-  const double margin = cord.def().radius + Island::room_of(island_cord, bodies, dt, gravity);
+  const double margin = cord.def().radius + MotionBounds::bound_of(cord.parts(), island_cord.met, bodies, dt, gravity);
   const auto rows = static_cast<std::size_t>(cord.def().rows);
   const auto column_at = [&](std::size_t first) {
     Box box = box_around(x[first], x[first] + dt * v[first], 0.0);

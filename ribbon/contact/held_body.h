@@ -34,6 +34,7 @@ struct HeldBody {
   double way = 0.0;      ///< m, that the hand moves in it on the body and along the cord
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
   double slides = 0.0;      ///< 0, or the sign of the force along the cord with which it does
+  bool limited = false;     ///< a limited row holds it along the cord, for contacts are posed once
   double along_pull = 0.0;  ///< N, on the body along the cord, where contacts are posed once
   double slid = 0.0;        ///< columns, along the cord in the step
 

@@ -52,7 +52,7 @@ bool drop_unused_bodies(SolverStep& step) {
 }
 
 bool stop_sleep(Cord& cord) {
-  cord.state.rested = 0.0;
+  cord.state.rest_time = 0.0;
   cord.state.asleep = false;
   return set(cord.def.allow_sleep, false);
 }
@@ -163,8 +163,8 @@ const std::vector<Edit<Cord>>& cord_edits() {
       [](Cord& cord) { return clear(cord.state.loads); },
       [](Cord& cord) { return clear(cord.state.touches); },
       [](Cord& cord) { return clear(cord.state.holders); },
-      [](Cord& cord) { return set(cord.state.ledger, 0.0); },
-      [](Cord& cord) { return set(cord.state.balance, 0.0); },
+      [](Cord& cord) { return set(cord.state.regainable_energy, 0.0); },
+      [](Cord& cord) { return set(cord.state.energy_drift, 0.0); },
       [](Cord& cord) { return stop(cord.state.accelerations); },
       [](Cord& cord) { return stop(cord.state.velocities); },
   };

@@ -139,7 +139,7 @@ void Fuzzed::spoil(Cord::State& state) {
     case 4: state.masses[k] = bytes_.number(1e-3, 1.0); break;
     case 5: state.tensions.front() = bytes_.number(-1.0, 1.0); break;
     case 6: state.rest.front() = bytes_.number(0.1, 1.0); break;
-    case 7: state.ledger = bytes_.number(-1.0, 1.0); break;
+    case 7: state.regainable_energy = bytes_.number(-1.0, 1.0); break;
     case 8: state.positions.pop_back(); break;
     case 9: state.kinds[k] = static_cast<ribbon::PointKind>(bytes_.byte()); break;
     case 10: {

@@ -528,8 +528,8 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
   refused([](Cord::State& s) { s.rest_targets[2] = -1.0; });
   refused([](Cord::State& s) { s.kinds[1] = static_cast<PointKind>(77); });
   refused([](Cord::State& s) { s.tensions[0] = nan; });
-  refused([](Cord::State& s) { s.ledger = nan; });
-  refused([](Cord::State& s) { s.balance = nan; });
+  refused([](Cord::State& s) { s.regainable_energy = nan; });
+  refused([](Cord::State& s) { s.energy_drift = nan; });
   refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0, 0, {}, 0.0}); });
   refused([](Cord::State& s) { s.holders.push_back({0, {}, nan, {}, 0.0, 0, {}, 0.0}); });
   refused([](Cord::State& s) { s.holders.push_back({0, {}, 0.0, {}, 0.0, 0, {nan, 0.0}, 0.0}); });

@@ -96,7 +96,7 @@ TEST(CordSleep, IsNotForOneThatDoesNotDeclareIt) {
   Near nothing;
   for (int k = 0; k < 3000; ++k) ASSERT_GT(nothing.step(cord).stages, 0);
   EXPECT_FALSE(cord.is_asleep());
-  EXPECT_EQ(cord.save().rested, 0.0);
+  EXPECT_EQ(cord.save().rest_time, 0.0);
 }
 
 /// What it gives up is what it would still have gone: as far as a swing of 1 cm/s goes in the slowest mode of a hanging
@@ -273,7 +273,7 @@ TEST(CordSleep, IsSavedAndRestoredToTheSameBits) {
 
   Cord::State spoilt = asleep;
   for (const double rested : {0.51, 0.49, -0.1, std::numeric_limits<double>::quiet_NaN()}) {
-    spoilt.rested = rested;
+    spoilt.rest_time = rested;
     EXPECT_THROW(twin.restore(spoilt), DefinitionError) << rested;
   }
   Cord sleepless = sloping_rope(false);

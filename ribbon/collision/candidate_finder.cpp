@@ -1,0 +1,342 @@
+#include "ribbon/collision/candidate_finder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "ribbon/collision/outline.h"
+#include "ribbon/geometry/gap.h"
+
+namespace ribbon {
+namespace {
+
+constexpr std::size_t block = 8;       // neighbouring points or links of an outline that are looked for at once
+constexpr double large_circle = 10.0;  // links: a circle with such a contact distance touches points instead of links
+// Of the contact distance, or of ten links if that is less: a larger depth is no equilibrium of a contact.
+constexpr double deep_share = 0.01;
+constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
+constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool may_touch(const Member& member) {
+  const CordDef& def = member.cord->def;
+  return !member.surroundings.circles.empty() || !member.surroundings.segments.empty() || def.self_contact ||
+         def.cord_contact;
+}
+
+/// A body does not touch a cord that it holds, as bodies that a joint connects do not touch each other.
+bool holds(const Member& member, int body) {
+  const auto& grips = member.surroundings.grips;
+  return std::any_of(grips.begin(), grips.end(), [body](const Grip& grip) { return grip.body == body; });
+}
+
+double longest_link(const IslandState& state, const Member& member) {
+  double longest2 = 0.0;
+  for (int k = 0; k < outline_links(*member.cord); ++k) {
+    const Vec2 along = state.positions[outline_slot(member, k + 1)] - state.positions[outline_slot(member, k)];
+    longest2 = std::max(longest2, dot(along, along));
+  }
+  return std::sqrt(longest2);
+}
+
+/// Returns whether a link is constrained within contact distance of a circle. If neither moves, nothing that the cord
+/// could do would part them: a bridge hangs from the corner of a rock.
+bool is_fixed_in(const IslandState& state, const ContactPair& link, Vec2 center, double reach) {
+  const auto is_in = [&](int end) {
+    return state.constrained[at(end)] != 0 && length(state.positions[at(end)] - center) < reach;
+  };
+  return is_in(link.a) || is_in(link.b);
+}
+
+int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
+  const RigidBody& rigid = state.rigid[at(body)];
+  Spot spot;
+  spot.arm = arm;
+  spot.here = rigid.position + arm;
+  if (rigid.inverse_mass > 0.0) {
+    spot.center = static_cast<int>(state.center(state.solved_body(body)));
+  } else {
+    spot.from = rigid.position;
+    spot.velocity = rigid.velocity;
+    spot.turning = rigid.angular_velocity;
+    state.driven = state.driven || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
+  }
+  return contacts.add(spot);
+}
+
+/// m, where an anchor is at the start of the step.
+Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anchor) {
+  if (at(anchor) < state.points) return state.positions[at(anchor)];
+  return contacts.spots()[at(anchor) - state.points].here;
+}
+
+/// Restores what the cord stored of the contact in the last step.
+void restore_touch(const Member& member, ContactPair& pair) {
+  const auto& touches = member.cord->state.touches;
+  const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
+                                       [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
+  pair.touch.impulse = 0.0;
+}
+
+/// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
+/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
+void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
+  const double depth = pair.reach - distance;
+  if (depth > deep_share * size) pair.reach = distance + depenetrated_share * depth;
+  pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
+  const double max_in = state.dt * max_depenetration_speed;
+  if (pair.in > max_in) {
+    pair.reach -= pair.in - max_in;
+    pair.in = max_in;
+  }
+}
+
+/// Adds a pair whose touch the member stores. `mass` [kg] is what may press; friction and restitution are those of the
+/// other surface.
+void add_pair(const IslandState& state, Contacts& contacts, const Member& member, ContactPair& pair, double mass,
+              double friction, double restitution) {
+  const CordDef& def = member.cord->def;
+  pair.cord = static_cast<std::size_t>(&member - state.members.data());
+  pair.stiffness =
+      (state.accuracy.soft_contacts ? Contacts::soft_firmness : Contacts::firmness) * mass / (state.dt * state.dt);
+  pair.friction = std::sqrt(def.friction * friction);
+  pair.restitution = std::max(def.restitution, restitution);
+  restore_touch(member, pair);
+  const double distance =
+      gap_between(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
+                  anchor_position(state, contacts, pair.b))
+          .distance;
+  limit_penetration(state, distance, std::min(pair.reach, large_circle * member.cord->state.rest[0]), pair);
+  contacts.add(pair);
+}
+
+/// Returns the mean displacement of all points in free motion, m: cords that move together do not touch for it.
+Vec2 mean_displacement(const IslandState& state, std::span<const Vec2> ends) {
+  Vec2 sum;
+  for (std::size_t p = 0; p < state.points; ++p) sum += ends[p] - state.positions[p];
+  return (1.0 / static_cast<double>(state.points)) * sum;
+}
+
+/// Returns whether in free motion a point and a link may come within a distance of each other.
+bool may_come_within(const IslandState& state, std::span<const Vec2> ends, std::size_t disc, const Member& member,
+                     int link, double distance) {
+  const std::size_t a = outline_slot(member, link);
+  const std::size_t b = outline_slot(member, link + 1);
+  const auto& x = state.positions;
+  const Vec2 displacement = ends[disc] - x[disc];
+  const Vec2 past_a = displacement - (ends[a] - x[a]);
+  const Vec2 past_b = displacement - (ends[b] - x[b]);
+  const double swept = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
+  return may_be_within(swept, x[disc], x[a], x[b]) && gap_between(x[disc], x[a], x[b]).distance <= swept;
+}
+
+bool may_touch_cords(const IslandState& state, const CordDef& def) {
+  return def.self_contact || (def.cord_contact && state.members.size() > 1);
+}
+
+}  // namespace
+
+void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& contacts) {
+  contacts.clear(state.points);
+  state.touch_changed = false;
+  bounds.disable();
+  if (std::none_of(state.members.begin(), state.members.end(), may_touch)) return;
+  bounds.find(state);
+  for (std::size_t m = 0; m < state.members.size(); ++m) {
+    const Member& member = state.members[m];
+    const Search search{state, bounds, contacts, member, bounds.of(m)};
+    sweep_outline(search);
+    const double longest = member.surroundings.circles.empty() ? 0.0 : longest_link(state, member);
+    for (const RigidCircle& circle : member.surroundings.circles) {
+      if (!holds(member, circle.body)) find_circle(search, circle, longest);
+    }
+    for (const RigidSegment& segment : member.surroundings.segments) {
+      if (!holds(member, segment.body)) find_segment(search, segment);
+    }
+    state.touch_changed = state.touch_changed || member.cord->state.touch_changed;
+  }
+  find_cords(state, bounds, contacts);
+}
+
+/// Finds the boxes in which the points of the outline stay.
+void CandidateFinder::sweep_outline(const Search& search) {
+  outline_boxes_.clear();
+  for (const int point : search.member.cord->outline) {
+    const std::size_t p = search.member.first_point + at(point);
+    outline_boxes_.push_back(box_around(search.state.positions[p], search.bounds.ends()[p], 0.0));
+  }
+  swept_aabb_ = outline_boxes_[0];
+  for (const Box& box : outline_boxes_) swept_aabb_ = joined(swept_aabb_, box);
+  swept_aabb_ = widened(swept_aabb_, search.bound);
+}
+
+/// Adds the links that may touch a circle. Between the points of a circle with radius R ≥ 10·L a link of length L is
+/// deeper by L²/8R at most, an eightieth of a link. A cord that is straight by that little has one minimum of the
+/// distance to it, and a cord that bends around it has one per link. As one became the other, the contact energy would
+/// jump. So the points touch such a circle.
+void CandidateFinder::find_circle(const Search& search, const RigidCircle& circle, double longest_link) {
+  IslandState& state = search.state;
+  const Member& member = search.member;
+  const RigidBody& body = state.rigid[at(circle.body)];
+  const double reach = circle.radius + member.cord->def.radius;
+  const Box box = widened(search.bounds.anchor_box(state, body, circle.offset), reach);
+  if (!overlap(box, swept_aabb_)) return;
+  const Box near = widened(box, search.bound);
+  const bool by_points = reach >= large_circle * longest_link;
+  const int points = static_cast<int>(member.cord->outline.size());
+  const int count = by_points ? points : outline_links(*member.cord);
+  int disc = -1;
+  for (int k = 0; k < count; ++k) {
+    const Box& start = outline_boxes_[at(k)];
+    const Box& end = outline_boxes_[at(by_points ? k : k + 1 < points ? k + 1 : 0)];
+    if (!overlap(joined(start, end), near)) continue;
+    ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
+    if (body.inverse_mass == 0.0 && is_fixed_in(state, pair, body.position + circle.offset, reach)) continue;
+    if (disc < 0) disc = add_anchor(state, search.contacts, circle.body, circle.offset);
+    pair.disc = disc;
+    pair.reach = reach;
+    pair.disc_radius = circle.radius;
+    pair.touch.other = circle.id;
+    pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
+    add_pair(state, search.contacts, member, pair, member.pressing_mass, circle.friction, circle.restitution);
+  }
+}
+
+/// Adds the points that may touch the inside of an edge; its ends are circles.
+void CandidateFinder::find_segment(const Search& search, const RigidSegment& segment) {
+  IslandState& state = search.state;
+  const Member& member = search.member;
+  const CordParts& cord = *member.cord;
+  const RigidBody& body = state.rigid[at(segment.body)];
+  const double reach = segment.radius + cord.def.radius;
+  const Box box = widened(
+      joined(search.bounds.anchor_box(state, body, segment.a), search.bounds.anchor_box(state, body, segment.b)),
+      reach);
+  if (!overlap(box, swept_aabb_)) return;
+  const Box near = widened(box, search.bound);
+  int a = -1;
+  int b = -1;
+  for (int k = 0; k < static_cast<int>(cord.outline.size()); ++k) {
+    if (!overlap(outline_boxes_[at(k)], near)) continue;
+    const std::size_t point = outline_slot(member, k);
+    if (body.inverse_mass == 0.0 && state.constrained[point] != 0) continue;
+    if (a < 0) {
+      a = add_anchor(state, search.contacts, segment.body, segment.a);
+      b = add_anchor(state, search.contacts, segment.body, segment.b);
+    }
+    ContactPair pair;
+    pair.disc = static_cast<int>(point);
+    pair.a = a;
+    pair.b = b;
+    pair.ends = false;
+    pair.reach = reach;
+    pair.disc_radius = cord.def.radius;
+    pair.touch.other = segment.id;
+    pair.touch.feature = 2 * k + 1;
+    add_pair(state, search.contacts, member, pair, member.pressing_mass, segment.friction, segment.restitution);
+  }
+}
+
+/// Adds pairs of points of cords and links of the same or of other cords, for the cords that declare such contacts.
+/// They are looked for by blocks of neighbours, which mostly are all near each other or all apart.
+void CandidateFinder::find_cords(IslandState& state, const MotionBounds& bounds, Contacts& contacts) {
+  const Vec2 drift = mean_displacement(state, bounds.ends());
+  box_links(state, bounds, drift);
+  if (link_boxes_.empty()) return;
+  build_tree();
+  for (std::size_t m = 0; m < state.members.size(); ++m) {
+    const Member& member = state.members[m];
+    if (!member.cord->def.self_contact && !member.cord->def.cord_contact) continue;
+    const Search search{state, bounds, contacts, member, bounds.of(m)};
+    for (std::size_t k = 0; k < member.cord->outline.size(); k += block) find_block(search, k, drift);
+  }
+}
+
+void CandidateFinder::box_links(const IslandState& state, const MotionBounds& bounds, Vec2 drift) {
+  link_boxes_.clear();
+  links_.clear();
+  block_boxes_.clear();
+  for (std::size_t m = 0; m < state.members.size(); ++m) {
+    const Member& member = state.members[m];
+    if (!may_touch_cords(state, member.cord->def)) continue;
+    const auto swept = [&](int k) {
+      const std::size_t p = outline_slot(member, k);
+      return box_around(state.positions[p], bounds.ends()[p] - drift, 0.0);
+    };
+    for (int k = 0; k < outline_links(*member.cord); ++k) {
+      const Box box = widened(joined(swept(k), swept(k + 1)), member.cord->def.radius + bounds.of(m));
+      if (link_boxes_.size() % block == 0) {
+        block_boxes_.push_back(box);
+      } else {
+        block_boxes_.back() = joined(block_boxes_.back(), box);
+      }
+      link_boxes_.push_back(box);
+      links_.push_back({m, k});
+    }
+  }
+}
+
+void CandidateFinder::build_tree() {
+  if (!tree_ || tree_capacity_ < block_boxes_.size()) {
+    tree_capacity_ = 2 * block_boxes_.size();
+    tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_capacity_));
+  }
+  tree_->build(block_boxes_);
+}
+
+/// Looks for links near a block of the outline's points, from k on.
+void CandidateFinder::find_block(const Search& search, std::size_t k, Vec2 drift) {
+  const CordParts& cord = *search.member.cord;
+  std::array<Box, block> boxes;
+  const std::size_t count = std::min(block, cord.outline.size() - k);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t p = search.member.first_point + at(cord.outline[k + i]);
+    boxes[i] = box_around(search.state.positions[p], search.bounds.ends()[p] - drift, cord.def.radius + search.bound);
+  }
+  const Box all =
+      std::accumulate(boxes.begin() + 1, boxes.begin() + static_cast<std::ptrdiff_t>(count), boxes[0], joined);
+  tree_->query(all, [&](int item) {
+    const std::size_t first = block * at(item);
+    const std::size_t end = std::min(first + block, link_boxes_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t link = first; link < end; ++link) {
+        if (!overlap(boxes[i], link_boxes_[link])) continue;
+        find_link(search, static_cast<int>(k + i), links_[link], search.bounds.of(links_[link].member));
+      }
+    }
+  });
+}
+
+/// Adds the outline's point k of a cord and a link of this or another cord, if they may touch.
+void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& link, double other_bound) {
+  IslandState& state = search.state;
+  const Member& member = search.member;
+  const Member& other = state.members[link.member];
+  const bool itself = &other == &member;
+  const CordDef& def = member.cord->def;
+  if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def.cord_contact) return;
+  const std::size_t disc = outline_slot(member, k);
+  const double reach = def.radius + other.cord->def.radius;
+  const double bound =
+      itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
+  if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, reach + bound)) return;
+  if (itself && are_neighbours(def, k, link.link)) return;
+  ContactPair pair = pair_with_link(other, link.link);
+  pair.disc = static_cast<int>(disc);
+  pair.mutual = true;
+  // At a fold the next link may be the point's neighbour. Then this link alone decides whether it touches.
+  if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
+  if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
+  pair.reach = reach;
+  pair.disc_radius = def.radius;
+  pair.touch.other = other.id;
+  pair.touch.feature = 2 * k + 1;
+  pair.touch.other_feature = link.link + 1;
+  const double mass = itself ? member.pressing_mass : member.pressing_mass + other.pressing_mass;
+  add_pair(state, search.contacts, member, pair, mass, other.cord->def.friction, other.cord->def.restitution);
+}
+
+}  // namespace ribbon

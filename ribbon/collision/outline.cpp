@@ -1,0 +1,80 @@
+#include "ribbon/collision/outline.h"
+
+#include <algorithm>
+
+#include "ribbon/geometry/gap.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double neighbourhood = 3.0;  // radii: parts of a cord that are nearer than that at rest are neighbours
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int outline_points(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }
+
+/// m, where a point of the outline is in the straight cord.
+Vec2 rest_position(const CordDef& def, int i) {
+  const double along = def.length / (def.points - 1);
+  const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  const int n = def.points;
+  const int size = outline_points(def);
+  i = (i + size) % size;
+  if (i < n) return {along * i, 0.0};
+  i -= n - 1;
+  if (i < def.rows) return {along * (n - 1), across * i};
+  i -= def.rows - 1;
+  if (i < n) return {along * (n - 1 - i), def.width};
+  return {0.0, def.width - across * (i - n + 1)};
+}
+
+}  // namespace
+
+int outline_links(const CordParts& cord) {
+  const int points = static_cast<int>(cord.outline.size());
+  return cord.def.rows == 1 ? points - 1 : points;
+}
+
+std::size_t outline_slot(const Member& member, int k) {
+  const int n = static_cast<int>(member.cord->outline.size());
+  const int wrapped = k < 0 ? k + n : k >= n ? k - n : k;
+  return member.first_point + at(member.cord->outline[at(wrapped)]);
+}
+
+ContactPair pair_with_link(const Member& member, int k) {
+  const int n = static_cast<int>(member.cord->outline.size());
+  const bool closed = member.cord->def.rows > 1;
+  const auto anchor = [&](int i) {
+    return closed || (i >= 0 && i < n) ? static_cast<int>(outline_slot(member, i)) : -1;
+  };
+  ContactPair pair;
+  pair.a = anchor(k);
+  pair.b = anchor(k + 1);
+  pair.before = anchor(k - 1);
+  pair.after = anchor(k + 2);
+  return pair;
+}
+
+ContactPair pair_with_point(const Member& member, int k) {
+  ContactPair pair;
+  pair.a = static_cast<int>(outline_slot(member, k));
+  pair.b = pair.a;
+  return pair;
+}
+
+bool are_close(const CordParts& cord, int k, int link) {
+  const int apart = k > link ? k - link : link + 1 - k;
+  if (cord.def.rows == 1) return apart <= close_links;
+  const int n = static_cast<int>(cord.outline.size());
+  return std::min(apart, n + 1 - apart) <= close_links;
+}
+
+bool are_neighbours(const CordDef& def, int k, int link) {
+  const int size = outline_points(def);
+  if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
+  if (k == (link + size) % size || k == (link + 1 + size) % size) return true;
+  const Gap gap = gap_between(rest_position(def, k), rest_position(def, link), rest_position(def, link + 1));
+  return gap.distance < neighbourhood * def.radius;
+}
+
+}  // namespace ribbon

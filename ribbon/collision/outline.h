@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+
+#include "ribbon/contact/contacts.h"
+#include "ribbon/system/island_state.h"
+
+// The outline of a cord: the points around which it can be touched, and the links between them. Indices of points and
+// links count along the outline; that of a ribbon is closed.
+
+namespace ribbon {
+
+/// Returns the number of links.
+int outline_links(const CordParts& cord);
+/// Returns the slot of an outline's point, k = −1 … points + 1; indices wrap around.
+std::size_t outline_slot(const Member& member, int k);
+/// Returns a contact pair with link k as its segment.
+ContactPair pair_with_link(const Member& member, int k);
+/// Returns a contact pair with point k as its segment, which has no length.
+ContactPair pair_with_point(const Member& member, int k);
+/// Returns whether point k and both ends of a link are at most `close_links` apart along the outline. Such points move
+/// nearly alike, so they have a motion bound of their own: MotionBounds::near_of.
+inline constexpr int close_links = 6;
+bool are_close(const CordParts& cord, int k, int link);
+/// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
+bool are_neighbours(const CordDef& def, int k, int link);
+
+}  // namespace ribbon

@@ -1,0 +1,109 @@
+#include "ribbon/island/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/island/momentum.h"
+#include "ribbon/system/grips.h"
+
+namespace ribbon {
+namespace {
+
+// Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
+constexpr double max_regainable = 2e-3;
+constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
+constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
+constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
+constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
+
+}  // namespace
+
+void EnergyGuard::begin_step(const IslandState& state) {
+  regainable_ = 0.0;
+  drift_ = 0.0;
+  for (const Member& member : state.members) {
+    regainable_ += member.cord->state.regainable_energy;
+    drift_ += member.cord->state.energy_drift;
+  }
+}
+
+void EnergyGuard::find_scale(const IslandState& state) {
+  double mass = 0.0;
+  double longest = 0.0;
+  for (const Member& member : state.members) longest = std::max(longest, member.cord->def.length);
+  for (std::size_t p = 0; p < state.points; ++p) mass += state.masses[p];
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
+  const double noise = noise_displacement * state.tolerance / state.dt;
+  weight_scale_ = mass * (length(state.gravity) * longest + noise * noise);
+}
+
+void EnergyGuard::store(const IslandState& state) const {
+  // A state cannot store an energy that is not finite.
+  const auto share = [&](double all) {
+    return std::isfinite(all) ? all / static_cast<double>(state.members.size()) : 0.0;
+  };
+  for (const Member& member : state.members) {
+    member.cord->state.regainable_energy = share(regainable_);
+    member.cord->state.energy_drift = share(drift_);
+  }
+}
+
+Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
+  Energy sum;
+  const std::vector<Vec2>& x = state.positions;
+  for (const Member& member : state.members) {
+    const CordParts& cord = *member.cord;
+    sum.elastic += cord.elasticity->energy(state.motion_of(member), IslandState::tensions_of(member, state.tensions));
+    for (std::size_t p = 0; p < cord.state.loads.size(); ++p) {
+      sum.potential -= dot(cord.state.loads[p], x[member.first_point + p]);
+    }
+  }
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);
+  }
+  for (std::size_t p = 0; p < state.points; ++p) sum.potential -= state.masses[p] * dot(state.gravity, x[p]);
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    const std::size_t center = state.center(k);
+    sum.potential -= state.masses[center] * dot(state.bodies[k].acceleration, x[center]);
+  }
+  if (!contacts.empty()) {
+    contacts.evaluate(x);
+    sum.elastic += contacts.energy();
+  }
+  return sum;
+}
+
+void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
+  if (!state.driven) after_ = total_energy(state, contacts);
+}
+
+bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
+  if (state.driven) return false;
+  after_ = total_energy(state, contacts);
+  const double work = grip_work(state);
+  return !(after_.total() - before.total() <= regainable_ + work + tolerated * scale(before));
+}
+
+void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
+  if (gained_energy(state, contacts, before, tolerated_gain)) slow_down(state, after_.total() - before.total());
+}
+
+void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {
+  const double kept = regainable_ > 0.0 ? regainable_decay * regainable_ : regainable_;
+  const double scene = scale(before);
+  const double lost = before.total() - after_.total();
+  const double unexplained = lost < 0.0 ? std::min(0.0, lost + grip_work(state)) : lost;
+  regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, max_regainable * scene);
+  if (contacts.were_hit() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain
+  drift_ += unexplained;
+  const double excess = -drift_ - max_total_gain * scene;
+  if (excess <= 0.0 || unexplained > -max_gain_rate * scene) return;
+  slow_down(state, excess);
+  drift_ += excess;
+}
+
+double EnergyGuard::scale(const Energy& energy) const {
+  return std::max(weight_scale_, energy.kinetic + energy.elastic);
+}
+
+}  // namespace ribbon

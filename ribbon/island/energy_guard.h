@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ribbon/contact/contacts.h"
+#include "ribbon/cord.h"
+#include "ribbon/system/island_state.h"
+
+namespace ribbon {
+
+/// Watches the energy of an island over the substeps. What waves have lost in recent substeps they may regain. Beyond
+/// that rounding and the tolerance may add a little, until as much has been lost again: that is all that a cord which
+/// nothing drives can ever gain.
+class EnergyGuard {
+ public:
+  using Energy = Cord::Energy;
+  /// Gain of a substep that is tolerated, as a share of the scene's energy.
+  static constexpr double tolerated_gain = 5e-4;
+
+  /// Reads the energies that the cords may regain and have lost.
+  void begin_step(const IslandState& state);
+  /// Finds the scale of the scene's potential energy; its bodies are known.
+  void find_scale(const IslandState& state);
+  /// Writes what the cords may regain and have lost back to them.
+  void store(const IslandState& state) const;
+
+  /// Returns the total energy. Contacts are evaluated at the current positions.
+  static Energy total_energy(IslandState& state, Contacts& contacts);
+  /// Stores the energy at the end of the substep, unless something drives the island.
+  void measure(IslandState& state, Contacts& contacts);
+  /// Measures, and returns whether the energy has risen since `before` by more than what may be regained, the work of
+  /// grips, and `tolerated` [share of the scene's energy]. Returns false while something drives the island.
+  bool gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated);
+  /// The last resort for a substep that is not solved: takes the energy that came from nowhere out of the velocities.
+  void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
+  /// Ends a substep: updates what may be regained and what was lost, and slows down what has gained too much in all.
+  void account(IslandState& state, const Contacts& contacts, const Energy& before);
+
+ private:
+  double scale(const Energy& energy) const;
+
+  double regainable_ = 0.0;    // J, lost in recent substeps; negative if gained
+  double drift_ = 0.0;         // J, lost since the cords were created; negative if gained
+  double weight_scale_ = 0.0;  // J, M·g·L
+  Energy after_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,123 @@
+#include "ribbon/island/momentum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "ribbon/system/stretch.h"
+
+namespace ribbon {
+namespace {
+
+/// kg·m²/s and kg·m², about the common centre of mass.
+struct Spin {
+  double momentum = 0.0;
+  double inertia = 0.0;
+};
+
+/// Returns whether nothing but gravity acts on the island from outside.
+bool is_free(const IslandState& state) {
+  const auto is_zero = [](char constrained) { return constrained == 0; };
+  const auto falls = [&](const SolvedBody& body) { return body.acceleration == state.gravity; };
+  const auto is_unloaded = [](const Member& member) {
+    return member.cord->state.loads.empty() && member.cord->def.drag == 0.0;
+  };
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    if (state.constrained[state.center(k)] != 0) return false;
+  }
+  const auto points_end = state.constrained.begin() + static_cast<std::ptrdiff_t>(state.points);
+  return std::all_of(state.constrained.begin(), points_end, is_zero) &&
+         std::all_of(state.members.begin(), state.members.end(), is_unloaded) &&
+         std::all_of(state.bodies.begin(), state.bodies.end(), falls);
+}
+
+/// Returns the mean of points and bodies, weighted by mass.
+Vec2 mean(const IslandState& state, std::span<const Vec2> by_slot) {
+  Vec2 sum;
+  double mass = 0.0;
+  for (std::size_t p = 0; p < by_slot.size(); ++p) {
+    if (state.is_angle(p)) continue;
+    sum += state.masses[p] * by_slot[p];
+    mass += state.masses[p];
+  }
+  return (1.0 / mass) * sum;
+}
+
+Spin spin(const IslandState& state, std::span<const Vec2> x, std::span<const Vec2> v) {
+  const Vec2 middle = mean(state, x);
+  Spin sum;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (state.is_angle(p)) {
+      if (state.constrained[p] != 0) continue;
+      sum.momentum += state.masses[p] * v[p].x;
+      sum.inertia += state.masses[p];
+    } else {
+      const Vec2 arm = x[p] - middle;
+      sum.momentum += state.masses[p] * cross(arm, v[p]);
+      sum.inertia += state.masses[p] * dot(arm, arm);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+void slow_down(IslandState& state, double excess) {
+  double turning = 0.0;
+  Vec2 mean_velocity;
+  const Vec2 middle = mean(state, state.positions);
+  if (is_free(state)) {
+    const Spin all = spin(state, state.positions, state.velocities);
+    turning = all.inertia > 0.0 ? all.momentum / all.inertia : 0.0;
+    mean_velocity = mean(state, state.velocities);
+  }
+  const auto rigid = [&](std::size_t p) {
+    if (state.is_angle(p)) return Vec2{turning, 0.0};
+    return mean_velocity + turning * perp(state.positions[p] - middle);
+  };
+  double kinetic = 0.0;
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    const Vec2 own = state.velocities[p] - rigid(p);
+    if (state.constrained[p] == 0) kinetic += 0.5 * state.masses[p] * dot(own, own);
+  }
+  const double share = kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0.0;
+  state.add_damping(-1.0);
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (state.constrained[p] == 0) state.velocities[p] = rigid(p) + share * (state.velocities[p] - rigid(p));
+  }
+  state.add_damping(1.0);
+}
+
+void restore_momentum(IslandState& state, const Contacts& contacts) {
+  if (!contacts.were_hit() || state.driven || contacts.leans() || !is_free(state)) return;
+  const SubstepStart& start = state.start;
+  const Spin before = spin(state, start.positions, start.velocities);
+  const Spin after = spin(state, state.positions, state.velocities);
+  const double turning = (before.momentum - after.momentum) / after.inertia;
+  const Vec2 middle = mean(state, state.positions);
+  const Vec2 lost = mean(state, start.velocities) + start.dt * state.gravity - mean(state, state.velocities);
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (!state.is_angle(p)) {
+      state.velocities[p] += lost + turning * perp(state.positions[p] - middle);
+    } else if (state.constrained[p] == 0) {
+      state.velocities[p].x += turning;
+    }
+  }
+}
+
+bool limit_speeds(IslandState& state) {
+  const double max = highest_start_speed(state) + length(state.gravity) * state.dt;
+  bool any = false;
+  state.add_damping(-1.0);
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (state.is_angle(p) || state.constrained[p] != 0) continue;
+    const double speed = length(state.velocities[p]);
+    if (!(speed > max)) continue;
+    state.velocities[p] = (max / speed) * state.velocities[p];
+    any = true;
+  }
+  state.add_damping(1.0);
+  return any;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,144 @@
+#include "ribbon/island/posed_step.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ribbon/island/momentum.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int max_pieces = 10;
+constexpr double impact_share = 0.05;  // of the least contact distance, that anything moves in a piece with an impact
+
+/// Returns the time until something would be in something in free motion, s; `max` if nothing would.
+double time_to_impact(const StepContext& context, double start, double max) {
+  const IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  if (contacts.empty()) return max;
+  contacts.place_led(start);
+  contacts.aim(start + max);
+  std::vector<Vec2>& end = context.stages.trial();
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    Vec2 displacement = max * state.velocities[p];
+    if (p < state.points) {
+      if (state.constrained[p] != 0) {
+        displacement = max * state.drive_velocities[p];
+      } else {
+        displacement += (max * max) * state.gravity;
+      }
+    }
+    end[p] = state.positions[p] + displacement;
+  }
+  return max * contacts.share_to_blow(state.positions, end);
+}
+
+/// Returns the time in which nothing moves further than a small part of the least contact distance, s.
+double impact_time(const StepContext& context, double max) {
+  const IslandState& state = context.state;
+  double highest = 0.0;
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (!state.is_angle(p)) highest = std::max(highest, length(state.velocities[p]));
+  }
+  const double distance = impact_share * context.contacts.least_reach();
+  return highest * max > distance ? distance / highest : max;
+}
+
+}  // namespace
+
+void PosedStep::take(const StepContext& context, Restitution& restitution) {
+  IslandState& state = context.state;
+  StepWork& work = context.work;
+  ++work.report.posed;
+  work.begin_posed();
+  context.begin_substep(0.0, state.dt);
+  const Cord::Energy before = context.energy_before();
+  contact_energy_ = context.contacts.pressing_energy();
+  is_impact_ = impact_is_due_ = false;
+  double time = 0.0;
+  double max = state.dt;
+  for (int piece = 1; time < state.dt; ++piece) {
+    const double left = state.dt - time;
+    const bool last = piece >= max_pieces || work.is_posed_enough();
+    const double dt = last ? left : std::min(max, next_piece(context, time, left));
+    if (last) is_impact_ = impact_is_due_ = false;
+    const Piece taken = take_piece(context, time, dt);
+    const bool good = taken.solved && !taken.result.cut;
+    const bool is_repeat = dt == left && (piece >= max_pieces || work.is_posed_enough());
+    if (!good && !last && !is_repeat) {
+      context.return_to_start();
+      max = 0.5 * dt;
+      is_impact_ = true;  // or nothing was in the way
+      impact_is_due_ = false;
+      continue;
+    }
+    if (!taken.solved) {
+      ++work.report.unconverged;
+      const double position_error = std::min(taken.result.position_error, NewtonSolver::max_displacement);
+      work.report.position_error = std::max(work.report.position_error, position_error);
+      work.report.force_error = std::max(work.report.force_error, taken.result.force_error);
+    }
+    if (end_piece(context, taken, dt, restitution) || taken.result.cut) ++work.report.cuts;
+    time = dt == left ? state.dt : time + dt;
+    max = state.dt - time;
+  }
+  if (!state.driven) context.guard.account(state, context.contacts, before);
+}
+
+/// Returns the length of the next piece, s: up to an impact, through it, or all that is left if there is none or it has
+/// just been taken.
+double PosedStep::next_piece(const StepContext& context, double time, double left) {
+  if (std::exchange(is_impact_, false)) return left;
+  if (!std::exchange(impact_is_due_, false)) {
+    const double free = time_to_impact(context, time, left);
+    impact_is_due_ = free < left;
+    if (free > 0.0) return free;
+  }
+  impact_is_due_ = false;
+  is_impact_ = true;
+  return impact_time(context, left);
+}
+
+/// The tolerance of a piece is that of the step times its share of the step.
+PosedStep::Piece PosedStep::take_piece(const StepContext& context, double time, double dt) const {
+  IslandState& state = context.state;
+  context.begin_substep(time, dt);
+  context.contacts.scale_impulses(0.0);
+  Piece piece{};
+  if (!state.driven) {
+    piece.before = EnergyGuard::total_energy(state, context.contacts);
+    piece.before.elastic += contact_energy_ - context.contacts.energy();
+  }
+  context.stages.set_contact_solve(is_impact_ ? ContactSolve::posed_impact : ContactSolve::posed);
+  const double tolerance = state.tolerance;
+  state.tolerance = std::max(dt / state.dt * tolerance, std::min(state.min_tolerance, tolerance));
+  piece.solved = Integrators::implicit_euler(context, time, dt);
+  state.tolerance = tolerance;
+  context.stages.set_contact_solve(ContactSolve::newton);
+  piece.result = context.stages.posed_result();
+  return piece;
+}
+
+/// The energy of posed contacts follows from their forces. Their depths do not tell, because normals and places are
+/// kept. Returns whether some of the motion was taken back.
+bool PosedStep::end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  context.guard.remove_spurious_energy(state, contacts, piece.before);
+  bool changed = rollback_.apply(context, piece.before);
+  if (!contacts.empty()) {
+    restitution.apply(context, piece.before, dt);
+    restore_momentum(state, contacts);
+    if (state.driven) changed = limit_speeds(state) || changed;
+  }
+  context.guard.measure(state, contacts);
+  state.restart = true;
+  if (contacts.empty()) return changed;
+  contact_energy_ = contacts.energy();
+  state.touch_changed = contacts.changed();
+  contacts.finish(state.positions);
+  contacts.scale_impulses(0.0);
+  return changed;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ribbon/island/integrators.h"
+#include "ribbon/island/restitution.h"
+#include "ribbon/island/rollback.h"
+#include "ribbon/island/step_context.h"
+
+namespace ribbon {
+
+/// The step that always ends: implicit Euler with contacts that are posed once. It is taken in pieces. Where the free
+/// motion would take something into something, a piece ends, and a very short one takes the impact, in which nothing
+/// moves far. A piece that is not solved, or in which something was stopped, is redone by half. After a number of
+/// pieces, or of linear systems, the rest of the step is taken as it comes.
+class PosedStep {
+ public:
+  void take(const StepContext& context, Restitution& restitution);
+
+ private:
+  /// How a piece ended.
+  struct Piece {
+    bool solved;
+    PosedResult result;
+    Cord::Energy before;
+  };
+  double next_piece(const StepContext& context, double time, double left);
+  Piece take_piece(const StepContext& context, double time, double dt) const;
+  bool end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
+
+  Rollback rollback_;
+  bool is_impact_ = false;       // this piece takes an impact
+  bool impact_is_due_ = false;   // the next one does
+  double contact_energy_ = 0.0;  // J, at the stiffness of the piece before
+};
+
+}  // namespace ribbon

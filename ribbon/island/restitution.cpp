@@ -1,0 +1,33 @@
+#include "ribbon/island/restitution.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double tolerated_gain = 5e-4;  // of the scene's energy
+constexpr double reduction = 0.8;        // of the impulse, until the energy has not risen
+constexpr double min_share = 0.1;        // of the impulse: one that has to be less is left out
+
+}  // namespace
+
+void Restitution::apply(const StepContext& context, const Cord::Energy& before, double dt) {
+  IslandState& state = context.state;
+  if (!context.contacts.find_rebounds(state.positions, state.start.velocities, state.velocities, dt)) return;
+  const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);
+  context.contacts.end_rebounds(state.positions);
+  if (change == nullptr) return;
+  velocities_ = state.velocities;
+  state.add_damping(-1.0);
+  for (double share = 1.0; share > min_share; share *= reduction) {
+    for (std::size_t p = 0; p < state.slots(); ++p) {
+      if (state.constrained[p] == 0) state.velocities[p] = velocities_[p] + (share / dt) * (*change)[p];
+    }
+    state.restart = true;
+    state.add_damping(1.0);
+    if (!context.gained_energy(before, tolerated_gain)) return;
+    state.add_damping(-1.0);
+  }
+  state.velocities = velocities_;
+  state.add_damping(1.0);
+}
+
+}  // namespace ribbon

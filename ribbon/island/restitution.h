@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "ribbon/island/step_context.h"
+
+namespace ribbon {
+
+/// Restitution after a substep: contacts that were hit open at their share of the speed with which they were hit. The
+/// impulse for that is one linear solve with the mass of everything involved. Lengths change as they did.
+class Restitution {
+ public:
+  /// Changes the velocities, by less if the energy has risen since `before`.
+  void apply(const StepContext& context, const Cord::Energy& before, double dt);
+
+ private:
+  std::vector<Vec2> velocities_;  // before restitution
+};
+
+}  // namespace ribbon

@@ -1,0 +1,57 @@
+#include "ribbon/island/rollback.h"
+
+#include <algorithm>
+
+#include "ribbon/island/momentum.h"
+#include "ribbon/system/stretch.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int max_halvings = 6;
+constexpr double tolerated_gain = 1e-3;  // of the scene's energy
+
+}  // namespace
+
+bool Rollback::apply(const StepContext& context, const Cord::Energy& before) {
+  IslandState& state = context.state;
+  if (state.driven) return limit_speeds(state);
+  if (largest_strain(state, state.start.positions) > max_strain) return false;
+  const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
+  if (is_sound()) return false;
+  end_positions_ = state.positions;
+  end_velocities_ = state.velocities;
+  context.contacts.pose_none();
+  double share = 1.0;
+  for (int k = 0; k < max_halvings; ++k) {
+    share = k + 1 < max_halvings ? 0.5 * share : 0.0;
+    go_to(state, share);
+    if (is_sound()) break;
+  }
+  return true;
+}
+
+/// Goes to a share of the way from the start of the piece to its end, with that share of its velocities. The elastic
+/// tensions change as those of the shape do. A piece that follows an unsolved one begins with other tensions than those
+/// of its shape.
+void Rollback::go_to(IslandState& state, double share) {
+  state.return_to_start();
+  state.add_damping(-1.0);
+  offsets_ = state.tensions;
+  state.find_tensions();
+  for (std::size_t e = 0; e < state.tensions.size(); ++e) offsets_[e] -= state.tensions[e];
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    state.positions[p] += share * (end_positions_[p] - state.start.positions[p]);
+    state.velocities[p] = share * end_velocities_[p];
+  }
+  state.find_tensions();
+  for (const Member& member : state.members) {
+    for (std::size_t e = member.first_tension; e < member.first_tension + member.tensions; ++e) {
+      state.tensions[e] += offsets_[e];
+      if (member.cord->def.tension_only) state.tensions[e] = std::max(0.0, state.tensions[e]);
+    }
+  }
+  state.add_damping(1.0);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "ribbon/island/step_context.h"
+
+namespace ribbon {
+
+/// The last resort for a posed piece with energy from nowhere that is not in velocities: it goes back the way that it
+/// came.
+class Rollback {
+ public:
+  /// Goes back by halves, and in the end to the start of the piece, until neither energy was gained since `before` nor
+  /// an inextensible cord is stretched. While something drives the island, energy tells nothing, and only speeds are
+  /// limited. Returns whether something was changed.
+  bool apply(const StepContext& context, const Cord::Energy& before);
+
+ private:
+  void go_to(IslandState& state, double share);
+
+  std::vector<Vec2> end_positions_;
+  std::vector<Vec2> end_velocities_;
+  std::vector<double> offsets_;  // of the tensions at the start from those of the shape
+};
+
+}  // namespace ribbon

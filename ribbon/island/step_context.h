@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ribbon/collision/motion_bounds.h"
+#include "ribbon/contact/contacts.h"
+#include "ribbon/island/energy_guard.h"
+#include "ribbon/stage/stage_solver.h"
+#include "ribbon/stage/step_work.h"
+#include "ribbon/system/island_state.h"
+
+namespace ribbon {
+
+/// What a step of an island works on.
+struct StepContext {
+  IslandState& state;
+  Contacts& contacts;
+  MotionBounds& bounds;
+  StageSolver& stages;
+  EnergyGuard& guard;
+  StepWork& work;
+
+  /// Begins a substep, or a part of one, at `time` [s] since the step began.
+  void begin_substep(double time, double dt) const {
+    state.begin_substep(time, dt);
+    if (contacts.empty()) return;
+    contacts.place_led(time);
+    contacts.begin(state.positions, (time + dt) / state.dt);
+  }
+  /// Returns to the start of the substep.
+  void return_to_start() const {
+    contacts.place_led(state.start.time);
+    contacts.scale_impulses(0.0);
+    state.return_to_start();
+  }
+  /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
+  Cord::Energy energy_before() const {
+    return state.driven ? Cord::Energy{} : EnergyGuard::total_energy(state, contacts);
+  }
+  bool gained_energy(const Cord::Energy& before, double tolerated) const {
+    return guard.gained_energy(state, contacts, before, tolerated);
+  }
+};
+
+}  // namespace ribbon

@@ -1,0 +1,166 @@
+#include "ribbon/island/substeps.h"
+
+#include <algorithm>
+
+#include "ribbon/island/momentum.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int sharper_tries = 3;     // of a substep of implicit Euler that gained energy
+constexpr double gross_gain = 1e-2;  // of the scene's energy, tolerated of implicit Euler: no integrator damps more
+// Newton steps in the halves of a substep, as long as all of them are solved, and once one was given up. (5,000 slack
+// links on a load of 10⁶ kg turn about so much in steps of a second that they take 4,200.)
+constexpr int max_halved_work = 16000;
+constexpr int max_vain_work = 4000;
+// Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
+constexpr int max_halvings = 10;
+constexpr int max_first_halvings = 20;
+
+/// Returns whether something would begin to touch in free motion.
+bool will_touch(const StepContext& context, double time, double dt) {
+  const IslandState& state = context.state;
+  const SubstepStart& start = state.start;
+  std::vector<Vec2>& end = context.stages.trial();
+  context.contacts.aim(time + dt);
+  const Vec2 fall = (dt * dt) * state.gravity;
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    end[p] = start.positions[p] + dt * start.velocities[p] + (p < state.points ? fall : Vec2{});
+  }
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    end[state.center(k)] += (dt * dt) * state.bodies[k].acceleration;
+  }
+  return context.contacts.free_way(start.positions, end, true, 1.0) < 1.0;
+}
+
+}  // namespace
+
+void Substeps::resize(std::size_t slots, std::size_t tensions) {
+  integrators_.resize(slots);
+  whole_.positions.resize(slots);
+  whole_.velocities.resize(slots);
+  whole_.tensions.resize(tensions);
+}
+
+bool Substeps::take(const StepContext& context, double time, double dt, Restitution& restitution) {
+  context.begin_substep(time, dt);
+  context.contacts.scale_impulses(0.0);
+  const Cord::Energy before = context.energy_before();
+  if (!take_second_order(context, time, dt, before) && !take_damped(context, time, dt, before)) {
+    if (!context.work.is_patient()) return false;
+    ++context.work.report.unconverged;
+    context.guard.remove_spurious_energy(context.state, context.contacts, before);
+  }
+  end(context, before, dt, restitution);
+  return true;
+}
+
+void Substeps::end(const StepContext& context, const Cord::Energy& before, double dt, Restitution& restitution) {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  context.guard.measure(state, contacts);
+  if (!contacts.empty()) {
+    restitution.apply(context, before, dt);
+    restore_momentum(state, contacts);
+    context.guard.measure(state, contacts);
+  }
+  if (!state.driven) context.guard.account(state, contacts, before);
+  if (contacts.empty()) return;
+  state.touch_changed = contacts.changed();
+  contacts.finish(state.positions);
+}
+
+/// Takes the substep with TR-BDF2, or with SDIRK2 where there is no acceleration to begin with. A second-order
+/// integrator bounces where a contact begins or ends, so there implicit Euler goes first and BDF2 follows. Returns
+/// false, at the start of the substep, if it has to be redone by implicit Euler.
+bool Substeps::take_second_order(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
+  const bool touching = !contacts.empty() && contacts.any();
+  const bool free = !touching && (contacts.empty() || !will_touch(context, time, dt));
+  if (free || (touching && !state.touch_changed)) {
+    const bool converged =
+        free && !state.restart ? integrators_.tr_bdf2(context, time, dt) : integrators_.sdirk2(context, time, dt);
+    state.restart = !free;
+    if (contacts.empty() || !contacts.change(state.positions)) return accept(context, converged, before);
+    context.return_to_start();
+  }
+  state.restart = true;
+  ++context.work.report.impacts;
+  return accept(context, integrators_.euler_bdf2(context, time, dt), before);
+}
+
+/// Returns whether the substep converged and gained no energy. If not, it returns to the start.
+bool Substeps::accept(const StepContext& context, bool converged, const Cord::Energy& before) {
+  if (converged && !context.gained_energy(before, EnergyGuard::tolerated_gain)) return true;
+  CordReport& report = context.work.report;
+  ++(converged ? report.energy_gains : report.fallbacks);
+  context.state.restart = true;  // the acceleration of implicit Euler is of first order
+  context.return_to_start();
+  return false;
+}
+
+/// Takes the substep with implicit Euler. Where nothing may touch or slip, or there is work to spend, it is halved if
+/// it does not converge. Returns false if it is not solved.
+bool Substeps::take_damped(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+  const auto& held = context.state.held;
+  const bool may_slip = std::any_of(held.begin(), held.end(), [](const HeldBody& body) { return body.may_slip(); });
+  if ((context.contacts.empty() && !may_slip) || context.work.is_patient()) {
+    return take_halved(context, time, dt, before);
+  }
+  return !context.work.is_tried() && Integrators::implicit_euler(context, time, dt) &&
+         !context.gained_energy(before, gross_gain);
+}
+
+/// In a stiff cord the error that the tolerance leaves, times a tension, can be energy too. Then all of the substep is
+/// redone to a hundredth of the tolerance, in the end by halves.
+bool Substeps::take_halved(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+  IslandState& state = context.state;
+  StepWork& work = context.work;
+  const double tolerance = state.tolerance;
+  bool converged = false;
+  for (int k = 0;; ++k) {
+    converged = (k != sharper_tries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
+    if (!context.gained_energy(before, gross_gain)) break;
+    converged = false;
+    if (k == sharper_tries || work.is_halved_out(state.unlocking)) break;
+    ++work.report.energy_gains;
+    context.return_to_start();
+    state.tolerance = std::max(1e-2 * state.tolerance, state.min_tolerance);
+  }
+  state.tolerance = tolerance;
+  return converged;
+}
+
+/// Redoes the substep by halves. Returns false if part of it is not solved.
+bool Substeps::halve(const StepContext& context, double time, double dt) {
+  context.return_to_start();
+  ++context.work.report.halvings;
+  whole_ = context.state.start;
+  Halving halving{time, context.work.report.iterations};
+  take_halves(context, time, dt, 1, halving);
+  context.state.start = whole_;
+  return !halving.gave_up;
+}
+
+/// Takes implicit Euler in two halves, each of which is halved again where it does not converge, until it is given up.
+void Substeps::take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving) {
+  StepWork& work = context.work;
+  for (const double from : {time, time + 0.5 * dt}) {
+    context.begin_substep(from, 0.5 * dt);
+    if (Integrators::implicit_euler(context, from, 0.5 * dt)) continue;
+    const int iterations = work.report.iterations - halving.iterations;
+    if (depth >= (from == halving.time ? max_first_halvings : max_halvings) ||
+        iterations > (halving.gave_up ? max_vain_work : max_halved_work) ||
+        work.is_halved_out(context.state.unlocking)) {
+      halving.gave_up = true;
+      continue;
+    }
+    context.return_to_start();
+    ++work.report.halvings;
+    take_halves(context, from, 0.5 * dt, depth + 1, halving);
+  }
+}
+
+}  // namespace ribbon

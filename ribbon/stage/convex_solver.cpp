@@ -1,0 +1,86 @@
+#include "ribbon/stage/convex_solver.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double tied_share = 1e-3;     // of the tolerance, by which a row may be on the wrong side of its limit
+constexpr int max_active_sets = 5;      // tried before the interior point,
+constexpr int few_rows = 2;             // unless more rows than that change, and not fewer each time
+constexpr int max_interior = 25;        // iterations of the interior point
+constexpr double polishing_gap = 1e-4;  // of the interior point, below which its active set is tried
+constexpr double closed_gap = 1e-10;    // at which it ends
+constexpr double far_gap = 1e-2;        // at which it is good enough far from where the linearisations end
+
+}  // namespace
+
+void ConvexSolver::reserve(std::size_t rows, std::size_t right_side) {
+  rows_.reserve(rows);
+  load_.reserve(right_side);
+}
+
+ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stage& stage, bool far) {
+  context.newton.system().make_pattern(context.state, rows_);
+  rows_.begin_active_set();
+  Result result = solve_active_sets(context, stage) ? Result::exact : Result::failed;
+  if (result == Result::failed) result = solve_interior(context, stage, far);
+  if (result == Result::failed) return result;
+  return context.newton.take_solution(context.state, stage) ? result : Result::failed;
+}
+
+/// Goes on as long as the sets get better, each by half. Returns false if none of them was that of the solution.
+bool ConvexSolver::solve_active_sets(const StageContext& context, const Stage& stage) {
+  BlockSystem& system = context.newton.system();
+  int before = static_cast<int>(rows_.rows().size()) + 1;
+  for (int k = 0; k < max_active_sets; ++k) {
+    context.count_system();
+    system.load(context.state, stage);
+    rows_.load_active_set(system.matrix(), system.right_side());
+    if (!system.solve(context.state)) return false;
+    const int changed = rows_.update_active_set(system.right_side(), tied_share * context.state.tolerance);
+    if (changed == 0) return true;
+    if (2 * changed > before && changed > few_rows) return false;
+    before = changed;
+  }
+  return false;
+}
+
+ConvexSolver::Result ConvexSolver::solve_interior(const StageContext& context, const Stage& stage, bool far) {
+  std::vector<Vec2>& right_side = context.newton.system().right_side();
+  rows_.begin_interior();
+  double polished = polishing_gap;
+  for (int k = 0; k < max_interior; ++k) {
+    if (!advance_interior(context, stage)) return Result::failed;
+    if ((far && rows_.gap() <= far_gap) || context.work.is_posed_out()) {
+      rows_.end_interior();
+      return Result::near;
+    }
+    if (rows_.gap() > polished) continue;
+    if (rows_.gap() <= closed_gap) return Result::exact;
+    load_ = right_side;
+    rows_.end_interior();
+    if (solve_active_sets(context, stage)) return Result::exact;
+    polished *= 1e-2;
+    right_side = load_;
+  }
+  return Result::exact;
+}
+
+/// One iteration: a predictor and a corrector with the same factorisation.
+bool ConvexSolver::advance_interior(const StageContext& context, const Stage& stage) {
+  BlockSystem& system = context.newton.system();
+  std::vector<Vec2>& right_side = system.right_side();
+  context.count_system();
+  system.load(context.state, stage);
+  load_ = right_side;
+  rows_.load_interior(system.matrix());
+  rows_.load_interior_force(right_side);
+  if (!system.solve(context.state)) return false;
+  rows_.predict(right_side);
+  right_side = load_;
+  rows_.load_interior_force(right_side);
+  system.solve_again(context.state);
+  rows_.advance(right_side);
+  return true;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "ribbon/contact/limited_rows.h"
+#include "ribbon/stage/newton_solver.h"
+
+namespace ribbon {
+
+/// Solves the convex problem that a linearisation with limited rows is: by active sets, and by an interior point where
+/// these do not lead to the solution. It ends in bounded work.
+class ConvexSolver {
+ public:
+  enum class Result { failed, near, exact };
+
+  LimitedRows& rows() { return rows_; }
+  const LimitedRows& rows() const { return rows_; }
+  void reserve(std::size_t rows, std::size_t right_side);
+  /// Finds the step of the problem about the current positions, and the tensions after it. With `far` from where the
+  /// linearisations end, it need not be exact.
+  Result solve(const StageContext& context, const Stage& stage, bool far);
+
+ private:
+  bool solve_active_sets(const StageContext& context, const Stage& stage);
+  Result solve_interior(const StageContext& context, const Stage& stage, bool far);
+  bool advance_interior(const StageContext& context, const Stage& stage);
+
+  LimitedRows rows_;
+  std::vector<Vec2> load_;  // the right-hand side without the rows, or a solution
+};
+
+}  // namespace ribbon

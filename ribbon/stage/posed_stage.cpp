@@ -1,0 +1,267 @@
+#include "ribbon/stage/posed_stage.h"
+
+#include <algorithm>
+
+#include "ribbon/system/grips.h"
+#include "ribbon/system/stretch.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int posings = 3;  // times that contacts are looked for
+constexpr int max_linearisations = 24;
+constexpr int impact_linearisations = 2;  // of a piece that takes an impact: no direction changes much
+constexpr int miss_linearisations = 3;    // more, for each time of
+constexpr int max_misses = 4;             // times that contacts are posed which the solution would have missed
+constexpr double far_share = 10.0;        // tolerances: a larger correction is far from the solution
+constexpr int full_linearisations = 5;    // after which a step has to reduce the energy
+constexpr double min_fraction = 1.0 / 64.0;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// N, the largest inertia force of the direction.
+double inertia_force(const StageContext& context, const Stage& stage) {
+  double max = 0.0;
+  for (std::size_t p = 0; p < context.state.points; ++p) {
+    max = std::max(max, stage.inertia[p] * length(context.newton.direction()[p]));
+  }
+  return max;
+}
+
+}  // namespace
+
+void PosedStage::resize(std::size_t slots, std::size_t tensions) {
+  best_.resize(slots);
+  groups_.resize(slots);
+  group_shares_.resize(slots);
+  best_tensions_.resize(tensions);
+}
+
+void PosedStage::reserve(const IslandState& state, const Contacts& contacts) {
+  solver_.reserve(2 * contacts.capacity() + state.held.capacity(),
+                  state.positions.capacity() + state.duals + state.held.capacity());
+  solved_positions_.reserve(state.positions.capacity());
+  solved_tensions_.reserve(state.tensions.capacity());
+  solved_held_.reserve(state.held.capacity());
+}
+
+PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
+                              Stage& stage, bool impact) {
+  IslandState& state = context.state;
+  for (HeldBody& held : state.held) held.limited = held.may_slip();
+  begin(context, request);
+  stage.least_geometric = Stage::bearable_push;
+  Course course;
+  const int max = impact ? impact_linearisations : max_linearisations;
+  for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {
+    if (k > 0 && context.work.is_posed_out()) break;
+    if (iterate(context, request, stage, k, course) == Iteration::ended) break;
+  }
+  end(context, stage, course);
+  for (HeldBody& held : state.held) held.limited = false;
+  PosedResult& result = course.result;
+  if (!context.contacts.empty()) {
+    result.cut = !keep_apart(context, bounds, request.from);
+    context.contacts.remember_hits(request.time_weight);
+  }
+  result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
+  return result;
+}
+
+/// Cords begin where they were, what is driven where it ends. Contacts are first looked for along the displacement
+/// without any.
+void PosedStage::begin(const StageContext& context, const StageRequest& request) const {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  for (HeldBody& held : state.held) held.slides = held.along_pull = 0.0;
+  if (!contacts.empty()) {
+    contacts.begin_stage();
+    contacts.aim(request.time);
+    contacts.lead(1.0);
+    contacts.pose_none();
+    contacts.pose(request.from, state.positions);
+  }
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (state.constrained[p] == 0) state.positions[p] = request.from[p];
+  }
+  context.newton.reset_penalty();
+}
+
+/// One linearisation.
+PosedStage::Iteration PosedStage::iterate(const StageContext& context, const StageRequest& request, const Stage& stage,
+                                          int k, Course& course) {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  NewtonSolver& newton = context.newton;
+  PosedResult& result = course.result;
+  const bool others = !contacts.empty() && k > 0 && k < posings && contacts.pose(request.from, state.positions);
+  append_rows(context, stage);
+  if (k >= posings) {
+    store_best(context, stage, course);
+    if (k == full_linearisations && return_to_best(context, stage)) append_rows(context, stage);
+  }
+  const bool far = k < posings && result.position_error > far_share * state.tolerance;
+  const ConvexSolver::Result solved = solver_.solve(context, stage, far);
+  if (solved == ConvexSolver::Result::failed) {
+    // The tensions of what was torn apart make a matrix that is definite in no precision: once without them.
+    if (k > 0) return Iteration::ended;
+    std::fill(state.tensions.begin(), state.tensions.end(), 0.0);
+    return Iteration::next;
+  }
+  result.position_error = newton.largest_displacement(state);
+  if (!(result.position_error <= NewtonSolver::max_displacement)) return Iteration::ended;
+  result.force_error = inertia_force(context, stage);
+  newton.raise_penalty();
+  const double fraction = k < full_linearisations ? 1.0 : step_fraction(context, stage);
+  course.is_near = k > 0 && result.position_error <= state.tolerance && solved == ConvexSolver::Result::exact &&
+                   !newton.slip_began() && !others;
+  if (fraction == 0.0) return Iteration::ended;  // nearer to the solution than the energy can tell, or stuck
+  newton.move(state, newton.trial(), fraction);
+  state.positions.swap(newton.trial());
+  newton.take_tensions(state);
+  if (!contacts.empty()) contacts.take_forces(solver_.rows(), k < posings);
+  take_slip_rows(state, solver_.rows());
+  settle(context, request, stage, k, course);
+  return Iteration::next;
+}
+
+/// Judges whether the iterate is the solution. If contacts are missed in it, they are posed and the solve goes on.
+void PosedStage::settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
+                        Course& course) {
+  IslandState& state = context.state;
+  Contacts& contacts = context.contacts;
+  course.is_near = course.is_near && !became_stretched(state);
+  course.result.converged = course.is_near && context.newton.are_bars_settled(state, stage, k);
+  if (!course.result.converged || course.misses >= max_misses || contacts.empty()) return;
+  store_solved(context);
+  if (!contacts.pose_missed(request.from, state.positions, state.tolerance)) return;
+  ++course.misses;
+  course.result.converged = course.has_best = false;
+}
+
+/// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate.
+void PosedStage::end(const StageContext& context, const Stage& stage, Course& course) {
+  bool& converged = course.result.converged;
+  converged = converged || course.is_near;
+  if (converged) return;
+  if (course.misses > 0) {
+    return_to_solved(context);
+    converged = true;
+  } else if (course.has_best) {
+    append_rows(context, stage);
+    return_to_best(context, stage);
+  }
+}
+
+/// Writes all limited rows about the current positions.
+void PosedStage::append_rows(const StageContext& context, const Stage& stage) {
+  LimitedRows& rows = solver_.rows();
+  rows.clear();
+  if (!context.contacts.empty()) {
+    context.contacts.append_rows(context.state.positions, context.state.dt / stage.q, rows);
+  }
+  append_slip_rows(context.state, stage.inertia, rows);
+}
+
+/// Returns what the posed problem minimises at x, J, with its rows linear about the current positions.
+double PosedStage::energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x) {
+  std::vector<Vec2>& direction = context.newton.direction();
+  for (std::size_t p = 0; p < x.size(); ++p) direction[p] = x[p] - context.state.positions[p];
+  return context.newton.potential(context.state, stage, x, true) + solver_.rows().potential(direction, 1.0);
+}
+
+bool PosedStage::is_worse_than_best(const StageContext& context, const Stage& stage) {
+  return !(energy(context, stage, context.state.positions) < energy(context, stage, best_));
+}
+
+void PosedStage::store_best(const StageContext& context, const Stage& stage, Course& course) {
+  if (!course.has_best || !is_worse_than_best(context, stage)) {
+    best_ = context.state.positions;
+    best_tensions_ = context.state.tensions;
+  }
+  course.has_best = true;
+}
+
+/// Returns to the best positions, unless the current ones are better. Returns whether it did.
+bool PosedStage::return_to_best(const StageContext& context, const Stage& stage) {
+  if (!is_worse_than_best(context, stage)) return false;
+  context.state.positions = best_;
+  context.state.tensions = best_tensions_;
+  return true;
+}
+
+/// Returns the first of 1, ½, ¼ … of the direction that reduces the energy, or 2 if that reduces it further: what is
+/// crushed gets nearer to its solution by half of the distance each time. Returns 0 if none does.
+double PosedStage::step_fraction(const StageContext& context, const Stage& stage) {
+  NewtonSolver& newton = context.newton;
+  const auto value = [&](double fraction) {
+    newton.move(context.state, newton.trial(), fraction);
+    return newton.potential(context.state, stage, newton.trial(), true) +
+           solver_.rows().potential(newton.direction(), fraction);
+  };
+  const double before = value(0.0);
+  for (double fraction = 1.0; fraction >= min_fraction; fraction *= 0.5) {
+    const double after = value(fraction);
+    if (!(after < before)) continue;
+    return fraction == 1.0 && value(2.0) < after ? 2.0 : fraction;
+  }
+  return 0.0;
+}
+
+void PosedStage::store_solved(const StageContext& context) {
+  solved_positions_ = context.state.positions;
+  solved_tensions_ = context.state.tensions;
+  solved_held_ = context.state.held;
+  context.contacts.keep_forces();
+}
+
+void PosedStage::return_to_solved(const StageContext& context) const {
+  context.state.positions = solved_positions_;
+  context.state.tensions = solved_tensions_;
+  context.state.held = solved_held_;
+  context.contacts.return_to_forces();
+}
+
+/// A cord is a group, and what holds it moves with it.
+void PosedStage::find_groups(const IslandState& state) {
+  groups_.assign(state.slots(), -1);
+  const auto root = [&](std::size_t slot) {
+    while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
+    return slot;
+  };
+  for (const Member& member : state.members) {
+    const auto points = IslandState::points_of(member, groups_);
+    std::fill(points.begin(), points.end(), static_cast<int>(member.first_point));
+  }
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.center(k)] = static_cast<int>(state.center(k));
+  for (const HeldBody& held : state.held) {
+    const std::size_t a = root(held.point);
+    const std::size_t b = root(state.center(held.body));
+    groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
+  }
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
+  }
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.angle(k)] = groups_[state.center(k)];
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (state.constrained[p] != 0) groups_[p] = -1;
+  }
+}
+
+/// Shortens the displacements of groups that would take them through each other, or out of their motion bounds. Returns
+/// false if one was shortened.
+bool PosedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from) {
+  IslandState& state = context.state;
+  find_groups(state);
+  group_shares_.assign(state.slots(), 1.0);
+  const bool within = bounds.limit(state, from, groups_, group_shares_);
+  const bool apart = context.contacts.keep_apart(from, state.positions, groups_, group_shares_);
+  if (apart && within) return true;
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (state.constrained[p] != 0 || groups_[p] < 0) continue;
+    state.positions[p] = from[p] + group_shares_[at(groups_[p])] * (state.positions[p] - from[p]);
+  }
+  return false;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "ribbon/collision/motion_bounds.h"
+#include "ribbon/stage/contact_stage.h"
+#include "ribbon/stage/convex_solver.h"
+
+namespace ribbon {
+
+/// How a posed stage ended.
+struct PosedResult {
+  bool converged = false;
+  bool cut = false;                                                 ///< something was stopped to prevent penetration
+  double position_error = std::numeric_limits<double>::infinity();  ///< m, correction by the last linear solve
+  double force_error = 0.0;                                         ///< N, inertia force of that correction
+};
+
+/// Solves a stage of implicit Euler whose contacts are posed at most a few times and then kept. Each linearisation of
+/// the cords then leaves a convex problem, which has a solution and is solved in bounded work. Whatever iterate the
+/// stage ends with is one that may be kept: nothing has passed through anything.
+class PosedStage {
+ public:
+  void resize(std::size_t slots, std::size_t tensions);
+  /// Reserves memory for a step of an island with so many contacts.
+  void reserve(const IslandState& state, const Contacts& contacts);
+  /// Solves the stage. With `impact` the piece takes an impact: it is so short that nothing moves far, and a few
+  /// linearisations do.
+  PosedResult solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request, Stage& stage,
+                    bool impact);
+
+ private:
+  /// The course of one solve.
+  struct Course {
+    PosedResult result;
+    bool has_best = false;
+    bool is_near = false;  // it is solved, except for bars that may be slack or taut
+    int misses = 0;        // times that contacts were posed that the solution would have missed
+  };
+  enum class Iteration { next, ended };
+
+  void begin(const StageContext& context, const StageRequest& request) const;
+  Iteration iterate(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
+                    Course& course);
+  void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
+  void end(const StageContext& context, const Stage& stage, Course& course);
+  void append_rows(const StageContext& context, const Stage& stage);
+  double energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x);
+  bool is_worse_than_best(const StageContext& context, const Stage& stage);
+  void store_best(const StageContext& context, const Stage& stage, Course& course);
+  bool return_to_best(const StageContext& context, const Stage& stage);
+  double step_fraction(const StageContext& context, const Stage& stage);
+  void store_solved(const StageContext& context);
+  void return_to_solved(const StageContext& context) const;
+  void find_groups(const IslandState& state);
+  bool keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from);
+
+  ConvexSolver solver_;
+  std::vector<Vec2> best_;
+  std::vector<double> best_tensions_;
+  // A solution that may have missed contacts.
+  std::vector<Vec2> solved_positions_;
+  std::vector<double> solved_tensions_;
+  std::vector<HeldBody> solved_held_;
+  std::vector<int> groups_;  // by slot: what moves together when it is kept apart from others; −1: by itself
+  std::vector<double> group_shares_;
+};
+
+}  // namespace ribbon

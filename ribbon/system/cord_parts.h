@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ribbon/cord.h"
+#include "ribbon/elastic/elasticity.h"
+
+namespace ribbon {
+
+/// What a Cord consists of: the solver works on it directly. Whatever else changes a cord goes through Cord, which
+/// checks values.
+struct CordParts {
+  explicit CordParts(const CordDef& cord_def);
+
+  std::size_t size() const { return state.positions.size(); }
+  bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
+  /// Returns the energies under `gravity` [m/s²].
+  Cord::Energy energy(Vec2 gravity) const;
+  /// Returns the bounds of the cord's position and motion. O(points).
+  Cord::Sweep find_sweep() const;
+
+  /// Call it after a change from outside: the next step starts anew, and the cord is awake.
+  void disturb();
+  void wake();
+  /// Stops what is left of the cord's motion.
+  void fall_asleep();
+  /// Takes the damping part out of the tensions. That part jumps with a velocity that is set from outside; the elastic
+  /// part does not.
+  void exclude_damping();
+  /// Adds the damping part of the current velocities again.
+  void include_damping();
+
+  std::optional<Cord::Sweep> sweep;  // of this state, if it is known; first, because resting cords are asked for it
+  CordDef def;
+  std::unique_ptr<Elasticity> elasticity;
+  Cord::State state;               // `unlocked` is empty: the elasticity stores it
+  std::vector<double> own_masses;  // kg, by point, without attached masses
+  // m, rest lengths by link at the start and at the end of the step; empty until something is reeled.
+  std::vector<double> rest_start, rest_end;
+  std::vector<int> outline;  // the points around which the cord can be touched, in order
+};
+
+}  // namespace ribbon

@@ -1,0 +1,330 @@
+#include "ribbon/system/cord_transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ribbon/system/grips.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share: what single precision explains
+constexpr double max_tolerance = 0.2;     // of a link, above which a tolerance would not hold it
+constexpr double resolved_digits = 16.0;  // min. tolerance, in roundings of the largest coordinate
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Accuracy higher(const Accuracy& a, const Accuracy& b) {
+  return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator,
+          std::max(a.substeps, b.substeps),
+          std::max(a.max_iterations, b.max_iterations),
+          std::min(a.tolerance, b.tolerance),
+          std::max(a.max_work, b.max_work),
+          a.soft_contacts && b.soft_contacts};
+}
+
+void reset(IslandState& state) {
+  state.coupled = state.driven = state.reeling = state.unlocking = state.restart = false;
+  state.members.clear();
+  state.bodies.clear();
+  state.held.clear();
+  state.points = 0;
+  state.duals = 0;
+}
+
+std::size_t add_members(IslandState& state, std::span<const IslandCord> cords) {
+  std::size_t tensions = 0;
+  state.accuracy = cords[0].cord->parts().def.accuracy;
+  for (const IslandCord& island_cord : cords) {
+    CordParts& cord = island_cord.cord->parts();
+    Member member;
+    member.cord = &cord;
+    member.surroundings = island_cord.met;
+    member.id = island_cord.id;
+    member.first_point = state.points;
+    member.points = cord.size();
+    member.first_tension = tensions;
+    member.tensions = cord.state.tensions.size();
+    member.first_dual = state.duals;
+    state.members.push_back(member);
+    state.duals += cord.elasticity->dual_count();
+    state.points += member.points;
+    tensions += member.tensions;
+    state.accuracy = higher(state.accuracy, cord.def.accuracy);
+  }
+  return tensions;
+}
+
+template <typename T>
+void copy_to(std::span<T> target, const std::vector<T>& source) {
+  std::copy(source.begin(), source.end(), target.begin());
+}
+
+template <typename T>
+void copy_from(std::span<const T> source, std::vector<T>& target) {
+  std::copy(source.begin(), source.end(), target.begin());
+}
+
+void load_motion(IslandState& state, const Member& member) {
+  CordParts& cord = *member.cord;
+  cord.exclude_damping();
+  copy_to(IslandState::points_of(member, state.positions), cord.state.positions);
+  copy_to(IslandState::points_of(member, state.velocities), cord.state.velocities);
+  copy_to(IslandState::points_of(member, state.accelerations), cord.state.accelerations);
+  copy_to(IslandState::points_of(member, state.masses), cord.state.masses);
+  state.restart = state.restart || cord.state.restart;
+}
+
+/// A tolerance above a fifth of a link would not hold it. One below what a coordinate resolves could not be met.
+void find_tolerance(IslandState& state) {
+  state.tolerance = state.accuracy.tolerance;
+  state.min_tolerance = 0.0;
+  for (const Member& member : state.members) {
+    const CordParts& cord = *member.cord;
+    const Vec2 x = cord.state.positions[0];
+    const double largest = std::abs(x.x) + std::abs(x.y) + cord.def.length;  // of a coordinate, about
+    state.min_tolerance =
+        std::max(state.min_tolerance, resolved_digits * std::numeric_limits<double>::epsilon() * largest);
+    double shortest = cord.def.length / (cord.def.points - 1);
+    for (std::size_t e = 0; e < cord.state.rest_targets.size(); ++e) {
+      shortest = std::min({shortest, cord.state.rest[e], cord.state.rest_targets[e]});
+    }
+    state.tolerance = std::min(state.tolerance, max_tolerance * shortest);
+  }
+  state.tolerance = std::max(state.tolerance, state.min_tolerance);
+}
+
+void drive_points(IslandState& state, const Member& member) {
+  const Cord::State& cord = member.cord->state;
+  for (std::size_t i = 0; i < member.points; ++i) {
+    const std::size_t p = member.first_point + i;
+    state.constrained[p] = cord.kinds[i] == PointKind::free ? 0 : 1;
+    if (state.constrained[p] != 0) state.drive(p, (1.0 / state.dt) * (cord.targets[i] - state.positions[p]));
+  }
+}
+
+/// kg: the cord, what is attached to it, and the heaviest body near it, which may press it against something else. A
+/// body that cannot be pushed does not count.
+double pressing_mass(const IslandState& state, const Member& member) {
+  const auto mass_of = [&](int body) {
+    const double inverse_mass = state.rigid[at(body)].inverse_mass;
+    return inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
+  };
+  const std::vector<double>& points = member.cord->state.masses;
+  double mass = std::accumulate(points.begin(), points.end(), 0.0);
+  for (std::size_t k = member.first_grip; k < member.end_grip; ++k) mass += mass_of(state.held[k].rigid);
+  double heaviest = 0.0;
+  for (const RigidCircle& circle : member.surroundings.circles) heaviest = std::max(heaviest, mass_of(circle.body));
+  for (const RigidSegment& segment : member.surroundings.segments) {
+    heaviest = std::max(heaviest, mass_of(segment.body));
+  }
+  return mass + heaviest;
+}
+
+/// Finds where the reels take the rest lengths in this step. The speed of a reel that arrives jumps.
+void load_reel(IslandState& state, const Member& member) {
+  CordParts& cord = *member.cord;
+  bool reeling = false;
+  for (std::size_t e = 0; e < cord.state.rest_targets.size(); ++e) {
+    const double rest = cord.state.rest[e];
+    const double left = cord.state.rest_targets[e] - rest;
+    const double max_change = cord.state.rest_speeds[e] * state.dt;
+    const bool arrives = std::abs(left) <= max_change;
+    cord.rest_start[e] = rest;
+    cord.rest_end[e] = arrives ? cord.state.rest_targets[e] : rest + std::copysign(max_change, left);
+    reeling = reeling || left != 0.0;
+    state.restart = state.restart || (left != 0.0 && arrives);
+  }
+  state.reeling = state.reeling || reeling;
+  state.driven = state.driven || reeling;
+}
+
+void load_body(IslandState& state, std::size_t k) {
+  const SolvedBody& solved = state.bodies[k];
+  const RigidBody& body = state.rigid_of(solved);
+  const std::size_t center = state.center(k);
+  const std::size_t angle = state.angle(k);
+  state.positions[center] = body.position;
+  state.positions[angle] = {};
+  state.velocities[center] = body.velocity + body.inverse_mass * body.impulse;
+  state.velocities[angle] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
+  state.accelerations[center] = {};
+  state.accelerations[angle] = {};
+  const bool kinematic = body.inverse_mass == 0.0;
+  state.masses[center] = kinematic ? 0.0 : 1.0 / body.inverse_mass;
+  state.masses[angle] = kinematic ? 0.0 : solved.turns ? 1.0 / body.inverse_inertia : 1.0;
+  state.constrained[center] = kinematic ? 1 : 0;
+  state.constrained[angle] = kinematic || !solved.turns ? 1 : 0;
+  for (const std::size_t slot : {center, angle}) {
+    state.drive_starts[slot] = state.positions[slot];
+    state.drive_velocities[slot] = state.velocities[slot];
+  }
+  state.driven = state.driven || (kinematic && !(body.velocity == Vec2{} && body.angular_velocity == 0.0));
+}
+
+/// Reads the acceleration of a body that held the same point in the last step. It is out of date if something else has
+/// changed the body's velocity since then.
+void load_body_accelerations(IslandState& state, const Member& member) {
+  const auto& holders = member.cord->state.holders;
+  state.restart = state.restart || holders.size() != member.end_grip - member.first_grip;
+  for (std::size_t k = member.first_grip; k < member.end_grip && !state.restart; ++k) {
+    const Cord::Holder& before = holders[k - member.first_grip];
+    const HeldBody& held = state.held[k];
+    const std::size_t center = state.center(held.body);
+    const std::size_t angle = state.angle(held.body);
+    state.accelerations[center] = before.acceleration;
+    state.accelerations[angle] = {before.angular_acceleration, 0.0};
+    const double jump = length(state.velocities[center] - before.velocity);
+    const double turn = std::abs(state.velocities[angle].x - before.turning);
+    state.restart = at(before.point) + member.first_point != held.point ||
+                    jump > same_velocity * (1.0 + length(before.velocity)) ||
+                    turn > same_velocity * (1.0 + std::abs(before.turning));
+  }
+}
+
+/// Returns whether the island is a single cord of which each body holds another point, so that the cord's own solver
+/// can solve it.
+bool is_single_cord(const IslandState& state) {
+  if (state.members.size() != 1 || state.held.size() != state.bodies.size()) return false;
+  for (std::size_t k = 0; k < state.held.size(); ++k) {
+    const HeldBody& held = state.held[k];
+    if (held.body != k || !held.is_plain() || state.rigid[at(held.rigid)].inverse_mass == 0.0) return false;
+    if (k > 0 && held.point <= state.held[k - 1].point) return false;
+  }
+  return true;
+}
+
+/// Halves the velocity at which the free points deform. What crushed or inverted cells give back when they open would
+/// become a vibration. The motion of the cord as a rigid body stays.
+void damp_deformation(const IslandState& state, const Member& member) {
+  Cord::State& cord = member.cord->state;
+  double mass = 0.0;
+  Vec2 middle;
+  Vec2 momentum;
+  for (std::size_t p = 0; p < member.points; ++p) {
+    mass += cord.masses[p];
+    middle += cord.masses[p] * cord.positions[p];
+    momentum += cord.masses[p] * cord.velocities[p];
+  }
+  middle = (1.0 / mass) * middle;
+  const Vec2 mean_velocity = (1.0 / mass) * momentum;
+  double inertia = 0.0;
+  double spin = 0.0;
+  for (std::size_t p = 0; p < member.points; ++p) {
+    const Vec2 arm = cord.positions[p] - middle;
+    inertia += cord.masses[p] * dot(arm, arm);
+    spin += cord.masses[p] * cross(arm, cord.velocities[p]);
+  }
+  const double turning = inertia > 0.0 ? spin / inertia : 0.0;
+  for (std::size_t p = 0; p < member.points; ++p) {
+    if (state.constrained[member.first_point + p] != 0) continue;
+    const Vec2 rigid = mean_velocity + turning * perp(cord.positions[p] - middle);
+    cord.velocities[p] = 0.5 * (cord.velocities[p] + rigid);
+  }
+}
+
+void store_reel(CordParts& cord) {
+  if (cord.state.rest_targets.empty()) return;
+  for (std::size_t e = 0; e < cord.state.rest_targets.size(); ++e) {
+    const bool arrived = cord.rest_end[e] == cord.state.rest_targets[e] && cord.rest_start[e] != cord.rest_end[e];
+    cord.state.restart = cord.state.restart || arrived;
+  }
+  cord.state.rest = cord.rest_end;
+  cord.elasticity->set_rest_lengths(cord.state.rest);
+}
+
+void store_holders(const IslandState& state, const Member& member) {
+  auto& holders = member.cord->state.holders;
+  holders.clear();
+  for (std::size_t k = member.first_grip; k < member.end_grip; ++k) {
+    const HeldBody& held = state.held[k];
+    const std::size_t center = state.center(held.body);
+    const std::size_t angle = state.angle(held.body);
+    Cord::Holder holder;
+    holder.point = static_cast<int>(held.point - member.first_point);
+    holder.velocity = state.velocities[center];
+    holder.turning = state.velocities[angle].x;
+    holder.acceleration = state.accelerations[center];
+    holder.angular_acceleration = state.accelerations[angle].x;
+    holder.grip = static_cast<int>(held.grip);
+    holder.pull = grip_reaction(state, k);
+    holder.slid = held.slid;
+    holders.push_back(holder);
+  }
+}
+
+void store_cord(IslandState& state, const Member& member) {
+  CordParts& cord = *member.cord;
+  copy_from(std::span<const Vec2>(IslandState::points_of(member, state.positions)), cord.state.positions);
+  copy_from(std::span<const Vec2>(IslandState::points_of(member, state.velocities)), cord.state.velocities);
+  copy_from(std::span<const Vec2>(IslandState::points_of(member, state.accelerations)), cord.state.accelerations);
+  copy_from(std::span<const double>(IslandState::tensions_of(member, state.tensions)), cord.state.tensions);
+  for (std::size_t p = 0; p < member.points; ++p) {
+    if (cord.state.kinds[p] != PointKind::free) cord.state.positions[p] = cord.state.targets[p];  // to the last bit
+  }
+  cord.state.restart = state.restart;
+  cord.sweep.reset();
+  store_reel(cord);
+  store_holders(state, member);
+  if (!state.unlocking) return;
+  cord.exclude_damping();
+  damp_deformation(state, member);
+  cord.state.restart = true;
+}
+
+}  // namespace
+
+void load_cords(IslandState& state, std::span<const IslandCord> cords) {
+  reset(state);
+  const std::size_t tensions = add_members(state, cords);
+  state.resize(state.points, tensions);
+  for (const Member& member : state.members) load_motion(state, member);
+  find_tolerance(state);
+  for (Member& member : state.members) {
+    drive_points(state, member);
+    add_grips(state, member);
+    member.pressing_mass = pressing_mass(state, member);
+    load_reel(state, member);
+    member.cord->include_damping();
+    copy_to(IslandState::tensions_of(member, state.tensions), member.cord->state.tensions);
+    state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
+  }
+}
+
+void load_bodies(IslandState& state) {
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) load_body(state, k);
+  for (const Member& member : state.members) load_body_accelerations(state, member);
+  state.coupled = !is_single_cord(state);
+}
+
+void reset_reels(const IslandState& state) {
+  for (const Member& member : state.members) {
+    CordParts& cord = *member.cord;
+    if (!cord.state.rest_targets.empty()) cord.state.rest = cord.rest_start;
+  }
+}
+
+void store_cords(IslandState& state) {
+  if (state.coupled) find_slips(state);
+  for (const Member& member : state.members) store_cord(state, member);
+}
+
+void store_bodies(const IslandState& state) {
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    RigidBody& body = state.rigid[at(state.bodies[k].index)];
+    if (body.inverse_mass == 0.0) continue;
+    const std::size_t center = state.center(k);
+    const std::size_t angle = state.angle(k);
+    const Vec2 velocity = state.velocities[center];
+    const double turning = state.velocities[angle].x;
+    body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - state.dt * body.acceleration);
+    if (state.bodies[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
+    body.moved = state.positions[center] - body.position;
+    body.turned = state.positions[angle].x;
+    body.met = true;
+  }
+}
+
+}  // namespace ribbon

@@ -1,0 +1,71 @@
+#include "ribbon/system/island_state.h"
+
+namespace ribbon {
+
+Stage IslandState::stage_of(const Stage& all, const Member& member) {
+  Stage stage = all;
+  stage.predicted = all.predicted.subspan(member.first_point, member.points);
+  stage.velocity = all.velocity.subspan(member.first_point, member.points);
+  stage.inertia = all.inertia.subspan(member.first_point, member.points);
+  stage.force = all.force.subspan(member.first_point, member.points);
+  stage.constrained = all.constrained.subspan(member.first_point, member.points);
+  return stage;
+}
+
+std::size_t IslandState::solved_body(int index) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].index == index) return k;
+  }
+  const RigidBody& body = rigid[at(index)];
+  bodies.push_back({index, body.inverse_inertia > 0.0, body.acceleration});
+  return bodies.size() - 1;
+}
+
+void IslandState::drive(std::size_t slot, Vec2 velocity) {
+  constrained[slot] = 1;
+  drive_starts[slot] = positions[slot];
+  drive_velocities[slot] = velocity;
+  driven = driven || !(velocity == Vec2{});
+  restart = restart || !(velocities[slot] == velocity);
+  velocities[slot] = velocity;
+}
+
+void IslandState::resize(std::size_t slots, std::size_t tension_count) {
+  for (auto* all : {&positions, &velocities, &accelerations, &drive_starts, &drive_velocities, &start.positions,
+                    &start.velocities}) {
+    all->resize(slots);
+  }
+  masses.resize(slots);
+  constrained.resize(slots);
+  tensions.resize(tension_count);
+  start.tensions.resize(tension_count);
+}
+
+void IslandState::begin_substep(double time, double substep_dt) {
+  start.time = time;
+  start.dt = substep_dt;
+  start.positions = positions;
+  start.velocities = velocities;
+  start.tensions = tensions;
+}
+
+void IslandState::return_to_start() {
+  positions = start.positions;
+  velocities = start.velocities;
+  tensions = start.tensions;
+}
+
+void IslandState::add_damping(double sign) {
+  for (const Member& member : members) {
+    if (member.cord->def.damping == 0.0) continue;
+    member.cord->elasticity->add_damping(motion_of(member), sign, tensions_of(member, tensions));
+  }
+}
+
+void IslandState::find_tensions() {
+  for (const Member& member : members) {
+    member.cord->elasticity->find_tensions(points_of(member, positions), tensions_of(member, tensions));
+  }
+}
+
+}  // namespace ribbon

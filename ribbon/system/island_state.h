@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ribbon/contact/held_body.h"
+#include "ribbon/cord_def.h"
+#include "ribbon/elastic/stage.h"
+#include "ribbon/rigid_circle.h"
+#include "ribbon/system/cord_parts.h"
+
+namespace ribbon {
+
+/// A cord of an island, and where its points, tensions and grips are among those of the island.
+struct Member {
+  CordParts* cord = nullptr;
+  Surroundings surroundings;
+  std::uint64_t id = 0;  ///< identifies the cord from step to step
+  std::size_t first_point = 0;
+  std::size_t points = 0;
+  std::size_t first_tension = 0;
+  std::size_t tensions = 0;
+  std::size_t first_dual = 0;  ///< of the tensions that are unknowns of the linear system
+  std::size_t first_grip = 0;
+  std::size_t end_grip = 0;
+  double pressing_mass = 0.0;  ///< kg, what may press where the cord touches something
+
+  std::size_t end_point() const { return first_point + points; }
+  bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }
+};
+
+/// A body that is solved with the cords.
+struct SolvedBody {
+  int index;          ///< into the step's bodies
+  bool turns;         ///< its moment of inertia is finite
+  Vec2 acceleration;  ///< m/s², of free motion
+};
+
+/// The state at the start of a substep.
+struct SubstepStart {
+  double time = 0.0;  ///< s, since the step began
+  double dt = 0.0;    ///< s
+  std::vector<Vec2> positions;
+  std::vector<Vec2> velocities;
+  std::vector<double> tensions;
+};
+
+/// The cords and bodies of an island during a step, as arrays. The slots are the points of all cords and, behind them,
+/// two for each body: its centre of mass [m], and (φ, 0) of the angle by which it has turned in the step [rad]. The
+/// integrators treat all slots alike.
+struct IslandState {
+  // Of the step:
+  double dt = 0.0;  ///< s
+  Vec2 gravity;     ///< m/s²
+  std::span<RigidBody> rigid;
+  Accuracy accuracy;           ///< the highest that one of the cords declares
+  double tolerance = 0.0;      ///< m
+  double min_tolerance = 0.0;  ///< m, what rounding leaves of the largest coordinate
+
+  // What is solved:
+  std::vector<Member> members;
+  std::vector<SolvedBody> bodies;
+  std::vector<HeldBody> held;  ///< by member and point, ascending
+  std::size_t points = 0;      ///< of all cords
+  std::size_t duals = 0;       ///< tensions that are unknowns of the linear system
+  bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
+  bool driven = false;     ///< something moves that the energy guard does not know
+  bool reeling = false;    ///< a reel changes rest lengths
+  bool unlocking = false;  ///< inverted cells are turned back in this step
+  bool restart = false;    ///< the accelerations are out of date
+  bool touch_changed = false;  ///< a contact began or ended in the last substep
+
+  // By slot:
+  std::vector<Vec2> positions;
+  std::vector<Vec2> velocities;
+  std::vector<Vec2> accelerations;
+  std::vector<double> masses;
+  std::vector<char> constrained;
+  // Of constrained slots: where the step found them, and their constant velocity in it.
+  std::vector<Vec2> drive_starts, drive_velocities;
+  /// Tensions of all cords and, behind them, two for each grip: the components of its pull on the body [N].
+  std::vector<double> tensions;
+  SubstepStart start;  ///< of the current substep
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::size_t center(std::size_t body) const { return points + 2 * body; }
+  std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
+  bool is_angle(std::size_t slot) const { return slot >= points && (slot - points) % 2 == 1; }
+  std::size_t slots() const { return positions.size(); }
+  /// The slots of unknown tensions follow those of points and bodies; those of grips follow them.
+  int first_dual(const Member& member) const { return static_cast<int>(slots() + member.first_dual); }
+  int grip_dual(std::size_t grip) const { return static_cast<int>(slots() + duals + grip); }
+  const RigidBody& rigid_of(const SolvedBody& body) const { return rigid[at(body.index)]; }
+
+  /// Return a cord's part of an array by slot or by tension.
+  template <typename Array>
+  static auto points_of(const Member& member, Array& by_slot) {
+    return std::span(by_slot).subspan(member.first_point, member.points);
+  }
+  template <typename Array>
+  static auto tensions_of(const Member& member, Array& by_tension) {
+    return std::span(by_tension).subspan(member.first_tension, member.tensions);
+  }
+  /// Returns positions and velocities of a cord.
+  Motion motion_of(const Member& member) { return {points_of(member, positions), points_of(member, velocities)}; }
+  /// Returns a cord's part of a stage.
+  static Stage stage_of(const Stage& all, const Member& member);
+
+  /// Returns the index of a body among those that are solved with the cords. Adds it if it is new.
+  std::size_t solved_body(int index);
+  /// Moves a slot at a constant velocity [m/s] in the step.
+  void drive(std::size_t slot, Vec2 velocity);
+  void resize(std::size_t slots, std::size_t tension_count);
+  void begin_substep(double time, double substep_dt);
+  void return_to_start();
+  /// Adds `sign` times the damping part of the tensions at the current velocities. A change of velocities outside a
+  /// stage leaves the elastic part as it is.
+  void add_damping(double sign);
+  /// Sets the tensions of the cords to those of their shapes at rest. The pulls of grips are left.
+  void find_tensions();
+};
+
+}  // namespace ribbon

@@ -1,0 +1,55 @@
+#include "ribbon/system/stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ribbon {
+namespace {
+
+/// m
+double shortest_cord(const IslandState& state) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Member& member : state.members) {
+    const std::vector<double>& rest = member.cord->state.rest;
+    shortest = std::min(shortest, std::accumulate(rest.begin(), rest.end(), 0.0));
+  }
+  return shortest;
+}
+
+}  // namespace
+
+double largest_strain(const IslandState& state, std::span<const Vec2> x) {
+  double max = 0.0;
+  for (const Member& member : state.members) {
+    const CordDef& def = member.cord->def;
+    if (std::isfinite(def.stretch_stiffness)) continue;
+    for (std::size_t link = 0; link + 1 < member.points; ++link) {
+      const std::size_t p = member.first_point + link;
+      const double strain = length(x[p + 1] - x[p]) / member.cord->state.rest[link] - 1.0;
+      max = std::max(max, def.tension_only ? strain : std::abs(strain));
+    }
+  }
+  return max;
+}
+
+bool became_stretched(const IslandState& state) {
+  return largest_strain(state, state.positions) > std::max(max_strain, largest_strain(state, state.start.positions));
+}
+
+bool is_stretched(const IslandState& state) {
+  return largest_strain(state, state.positions) > max_strain &&
+         highest_start_speed(state) * state.dt < shortest_cord(state);
+}
+
+double highest_start_speed(const IslandState& state) {
+  double highest = 0.0;
+  for (std::size_t p = 0; p < state.slots(); ++p) {
+    if (!state.is_angle(p)) highest = std::max(highest, length(state.start.velocities[p]));
+    if (p < state.points && state.constrained[p] != 0) highest = std::max(highest, length(state.drive_velocities[p]));
+  }
+  return highest;
+}
+
+}  // namespace ribbon
