@@ -107,13 +107,23 @@ CordId CordTable::add(CoupledCord cord) {
   cord.reserve();
   cords_.push_back(std::make_unique<CoupledCord>(std::move(cord)));
   ids_.push_back(next_);
+  active_.push_back(cords_.back().get());
+  resting_.reserve(active_.capacity());
   return next_++;
 }
 
 void CordTable::remove(CordId id) {
   const auto at = static_cast<std::ptrdiff_t>(place(id));
+  CoupledCord* const cord = cords_[place(id)].get();
+  activate(*cord);
+  active_.erase(std::find(active_.begin(), active_.end(), cord));
   cords_.erase(cords_.begin() + at);
   ids_.erase(ids_.begin() + at);
+}
+
+void CordTable::activate(CoupledCord& cord) {
+  if (!cord.resting) return;
+  activate_if([&](const CoupledCord& resting) { return &resting == &cord; });
 }
 
 /// The number of cords with smaller ids. A cord is at its id until one before it has been removed.

@@ -2,6 +2,7 @@
 
 #include <box2d/b2_fixture.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,13 +25,16 @@ struct CoupledCord {
   CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
       : filter(cord_filter), cord(std::move(of_solver)) {}
 
-  // What each tick reads of each cord comes first: a thousand cords at rest cost little else than this memory.
+  // What a tick reads of a cord at rest comes first: a thousand of them cost little else than this memory.
   CordId id = -1;
   bool enabled = true;
+  bool resting = false;  // see CordTable
   b2Filter filter;
+  std::vector<NearShape> near{};  // the fixtures found in this tick
+  std::variant<ThesisCord, Cord> cord;
+
   // In this tick:
-  Box swept_aabb{};               // in which fixtures are searched
-  std::vector<NearShape> near{};  // the fixtures found
+  Box swept_aabb{};  // in which fixtures are searched
   std::vector<RigidCircle> circles{};
   std::vector<RigidSegment> segments{};
   std::vector<Grip> grips{};
@@ -38,7 +42,6 @@ struct CoupledCord {
   std::vector<FixtureTouch> touching{};  // in the last step, by fixture number
   std::vector<FixtureTouch> touched{};   // in the step before it
 
-  std::variant<ThesisCord, Cord> cord;
   std::uintptr_t user_data = 0;
   CordReport island_report{};
   CordReport island_total{};
@@ -74,6 +77,9 @@ struct CoupledCord {
 };
 
 /// The cords of a coupling, by id. References to a cord are valid until it is removed.
+///
+/// Each cord is active or resting. A resting cord is asleep with nothing near it: a tick only looks whether it was
+/// changed and whether something came near, and does not step it. Its last report is empty.
 class CordTable {
  public:
   /// Adds a cord and assigns its id.
@@ -97,6 +103,22 @@ class CordTable {
   /// Sets the id of the next cord, above those of all cords.
   void continue_from(CordId next) { next_ = next; }
 
+  /// Makes a cord active.
+  void activate(CoupledCord& cord);
+  /// Makes all resting cords active for which a condition holds.
+  template <typename Condition>
+  void activate_if(Condition&& condition) {
+    move_if(resting_, active_, false, condition);
+  }
+  /// Lets all active cords rest for which a condition holds.
+  template <typename Condition>
+  void rest_if(Condition&& condition) {
+    move_if(active_, resting_, true, condition);
+  }
+  /// Returns a number that changes with the set of resting cords.
+  std::uint64_t resting_version() const { return resting_version_; }
+
+  /// A range of cords in the order of adding.
   template <typename Base, typename Value>
   struct Iterator {
     Base at;
@@ -107,21 +129,50 @@ class CordTable {
     }
     bool operator==(const Iterator&) const = default;
   };
-  // In the order of adding:
-  auto begin() { return iterator<CoupledCord>(cords_.begin()); }
-  auto end() { return iterator<CoupledCord>(cords_.end()); }
-  auto begin() const { return iterator<const CoupledCord>(cords_.begin()); }
-  auto end() const { return iterator<const CoupledCord>(cords_.end()); }
+  template <typename Base, typename Value>
+  struct Range {
+    Base first, last;
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+    Iterator<Base, Value> begin() const { return {first}; }
+    Iterator<Base, Value> end() const { return {last}; }
+  };
+  // All cords:
+  auto begin() { return range<CoupledCord>(cords_).begin(); }
+  auto end() { return range<CoupledCord>(cords_).end(); }
+  auto begin() const { return range<const CoupledCord>(cords_).begin(); }
+  auto end() const { return range<const CoupledCord>(cords_).end(); }
+  auto active() { return range<CoupledCord>(active_); }
+  auto active() const { return range<const CoupledCord>(active_); }
+  auto resting() { return range<CoupledCord>(resting_); }
+  auto resting() const { return range<const CoupledCord>(resting_); }
 
  private:
-  template <typename Value, typename Base>
-  static Iterator<Base, Value> iterator(Base at) {
-    return {at};
+  using Pointers = std::vector<CoupledCord*>;
+  template <typename Value, typename Vector>
+  static auto range(Vector& cords) {
+    return Range<decltype(cords.begin()), Value>{cords.begin(), cords.end()};
+  }
+  template <typename Condition>
+  void move_if(Pointers& from, Pointers& to, bool resting, Condition& condition) {
+    const std::size_t before = to.size();
+    const auto is_moved = [&](CoupledCord* cord) {
+      if (!condition(*cord)) return false;
+      cord->resting = resting;
+      to.push_back(cord);
+      return true;
+    };
+    from.erase(std::remove_if(from.begin(), from.end(), is_moved), from.end());
+    if (to.size() == before) return;
+    ++resting_version_;
+    const auto by_id = [](const CoupledCord* a, const CoupledCord* b) { return a->id < b->id; };
+    std::inplace_merge(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(before), to.end(), by_id);
   }
   std::size_t place(CordId id) const;
 
   std::vector<std::unique_ptr<CoupledCord>> cords_;  // by id
   std::vector<CordId> ids_;                          // of each
+  Pointers active_, resting_;                        // by id
+  std::uint64_t resting_version_ = 0;
   CordId next_ = 0;
 };
 

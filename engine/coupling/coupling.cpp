@@ -25,7 +25,7 @@ void wake_what_touched_cords_that_are_gone(CouplingParts& parts) {
     const FixtureIds::Known* const known = parts.fixtures.known(touch.fixture);
     if (known != nullptr && known->seen) wake(*known->seen_as.fixture);
   };
-  for (const CoupledCord& cord : parts.cords) {
+  for (const CoupledCord& cord : parts.cords.active()) {
     if (cord.enabled) continue;
     for (const FixtureTouch& touch : cord.touching) wake_body(touch);
   }
@@ -46,7 +46,7 @@ void wake_if_it_left(const FixtureTouch& touch, FixtureIds& fixtures, b2World& w
 /// Finds the fixtures that touched a cord in the last step and are no longer near any.
 void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
   if (!parts.fixtures.misses_some()) return;
-  for (const CoupledCord& cord : parts.cords) {
+  for (const CoupledCord& cord : parts.cords.active()) {
     for (const FixtureTouch& touch : cord.touching) wake_if_it_left(touch, parts.fixtures, world);
   }
   for (const EndingTouch& ending : parts.touches.ending()) wake_if_it_left(ending.touch, parts.fixtures, world);
@@ -61,6 +61,13 @@ void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
   body.ApplyAngularImpulse(static_cast<float>(rigid.angular_impulse), true);
   const Vec2 given = (1.0 / rigid.inverse_mass) * (to_double(body.GetLinearVelocity()) - before);
   if (CoupledCord* const cord = cords.find(entry.thesis_cord)) cord->thesis().add_momentum(rigid.impulse - given);
+}
+
+/// Returns whether the next ticks need not step a cord as long as nothing comes near it.
+bool may_rest(const CoupledCord& cord) {
+  if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().def().cord_contact)
+    return false;
+  return cord.near.empty() && cord.grips.empty() && cord.touching.empty() && cord.touched.empty();
 }
 
 /// Releases the grips that were pulled with more than their strength.
@@ -105,11 +112,12 @@ void Coupling::remove(CordId cord) {
 std::span<const CordId> Coupling::cords() const { return parts_->cords.ids(); }
 
 GripId Coupling::hold(b2Body& body, const GripDef& def) {
-  const CoupledCord& cord = parts_->cords.enabled(def.cord);
+  CoupledCord& cord = parts_->cords.enabled(def.cord);
   check_unlocked(*body.GetWorld());
   const BodyGrip grip = parts_->grips.make(body, def, cord);
   parts_->enter(*body.GetWorld());
   parts_->forget_predecessor(body);
+  parts_->cords.activate(cord);
   return parts_->grips.add(grip);
 }
 
@@ -162,7 +170,7 @@ void Coupling::gather(b2World& world, double dt) {
   parts.gatherer.find_fixtures(world, parts.conditions, parts.cords, parts.fixtures, parts.parallel_for);
   wake_what_touched_cords_that_are_gone(parts);
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
-  for (CoupledCord& cord : parts.cords) {
+  for (CoupledCord& cord : parts.cords.active()) {
     cord.clear_environment();
     Gatherer::add_shapes_of(cord, parts.conditions, index_of);
   }
@@ -189,12 +197,14 @@ void Coupling::step() {
   step_direct();
   parts_->grips.follow(parts_->cords);
   parts_->touches.find_events(parts_->cords, parts_->fixtures);
+  // What watches steps sees those of all cords.
+  if (!parts_->probe && parts_->watcher == nullptr) parts_->cords.rest_if(may_rest);
   parts_->phase = TickPhase::stepped;
 }
 
 void Coupling::step_thesis() {
   CouplingParts& parts = *parts_;
-  for (CoupledCord& cord : parts.cords) {
+  for (CoupledCord& cord : parts.cords.active()) {
     if (cord.is_direct() || !cord.enabled) continue;
     const Surroundings met{parts.bodies.rigid, cord.circles, cord.grips};
     cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, met);
@@ -213,7 +223,7 @@ void Coupling::step_direct() {
   const auto& [gravity, dt] = parts.conditions;
   std::vector<RigidBody>& bodies = parts.bodies.rigid;
   parts.island_cords.clear();
-  for (CoupledCord& cord : parts.cords) {
+  for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
     const Surroundings met{bodies, cord.circles, cord.grips, cord.segments};
     parts.island_cords.push_back({&cord.direct(), met, solver_id(cord.id)});
@@ -225,7 +235,7 @@ void Coupling::step_direct() {
   parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
   if (parts.watcher != nullptr) parts.watcher->after(input, parts.reports, parts.solver.total());
   std::size_t k = 0;
-  for (CoupledCord& cord : parts.cords) {
+  for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
     if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
     cord.island_report = parts.reports[k++];
@@ -262,17 +272,23 @@ void Coupling::use(const ParallelFor& parallel_for) {
 }
 
 const CordReport& Coupling::tick_report() const { return parts_->solver.total(); }
-int Coupling::islands() const { return parts_->solver.islands(); }
+int Coupling::islands() const {
+  return parts_->solver.islands() + static_cast<int>(std::as_const(parts_->cords).resting().size());
+}
 
 void Coupling::estimate_errors(bool wanted) {
   if (wanted == estimates_errors()) return;
   parts_->probe.reset();
   if (wanted) parts_->probe.emplace();
+  parts_->cords.activate_if([](const CoupledCord&) { return true; });
   for (CoupledCord& cord : parts_->cords) cord.error = 0.0;
 }
 
 bool Coupling::estimates_errors() const { return parts_->probe.has_value(); }
-void Coupling::watch(StepWatcher* watcher) { parts_->watcher = watcher; }
+void Coupling::watch(StepWatcher* watcher) {
+  parts_->watcher = watcher;
+  parts_->cords.activate_if([](const CoupledCord&) { return true; });
+}
 std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
 

@@ -268,6 +268,7 @@ void Coupling::restore(const State& state, b2World& world) {
   check_state(state, bodies, parts.cords);
   const auto body_at = [&bodies](int place) -> b2Body& { return *bodies[static_cast<std::size_t>(place)]; };
 
+  parts.cords.activate_if([](const CoupledCord&) { return true; });
   auto saved = state.cords.begin();
   for (CoupledCord& cord : parts.cords) restore_cord(*saved++, cord);
   parts.cords.continue_from(state.next_cord);

@@ -90,10 +90,15 @@ void Gatherer::reserve(std::size_t fixtures, std::size_t cords) {
   new_bodies_.reserve(fixtures);
 }
 
+/// A resting cord becomes active if it was changed, if gravity or the length of the tick was, and if a fixture has come
+/// near it.
 void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
                              const ParallelFor& parallel_for) {
-  queries_.clear();
-  for (CoupledCord& cord : cords) {
+  const bool same_conditions = conditions.gravity == conditions_.gravity && conditions.dt == conditions_.dt;
+  conditions_ = conditions;
+  cords.activate_if([&](const CoupledCord& cord) { return !same_conditions || !cord.direct().remembers_sweep(); });
+  load_resting_queries(cords);
+  for (CoupledCord& cord : cords.active()) {
     cord.near.clear();
     cord.swept_aabb = {};
     if (!cord.enabled) continue;
@@ -102,12 +107,25 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
     queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
   }
   near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
+  cords.activate_if([](const CoupledCord& cord) { return !cord.near.empty(); });
   number_new_fixtures(world, cords, fixtures);
+}
+
+void Gatherer::load_resting_queries(CordTable& cords) {
+  if (resting_version_ != cords.resting_version()) {
+    resting_version_ = cords.resting_version();
+    queries_.clear();
+    for (CoupledCord& cord : cords.resting()) {
+      queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
+    }
+    resting_count_ = queries_.size();
+  }
+  queries_.resize(resting_count_);
 }
 
 void Gatherer::number_new_fixtures(const b2World& world, CordTable& cords, FixtureIds& fixtures) {
   new_fixtures_.clear();
-  for (CoupledCord& cord : cords) {
+  for (CoupledCord& cord : cords.active()) {
     for (NearShape& shape : cord.near) {
       shape.number = fixtures.of(*shape.fixture);
       if (shape.number == 0) new_fixtures_.push_back(shape.fixture);
@@ -115,7 +133,7 @@ void Gatherer::number_new_fixtures(const b2World& world, CordTable& cords, Fixtu
   }
   if (new_fixtures_.empty()) return;
   number_in_order(world, fixtures);
-  for (CoupledCord& cord : cords) {
+  for (CoupledCord& cord : cords.active()) {
     for (NearShape& shape : cord.near) {
       if (shape.number == 0) shape.number = fixtures.of(*shape.fixture);
     }

@@ -13,8 +13,8 @@
 
 namespace ribbon::box2d {
 
-/// Finds the environment of each cord in a tick: the circles and edges that it may touch. It stores no state between
-/// ticks, only memory.
+/// Finds the environment of each cord in a tick: the circles and edges that it may touch. Between ticks
+/// it stores memory, and the queries of resting cords.
 class Gatherer {
  public:
   /// Reserves memory for so many fixtures near a cord and for so many cords.
@@ -28,12 +28,16 @@ class Gatherer {
                             const std::function<int(b2Body&)>& index_of);
 
  private:
+  void load_resting_queries(CordTable& cords);
   void number_new_fixtures(const b2World& world, CordTable& cords, FixtureIds& fixtures);
   void number_in_order(const b2World& world, FixtureIds& fixtures);
   void number_fixtures_of(const b2Body& body, FixtureIds& fixtures) const;
 
   NearFinder near_finder_;
-  std::vector<NearQuery> queries_;  // of enabled cords
+  std::vector<NearQuery> queries_;  // of resting cords, which stay from tick to tick, and behind them of enabled ones
+  std::size_t resting_count_ = 0;
+  std::uint64_t resting_version_ = 0;
+  StepConditions conditions_;  // of the last tick
   // Fixtures without a number yet, and their bodies, sorted by address for lookup only.
   std::vector<const b2Fixture*> new_fixtures_;
   std::vector<const b2Body*> new_bodies_;

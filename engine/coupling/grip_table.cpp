@@ -187,7 +187,7 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
 
 void GripTable::follow(const CordTable& cords) {
   for (BodyGrip& grip : grips_) grip.local_anchor = grip.next_anchor;
-  for (const CoupledCord& cord : cords) {
+  for (const CoupledCord& cord : cords.active()) {
     if (!cord.is_direct()) continue;
     for (std::size_t k = 0; k < cord.grips.size(); ++k) {
       BodyGrip* const held = find(cord.grip_ids[k]);

@@ -56,6 +56,7 @@ void CordRef::free(int point) const {
 
 void CordRef::set_enabled(bool enabled) const {
   CoupledCord& cord = parts_->cords.at(id());
+  parts_->cords.activate(cord);
   cord.enabled = enabled;
   if (enabled) return;
   parts_->detach(id());
@@ -69,6 +70,7 @@ void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).
 void CordRef::replace(Cord cord, const b2Filter& filter) const {
   CoupledCord& old = parts_->cords.at(id());
   (void)old.direct();  // refuses the other solver
+  parts_->cords.activate(old);
   parts_->detach(id());
   CoupledCord coupled(std::move(cord), filter);
   coupled.id = id();

@@ -38,7 +38,7 @@ void TouchTracker::find_events(CordTable& cords, const FixtureIds& fixtures) {
   events_.clear();
   for (const EndingTouch& ending : ending_) report(ending.cord, false, ending.touch, fixtures);
   ending_.clear();
-  for (CoupledCord& cord : cords) {
+  for (CoupledCord& cord : cords.active()) {
     if (!cord.is_direct()) continue;
     cord.touched.swap(cord.touching);
     cord.touching.clear();
