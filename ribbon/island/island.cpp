@@ -46,7 +46,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     if (take_substeps(dt, report) && !widen()) break;
     unwind();
   }
-  report.work += contacts_.take_visits();
+  report.work += contacts_.scene.candidates.take_checks();
   finish_step(dt, report);
   count_rest(dt, report);
   return report;
@@ -111,7 +111,10 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
   together_ = !is_alone();
   if (meets_) step_start_ = positions_;
   if (meets_ || together_) {
-    limited_.reserve(2 * contacts_.capacity() + held_.capacity());
+    const std::size_t rows = 2 * contacts_.scene.pairs.capacity() + held_.capacity();
+    limited_.reserve(rows);
+    active_set_.reserve(rows);
+    interior_point_.reserve(rows);
     load_.reserve(positions_.capacity() + duals_ + held_.capacity());
     solved_positions_.reserve(positions_.capacity());
     solved_tensions_.reserve(tensions_.capacity());

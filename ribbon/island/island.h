@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "ribbon/contact/active_set.h"
 #include "ribbon/contact/contacts.h"
 #include "ribbon/contact/held_body.h"
+#include "ribbon/contact/interior_point.h"
 #include "ribbon/contact/limited_rows.h"
 #include "ribbon/cord.h"
 #include "ribbon/elastic/elasticity.h"
@@ -321,23 +323,25 @@ class Island {
   Box reach_;                       // of the cord whose contacts are looked for,
   std::vector<Box> outline_boxes_;  // and of its outline's points, but for the room
   bool has_pattern_ = false;
-  bool meets_ = false;         // there is something to touch
-  double stage_weight_ = 0.0;  // s, with which the stage's forces act
-  bool euler_ = false;         // the stage is one of implicit Euler
-  bool slips_ = false;         // a grip has begun to in the last linear solve
-  bool poses_ = false;         // in this step contacts are posed once,
-  bool posing_ = false;        // and a piece of it is being solved, see island_posed.cpp
-  bool blow_is_due_ = false;   // the next piece takes a blow
-  bool blown_ = false;         // this one does,
-  int most_iterations_ = 0;    // of the report, after which it is linearised no more
-  bool was_cut_ = false;       // in it something was kept from going through something
-  LimitedRows limited_;        // of the posed problem
-  double left_open_ = 0.0;     // m, that its last linear solve moved something by
-  double left_force_ = 0.0;    // N, that this takes
-  Energy piece_energy_;        // when it began,
-  double pressed_ = 0.0;       // J, and of that what pressed, as stiff as it was in the piece before
-  std::vector<Vec2> load_;     // the right side without them
-  std::vector<Vec2> best_;     // positions, of those that they led to
+  bool meets_ = false;            // there is something to touch
+  double stage_weight_ = 0.0;     // s, with which the stage's forces act
+  bool euler_ = false;            // the stage is one of implicit Euler
+  bool slips_ = false;            // a grip has begun to in the last linear solve
+  bool poses_ = false;            // in this step contacts are posed once,
+  bool posing_ = false;           // and a piece of it is being solved, see island_posed.cpp
+  bool blow_is_due_ = false;      // the next piece takes a blow
+  bool blown_ = false;            // this one does,
+  int most_iterations_ = 0;       // of the report, after which it is linearised no more
+  bool was_cut_ = false;          // in it something was kept from going through something
+  ActiveSet active_set_;          // of the rows below
+  InteriorPoint interior_point_;  // of the same
+  LimitedRows limited_;           // of the posed problem
+  double left_open_ = 0.0;        // m, that its last linear solve moved something by
+  double left_force_ = 0.0;       // N, that this takes
+  Energy piece_energy_;           // when it began,
+  double pressed_ = 0.0;          // J, and of that what pressed, as stiff as it was in the piece before
+  std::vector<Vec2> load_;        // the right side without them
+  std::vector<Vec2> best_;        // positions, of those that they led to
   std::vector<double> best_tensions_;
   std::vector<int> groups_;  // by slot: what goes together when it is kept apart from others
   std::vector<double> group_shares_;

@@ -28,8 +28,8 @@ constexpr double most_motion = 1e12;      // m, of a Newton step, beyond which i
 /// Newton steps that go nowhere through anything, and down the stage's energy. They begin where the stage before ended
 /// and go as far towards the guess as they can; what drives the cord goes its way along with them.
 bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
-  contacts_.begin_stage();
-  contacts_.aim(time);
+  contacts_.compliant.begin_stage(contacts_.scene.pairs);
+  contacts_.scene.anchors.set_kinematic_targets(time);
   std::fill(most_tensions_.begin(), most_tensions_.end(), 0.0);
   values_.clear();
   for (std::size_t p = 0; p < positions_.size(); ++p) direction_[p] = positions_[p] - from[p];
@@ -49,7 +49,7 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
       }
       go_led(left);
     }
-    contacts_.prepare(positions_, strict);
+    contacts_.find_for_solve(positions_, strict);
     if (!newton_step(stage)) return false;
     const double moved = furthest();
     if (!(moved <= most_motion)) return false;
@@ -57,7 +57,8 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
       most_tensions_[e] = std::max(most_tensions_[e], penalty_factor * std::abs(next_[e]));
     }
     move(trial_, 1.0);
-    const double free = contacts_.free_way(positions_, trial_, false, 1.0);
+    const double free =
+        contacts_.sweep.collision_free_fraction(contacts_.scene, positions_, trial_, KinematicTime::current);
     const bool small = moved <= tolerance_ && free == 1.0;
     // In full, so that forces are balanced and momentum is kept to the last bits; but not for ever.
     const bool in_full = small && (soft || iteration < patient_iterations || moved <= negligible_share * tolerance_);
@@ -75,7 +76,8 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
     positions_.swap(trial_);
     tensions_.swap(next_);
     if (!small || left > 0.0 || slips_ || !are_bars_settled(stage, iteration)) continue;
-    if (contacts_.is_settled(positions_, tolerated) || (soft && fulls >= enough_fulls && contacts_.are_shallow())) {
+    if (contacts_.are_settled(positions_, tolerated) ||
+        (soft && fulls >= enough_fulls && contacts_.active.are_shallow(contacts_.scene.pairs))) {
       return ends_stage(from);
     }
   }
@@ -84,15 +86,15 @@ bool Island::touching_steps(Stage& stage, double time, std::span<const Vec2> fro
 
 /// Whether positions_ may be the stage's solution; if so, who touches in it has been hit.
 bool Island::ends_stage(std::span<const Vec2> from) {
-  contacts_.evaluate(positions_);
-  contacts_.remember_hits(stage_weight_);
-  return contacts_.is_straight(from, positions_);
+  contacts_.active.update(contacts_.scene, positions_);
+  contacts_.record_impacts(stage_weight_);
+  return contacts_.sweep.path_is_clear(contacts_.scene, from, positions_);
 }
 
 /// Who was hit rebounds: an impulse, by one linear solve with the mass of everything in the way, that opens each
 /// contact at its share of the speed that it was hit with, and leaves lengths as they change.
 void Island::rebound(const Energy& before, double dt) {
-  if (!contacts_.find_rebounds(positions_, v0_, velocities_, dt)) return;
+  if (!contacts_.begin_restitution(positions_, v0_, velocities_, dt)) return;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     inertia_[p] = masses_[p] / (dt * dt);
     force_[p] = {};
@@ -102,7 +104,7 @@ void Island::rebound(const Energy& before, double dt) {
   Stage stage{dt, predicted_, velocity_, inertia_, force_, constrained_, carried_};
   has_pattern_ = false;
   const bool solved = newton_step_together(stage);
-  contacts_.end_rebounds(positions_);
+  contacts_.end_restitution(positions_);
   has_pattern_ = false;
   if (!solved) return;
   guess_ = velocities_;
@@ -123,13 +125,14 @@ void Island::rebound(const Energy& before, double dt) {
 /// As far along the direction as nobody is in the way, together with what of the led way is left.
 void Island::go_led(double& left) {
   move(trial_, 1.0);
-  const double share = contacts_.free_way(positions_, trial_, true, 1.0);
+  const double share =
+      contacts_.sweep.collision_free_fraction(contacts_.scene, positions_, trial_, KinematicTime::target);
   move(positions_, share);
-  contacts_.lead(share);
+  contacts_.scene.anchors.advance_kinematics(share);
   left *= 1.0 - share;
   if (left > 1e-9) return;
   left = 0.0;
-  contacts_.lead(1.0);
+  contacts_.scene.anchors.advance_kinematics(1.0);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0) positions_[p] = predicted_[p];
   }

@@ -35,7 +35,7 @@ bool Island::gained_energy(const Energy& before, double tolerated) {
 /// An impact by implicit Euler takes some angular momentum of what is free, and so large a force loses digits of the
 /// linear one: both are given back, to everything as one.
 void Island::keep_momentum(double dt) {
-  if (!contacts_.were_hit() || driven_ || contacts_.leans()) return;
+  if (!contacts_.impacts.any() || driven_ || contacts_.impacts.touch_kinematic(contacts_.scene)) return;
   if (!is_free()) return;
   double inertia = 0.0;
   const double before = spin(x0_, v0_, inertia);
@@ -146,7 +146,7 @@ void Island::account(const Energy& before) {
   const double lost = before.total() - energy_after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + work_of_hands(guarded_dt_)) : lost;
   ledger_ = std::clamp(kept + unexplained, -tolerated_gain * scale, returnable_share * scale);
-  if (contacts_.were_hit() && unexplained < 0.0) return;  // what comes out of something deep may gain
+  if (contacts_.impacts.any() && unexplained < 0.0) return;  // what comes out of something deep may gain
   balance_ += unexplained;
   const double excess = -balance_ - kept_gain * scale;
   if (excess <= 0.0 || unexplained > -slow_gain * scale) return;
@@ -172,7 +172,7 @@ Cord::Energy Island::total_energy() {
     sum.potential -= masses_[center(k)] * dot(bodies_[k].acceleration, positions_[center(k)]);
   }
   if (!contacts_.empty()) {
-    contacts_.evaluate(positions_);
+    contacts_.active.update(contacts_.scene, positions_);
     sum.elastic += contacts_.energy();
   }
   return sum;
@@ -192,7 +192,7 @@ bool Island::go_back(const Energy& before) {
   if (is_whole()) return false;
   x1_ = positions_;
   v1_ = velocities_;
-  contacts_.pose_none();
+  contacts_.linearised.clear();
   double share = 1.0;
   for (int k = 0; k < most_backs; ++k) {
     share = k + 1 < most_backs ? 0.5 * share : 0.0;

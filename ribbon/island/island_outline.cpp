@@ -33,8 +33,8 @@ ContactPair Island::pair_with_link(const Member& member, int k) const {
   ContactPair pair;
   pair.a = anchor(k);
   pair.b = anchor(k + 1);
-  pair.before = anchor(k - 1);
-  pair.after = anchor(k + 2);
+  pair.previous = anchor(k - 1);
+  pair.next = anchor(k + 2);
   return pair;
 }
 
@@ -139,11 +139,11 @@ void Island::meet_link(const Member& member, int k, const OutlineLink& link) {
   if (itself && are_neighbours(def, k, link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
-  pair.mutual = true;
+  pair.is_mutual = true;
   // At a fold the link next to this one may be the point's neighbour: then none but this one can tell that it touches.
-  if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
-  if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
-  pair.reach = reach;
+  if (itself && are_neighbours(def, k, link.link - 1)) pair.previous = -1;
+  if (itself && are_neighbours(def, k, link.link + 1)) pair.next = -1;
+  pair.contact_distance = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
   pair.touch.feature = 2 * k + 1;

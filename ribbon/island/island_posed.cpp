@@ -60,7 +60,7 @@ void Island::posed_step(double dt, CordReport& report) {
   const Energy before = driven_ ? Energy{} : total_energy();
   const int enough = report.iterations + most_posed_work;
   most_iterations_ = enough + most_last_work;
-  pressed_ = contacts_.pressing_energy();
+  pressed_ = contacts_.energy_of_forces();
   double time = 0.0;
   double most = dt;
   blown_ = blow_is_due_ = false;
@@ -109,8 +109,8 @@ double Island::next_piece(double start, double left) {
 /// s, until something would be in something, if all of it went on as it goes; `most` if nothing would.
 double Island::time_to_blow(double start, double most) {
   if (contacts_.empty()) return most;
-  contacts_.place_led(start);
-  contacts_.aim(start + most);
+  contacts_.scene.anchors.place_kinematics(start);
+  contacts_.scene.anchors.set_kinematic_targets(start + most);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     Vec2 way = most * velocities_[p];
     if (constrained_[p] != 0) {
@@ -120,7 +120,7 @@ double Island::time_to_blow(double start, double most) {
     }
     trial_[p] = positions_[p] + way;
   }
-  return most * contacts_.share_to_blow(positions_, trial_);
+  return most * contacts_.sweep.fraction_to_impact(contacts_.scene, positions_, trial_);
 }
 
 /// s, in which nothing goes further than a small part of what may touch is thick.
@@ -129,14 +129,14 @@ double Island::blow_time(double most) const {
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (!is_angle(p)) fastest = std::max(fastest, length(velocities_[p]));
   }
-  const double way = blow_share * contacts_.least_reach();
+  const double way = blow_share * contacts_.scene.pairs.min_contact_distance();
   return fastest * most > way ? way / fastest : most;
 }
 
 /// False if it was not solved.
 bool Island::posed_piece(double start, double dt, CordReport& report) {
   begin_substep(start, dt);
-  contacts_.scale_impulses(0.0);
+  contacts_.impacts.scale_impulses(0.0);
   guarded_dt_ = dt;
   was_cut_ = false;
   if (!driven_) {
@@ -169,9 +169,9 @@ bool Island::end_piece(double dt) {
   restart_ = true;
   if (contacts_.empty()) return back;
   pressed_ = contacts_.energy();
-  touch_changed_ = contacts_.changed();
-  contacts_.finish(positions_);
-  contacts_.scale_impulses(0.0);
+  touch_changed_ = contacts_.active.changed();
+  contacts_.store(positions_);
+  contacts_.impacts.scale_impulses(0.0);
   return back;
 }
 
@@ -180,11 +180,11 @@ bool Island::end_piece(double dt) {
 void Island::begin_posed(double time, std::span<const Vec2> from) {
   for (HeldBody& held : held_) held.slides = held.along_pull = 0.0;
   if (!contacts_.empty()) {
-    contacts_.begin_stage();
-    contacts_.aim(time);
-    contacts_.lead(1.0);
-    contacts_.pose_none();
-    contacts_.pose(from, positions_);
+    contacts_.compliant.begin_stage(contacts_.scene.pairs);
+    contacts_.scene.anchors.set_kinematic_targets(time);
+    contacts_.scene.anchors.advance_kinematics(1.0);
+    contacts_.linearised.clear();
+    contacts_.linearise(from, positions_);
   }
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] == 0) positions_[p] = from[p];
@@ -203,7 +203,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   int misses = 0;
   const int most = blown_ ? blow_linearisations : most_linearisations;
   for (int k = 0; k < most + misses * miss_linearisations && !converged && (k == 0 || !is_posed_out(report)); ++k) {
-    const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.pose(from, positions_);
+    const bool others = !contacts_.empty() && k > 0 && k < posings && contacts_.linearise(from, positions_);
     append_limited(stage);
     if (k >= posings) {
       has_best = keep_best(stage, has_best);
@@ -238,7 +238,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
     converged = is_near && are_bars_settled(stage, k);
     if (converged && misses < most_misses && !contacts_.empty()) {
       keep_solved();
-      if (!contacts_.pose_missed(from, positions_, tolerance_)) break;
+      if (!contacts_.linearise_missed(from, positions_, tolerance_)) break;
       ++misses;
       converged = has_best = false;
     }
@@ -253,7 +253,7 @@ bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, 
   }
   if (!contacts_.empty()) {
     was_cut_ = !keep_apart(from);
-    contacts_.remember_hits(stage_weight_);
+    contacts_.record_impacts(stage_weight_);
   }
   return converged || (blown_ && left_open_ < std::numeric_limits<double>::infinity());
 }
@@ -263,14 +263,14 @@ void Island::keep_solved() {
   solved_positions_ = positions_;
   solved_tensions_ = tensions_;
   solved_held_ = held_;
-  contacts_.keep_forces();
+  contacts_.linearised.store(contacts_.forces);
 }
 
 void Island::return_to_solved() {
   positions_ = solved_positions_;
   tensions_ = solved_tensions_;
   held_ = solved_held_;
-  contacts_.return_to_forces();
+  contacts_.linearised.restore(contacts_.forces);
 }
 
 /// All limited rows about positions_.

@@ -23,7 +23,7 @@ Island::Solve Island::solve_posed(Stage& stage, bool far, CordReport& report) {
   slips_ = false;
   if (!has_pattern_ || !limited_.are_coupled(blocks_)) make_pattern();
   has_pattern_ = true;
-  limited_.begin_active_set();
+  active_set_.begin(limited_.rows());
   Solve solve = solve_active_sets(stage, active_sets, report) ? Solve::exact : Solve::failed;
   if (solve == Solve::failed) solve = solve_interior(stage, far, report);
   if (solve == Solve::failed) return solve;
@@ -39,9 +39,9 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
   for (int k = 0; k < most; ++k) {
     count_system(report);
     load_together(stage);
-    limited_.load_active_set(blocks_, right_side_);
+    active_set_.load(limited_.rows(), blocks_, right_side_);
     if (!solve_together()) return false;
-    const int changed = limited_.update_active_set(right_side_, tied_share * tolerance_);
+    const int changed = active_set_.update(limited_.rows(), right_side_, tied_share * tolerance_);
     if (changed == 0) return true;
     if (2 * changed > before && changed > few_rows) return false;
     before = changed;
@@ -51,7 +51,7 @@ bool Island::solve_active_sets(Stage& stage, int most, CordReport& report) {
 
 /// Predictor and corrector by one factorisation each time, and the active set that they lead to in the end.
 Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report) {
-  limited_.begin_interior();
+  interior_point_.begin(limited_.rows(), active_set_.max_predicted_force());
   double polished = polishing_gap;
   for (int k = 0; k < most_interior; ++k) {
     count_system(report);
@@ -60,25 +60,25 @@ Island::Solve Island::solve_interior(Stage& stage, bool far, CordReport& report)
     for (std::size_t p = 0; p < positions_.size(); ++p) {
       if (constrained_[p] != 0) load_[p] = {};
     }
-    limited_.load_interior(blocks_);
-    limited_.load_interior_force(right_side_);
+    interior_point_.load_matrix(limited_.rows(), blocks_);
+    interior_point_.load_force(limited_.rows(), right_side_);
     if (!solve_together()) return Solve::failed;
-    limited_.predict(right_side_);
+    interior_point_.predict(limited_.rows(), right_side_);
     right_side_ = load_;
-    limited_.load_interior_force(right_side_);
+    interior_point_.load_force(limited_.rows(), right_side_);
     for (std::size_t p = 0; p < positions_.size(); ++p) {
       if (constrained_[p] != 0) right_side_[p] = {};
     }
     blocks_.solve_again(right_side_);
-    limited_.advance(right_side_);
-    if ((far && limited_.gap() <= far_gap) || is_posed_out(report)) {
-      limited_.end_interior();
+    interior_point_.advance(limited_.rows(), right_side_);
+    if ((far && interior_point_.gap() <= far_gap) || is_posed_out(report)) {
+      interior_point_.end(limited_.rows(), active_set_);
       return Solve::near;
     }
-    if (limited_.gap() > polished) continue;
-    if (limited_.gap() <= closed_gap) return Solve::exact;
+    if (interior_point_.gap() > polished) continue;
+    if (interior_point_.gap() <= closed_gap) return Solve::exact;
     load_ = right_side_;
-    limited_.end_interior();
+    interior_point_.end(limited_.rows(), active_set_);
     if (solve_active_sets(stage, active_sets, report)) return Solve::exact;
     polished *= 1e-2;
     right_side_ = load_;

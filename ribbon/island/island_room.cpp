@@ -178,7 +178,7 @@ bool Island::keep_apart(std::span<const Vec2> from) {
   find_groups();
   group_shares_.assign(positions_.size(), 1.0);
   const bool roomy = keep_to_room(from);
-  const bool apart = contacts_.keep_apart(from, positions_, groups_, group_shares_);
+  const bool apart = contacts_.sweep.separate_groups(contacts_.scene, from, positions_, groups_, group_shares_);
   if (apart && roomy) return true;
   for (std::size_t p = 0; p < positions_.size(); ++p) {
     if (constrained_[p] != 0 || groups_[p] < 0) continue;

@@ -86,7 +86,7 @@ void Island::meet_circle(const Member& member, const RigidCircle& circle) {
     if (body.inverse_mass == 0.0 && is_fixed_in(pair, body.position + circle.offset, reach)) continue;
     if (disc < 0) disc = add_spot(circle.body, circle.offset);
     pair.disc = disc;
-    pair.reach = reach;
+    pair.contact_distance = reach;
     pair.disc_radius = circle.radius;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
@@ -125,8 +125,8 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
     pair.disc = static_cast<int>(point);
     pair.a = a;
     pair.b = b;
-    pair.ends = false;
-    pair.reach = reach;
+    pair.owns_ends = false;
+    pair.contact_distance = reach;
     pair.disc_radius = cord.def_.radius;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
@@ -136,18 +136,18 @@ void Island::meet_segment(const Member& member, const RigidSegment& segment) {
 
 int Island::add_spot(int body, Vec2 arm) {
   const RigidBody& rigid = rigid_[at(body)];
-  Spot spot;
-  spot.arm = arm;
-  spot.here = rigid.position + arm;
+  BodyAnchor anchor;
+  anchor.arm = arm;
+  anchor.current = rigid.position + arm;
   if (rigid.inverse_mass > 0.0) {
-    spot.center = static_cast<int>(center(body_slot(body)));
+    anchor.center = static_cast<int>(center(body_slot(body)));
   } else {
-    spot.from = rigid.position;
-    spot.velocity = rigid.velocity;
-    spot.turning = rigid.angular_velocity;
+    anchor.body_position = rigid.position;
+    anchor.velocity = rigid.velocity;
+    anchor.angular_velocity = rigid.angular_velocity;
     driven_ = driven_ || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
   }
-  return contacts_.add(spot);
+  return contacts_.scene.add(anchor);
 }
 
 /// kg, of a cord, of what hangs on it, and of the heaviest body near it, which may press it against something else. A
@@ -172,7 +172,8 @@ double Island::pressing_mass(const Member& member) const {
 void Island::add_pair(const Member& member, ContactPair& pair, double mass, double friction, double restitution) {
   pair.cord = static_cast<std::size_t>(&member - members_.data());
   pair.stiffness =
-      (accuracy_.soft_contacts ? Contacts::soft_firmness : Contacts::firmness) * mass / (step_dt_ * step_dt_);
+      (accuracy_.soft_contacts ? CompliantContacts::soft_stiffness_factor : CompliantContacts::stiffness_factor) *
+      mass / (step_dt_ * step_dt_);
   pair.friction = std::sqrt(member.cord->def_.friction * friction);
   pair.restitution = std::max(member.cord->def_.restitution, restitution);
   const auto& touches = member.cord->touches_;
@@ -181,22 +182,22 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
   if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
   const double distance = gap_between(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
-  const double depth = pair.reach - distance;
-  const double size = std::min(pair.reach, large_circle * member.cord->rest_length(0));
-  if (depth > deep_share * size) pair.reach = distance + emerging_share * depth;
-  pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
+  const double depth = pair.contact_distance - distance;
+  const double size = std::min(pair.contact_distance, large_circle * member.cord->rest_length(0));
+  if (depth > deep_share * size) pair.contact_distance = distance + emerging_share * depth;
+  pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
   const double most_in = step_dt_ * fastest_emergence;
-  if (pair.in > most_in) {
-    pair.reach -= pair.in - most_in;
-    pair.in = most_in;
+  if (pair.initial_penetration > most_in) {
+    pair.contact_distance -= pair.initial_penetration - most_in;
+    pair.initial_penetration = most_in;
   }
-  contacts_.add(pair);
+  contacts_.scene.add(pair);
 }
 
 /// Where an anchor is when the step begins.
 Vec2 Island::place_of(int anchor) const {
   if (at(anchor) < count_) return positions_[at(anchor)];
-  return contacts_.spots()[at(anchor) - count_].here;
+  return contacts_.scene.anchors.body(anchor).current;
 }
 
 /// What touches at the end of the step, or did in it.
@@ -206,7 +207,7 @@ void Island::remember_contacts() {
     if (!contacts_.empty()) member.cord->touches_.reserve(usual_touches);
     member.cord->touch_changed_ = touch_changed_;
   }
-  for (const ContactPair& pair : contacts_.pairs()) {
+  for (const ContactPair& pair : contacts_.scene.pairs.all()) {
     if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;
     members_[pair.cord].cord->touches_.push_back(pair.touch);
   }

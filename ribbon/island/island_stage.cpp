@@ -103,7 +103,7 @@ void Island::count_system(CordReport& report) {
   ++report.iterations;
   const std::size_t band = system_blocks * count_;
   report.work += static_cast<std::int64_t>(has_pattern_ ? blocks_.size() + blocks_.blocks() : band);
-  report.work += contacts_.take_visits();
+  report.work += contacts_.scene.candidates.take_checks();
 }
 
 /// Whether the step's work has come to this share of what it may.
@@ -144,7 +144,7 @@ void Island::close_arms(std::span<Vec2> x) const {
 }
 
 bool Island::newton_step(Stage& stage) {
-  return together_ || contacts_.any() ? newton_step_together(stage) : newton_step_alone(stage);
+  return together_ || contacts_.active.any() ? newton_step_together(stage) : newton_step_alone(stage);
 }
 
 /// The bodies' part first, then the points', then how far the bodies turn.
@@ -167,7 +167,7 @@ bool Island::newton_step_alone(Stage& stage) {
     direction_[angle(k)] = {turning, 0.0};
     direction_[center(k)] = direction_[held_[k].point] - turning * held_steps_[k].u;
   }
-  contacts_.update(direction_);
+  contacts_.take_solution(direction_);
   return true;
 }
 

@@ -31,7 +31,7 @@ using std::numbers::sqrt2;
 bool Island::substep(double start, double dt, CordReport& report) {
   guarded_dt_ = dt;
   begin_substep(start, dt);
-  contacts_.scale_impulses(0.0);
+  contacts_.impacts.scale_impulses(0.0);
   const Energy before = driven_ ? Energy{} : total_energy();
   if (!second_order(start, dt, before, report) && !damped_substep(start, dt, before, report)) {
     if (!is_patient()) return false;
@@ -46,8 +46,8 @@ bool Island::substep(double start, double dt, CordReport& report) {
   }
   if (!driven_) account(before);
   if (contacts_.empty()) return true;
-  touch_changed_ = contacts_.changed();
-  contacts_.finish(positions_);
+  touch_changed_ = contacts_.active.changed();
+  contacts_.store(positions_);
   return true;
 }
 
@@ -55,12 +55,12 @@ bool Island::substep(double start, double dt, CordReport& report) {
 /// what is of second order rebounds as nothing does: there implicit Euler goes first, and BDF2 after it.
 bool Island::second_order(double start, double dt, const Energy& before, CordReport& report) {
   if (accuracy_.integrator == Integrator::implicit_euler || unlocking_) return false;
-  const bool touching = !contacts_.empty() && contacts_.any();
+  const bool touching = !contacts_.empty() && contacts_.active.any();
   const bool calm = !touching && (contacts_.empty() || !will_touch(start, dt));
   if (calm || (touching && !touch_changed_)) {
     const bool converged = calm && !restart_ ? tr_bdf2(start, dt, report) : sdirk2(start, dt, report);
     restart_ = !calm;
-    if (contacts_.empty() || !contacts_.change(positions_)) return is_good(converged, before, report);
+    if (contacts_.empty() || !contacts_.changed_at(positions_)) return is_good(converged, before, report);
     return_to_start();
   }
   restart_ = true;
@@ -79,11 +79,11 @@ bool Island::is_good(bool converged, const Energy& before, CordReport& report) {
 
 /// Whether somebody would touch who went on as before, and fell.
 bool Island::will_touch(double start, double dt) {
-  contacts_.aim(start + dt);
+  contacts_.scene.anchors.set_kinematic_targets(start + dt);
   const Vec2 fall = (dt * dt) * gravity_;
   for (std::size_t p = 0; p < trial_.size(); ++p) trial_[p] = x0_[p] + dt * v0_[p] + (p < count_ ? fall : Vec2{});
   for (std::size_t k = 0; k < bodies_.size(); ++k) trial_[center(k)] += (dt * dt) * bodies_[k].acceleration;
-  return contacts_.free_way(x0_, trial_, true, 1.0) < 1.0;
+  return contacts_.sweep.collision_free_fraction(contacts_.scene, x0_, trial_, KinematicTime::target) < 1.0;
 }
 
 /// Implicit Euler, by halves where it does not converge and nothing may touch or slip, or there is work to spend. False
@@ -137,13 +137,13 @@ void Island::begin_substep(double start, double dt) {
   v0_ = velocities_;
   tension0_ = tensions_;
   if (contacts_.empty()) return;
-  contacts_.place_led(start);
-  contacts_.begin(positions_, (start + dt) / step_dt_);
+  contacts_.scene.anchors.place_kinematics(start);
+  contacts_.begin_substep(positions_, (start + dt) / step_dt_);
 }
 
 void Island::return_to_start() {
-  contacts_.place_led(begin_);
-  contacts_.scale_impulses(0.0);
+  contacts_.scene.anchors.place_kinematics(begin_);
+  contacts_.impacts.scale_impulses(0.0);
   positions_ = x0_;
   velocities_ = v0_;
   tensions_ = tension0_;
@@ -170,7 +170,7 @@ bool Island::tr_bdf2(double start, double dt, CordReport& report) {
 bool Island::euler_bdf2(double start, double dt, CordReport& report) {
   const double gamma = 2.0 - sqrt2;
   if (!implicit_euler(start, gamma * dt, report)) return false;
-  contacts_.scale_impulses(1.0 / (gamma * (2.0 - gamma)));  // as bdf2_stage takes the first stage's velocity
+  contacts_.impacts.scale_impulses(1.0 / (gamma * (2.0 - gamma)));  // as bdf2_stage takes the first stage's velocity
   return bdf2_stage(start, dt, gamma, report);
 }
 

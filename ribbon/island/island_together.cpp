@@ -29,7 +29,7 @@ void Island::make_pattern() {
   if (posing_) {
     limited_.couple(blocks_);
   } else {
-    contacts_.couple(blocks_);
+    contacts_.active.couple(contacts_.scene, blocks_);
   }
   blocks_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * blocks_.size();
@@ -50,7 +50,7 @@ void Island::find_natural_order() {
       if (at(a) >= count_ && !is_angle(at(a)) && at(b) < count_) take(a, b);
     });
   } else {
-    contacts_.for_each_touched(take);
+    contacts_.active.for_each_body_and_point(contacts_.scene, take);
   }
   order_.clear();
   const auto append_bodies = [this](int after) {
@@ -112,14 +112,14 @@ std::array<int, 4> Island::hold_slots(const HeldBody& held) const {
 
 bool Island::newton_step_together(Stage& stage) {
   slips_ = false;
-  if (!has_pattern_ || !contacts_.are_coupled(blocks_)) make_pattern();
+  if (!has_pattern_ || !contacts_.active.are_coupled(contacts_.scene, blocks_)) make_pattern();
   has_pattern_ = true;
   load_together(stage);
   contacts_.load(positions_, blocks_, right_side_);
   if (!solve_together()) return false;
   take_direction();
   update_together(stage);
-  contacts_.update(direction_);
+  contacts_.take_solution(direction_);
   return true;
 }
 
