@@ -52,24 +52,24 @@ bool is_fixed_in(const IslandState& state, const ContactPair& link, Vec2 center,
 
 int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
   const RigidBody& rigid = state.rigid[at(body)];
-  Spot spot;
-  spot.arm = arm;
-  spot.here = rigid.position + arm;
+  BodyAnchor anchor;
+  anchor.arm = arm;
+  anchor.current = rigid.position + arm;
   if (rigid.inverse_mass > 0.0) {
-    spot.center = static_cast<int>(state.center(state.solved_body(body)));
+    anchor.center = static_cast<int>(state.center(state.solved_body(body)));
   } else {
-    spot.from = rigid.position;
-    spot.velocity = rigid.velocity;
-    spot.turning = rigid.angular_velocity;
+    anchor.body_position = rigid.position;
+    anchor.velocity = rigid.velocity;
+    anchor.angular_velocity = rigid.angular_velocity;
     state.driven = state.driven || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
   }
-  return contacts.add(spot);
+  return contacts.scene.add(anchor);
 }
 
 /// m, where an anchor is at the start of the step.
 Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anchor) {
   if (at(anchor) < state.points) return state.positions[at(anchor)];
-  return contacts.spots()[at(anchor) - state.points].here;
+  return contacts.scene.anchors.body(anchor).current;
 }
 
 /// Restores what the cord stored of the contact in the last step.
@@ -84,13 +84,13 @@ void restore_touch(const Member& member, ContactPair& pair) {
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
 /// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
 void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
-  const double depth = pair.reach - distance;
-  if (depth > deep_share * size) pair.reach = distance + depenetrated_share * depth;
-  pair.in = std::max(0.0, pair.reach - distance - pair.touch.force / pair.stiffness);
+  const double depth = pair.contact_distance - distance;
+  if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
+  pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
   const double max_in = state.dt * max_depenetration_speed;
-  if (pair.in > max_in) {
-    pair.reach -= pair.in - max_in;
-    pair.in = max_in;
+  if (pair.initial_penetration > max_in) {
+    pair.contact_distance -= pair.initial_penetration - max_in;
+    pair.initial_penetration = max_in;
   }
 }
 
@@ -101,7 +101,8 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
   const CordDef& def = member.cord->def;
   pair.cord = static_cast<std::size_t>(&member - state.members.data());
   pair.stiffness =
-      (state.accuracy.soft_contacts ? Contacts::soft_firmness : Contacts::firmness) * mass / (state.dt * state.dt);
+      (state.accuracy.soft_contacts ? CompliantContacts::soft_stiffness_factor : CompliantContacts::stiffness_factor) *
+      mass / (state.dt * state.dt);
   pair.friction = std::sqrt(def.friction * friction);
   pair.restitution = std::max(def.restitution, restitution);
   restore_touch(member, pair);
@@ -109,8 +110,8 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
       gap_between(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
                   anchor_position(state, contacts, pair.b))
           .distance;
-  limit_penetration(state, distance, std::min(pair.reach, large_circle * member.cord->state.rest[0]), pair);
-  contacts.add(pair);
+  limit_penetration(state, distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]), pair);
+  contacts.scene.add(pair);
 }
 
 /// Returns the mean displacement of all points in free motion, m: cords that move together do not touch for it.
@@ -197,7 +198,7 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
     if (body.inverse_mass == 0.0 && is_fixed_in(state, pair, body.position + circle.offset, reach)) continue;
     if (disc < 0) disc = add_anchor(state, search.contacts, circle.body, circle.offset);
     pair.disc = disc;
-    pair.reach = reach;
+    pair.contact_distance = reach;
     pair.disc_radius = circle.radius;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
@@ -231,8 +232,8 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
     pair.disc = static_cast<int>(point);
     pair.a = a;
     pair.b = b;
-    pair.ends = false;
-    pair.reach = reach;
+    pair.owns_ends = false;
+    pair.contact_distance = reach;
     pair.disc_radius = cord.def.radius;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
@@ -326,11 +327,11 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   if (itself && are_neighbours(def, k, link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
-  pair.mutual = true;
+  pair.is_mutual = true;
   // At a fold the next link may be the point's neighbour. Then this link alone decides whether it touches.
-  if (itself && are_neighbours(def, k, link.link - 1)) pair.before = -1;
-  if (itself && are_neighbours(def, k, link.link + 1)) pair.after = -1;
-  pair.reach = reach;
+  if (itself && are_neighbours(def, k, link.link - 1)) pair.previous = -1;
+  if (itself && are_neighbours(def, k, link.link + 1)) pair.next = -1;
+  pair.contact_distance = reach;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
   pair.touch.feature = 2 * k + 1;

@@ -50,8 +50,8 @@ ContactPair pair_with_link(const Member& member, int k) {
   ContactPair pair;
   pair.a = anchor(k);
   pair.b = anchor(k + 1);
-  pair.before = anchor(k - 1);
-  pair.after = anchor(k + 2);
+  pair.previous = anchor(k - 1);
+  pair.next = anchor(k + 2);
   return pair;
 }
 

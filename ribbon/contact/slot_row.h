@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "ribbon/linear/block_ldlt.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -14,7 +15,7 @@ struct SlotRow {
   std::array<Vec2, 4> by{};
   int size = 0;
 
-  /// Adds to the derivative by a slot. The caller sees to it that there are no more than four.
+  /// Adds to the derivative by a slot. There must not be more than four slots.
   void add(int s, Vec2 d) {
     for (int i = 0; i < size; ++i) {
       if (slot[at(i)] != s) continue;
@@ -24,15 +25,30 @@ struct SlotRow {
     slot[at(size)] = s;
     by[at(size++)] = d;
   }
-  /// By how much the length changes in a step.
+  /// Returns the change of the length in a step.
   double along(std::span<const Vec2> step) const {
     double sum = 0.0;
     for (int i = 0; i < size; ++i) sum += dot(by[at(i)], step[at(slot[at(i)])]);
     return sum;
   }
-  /// Adds a force along it to what acts on its slots, N and N·m.
+  /// Adds a force [N] along the length to the forces [N] and torques [N·m] by slot.
   void push(double force, std::span<Vec2> forces) const {
     for (int i = 0; i < size; ++i) forces[at(slot[at(i)])] += force * by[at(i)];
+  }
+  /// Adds the blocks that the slots couple to the pattern of a matrix.
+  void couple(BlockLdlt& matrix) const {
+    for (int i = 0; i < size; ++i) {
+      for (int j = i + 1; j < size; ++j) matrix.couple(slot[at(i)], slot[at(j)]);
+    }
+  }
+  /// Returns whether the matrix has these blocks.
+  bool is_coupled(const BlockLdlt& matrix) const {
+    for (int i = 0; i < size; ++i) {
+      for (int j = i + 1; j < size; ++j) {
+        if (!matrix.is_coupled(slot[at(i)], slot[at(j)])) return false;
+      }
+    }
+    return true;
   }
   std::span<const int> slots() const { return std::span(slot).first(at(size)); }
   std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }

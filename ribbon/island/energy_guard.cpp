@@ -67,7 +67,7 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
     sum.potential -= state.masses[center] * dot(state.bodies[k].acceleration, x[center]);
   }
   if (!contacts.empty()) {
-    contacts.evaluate(x);
+    contacts.active.update(contacts.scene, x);
     sum.elastic += contacts.energy();
   }
   return sum;
@@ -94,7 +94,7 @@ void EnergyGuard::account(IslandState& state, const Contacts& contacts, const En
   const double lost = before.total() - after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + grip_work(state)) : lost;
   regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, max_regainable * scene);
-  if (contacts.were_hit() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain
+  if (contacts.impacts.any() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain
   drift_ += unexplained;
   const double excess = -drift_ - max_total_gain * scene;
   if (excess <= 0.0 || unexplained > -max_gain_rate * scene) return;

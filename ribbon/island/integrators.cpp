@@ -43,7 +43,7 @@ bool Integrators::tr_bdf2(const StepContext& context, double time, double dt) {
 
 bool Integrators::euler_bdf2(const StepContext& context, double time, double dt) {
   if (!implicit_euler(context, time, tr_gamma * dt)) return false;
-  context.contacts.scale_impulses(c1);  // as bdf2_stage takes the first stage's velocity
+  context.contacts.impacts.scale_impulses(c1);  // as bdf2_stage takes the first stage's velocity
   return bdf2_stage(context, time, dt);
 }
 

@@ -34,7 +34,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     }
     reset_reels(state_);
   }
-  work_.report.work += contacts_.take_visits();
+  work_.report.work += contacts_.scene.candidates.take_checks();
   end_step();
   return work_.report;
 }
@@ -84,7 +84,7 @@ void Island::store_touches() {
     if (!contacts_.empty()) touches.reserve(usual_touches);
     member.cord->state.touch_changed = state_.touch_changed;
   }
-  for (const ContactPair& pair : contacts_.pairs()) {
+  for (const ContactPair& pair : contacts_.scene.pairs.all()) {
     if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;
     state_.members[pair.cord].cord->state.touches.push_back(pair.touch);
   }

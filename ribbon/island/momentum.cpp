@@ -89,7 +89,8 @@ void slow_down(IslandState& state, double excess) {
 }
 
 void restore_momentum(IslandState& state, const Contacts& contacts) {
-  if (!contacts.were_hit() || state.driven || contacts.leans() || !is_free(state)) return;
+  if (!contacts.impacts.any() || state.driven || contacts.impacts.touch_kinematic(contacts.scene) || !is_free(state))
+    return;
   const SubstepStart& start = state.start;
   const Spin before = spin(state, start.positions, start.velocities);
   const Spin after = spin(state, state.positions, state.velocities);

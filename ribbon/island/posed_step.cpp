@@ -16,8 +16,8 @@ double time_to_impact(const StepContext& context, double start, double max) {
   const IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (contacts.empty()) return max;
-  contacts.place_led(start);
-  contacts.aim(start + max);
+  contacts.scene.anchors.place_kinematics(start);
+  contacts.scene.anchors.set_kinematic_targets(start + max);
   std::vector<Vec2>& end = context.stages.trial();
   for (std::size_t p = 0; p < state.slots(); ++p) {
     Vec2 displacement = max * state.velocities[p];
@@ -30,7 +30,7 @@ double time_to_impact(const StepContext& context, double start, double max) {
     }
     end[p] = state.positions[p] + displacement;
   }
-  return max * contacts.share_to_blow(state.positions, end);
+  return max * contacts.sweep.fraction_to_impact(contacts.scene, state.positions, end);
 }
 
 /// Returns the time in which nothing moves further than a small part of the least contact distance, s.
@@ -40,7 +40,7 @@ double impact_time(const StepContext& context, double max) {
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (!state.is_angle(p)) highest = std::max(highest, length(state.velocities[p]));
   }
-  const double distance = impact_share * context.contacts.least_reach();
+  const double distance = impact_share * context.contacts.scene.pairs.min_contact_distance();
   return highest * max > distance ? distance / highest : max;
 }
 
@@ -53,7 +53,7 @@ void PosedStep::take(const StepContext& context, Restitution& restitution) {
   work.begin_posed();
   context.begin_substep(0.0, state.dt);
   const Cord::Energy before = context.energy_before();
-  contact_energy_ = context.contacts.pressing_energy();
+  contact_energy_ = context.contacts.energy_of_forces();
   is_impact_ = impact_is_due_ = false;
   double time = 0.0;
   double max = state.dt;
@@ -103,7 +103,7 @@ double PosedStep::next_piece(const StepContext& context, double time, double lef
 PosedStep::Piece PosedStep::take_piece(const StepContext& context, double time, double dt) const {
   IslandState& state = context.state;
   context.begin_substep(time, dt);
-  context.contacts.scale_impulses(0.0);
+  context.contacts.impacts.scale_impulses(0.0);
   Piece piece{};
   if (!state.driven) {
     piece.before = EnergyGuard::total_energy(state, context.contacts);
@@ -135,9 +135,9 @@ bool PosedStep::end_piece(const StepContext& context, const Piece& piece, double
   state.restart = true;
   if (contacts.empty()) return changed;
   contact_energy_ = contacts.energy();
-  state.touch_changed = contacts.changed();
-  contacts.finish(state.positions);
-  contacts.scale_impulses(0.0);
+  state.touch_changed = contacts.active.changed();
+  contacts.store(state.positions);
+  contacts.impacts.scale_impulses(0.0);
   return changed;
 }
 

@@ -11,9 +11,9 @@ constexpr double min_share = 0.1;        // of the impulse: one that has to be l
 
 void Restitution::apply(const StepContext& context, const Cord::Energy& before, double dt) {
   IslandState& state = context.state;
-  if (!context.contacts.find_rebounds(state.positions, state.start.velocities, state.velocities, dt)) return;
+  if (!context.contacts.begin_restitution(state.positions, state.start.velocities, state.velocities, dt)) return;
   const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);
-  context.contacts.end_rebounds(state.positions);
+  context.contacts.end_restitution(state.positions);
   if (change == nullptr) return;
   velocities_ = state.velocities;
   state.add_damping(-1.0);

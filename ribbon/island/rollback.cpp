@@ -21,7 +21,7 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before) {
   if (is_sound()) return false;
   end_positions_ = state.positions;
   end_velocities_ = state.velocities;
-  context.contacts.pose_none();
+  context.contacts.linearised.clear();
   double share = 1.0;
   for (int k = 0; k < max_halvings; ++k) {
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;

@@ -22,13 +22,13 @@ struct StepContext {
   void begin_substep(double time, double dt) const {
     state.begin_substep(time, dt);
     if (contacts.empty()) return;
-    contacts.place_led(time);
-    contacts.begin(state.positions, (time + dt) / state.dt);
+    contacts.scene.anchors.place_kinematics(time);
+    contacts.begin_substep(state.positions, (time + dt) / state.dt);
   }
   /// Returns to the start of the substep.
   void return_to_start() const {
-    contacts.place_led(state.start.time);
-    contacts.scale_impulses(0.0);
+    contacts.scene.anchors.place_kinematics(state.start.time);
+    contacts.impacts.scale_impulses(0.0);
     state.return_to_start();
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.

@@ -22,7 +22,7 @@ bool will_touch(const StepContext& context, double time, double dt) {
   const IslandState& state = context.state;
   const SubstepStart& start = state.start;
   std::vector<Vec2>& end = context.stages.trial();
-  context.contacts.aim(time + dt);
+  context.contacts.scene.anchors.set_kinematic_targets(time + dt);
   const Vec2 fall = (dt * dt) * state.gravity;
   for (std::size_t p = 0; p < state.slots(); ++p) {
     end[p] = start.positions[p] + dt * start.velocities[p] + (p < state.points ? fall : Vec2{});
@@ -30,7 +30,8 @@ bool will_touch(const StepContext& context, double time, double dt) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     end[state.center(k)] += (dt * dt) * state.bodies[k].acceleration;
   }
-  return context.contacts.free_way(start.positions, end, true, 1.0) < 1.0;
+  return context.contacts.sweep.collision_free_fraction(context.contacts.scene, start.positions, end,
+                                                        KinematicTime::target) < 1.0;
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ void Substeps::resize(std::size_t slots, std::size_t tensions) {
 
 bool Substeps::take(const StepContext& context, double time, double dt, Restitution& restitution) {
   context.begin_substep(time, dt);
-  context.contacts.scale_impulses(0.0);
+  context.contacts.impacts.scale_impulses(0.0);
   const Cord::Energy before = context.energy_before();
   if (!take_second_order(context, time, dt, before) && !take_damped(context, time, dt, before)) {
     if (!context.work.is_patient()) return false;
@@ -66,8 +67,8 @@ void Substeps::end(const StepContext& context, const Cord::Energy& before, doubl
   }
   if (!state.driven) context.guard.account(state, contacts, before);
   if (contacts.empty()) return;
-  state.touch_changed = contacts.changed();
-  contacts.finish(state.positions);
+  state.touch_changed = contacts.active.changed();
+  contacts.store(state.positions);
 }
 
 /// Takes the substep with TR-BDF2, or with SDIRK2 where there is no acceleration to begin with. A second-order
@@ -77,13 +78,13 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
-  const bool touching = !contacts.empty() && contacts.any();
+  const bool touching = !contacts.empty() && contacts.active.any();
   const bool free = !touching && (contacts.empty() || !will_touch(context, time, dt));
   if (free || (touching && !state.touch_changed)) {
     const bool converged =
         free && !state.restart ? integrators_.tr_bdf2(context, time, dt) : integrators_.sdirk2(context, time, dt);
     state.restart = !free;
-    if (contacts.empty() || !contacts.change(state.positions)) return accept(context, converged, before);
+    if (contacts.empty() || !contacts.changed_at(state.positions)) return accept(context, converged, before);
     context.return_to_start();
   }
   state.restart = true;

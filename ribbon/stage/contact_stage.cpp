@@ -33,7 +33,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
   for (int iteration = 0; iteration < max && !context.work.is_tried(); ++iteration) {
     context.count_system();
     if (drive_left_ > 0.0) advance_drives(context, stage);
-    contacts.prepare(state.positions, strict);
+    contacts.find_for_solve(state.positions, strict);
     if (!newton.find_direction(state, stage, contacts)) return false;
     const double moved = newton.largest_displacement(state);
     if (!(moved <= NewtonSolver::max_displacement)) return false;
@@ -54,8 +54,8 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.are_bars_settled(state, stage, iteration)) {
       continue;
     }
-    if (contacts.is_settled(state.positions, tolerated) ||
-        (soft && full_steps >= enough_full_steps && contacts.are_shallow())) {
+    if (contacts.are_settled(state.positions, tolerated) ||
+        (soft && full_steps >= enough_full_steps && contacts.active.are_shallow(contacts.scene.pairs))) {
       return is_solution(context, request);
     }
   }
@@ -65,8 +65,8 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
 void ContactStage::begin(const StageContext& context, const StageRequest& request) {
   IslandState& state = context.state;
   std::vector<Vec2>& direction = context.newton.direction();
-  context.contacts.begin_stage();
-  context.contacts.aim(request.time);
+  context.contacts.compliant.begin_stage(contacts.scene.pairs);
+  context.contacts.scene.anchors.set_kinematic_targets(request.time);
   context.newton.reset_penalty();
   values_.clear();
   for (std::size_t p = 0; p < state.slots(); ++p) direction[p] = state.positions[p] - request.from[p];
@@ -90,13 +90,14 @@ void ContactStage::advance_kinematics(const StageContext& context, std::span<con
   IslandState& state = context.state;
   NewtonSolver& newton = context.newton;
   newton.move(state, newton.trial(), 1.0);
-  const double share = context.contacts.free_way(state.positions, newton.trial(), true, 1.0);
+  const double share = context.contacts.sweep.collision_free_fraction(context.contacts.scene, state.positions,
+                                                                      newton.trial(), KinematicTime::target);
   newton.move(state, state.positions, share);
-  context.contacts.lead(share);
+  context.contacts.scene.anchors.advance_kinematics(share);
   drive_left_ *= 1.0 - share;
   if (drive_left_ > driven_rest) return;
   drive_left_ = 0.0;
-  context.contacts.lead(1.0);
+  context.contacts.scene.anchors.advance_kinematics(1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] != 0) state.positions[p] = predicted[p];
   }
@@ -109,7 +110,8 @@ ContactStage::Taken ContactStage::take_step(const StageContext& context, const S
   const IslandState& state = context.state;
   NewtonSolver& newton = context.newton;
   newton.move(state, newton.trial(), 1.0);
-  const double free = context.contacts.free_way(state.positions, newton.trial(), false, 1.0);
+  const double free = context.contacts.sweep.collision_free_fraction(context.contacts.scene, state.positions,
+                                                                     newton.trial(), KinematicTime::current);
   const bool small = moved <= state.tolerance && free == 1.0;
   const bool full = small && (state.accuracy.soft_contacts || iteration < monotone_after ||
                               moved <= negligible_share * state.tolerance);
@@ -140,9 +142,9 @@ double ContactStage::search(const StageContext& context, const Stage& stage, dou
 /// Returns whether the positions may be the solution: the path to them from the start of the stage goes through
 /// nothing. Whatever touches now has been hit in the stage.
 bool ContactStage::is_solution(const StageContext& context, const StageRequest& request) const {
-  context.contacts.evaluate(context.state.positions);
-  context.contacts.remember_hits(request.time_weight);
-  return context.contacts.is_straight(request.from, context.state.positions);
+  context.contacts.active.update(context.contacts.scene, context.state.positions);
+  context.contacts.record_impacts(request.time_weight);
+  return context.contacts.sweep.path_is_clear(context.contacts.scene, request.from, context.state.positions);
 }
 
 }  // namespace ribbon

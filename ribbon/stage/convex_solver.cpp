@@ -15,12 +15,14 @@ constexpr double far_gap = 1e-2;        // at which it is good enough far from w
 
 void ConvexSolver::reserve(std::size_t rows, std::size_t right_side) {
   rows_.reserve(rows);
+  active_set_.reserve(rows);
+  interior_point_.reserve(rows);
   load_.reserve(right_side);
 }
 
 ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stage& stage, bool far) {
   context.newton.system().make_pattern(context.state, rows_);
-  rows_.begin_active_set();
+  active_set_.begin(rows_.rows());
   Result result = solve_active_sets(context, stage) ? Result::exact : Result::failed;
   if (result == Result::failed) result = solve_interior(context, stage, far);
   if (result == Result::failed) return result;
@@ -34,9 +36,9 @@ bool ConvexSolver::solve_active_sets(const StageContext& context, const Stage& s
   for (int k = 0; k < max_active_sets; ++k) {
     context.count_system();
     system.load(context.state, stage);
-    rows_.load_active_set(system.matrix(), system.right_side());
+    active_set_.load(rows_.rows(), system.matrix(), system.right_side());
     if (!system.solve(context.state)) return false;
-    const int changed = rows_.update_active_set(system.right_side(), tied_share * context.state.tolerance);
+    const int changed = active_set_.update(rows_.rows(), system.right_side(), tied_share * context.state.tolerance);
     if (changed == 0) return true;
     if (2 * changed > before && changed > few_rows) return false;
     before = changed;
@@ -46,18 +48,18 @@ bool ConvexSolver::solve_active_sets(const StageContext& context, const Stage& s
 
 ConvexSolver::Result ConvexSolver::solve_interior(const StageContext& context, const Stage& stage, bool far) {
   std::vector<Vec2>& right_side = context.newton.system().right_side();
-  rows_.begin_interior();
+  interior_point_.begin(rows_.rows(), active_set_.max_predicted_force());
   double polished = polishing_gap;
   for (int k = 0; k < max_interior; ++k) {
     if (!advance_interior(context, stage)) return Result::failed;
-    if ((far && rows_.gap() <= far_gap) || context.work.is_posed_out()) {
-      rows_.end_interior();
+    if ((far && interior_point_.gap() <= far_gap) || context.work.is_posed_out()) {
+      interior_point_.end(rows_.rows(), active_set_);
       return Result::near;
     }
-    if (rows_.gap() > polished) continue;
-    if (rows_.gap() <= closed_gap) return Result::exact;
+    if (interior_point_.gap() > polished) continue;
+    if (interior_point_.gap() <= closed_gap) return Result::exact;
     load_ = right_side;
-    rows_.end_interior();
+    interior_point_.end(rows_.rows(), active_set_);
     if (solve_active_sets(context, stage)) return Result::exact;
     polished *= 1e-2;
     right_side = load_;
@@ -72,14 +74,14 @@ bool ConvexSolver::advance_interior(const StageContext& context, const Stage& st
   context.count_system();
   system.load(context.state, stage);
   load_ = right_side;
-  rows_.load_interior(system.matrix());
-  rows_.load_interior_force(right_side);
+  interior_point_.load_matrix(rows_.rows(), system.matrix());
+  interior_point_.load_force(rows_.rows(), right_side);
   if (!system.solve(context.state)) return false;
-  rows_.predict(right_side);
+  interior_point_.predict(rows_.rows(), right_side);
   right_side = load_;
-  rows_.load_interior_force(right_side);
+  interior_point_.load_force(rows_.rows(), right_side);
   system.solve_again(context.state);
-  rows_.advance(right_side);
+  interior_point_.advance(rows_.rows(), right_side);
   return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "ribbon/contact/active_set.h"
+#include "ribbon/contact/interior_point.h"
 #include "ribbon/contact/limited_rows.h"
 #include "ribbon/stage/newton_solver.h"
 
@@ -26,6 +28,8 @@ class ConvexSolver {
   bool advance_interior(const StageContext& context, const Stage& stage);
 
   LimitedRows rows_;
+  ActiveSet active_set_;
+  InteriorPoint interior_point_;
   std::vector<Vec2> load_;  // the right-hand side without the rows, or a solution
 };
 

@@ -30,8 +30,8 @@ void NewtonSolver::reserve(std::size_t grips) {
 }
 
 bool NewtonSolver::find_direction(IslandState& state, const Stage& stage, Contacts& contacts) {
-  return state.coupled || contacts.any() ? find_coupled_direction(state, stage, contacts)
-                                         : find_single_direction(state, stage, contacts);
+  return state.coupled || contacts.active.any() ? find_coupled_direction(state, stage, contacts)
+                                                : find_single_direction(state, stage, contacts);
 }
 
 bool NewtonSolver::find_coupled_direction(IslandState& state, const Stage& stage, Contacts& contacts) {
@@ -41,7 +41,7 @@ bool NewtonSolver::find_coupled_direction(IslandState& state, const Stage& stage
   if (!system_.solve(state)) return false;
   system_.copy_direction(direction_);
   slip_began_ = system_.update(state, stage, direction_, next_);
-  contacts.update(direction_);
+  contacts.take_solution(direction_);
   return true;
 }
 
@@ -79,7 +79,7 @@ bool NewtonSolver::find_single_direction(IslandState& state, Stage stage, Contac
     direction_[state.angle(k)] = {turning, 0.0};
     direction_[state.center(k)] = of_point - turning * held_steps_[k].u;
   }
-  contacts.update(direction_);
+  contacts.take_solution(direction_);
   return true;
 }
 

@@ -76,7 +76,7 @@ struct StageContext {
   NewtonSolver& newton;
   StepWork& work;
 
-  void count_system() const { work.count_system(newton.system().blocks(), contacts.take_visits()); }
+  void count_system() const { work.count_system(newton.system().blocks(), contacts.scene.candidates.take_checks()); }
 };
 
 /// Solves a stage without contacts: full Newton steps and, if these do not converge, Newton steps with a line search.

@@ -38,7 +38,7 @@ void PosedStage::resize(std::size_t slots, std::size_t tensions) {
 }
 
 void PosedStage::reserve(const IslandState& state, const Contacts& contacts) {
-  solver_.reserve(2 * contacts.capacity() + state.held.capacity(),
+  solver_.reserve(2 * contacts.scene.pairs.capacity() + state.held.capacity(),
                   state.positions.capacity() + state.duals + state.held.capacity());
   solved_positions_.reserve(state.positions.capacity());
   solved_tensions_.reserve(state.tensions.capacity());
@@ -62,7 +62,7 @@ PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& b
   PosedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !keep_apart(context, bounds, request.from);
-    context.contacts.remember_hits(request.time_weight);
+    context.contacts.record_impacts(request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
   return result;
@@ -75,11 +75,11 @@ void PosedStage::begin(const StageContext& context, const StageRequest& request)
   Contacts& contacts = context.contacts;
   for (HeldBody& held : state.held) held.slides = held.along_pull = 0.0;
   if (!contacts.empty()) {
-    contacts.begin_stage();
-    contacts.aim(request.time);
-    contacts.lead(1.0);
-    contacts.pose_none();
-    contacts.pose(request.from, state.positions);
+    contacts.compliant.begin_stage(contacts.scene.pairs);
+    contacts.scene.anchors.set_kinematic_targets(request.time);
+    contacts.scene.anchors.advance_kinematics(1.0);
+    contacts.linearised.clear();
+    contacts.linearise(request.from, state.positions);
   }
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] == 0) state.positions[p] = request.from[p];
@@ -94,7 +94,7 @@ PosedStage::Iteration PosedStage::iterate(const StageContext& context, const Sta
   Contacts& contacts = context.contacts;
   NewtonSolver& newton = context.newton;
   PosedResult& result = course.result;
-  const bool others = !contacts.empty() && k > 0 && k < posings && contacts.pose(request.from, state.positions);
+  const bool others = !contacts.empty() && k > 0 && k < posings && contacts.linearise(request.from, state.positions);
   append_rows(context, stage);
   if (k >= posings) {
     store_best(context, stage, course);
@@ -134,7 +134,7 @@ void PosedStage::settle(const StageContext& context, const StageRequest& request
   course.result.converged = course.is_near && context.newton.are_bars_settled(state, stage, k);
   if (!course.result.converged || course.misses >= max_misses || contacts.empty()) return;
   store_solved(context);
-  if (!contacts.pose_missed(request.from, state.positions, state.tolerance)) return;
+  if (!contacts.linearise_missed(request.from, state.positions, state.tolerance)) return;
   ++course.misses;
   course.result.converged = course.has_best = false;
 }
@@ -212,14 +212,14 @@ void PosedStage::store_solved(const StageContext& context) {
   solved_positions_ = context.state.positions;
   solved_tensions_ = context.state.tensions;
   solved_held_ = context.state.held;
-  context.contacts.keep_forces();
+  context.contacts.linearised.store(context.contacts.forces);
 }
 
 void PosedStage::return_to_solved(const StageContext& context) const {
   context.state.positions = solved_positions_;
   context.state.tensions = solved_tensions_;
   context.state.held = solved_held_;
-  context.contacts.return_to_forces();
+  context.contacts.linearised.restore(context.contacts.forces);
 }
 
 /// A cord is a group, and what holds it moves with it.
@@ -255,7 +255,8 @@ bool PosedStage::keep_apart(const StageContext& context, const MotionBounds& bou
   find_groups(state);
   group_shares_.assign(state.slots(), 1.0);
   const bool within = bounds.limit(state, from, groups_, group_shares_);
-  const bool apart = context.contacts.keep_apart(from, state.positions, groups_, group_shares_);
+  const bool apart =
+      context.contacts.sweep.separate_groups(context.contacts.scene, from, state.positions, groups_, group_shares_);
   if (apart && within) return true;
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] != 0 || groups_[p] < 0) continue;

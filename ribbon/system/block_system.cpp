@@ -11,10 +11,13 @@ constexpr std::size_t much_filled = 6;  // blocks a row, above which an order th
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+void couple(const Contacts& contacts, BlockLdlt& matrix) { contacts.active.couple(contacts.scene, matrix); }
+void couple(const LimitedRows& rows, BlockLdlt& matrix) { rows.couple(matrix); }
+
 /// Calls visit(centre slot of a body, slot of a point) for what contacts couple.
 template <typename Visit>
 void for_each_body_and_point(const IslandState& /*state*/, const Contacts& contacts, Visit&& visit) {
-  contacts.for_each_touched(visit);
+  contacts.active.for_each_body_and_point(contacts.scene, visit);
 }
 
 template <typename Visit>
@@ -32,7 +35,7 @@ void BlockSystem::begin_step() {
 }
 
 void BlockSystem::make_pattern(const IslandState& state, const Contacts& contacts) {
-  if (!has_pattern_ || !contacts.are_coupled(matrix_)) make_pattern_with(state, contacts);
+  if (!has_pattern_ || !contacts.active.are_coupled(contacts.scene, matrix_)) make_pattern_with(state, contacts);
 }
 
 void BlockSystem::make_pattern(const IslandState& state, const LimitedRows& rows) {
@@ -53,7 +56,7 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
   for (std::size_t grip = 0; grip < state.held.size(); ++grip) {
     for (const int slot : grip_slots(state, state.held[grip])) matrix_.couple(slot, state.grip_dual(grip));
   }
-  terms.couple(matrix_);
+  couple(terms, matrix_);
   matrix_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * matrix_.size();
   if (matrix_.blocks() > much) reduce_fill(state);

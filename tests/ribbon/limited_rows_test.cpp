@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "ribbon/contact/active_set.h"
+#include "ribbon/contact/interior_point.h"
 #include "tests/support/dice.h"
 
 namespace ribbon {
@@ -22,6 +24,8 @@ struct Problem {
   std::vector<double> inertia;  // N/m
   std::vector<Vec2> force;      // N
   LimitedRows rows;
+  ActiveSet active_set;
+  InteriorPoint interior_point;
   BlockLdlt matrix;
 
   Problem(int points, int count, unsigned seed) {
@@ -59,27 +63,27 @@ struct Problem {
   bool solve_active_sets(std::vector<Vec2>& step, int most) {
     for (int k = 0; k < most; ++k) {
       step = load();
-      rows.load_active_set(matrix, step);
+      active_set.load(rows.rows(), matrix, step);
       EXPECT_TRUE(matrix.solve(step));
-      if (rows.update_active_set(step, 0.0) == 0) return true;
+      if (active_set.update(rows.rows(), step, 0.0) == 0) return true;
     }
     return false;
   }
 
   /// By the interior point; how many systems it took.
   int solve_interior(std::vector<Vec2>& step, double gap) {
-    rows.begin_interior();
+    interior_point.begin(rows.rows(), active_set.max_predicted_force());
     for (int k = 1; k <= 60; ++k) {
       step = load();
-      rows.load_interior(matrix);
-      rows.load_interior_force(step);
+      interior_point.load_matrix(rows.rows(), matrix);
+      interior_point.load_force(rows.rows(), step);
       EXPECT_TRUE(matrix.solve(step));
-      rows.predict(step);
+      interior_point.predict(rows.rows(), step);
       step = force;
-      rows.load_interior_force(step);
+      interior_point.load_force(rows.rows(), step);
       matrix.solve_again(step);
-      rows.advance(step);
-      if (rows.gap() <= gap) return k;
+      interior_point.advance(rows.rows(), step);
+      if (interior_point.gap() <= gap) return k;
     }
     return 61;
   }
@@ -107,10 +111,10 @@ TEST(LimitedRows, InteriorPointAndActiveSetAfterItSolveAnyProblem) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     Problem problem(20, 10 + static_cast<int>(seed % 50), seed);
     std::vector<Vec2> step;
-    problem.rows.begin_active_set();
+    problem.active_set.begin(problem.rows.rows());
     problem.solve_active_sets(step, 1);
     most = std::max(most, problem.solve_interior(step, 1e-10));
-    problem.rows.end_interior();
+    problem.interior_point.end(problem.rows.rows(), problem.active_set);
     ASSERT_TRUE(problem.solve_active_sets(step, 8)) << seed;
     EXPECT_LE(problem.misfit(step), 6e-3) << seed;  // a ten thousandth each of up to 59 rows
   }

@@ -1,0 +1,141 @@
+#include "ribbon/contact/contact_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon {
+namespace {
+
+constexpr double distance_tolerance = 1e-3;  // of the contact distance, to which an advancement ends
+constexpr int max_advances = 32;
+constexpr double separated_of_start = 0.995;  // of the distance at the start, what separate_groups leaves
+constexpr int max_reductions = 12;            // of the fraction of a group
+
+}  // namespace
+
+void ContactSweep::reserve(std::size_t anchors, std::size_t slots) {
+  ends_.reserve(anchors);
+  group_limits_.reserve(slots);
+}
+
+void ContactSweep::set_path(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> to) {
+  scene.anchors.positions(from, KinematicTime::start, from_);
+  scene.anchors.positions(to, KinematicTime::current, to_);
+  scene.list_candidates(from_, to_);
+}
+
+/// With n the normal now, the distance of the disc o and any point p of the segment is
+///
+///     |o − p| ≥ n·(o − p).
+///
+/// The right side is linear in time and in p. So the larger approach speed along n of the two ends bounds the approach
+/// on the whole path. A pair that separates is free, at any depth.
+double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance, double max) const {
+  const auto displacement = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
+  const Vec2 disc = displacement(pair.disc);
+  const Vec2 past_a = disc - displacement(pair.a);
+  const Vec2 past_b = disc - displacement(pair.b);
+  const double speed = std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
+  if (speed == 0.0) return max;
+  const double within = clearance.fraction * pair.contact_distance + max * speed;
+  if (!may_be_within(within, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return max;
+  const auto gap = [&](double fraction) {
+    const auto there = [&](int anchor) { return from_[at(anchor)] + fraction * displacement(anchor); };
+    return gap_between(there(pair.disc), there(pair.a), there(pair.b));
+  };
+  Gap now = gap(0.0);
+  double fraction = 0.0;
+  const double nearest = std::min(clearance.fraction * pair.contact_distance, clearance.of_start * now.distance);
+  for (int k = 0; k < max_advances; ++k) {
+    if (now.distance - nearest <= distance_tolerance * pair.contact_distance && k > 0) break;
+    const double approach = -std::min(dot(now.normal, past_a), dot(now.normal, past_b));
+    if (!(now.distance - nearest < approach * (max - fraction))) return max;
+    fraction += (now.distance - nearest) / approach;
+    now = gap(fraction);
+  }
+  return fraction;
+}
+
+Gap ContactSweep::gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const {
+  for (const int anchor : {pair.disc, pair.a, pair.b, pair.previous, pair.next}) {
+    if (anchor < 0) continue;
+    positions[at(anchor)] = from_[at(anchor)] + fraction * (to_[at(anchor)] - from_[at(anchor)]);
+  }
+  return gap_between(positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
+}
+
+double ContactSweep::collision_free_fraction(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to,
+                                             KinematicTime kinematic_end) {
+  scene.anchors.positions(x, KinematicTime::current, from_);
+  scene.anchors.positions(to, kinematic_end, to_);
+  scene.list_candidates(from_, to_);
+  double fraction = 1.0;
+  for (const std::size_t k : scene.candidates.pairs_to_check()) {
+    fraction = free_fraction(scene.pairs.geometry(k), Clearance::collision_free(), fraction);
+  }
+  return fraction;
+}
+
+bool ContactSweep::path_is_clear(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> x) {
+  set_path(scene, from, x);
+  const std::span<const std::size_t> candidates = scene.candidates.pairs_to_check();
+  return std::all_of(candidates.begin(), candidates.end(), [&](std::size_t k) {
+    return free_fraction(scene.pairs.geometry(k), Clearance::passing(), 1.0) == 1.0;
+  });
+}
+
+double ContactSweep::fraction_to_impact(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to) {
+  scene.anchors.positions(x, KinematicTime::current, from_);
+  scene.anchors.positions(to, KinematicTime::target, to_);
+  scene.list_candidates(from_, to_);
+  double fraction = 1.0;
+  for (const std::size_t k : scene.candidates.pairs_to_check()) {
+    const PairGeometry& pair = scene.pairs.geometry(k);
+    if (free_fraction(pair, {pair.overlap_fraction, Clearance::of_start_in_a_move}, fraction) < fraction) {
+      fraction = free_fraction(pair, {1.0, 1.0}, fraction);
+    }
+  }
+  return fraction;
+}
+
+bool ContactSweep::separate_groups(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> to,
+                                   std::span<const int> group_of, std::span<double> fractions) {
+  set_path(scene, from, to);
+  ends_.assign(to_.begin(), to_.end());
+  move_groups(scene, group_of, fractions);
+  for (int k = 0; k <= max_reductions; ++k) {
+    group_limits_.assign(fractions.size(), 1.0);
+    if (limit_groups(scene, group_of, k + 1 >= max_reductions)) return k == 0;
+    for (std::size_t g = 0; g < fractions.size(); ++g) fractions[g] *= group_limits_[g];
+    move_groups(scene, group_of, fractions);
+  }
+  return false;
+}
+
+/// Sets to_ to where the fractions of the groups lead.
+void ContactSweep::move_groups(const ContactScene& scene, std::span<const int> group_of,
+                               std::span<const double> fractions) {
+  for (const std::size_t i : scene.candidates.anchors()) {
+    const int g = scene.anchors.group(static_cast<int>(i), group_of);
+    if (g >= 0) to_[i] = from_[i] + fractions[at(g)] * (ends_[i] - from_[i]);
+  }
+}
+
+/// Limits the groups of each pair that overlaps on the path: to what is free of it, or, if this is the last try, to
+/// nothing. Returns whether no pair does.
+bool ContactSweep::limit_groups(ContactScene& scene, std::span<const int> group_of, bool is_last) {
+  bool are_separate = true;
+  for (const std::size_t k : scene.candidates.pairs_to_check()) {
+    const PairGeometry& pair = scene.pairs.geometry(k);
+    const double free = free_fraction(pair, {pair.overlap_fraction, separated_of_start}, 1.0);
+    if (free == 1.0) continue;
+    are_separate = false;
+    for (const int anchor : {pair.disc, pair.a, pair.b}) {
+      const int g = scene.anchors.group(anchor, group_of);
+      if (g >= 0) group_limits_[at(g)] = std::min(group_limits_[at(g)], is_last ? 0.0 : free);
+    }
+  }
+  return are_separate;
+}
+
+}  // namespace ribbon
