@@ -78,7 +78,7 @@ class Cord {
   /// Returns the mass of a point with what is attached to it, kg.
   double mass(int point) const { return masses_[slot(point)]; }
   /// Returns the rest length of the link from column i to column i + 1, m.
-  double rest_length(int i) const { return rest_[slot(i)]; }
+  double rest_length(int i) const { return rest_lengths_[slot(i)]; }
   /// Energies of the cord, its loads and its attached masses.
   struct Energy {
     double kinetic = 0.0;    ///< J
@@ -203,13 +203,18 @@ class Cord {
 
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
   std::size_t count() const { return targets_.size(); }
-  void set_damping_apart();
-  void put_damping_back();
+  /// Subtracts the damping part from the tensions, unless it is excluded already.
+  void exclude_damping();
+  /// Adds the damping part to the tensions, if it is excluded.
+  void include_damping();
   void drive(int point, Vec2 target, PointKind kind);
+  /// Wakes the cord after a change from outside; the next step does not use its accelerations.
   void disturb();
+  /// Stops the cord and puts it to sleep.
   void fall_asleep();
-  bool is_winding() const { return !rest_targets_.empty() && rest_ != rest_targets_; }
+  bool is_reeling() const { return !reel_targets_.empty() && rest_lengths_ != reel_targets_; }
   double own_mass(std::size_t point) const;
+  void check_sizes(const State& state) const;
   Sweep find_sweep() const;
 
   CordDef def_;
@@ -220,28 +225,28 @@ class Cord {
   std::vector<Vec2> accelerations_;
   std::vector<Vec2> targets_;
   std::vector<PointKind> kinds_;
-  std::vector<double> own_masses_;  // kg, without what was attached
+  std::vector<double> own_masses_;  // kg, without attached masses
   std::vector<double> masses_;      // kg
   std::vector<Vec2> loads_;
   std::vector<double> tensions_;
-  std::vector<double> rest_;          // m, of each link
-  std::vector<double> rest_targets_;  // m, where a reel is taking it
-  std::vector<double> rest_speeds_;   // m/s, how fast
-  double ledger_ = 0.0;               // J, of the energy guard: lost lately, or gained if negative
-  double balance_ = 0.0;              // J, the same since it was made
+  std::vector<double> rest_lengths_;  // m, by link
+  std::vector<double> reel_targets_;  // m, by link, goal of the reel
+  std::vector<double> reel_speeds_;   // m/s, by link, speed of the reel
+  double regainable_energy_ = 0.0;    // J, which the energy guard allows to be regained
+  double energy_drift_ = 0.0;         // J, lost since the cord was created; negative if gained
   std::vector<Holder> holders_;
   std::vector<Touch> touches_;
-  bool touch_changed_ = false;     // in the last step
-  bool damping_apart_ = false;     // tensions_ are the elastic ones alone, for velocities may be changed
-  bool restart_ = true;            // accelerations_ are not those of this state
-  std::optional<Sweep> sweep_;     // of this state, if it was found
-  double rested_ = 0.0;            // s, for which it has rested,
-  bool asleep_ = false;            // in the last step,
-  std::uint64_t still_among_ = 0;  // among what: see State
+  bool contacts_changed_ = false;             // a contact began or ended in the last step
+  bool damping_excluded_ = false;             // tensions_ exclude damping
+  bool restart_ = true;                       // accelerations_ are out of date
+  std::optional<Sweep> sweep_;                // of this state, if cached
+  double rest_time_ = 0.0;                    // s
+  bool asleep_ = false;                       // in the last step
+  std::uint64_t rest_surroundings_hash_ = 0;  // see State::still_among
 
-  std::vector<double> rest_start_, rest_end_;  // of this step, while something is reeled
-  std::vector<int> outline_;                   // points around which the cord is touched, in order
-  std::unique_ptr<Island> alone_;              // for steps by itself
+  std::vector<double> reel_start_, reel_end_;  // m, by link, in this step
+  std::vector<int> outline_;                   // points of the contact outline, in order
+  std::unique_ptr<Island> own_island_;         // for steps of this cord alone
 };
 
 }  // namespace ribbon

@@ -21,14 +21,14 @@ void refuse(const char* field, double value, const char* accepted) {
 }
 
 void check_range(const char* field, double value, double low, double high) {
-  // Written so that NaN, which compares false with everything, is refused too.
+  // Comparisons with NaN are false, so this form refuses NaN too.
   if (!(value >= low && value <= high)) refuse_with(field, " is ", value, "; accepted is ", low, " to ", high);
 }
 
 void check_coordinates(const char* field, Vec2 value) {
-  constexpr double most = 1e9;  // squares and cubes of it are far from overflow
-  if (!(std::abs(value.x) <= most && std::abs(value.y) <= most)) {
-    refuse_with(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -most, " to ", most);
+  constexpr double max = 1e9;  // its square and cube do not overflow
+  if (!(std::abs(value.x) <= max && std::abs(value.y) <= max)) {
+    refuse_with(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -max, " to ", max);
   }
 }
 

@@ -22,7 +22,7 @@ bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> befo
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactPair& pair = pairs_[k];
     if (hit_[k] == 0) continue;
-    const Gap gap = gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
+    const Separation gap = find_separation(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
     if (!(gap.distance < 2.0 * pair.reach) || !is_minimum(pair, gap)) continue;
     const Row normal = normal_row(pair, gap, x);
     const double led = led_speed(pair, gap);
@@ -36,7 +36,7 @@ bool Contacts::find_rebounds(std::span<const Vec2> x, std::span<const Vec2> befo
 }
 
 /// m/s, at which what nothing pushes takes a disc away from its segment.
-double Contacts::led_speed(const ContactPair& pair, const Gap& gap) const {
+double Contacts::led_speed(const ContactPair& pair, const Separation& gap) const {
   const auto along = [&](int anchor) {
     if (at(anchor) < points_ || spot(anchor).center >= 0) return 0.0;
     const Spot& led = spot(anchor);

@@ -86,7 +86,7 @@ bool Contacts::is_near(const Corner& pair) const {
   const Vec2 b = watched_from_[at(pair.b)];
   const double slack = slacks_[at(pair.disc)] + std::max(slacks_[at(pair.a)], slacks_[at(pair.b)]);
   const double near = (1.0 + kept_share) * pair.reach + slack;
-  return may_be_within(near, disc, a, b) && gap_between(disc, a, b).distance <= near;
+  return may_be_within(near, disc, a, b) && find_separation(disc, a, b).distance <= near;
 }
 
 double Contacts::free_way(std::span<const Vec2> x, std::span<const Vec2> to, bool led, double most) {
@@ -126,9 +126,9 @@ double Contacts::free_share(const Corner& pair, double share_of_reach, double mo
   if (!may_be_within(near, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return most;
   const auto gap = [&](double share) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + share * way(anchor); };
-    return gap_between(there(pair.disc), there(pair.a), there(pair.b));
+    return find_separation(there(pair.disc), there(pair.a), there(pair.b));
   };
-  Gap now = gap(0.0);
+  Separation now = gap(0.0);
   double share = 0.0;
   const double nearest = std::min(share_of_reach * pair.reach, kept * now.distance);
   for (int k = 0; k < most_advances; ++k) {

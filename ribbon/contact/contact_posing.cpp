@@ -42,7 +42,7 @@ bool Contacts::pose_missed(std::span<const Vec2> from, std::span<const Vec2> to,
       posed_.push_back({k, gap_at(pair, free_share(corner, nearest_share, 1.0, approach_share))});
       continue;
     }
-    const Gap gap = gap_at(pair, 1.0);
+    const Separation gap = gap_at(pair, 1.0);
     const double pressed = forces_[k] / (posed_stiffness_ * pair.stiffness);
     const bool deep = reach_now(pair.reach, pair.in) - gap.distance > pressed + tolerance;
     if (deep && is_minimum(pair, gap)) posed_.push_back({k, gap});
@@ -93,17 +93,17 @@ void Contacts::pose_pair(std::size_t k) {
   double share = 1.0;
   if (free_share(corner, passing_share, 1.0, approach_share) < 1.0)
     share = free_share(corner, nearest_share, 1.0, approach_share);
-  const Gap gap = gap_at(pair, share);
+  const Separation gap = gap_at(pair, share);
   if (share == 1.0 && !(gap.distance < (1.0 + posed_share) * pair.reach)) return;
   if (is_minimum(pair, gap)) posed_.push_back({k, gap});
 }
 
 /// At that share of the way; leaves the pair's anchors there.
-Gap Contacts::gap_at(const ContactPair& pair, double share) {
+Separation Contacts::gap_at(const ContactPair& pair, double share) {
   for (const int anchor : {pair.disc, pair.a, pair.b, pair.before, pair.after}) {
     if (anchor >= 0) anchors_[at(anchor)] = from_[at(anchor)] + share * (to_[at(anchor)] - from_[at(anchor)]);
   }
-  return gap_between(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
+  return find_separation(anchors_[at(pair.disc)], anchors_[at(pair.a)], anchors_[at(pair.b)]);
 }
 
 /// N, of friction.
@@ -115,7 +115,7 @@ void Contacts::append_rows(std::span<const Vec2> x, double shortness, LimitedRow
   evaluated_ = false;
   for (const Posed& posed : posed_) {
     const ContactPair& pair = pairs_[posed.pair];
-    const Gap& gap = posed.gap;
+    const Separation& gap = posed.gap;
     const double stiffness = posed_stiffness_ * pair.stiffness;
     const Vec2 near = anchors_[at(pair.a)] + gap.along * (anchors_[at(pair.b)] - anchors_[at(pair.a)]);
     const double separation = dot(gap.normal, anchors_[at(pair.disc)] - near) - reach_now(pair.reach, pair.in);

@@ -24,7 +24,7 @@ Vec2 Contacts::lever(int anchor, std::span<const Vec2> x) const {
 }
 
 /// δd.
-Contacts::Row Contacts::normal_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const {
+Contacts::Row Contacts::normal_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const {
   Row row;
   add_place(row, pair.disc, gap.normal, lever(pair.disc, x));
   add_place(row, pair.a, -(1.0 - gap.along) * gap.normal, lever(pair.a, x));
@@ -33,7 +33,7 @@ Contacts::Row Contacts::normal_row(const ContactPair& pair, const Gap& gap, std:
 }
 
 /// How far one slides along the other, at the cord's axis, for its points cannot take a torque.
-Contacts::Row Contacts::tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const {
+Contacts::Row Contacts::tangent_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const {
   const Vec2 to_axis = pair.reach * gap.normal;
   Row row;
   add_place(row, pair.disc, gap.tangent, lever(pair.disc, x) - to_axis);
@@ -43,7 +43,7 @@ Contacts::Row Contacts::tangent_row(const ContactPair& pair, const Gap& gap, std
 }
 
 /// d·E/L − U: −δ²d = ((d·E/L − U)² − U²)/d, of which the first is the part that makes no matrix indefinite.
-Contacts::Row Contacts::turning_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const {
+Contacts::Row Contacts::turning_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const {
   const Vec2 across = (gap.distance / gap.length) * gap.normal;
   Row row;
   add_place(row, pair.disc, gap.tangent, lever(pair.disc, x));

@@ -199,7 +199,7 @@ void Contacts::find_touching(std::span<const Vec2> x, double kept) {
     const Vec2 a = anchors_[at(corner.a)];
     const Vec2 b = anchors_[at(corner.b)];
     if (!may_be_within(reach, disc, a, b)) continue;
-    const Gap gap = gap_between(disc, a, b);
+    const Separation gap = find_separation(disc, a, b);
     if (!(gap.distance < reach) || !is_minimum(pairs_[k], gap)) continue;
     active_.push_back({k, gap});
     touching_[k] = 1;
@@ -213,8 +213,8 @@ double Contacts::depth(const Active& active) const {
 
 /// Whether the distance is a local minimum along what the segment is part of, and this pair the one to say so: at a
 /// vertex the one of the segment before it.
-bool Contacts::is_minimum(const ContactPair& pair, const Gap& gap) const {
-  if (gap.inside()) return true;
+bool Contacts::is_minimum(const ContactPair& pair, const Separation& gap) const {
+  if (gap.is_interior()) return true;
   const int vertex = gap.along == 0.0 ? pair.a : pair.b;
   if (!pair.ends || (pair.mutual && pair.disc > vertex)) return false;
   if (gap.along == 0.0) return pair.before < 0;
@@ -280,7 +280,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
   frictions_.clear();
   for (const Active& active : active_) {
     const ContactPair& pair = pairs_[active.pair];
-    const Gap& gap = active.gap;
+    const Separation& gap = active.gap;
     const auto push = [&](const Row& row, double by) {
       for (int i = 0; i < row.size; ++i) force[at(row.slot[at(i)])] += by * row.by[at(i)];
     };
@@ -289,7 +289,7 @@ void Contacts::load(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> 
     push(normal, pair.stiffness * depth(active));
     matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
     const double expected = forces_[active.pair];
-    if (gap.inside() && gap.distance > 0.0) {
+    if (gap.is_interior() && gap.distance > 0.0) {
       const Row turning = turning_row(pair, gap, x);
       matrix.add_outer(expected / gap.distance, turning.slots(), turning.derivatives());
     }

@@ -9,7 +9,7 @@
 
 #include "ribbon/contact/limited_rows.h"
 #include "ribbon/contact/slot_row.h"
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
 #include "ribbon/linear/block_ldlt.h"
 #include "ribbon/touch.h"
 
@@ -201,12 +201,12 @@ class Contacts {
   };
   struct Active {
     std::size_t pair;
-    Gap gap;
+    Separation gap;
   };
   /// A pair as it is posed: its normal, tangent and place along the segment stay as they are.
   struct Posed {
     std::size_t pair;
-    Gap gap;
+    Separation gap;
   };
 
   const Spot& spot(int anchor) const { return spots_[at(anchor) - points_]; }
@@ -222,9 +222,9 @@ class Contacts {
   /// m, nearer than which who was in so far touches.
   double reach_now(double reach, double in) const { return reach - (1.0 - emerged_) * in; }
   double depth(const Active& active) const;
-  bool is_minimum(const ContactPair& pair, const Gap& gap) const;
+  bool is_minimum(const ContactPair& pair, const Separation& gap) const;
   void pose_pair(std::size_t k);
-  Gap gap_at(const ContactPair& pair, double share);
+  Separation gap_at(const ContactPair& pair, double share);
   void go_between(std::span<const Vec2> from, std::span<const Vec2> to);
   void keep_pressing();
   template <typename Condition>
@@ -233,11 +233,11 @@ class Contacts {
   int group(int anchor, std::span<const int> group_of) const;
   void add_place(Row& row, int anchor, Vec2 by, Vec2 lever) const;
   Vec2 lever(int anchor, std::span<const Vec2> x) const;
-  Row normal_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
-  Row tangent_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
-  Row turning_row(const ContactPair& pair, const Gap& gap, std::span<const Vec2> x) const;
+  Row normal_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const;
+  Row tangent_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const;
+  Row turning_row(const ContactPair& pair, const Separation& gap, std::span<const Vec2> x) const;
   double stretch(const Active& active, const Row& tangent, std::span<const Vec2> x) const;
-  double led_speed(const ContactPair& pair, const Gap& gap) const;
+  double led_speed(const ContactPair& pair, const Separation& gap) const;
   void load_rebounds(std::span<const Vec2> x, BlockLdlt& matrix, std::span<Vec2> force) const;
   double free_share(const Corner& pair, double nearest_share, double most, double kept) const;
   Row slots_of(const ContactPair& pair) const;

@@ -99,7 +99,7 @@ void Island::begin_step(std::span<const IslandCord> cords, double dt) {
     take_hold(member);
     member.mass = pressing_mass(member);
     wind(member, dt);
-    member.cord->put_damping_back();
+    member.cord->include_damping();
     std::copy(member.cord->tensions_.begin(), member.cord->tensions_.end(),
               tensions_.begin() + static_cast<std::ptrdiff_t>(member.first_tension));
     unlocking_ = member.cord->elasticity_->unlock(member.cord->positions_) || unlocking_;
@@ -170,14 +170,14 @@ void Island::reserve(const Cord& cord, std::size_t grips) {
 
 void Island::take_over(const Member& member) {
   Cord& cord = *member.cord;
-  cord.set_damping_apart();
+  cord.exclude_damping();
   const auto to = static_cast<std::ptrdiff_t>(member.first);
   std::copy(cord.positions_.begin(), cord.positions_.end(), positions_.begin() + to);
   std::copy(cord.velocities_.begin(), cord.velocities_.end(), velocities_.begin() + to);
   std::copy(cord.accelerations_.begin(), cord.accelerations_.end(), accelerations_.begin() + to);
   std::copy(cord.masses_.begin(), cord.masses_.end(), masses_.begin() + to);
-  ledger_ += cord.ledger_;
-  balance_ += cord.balance_;
+  ledger_ += cord.regainable_energy_;
+  balance_ += cord.energy_drift_;
   restart_ = restart_ || cord.restart_;
 }
 
@@ -191,8 +191,8 @@ void Island::find_tolerance() {
     const double largest = std::abs(x.x) + std::abs(x.y) + cord.def_.length;  // of a coordinate, about
     least_tolerance_ = std::max(least_tolerance_, resolved_digits * std::numeric_limits<double>::epsilon() * largest);
     double shortest = cord.def_.length / (cord.def_.points - 1);
-    for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
-      shortest = std::min({shortest, cord.rest_[e], cord.rest_targets_[e]});
+    for (std::size_t e = 0; e < cord.reel_targets_.size(); ++e) {
+      shortest = std::min({shortest, cord.rest_lengths_[e], cord.reel_targets_[e]});
     }
     tolerance_ = std::min(tolerance_, loosest_share * shortest);
   }
@@ -270,11 +270,12 @@ void Island::remember_bodies(const Member& member) {
 void Island::wind(const Member& member, double dt) {
   Cord& cord = *member.cord;
   bool winding = false;
-  for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
-    const double left = cord.rest_targets_[e] - cord.rest_[e];
-    const double most = cord.rest_speeds_[e] * dt;
-    cord.rest_start_[e] = cord.rest_[e];
-    cord.rest_end_[e] = std::abs(left) <= most ? cord.rest_targets_[e] : cord.rest_[e] + std::copysign(most, left);
+  for (std::size_t e = 0; e < cord.reel_targets_.size(); ++e) {
+    const double left = cord.reel_targets_[e] - cord.rest_lengths_[e];
+    const double most = cord.reel_speeds_[e] * dt;
+    cord.reel_start_[e] = cord.rest_lengths_[e];
+    cord.reel_end_[e] =
+        std::abs(left) <= most ? cord.reel_targets_[e] : cord.rest_lengths_[e] + std::copysign(most, left);
     winding = winding || left != 0.0;
     restart_ = restart_ || (left != 0.0 && std::abs(left) <= most);
   }
@@ -285,7 +286,7 @@ void Island::wind(const Member& member, double dt) {
 /// Reels go back to where the step began.
 void Island::unwind() {
   for (const Member& member : members_) {
-    if (!member.cord->rest_targets_.empty()) member.cord->rest_ = member.cord->rest_start_;
+    if (!member.cord->reel_targets_.empty()) member.cord->rest_lengths_ = member.cord->reel_start_;
   }
 }
 
@@ -313,17 +314,17 @@ void Island::finish_member(const Member& member) {
   const auto share = [this](double all) {
     return std::isfinite(all) ? all / static_cast<double>(members_.size()) : 0.0;
   };
-  cord.ledger_ = share(ledger_);
-  cord.balance_ = share(balance_);
+  cord.regainable_energy_ = share(ledger_);
+  cord.energy_drift_ = share(balance_);
   cord.restart_ = restart_;
   cord.sweep_.reset();
-  for (std::size_t e = 0; e < cord.rest_targets_.size(); ++e) {
+  for (std::size_t e = 0; e < cord.reel_targets_.size(); ++e) {
     cord.restart_ =
-        cord.restart_ || (cord.rest_end_[e] == cord.rest_targets_[e] && cord.rest_start_[e] != cord.rest_end_[e]);
+        cord.restart_ || (cord.reel_end_[e] == cord.reel_targets_[e] && cord.reel_start_[e] != cord.reel_end_[e]);
   }
-  if (!cord.rest_targets_.empty()) {
-    cord.rest_ = cord.rest_end_;
-    cord.elasticity_->set_rest_lengths(cord.rest_);
+  if (!cord.reel_targets_.empty()) {
+    cord.rest_lengths_ = cord.reel_end_;
+    cord.elasticity_->set_rest_lengths(cord.rest_lengths_);
   }
   cord.holders_.clear();
   for (std::size_t k = member.first_hold; k < member.last_hold; ++k) {
@@ -333,7 +334,7 @@ void Island::finish_member(const Member& member) {
                              static_cast<int>(held_[k].grip), pull_of(k, step_dt_), held_[k].slid});
   }
   if (!unlocking_) return;
-  cord.set_damping_apart();
+  cord.exclude_damping();
   damp_deformation(member);
   cord.restart_ = true;
 }

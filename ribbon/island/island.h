@@ -292,7 +292,7 @@ class Island {
   Energy energy_after_;
   double weight_scale_ = 0.0;  // J, M·g·L
   std::vector<HeldStep> held_steps_;
-  std::vector<CarriedLoad> carried_;
+  std::vector<CondensedBody> carried_;
   std::vector<Vec2> starts_, drives_;  // of driven points: where the step found them, and their velocity
   std::vector<Vec2> x0_, v0_;          // at the start of the substep
   std::vector<double> tension0_;

@@ -257,7 +257,8 @@ double Island::fastest_before() const {
 double Island::shortest_cord() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Member& member : members_) {
-    shortest = std::min(shortest, std::accumulate(member.cord->rest_.begin(), member.cord->rest_.end(), 0.0));
+    shortest =
+        std::min(shortest, std::accumulate(member.cord->rest_lengths_.begin(), member.cord->rest_lengths_.end(), 0.0));
   }
   return shortest;
 }
@@ -270,7 +271,7 @@ double Island::most_stretched(std::span<const Vec2> x) const {
     if (std::isfinite(def.stretch_stiffness)) continue;
     for (std::size_t link = 0; link + 1 < member.count; ++link) {
       const std::size_t p = member.first + link;
-      const double strain = length(x[p + 1] - x[p]) / member.cord->rest_[link] - 1.0;
+      const double strain = length(x[p + 1] - x[p]) / member.cord->rest_lengths_[link] - 1.0;
       most = std::max(most, def.tension_only ? strain : std::abs(strain));
     }
   }

@@ -54,10 +54,10 @@ void Island::add_hold(Member& member, std::size_t index) {
   if (grip.along > 0.0 || (held.may_slip() && column + 1 < cord.def_.points)) held.next += at(cord.def_.rows);
   held.arm = held.hold(positions_) - body.position;
   const Vec2 off = grip.offset - held.arm;
-  const double most = drawn_share * cord.rest_[0];
+  const double most = drawn_share * cord.rest_lengths_[0];
   held.travel = grip.travel + (length(off) > most ? (most / length(off)) * off : off);
-  const double way = length(held.travel) + std::abs(held.climb) * cord.rest_[0];
-  held.way = way > unworthy_travel * cord.rest_[0] ? way : 0.0;
+  const double way = length(held.travel) + std::abs(held.climb) * cord.rest_lengths_[0];
+  held.way = way > unworthy_travel * cord.rest_lengths_[0] ? way : 0.0;
   const auto first = held_.begin() + static_cast<std::ptrdiff_t>(member.first_hold);
   const auto after = std::upper_bound(first, held_.end(), held.point,
                                       [](std::size_t point, const HeldBody& other) { return point < other.point; });
@@ -124,7 +124,7 @@ void Island::load_holds() {
     blocks_.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
     right_side_[at(slots[3])].x -= dot(u, against);
     blocks_.add(slots[3], std::max(0.0, dot(hold_pull(tensions_, k), arm)), 0.0, 0.0);
-    const double least = dual_share / std::max(inertia_[held.point], inertia_[held.next]);
+    const double least = min_dual_compliance / std::max(inertia_[held.point], inertia_[held.next]);
     blocks_.make_dual(dual);
     blocks_.add(dual, -least - (1.0 - across.xx), across.xy, -least - (1.0 - across.yy));
     right_side_[at(dual)] = -closing(hold_gap(held, positions_));
@@ -199,7 +199,7 @@ void Island::slip() {
     const double along = -dot(hold_gap(held, positions_), hold_tangent(held, positions_));
     for (const Member& member : members_) {
       if (held.point >= member.first && held.point < member.first + member.count) {
-        const double slid = along / member.cord->rest_[0];
+        const double slid = along / member.cord->rest_lengths_[0];
         held.slid = std::isfinite(slid) ? slid : 0.0;
       }
     }

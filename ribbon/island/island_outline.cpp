@@ -163,7 +163,7 @@ bool Island::may_meet(std::size_t disc, const OutlineLink& link, double distance
   const Vec2 past_b = way - (ends_[b] - positions_[b]);
   const double most = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   return may_be_within(most, positions_[disc], positions_[a], positions_[b]) &&
-         gap_between(positions_[disc], positions_[a], positions_[b]).distance <= most;
+         find_separation(positions_[disc], positions_[a], positions_[b]).distance <= most;
 }
 
 /// Whether a point of an outline and both ends of a link of it are no more than `close_links` from each other.
@@ -193,7 +193,7 @@ bool Island::are_neighbours(const CordDef& def, int k, int link) {
   };
   if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
   if (k == (link + size) % size || k == (link + 1 + size) % size) return true;
-  const Gap gap = gap_between(at_rest(k), at_rest(link), at_rest(link + 1));
+  const Separation gap = find_separation(at_rest(k), at_rest(link), at_rest(link + 1));
   return gap.distance < own_neighbourhood * def.radius;
 }
 

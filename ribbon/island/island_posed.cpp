@@ -194,7 +194,7 @@ void Island::begin_posed(double time, std::span<const Vec2> from) {
 
 bool Island::posed_steps(Stage& stage, double time, std::span<const Vec2> from, CordReport& report) {
   begin_posed(time, from);
-  stage.least_geometric = Stage::bearable_push;
+  stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   bool converged = false;
   left_open_ = std::numeric_limits<double>::infinity();
   left_force_ = 0.0;

@@ -69,7 +69,7 @@ bool Island::widen() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const RigidBody& body = rigid_[at(bodies_[k].index)];
     const Vec2 end = body.position + step_dt_ * body.velocity;
-    const double went = gap_between(positions_[center(k)], body.position, end).distance / body_room_;
+    const double went = find_separation(positions_[center(k)], body.position, end).distance / body_room_;
     bodies_went = went <= bodies_went ? bodies_went : went;  // or no number
   }
   bool any = false;
@@ -93,7 +93,7 @@ double Island::rooms_went(const Member& member) const {
   for (std::size_t p = member.first; p < member.first + member.count; ++p) {
     const Vec2 off = positions_[p] - ends_[p];
     if (dot(off, off) <= surely2) continue;
-    const double went = gap_between(positions_[p], step_start_[p], ends_[p]).distance / member.room;
+    const double went = find_separation(positions_[p], step_start_[p], ends_[p]).distance / member.room;
     most = went <= most ? most : went;
   }
   return most;
@@ -143,7 +143,7 @@ bool Island::may_have_met(const Member& member, int k, int link) const {
   const Vec2 past_a = way(disc) - way(a);
   const Vec2 past_b = way(disc) - way(b);
   const double most = 2.0 * cord.def_.radius + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
-  return !(gap_between(step_start_[disc], step_start_[a], step_start_[b]).distance > most);
+  return !(find_separation(step_start_[disc], step_start_[a], step_start_[b]).distance > most);
 }
 
 /// What holds a cord goes with it.
@@ -192,7 +192,7 @@ bool Island::keep_to_room(std::span<const Vec2> from) {
   const auto keep = [&](std::size_t slot, Vec2 start, Vec2 end, double room) {
     if (constrained_[slot] != 0) return;
     const auto is_out = [&](double share) {
-      return !(gap_between(from[slot] + share * (positions_[slot] - from[slot]), start, end).distance <= room);
+      return !(find_separation(from[slot] + share * (positions_[slot] - from[slot]), start, end).distance <= room);
     };
     if (!is_out(1.0)) return;
     all = false;

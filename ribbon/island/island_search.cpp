@@ -49,7 +49,7 @@ void Island::find_contacts(double dt) {
     for (const RigidSegment& segment : member.met.segments) {
       if (!holds(member, segment.body)) meet_segment(member, segment);
     }
-    touch_changed_ = touch_changed_ || member.cord->touch_changed_;
+    touch_changed_ = touch_changed_ || member.cord->contacts_changed_;
   }
   meet_each_other();
 }
@@ -180,7 +180,7 @@ void Island::add_pair(const Member& member, ContactPair& pair, double mass, doub
                                        [](const Touch& a, const Touch& b) { return a.place_before(b); });
   if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
-  const double distance = gap_between(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
+  const double distance = find_separation(place_of(pair.disc), place_of(pair.a), place_of(pair.b)).distance;
   const double depth = pair.reach - distance;
   const double size = std::min(pair.reach, large_circle * member.cord->rest_length(0));
   if (depth > deep_share * size) pair.reach = distance + emerging_share * depth;
@@ -204,7 +204,7 @@ void Island::remember_contacts() {
   for (const Member& member : members_) {
     member.cord->touches_.clear();
     if (!contacts_.empty()) member.cord->touches_.reserve(usual_touches);
-    member.cord->touch_changed_ = touch_changed_;
+    member.cord->contacts_changed_ = touch_changed_;
   }
   for (const ContactPair& pair : contacts_.pairs()) {
     if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;

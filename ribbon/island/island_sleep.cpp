@@ -81,11 +81,11 @@ std::uint64_t stillness(const Surroundings& met, std::span<const RigidBody> bodi
 /// long enough, so that they do from now on.
 bool Island::sleep_on(std::span<const IslandCord> cords) const {
   const auto is_asleep = [](const IslandCord& cord) { return cord.cord->asleep_; };
-  const auto may_sleep = [](const IslandCord& cord) { return cord.cord->rested_ >= Cord::time_to_sleep; };
+  const auto may_sleep = [](const IslandCord& cord) { return cord.cord->rest_time_ >= Cord::time_to_sleep; };
   if (!std::all_of(cords.begin(), cords.end(), may_sleep)) return wake(cords);
   const bool asleep = std::all_of(cords.begin(), cords.end(), is_asleep);
   for (const IslandCord& cord : cords) {
-    if (stillness(cord.met, rigid_, gravity_, asleep) != cord.cord->still_among_) return wake(cords);
+    if (stillness(cord.met, rigid_, gravity_, asleep) != cord.cord->rest_surroundings_hash_) return wake(cords);
   }
   // What nothing pushes is other islands' as well.
   const auto rest = [this](int body) {
@@ -114,10 +114,11 @@ void Island::count_rest(double dt, const CordReport& report) {
     Cord& cord = *member.cord;
     if (!cord.def_.allow_sleep) continue;
     const std::uint64_t among = stillness(member.met, rigid_, gravity_, false);
-    const bool rests = among != 0 && among == cord.still_among_ && report.unconverged == 0 && report.unlocked == 0 &&
-                       !cord.is_winding() && std::all_of(cord.velocities_.begin(), cord.velocities_.end(), is_slow);
-    cord.rested_ = rests ? std::min(cord.rested_ + dt, Cord::time_to_sleep) : 0.0;
-    cord.still_among_ = among;
+    const bool rests = among != 0 && among == cord.rest_surroundings_hash_ && report.unconverged == 0 &&
+                       report.unlocked == 0 && !cord.is_reeling() &&
+                       std::all_of(cord.velocities_.begin(), cord.velocities_.end(), is_slow);
+    cord.rest_time_ = rests ? std::min(cord.rest_time_ + dt, Cord::time_to_sleep) : 0.0;
+    cord.rest_surroundings_hash_ = among;
   }
 }
 

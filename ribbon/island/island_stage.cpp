@@ -38,7 +38,7 @@ bool Island::solve_stage(double time, double q, std::span<const Vec2> from, Cord
     climb(member);
   }
   Stage stage{q, predicted_, velocity_, inertia_, force_, constrained_, carried_};
-  stage.euler = euler_;
+  stage.implicit_euler = euler_;
   const bool converged = posing_             ? posed_steps(stage, time, from, report)
                          : contacts_.empty() ? free_steps(stage, report)
                                              : touching_steps(stage, time, from, report);
@@ -48,8 +48,9 @@ bool Island::solve_stage(double time, double q, std::span<const Vec2> from, Cord
   }
   for (const Member& member : members_) {
     if (!euler_) break;
-    member.cord->elasticity_->add_turning(stage_of(stage, member), part(positions_, member.first, member.count),
-                                          part(tensions_, member.first_tension, member.tensions));
+    member.cord->elasticity_->add_rotational_damping(stage_of(stage, member),
+                                                     part(positions_, member.first, member.count),
+                                                     part(tensions_, member.first_tension, member.tensions));
   }
   return converged;
 }
@@ -68,12 +69,12 @@ void Island::load_member(const Member& member, double time, double q) {
   Cord& cord = *member.cord;
   for (std::size_t p = 0; p < cord.loads_.size(); ++p) force_[member.first + p] += cord.loads_[p];
   if (cord.def_.drag > 0.0) add_drag(member, q);
-  if (winding_ && !cord.rest_targets_.empty()) {
+  if (winding_ && !cord.reel_targets_.empty()) {
     const double share = time / step_dt_;
-    for (std::size_t e = 0; e < cord.rest_.size(); ++e) {
-      cord.rest_[e] = cord.rest_start_[e] + share * (cord.rest_end_[e] - cord.rest_start_[e]);
+    for (std::size_t e = 0; e < cord.rest_lengths_.size(); ++e) {
+      cord.rest_lengths_[e] = cord.reel_start_[e] + share * (cord.reel_end_[e] - cord.reel_start_[e]);
     }
-    cord.elasticity_->set_rest_lengths(cord.rest_);
+    cord.elasticity_->set_rest_lengths(cord.rest_lengths_);
   }
 }
 
@@ -94,7 +95,7 @@ bool Island::free_steps(Stage& stage, CordReport& report) {
   ++report.searches;
   positions_ = guess_;
   tensions_ = tension_guess_;
-  stage.least_geometric = Stage::bearable_push;
+  stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   return searched_steps(stage, report);
 }
 
@@ -102,7 +103,7 @@ bool Island::free_steps(Stage& stage, CordReport& report) {
 void Island::count_system(CordReport& report) {
   ++report.iterations;
   const std::size_t band = system_blocks * count_;
-  report.work += static_cast<std::int64_t>(has_pattern_ ? blocks_.size() + blocks_.blocks() : band);
+  report.work += static_cast<std::int64_t>(has_pattern_ ? blocks_.size() + blocks_.off_diagonal_blocks() : band);
   report.work += contacts_.take_visits();
 }
 
@@ -206,9 +207,9 @@ bool Island::full_steps(Stage& stage, CordReport& report) {
 bool Island::are_bars_settled(const Stage& stage, int iteration) {
   if (iteration >= judging_iterations) return true;
   for (const Member& member : members_) {
-    const double way =
-        member.cord->elasticity_->misjudged_way(stage_of(stage, member), part(positions_, member.first, member.count),
-                                                part(tensions_, member.first_tension, member.tensions));
+    const double way = member.cord->elasticity_->active_set_error(
+        stage_of(stage, member), part(positions_, member.first, member.count),
+        part(tensions_, member.first_tension, member.tensions));
     if (way > misjudged_share * tolerance_) return false;
   }
   return true;

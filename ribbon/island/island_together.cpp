@@ -33,7 +33,7 @@ void Island::make_pattern() {
   }
   blocks_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * blocks_.size();
-  if (blocks_.blocks() > much) lessen_fill();
+  if (blocks_.off_diagonal_blocks() > much) lessen_fill();
 }
 
 /// Points in their order, each body after the last point that it is coupled with, and then its holds: so what is
@@ -97,7 +97,7 @@ void Island::lessen_fill() {
     for (; next < late_.size() && at(late_[next][0]) == row; ++next) order_.push_back(late_[next][1]);
   }
   blocks_.reorder(order_);
-  filled_ = blocks_.blocks();
+  filled_ = blocks_.off_diagonal_blocks();
   has_fill_order_ = true;
 }
 
