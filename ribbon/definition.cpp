@@ -4,6 +4,8 @@
 #include <sstream>
 #include <string>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
@@ -33,7 +35,7 @@ void check_coordinates(const char* field, Vec2 value) {
 }
 
 void check_points(int points, std::span<const Vec2> positions, std::span<const int> pins) {
-  if (!positions.empty() && positions.size() != static_cast<std::size_t>(points)) {
+  if (!positions.empty() && positions.size() != at(points)) {
     refuse_with("positions has ", positions.size(), " entries; accepted is none, or one a point: ", points);
   }
   for (std::size_t p = 0; p < positions.size(); ++p) {

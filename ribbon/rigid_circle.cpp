@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ribbon/definition.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
@@ -25,7 +26,7 @@ class Entry {
     check(field, value.y, -max, max);
   }
   void check_index(const char* field, int value, std::size_t count) const {
-    if (value >= 0 && static_cast<std::size_t>(value) < count) return;
+    if (value >= 0 && at(value) < count) return;
     throw DefinitionError(name(field) + " is " + std::to_string(value) + "; accepted is an index below " +
                           std::to_string(count));
   }
@@ -87,7 +88,7 @@ void check_met(const Surroundings& surroundings, std::size_t bodies, int points,
     const Grip& grip = surroundings.grips[k];
     const Entry entry("grips", k);
     entry.check_index("body", grip.body, bodies);
-    entry.check_index("point", grip.point, static_cast<std::size_t>(points));
+    entry.check_index("point", grip.point, at(points));
     check_grip(entry, grip);
     if (rows > 0 && grip.point >= points - rows) entry.check("along", grip.along, 0.0, 0.0);
   }

@@ -51,8 +51,8 @@ struct Stage {
   std::span<const char> constrained;                     ///< 1 for a constrained point, 0 for others
   std::span<const CondensedBody> condensed_bodies = {};  ///< ordered by point
   /// Lower bound of min_geometric_ratio. A bar under compression has a negative geometric stiffness; Newton's method
-  /// converges slowly without it. Two bars per point add at most 4 times this share of the point's inertia, so the
-  /// matrix stays positive definite.
+  /// converges slowly without it. Two bars per point subtract at most 4 · 0.24 of the point's inertia, so the matrix
+  /// stays positive definite.
   static constexpr double definite_geometric_ratio = -0.24;
   /// The least geometric stiffness of a bar of a chain, as a multiple of the smaller inertia of its ends, ≤ 0.
   double min_geometric_ratio = 0.0;
