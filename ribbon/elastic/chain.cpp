@@ -74,12 +74,12 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
 ///     λ = (c − dᵀS·r_a + pᵀδb)/σ             δa = S(r_a + d·λ + g·u·uᵀδb)
 ///     A_b ← A_b − g²·(uᵀSu)·u·uᵀ + p·pᵀ/σ    r_b ← r_b + g·(uᵀS·r_a)·u − p·(c − dᵀS·r_a)/σ
 ///
-/// A constrained point has S = 0, a slack link 1/σ = 0. Returns the pivot of the first point.
-inline Chain::Pivot Chain::eliminate_links(const Stage& stage, std::span<const Vec2> x,
-                                           std::span<const double> tensions) {
+/// A constrained point has S = 0, a slack link 1/σ = 0. Substitution in the opposite order gives all δ and λ.
+bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                        std::span<Vec2> direction, std::span<double> next) {
   const double min_sigma = min_singular_compliance / stage.inertia[0];
   const std::size_t n = x.size();
-  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};
+  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the next point to eliminate
   Vec2 r = stage.residual(n - 1, x[n - 1]);
   std::size_t bodies = stage.condensed_bodies.size();
   const auto add_bodies = [&](std::size_t point) {
@@ -120,17 +120,12 @@ inline Chain::Pivot Chain::eliminate_links(const Stage& stage, std::span<const V
     r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
     add_bodies(e);
   }
-  return {a, r};
-}
 
-bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                        std::span<Vec2> direction, std::span<double> next) {
-  const auto [a, r] = eliminate_links(stage, x, tensions);
   direction[0] = {};
   if (stage.constrained[0] == 0) {
     direction[0] = (1.0 / (a.xx * a.yy - a.xy * a.xy)) * Vec2{a.yy * r.x - a.xy * r.y, a.xx * r.y - a.xy * r.x};
   }
-  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+  for (std::size_t e = 0; e + 1 < n; ++e) {
     const Eliminated& link = eliminated_[e];
     const Vec2 near = direction[e];
     next[e] = link.tension + dot(link.slope, near);
@@ -158,7 +153,7 @@ void Chain::couple(BlockLdlt& blocks, int first, int first_dual) const {
   }
 }
 
-/// Adds the equations of eliminate_links.
+/// Adds the equations of newton_step.
 void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                  int first, int first_dual, std::span<Vec2> right_side) {
   const double min_compliance = min_dual_compliance / stage.inertia[0];

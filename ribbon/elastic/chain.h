@@ -42,15 +42,9 @@ class Chain final : public Elasticity {
     Vec2 matrix_x;  // first row
     Vec2 matrix_y;  // second row
   };
-  /// The point that is eliminated next: its diagonal block A and its right-hand side r.
-  struct Pivot {
-    Block a;
-    Vec2 r;
-  };
 
   double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }
   double rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const;
-  Pivot eliminate_links(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions);
   double geometric(const Stage& stage, std::size_t link, double size, double tension) const;
   /// Returns a link in this stage: `size` [m] is its length, d its direction from point link + 1 to point link.
   MixedBar bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const;
