@@ -30,7 +30,7 @@ void check_ribbon(const CordDef& def) {
     if (def.area_stiffness != 0.0) refuse("area_stiffness", def.area_stiffness, "0 with bars");
   } else if (def.rows > 2) {
     const double solid = def.stretch_stiffness * def.width * def.width / 12.0;
-    // A trillionth above it passes: `solid` computes the same product in another order.
+    // The limit is a trillionth higher, because solid() computes the same product in another order.
     if (!(def.bending_stiffness > 0.0 && def.bending_stiffness <= solid * (1.0 + 1e-12))) {
       check_range("bending_stiffness", def.bending_stiffness, 1e-12 * solid, solid);
     }

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <string>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
@@ -21,19 +23,19 @@ void refuse(const char* field, double value, const char* accepted) {
 }
 
 void check_range(const char* field, double value, double low, double high) {
-  // Written so that NaN, which compares false with everything, is refused too.
+  // Comparisons with NaN are false, so this form refuses NaN too.
   if (!(value >= low && value <= high)) refuse_with(field, " is ", value, "; accepted is ", low, " to ", high);
 }
 
 void check_coordinates(const char* field, Vec2 value) {
-  constexpr double most = 1e9;  // squares and cubes of it are far from overflow
-  if (!(std::abs(value.x) <= most && std::abs(value.y) <= most)) {
-    refuse_with(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -most, " to ", most);
+  constexpr double max = 1e9;  // its square and cube do not overflow
+  if (!(std::abs(value.x) <= max && std::abs(value.y) <= max)) {
+    refuse_with(field, " is (", value.x, ", ", value.y, "); accepted are coordinates from ", -max, " to ", max);
   }
 }
 
 void check_points(int points, std::span<const Vec2> positions, std::span<const int> pins) {
-  if (!positions.empty() && positions.size() != static_cast<std::size_t>(points)) {
+  if (!positions.empty() && positions.size() != at(points)) {
     refuse_with("positions has ", positions.size(), " entries; accepted is none, or one a point: ", points);
   }
   for (std::size_t p = 0; p < positions.size(); ++p) {

@@ -7,13 +7,12 @@
 #include "ribbon/collision/motion_bounds.h"
 #include "ribbon/geometry/quadtree.h"
 #include "ribbon/island/island.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
 
-constexpr int least_points = 200;  // of cords, that are one task: some 20 µs
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+constexpr int min_points_per_part = 200;  // about 20 µs of work
 
 }  // namespace
 
@@ -39,15 +38,15 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   total_ = {};
   first_members_.assign(1, 0);
   if (cords.empty()) return;
-  find_reaches(cords, bodies, dt, gravity);
+  find_swept_boxes(cords, bodies, dt, gravity);
   find_islands(cords, bodies);
   list_members(cords);
-  parallel_for_(divide(), [&](int part) {
+  parallel_for_(divide_into_parts(), [&](int part) {
     const std::size_t p = at(part);
-    for (std::size_t k = first_parts_[p]; k < first_parts_[p + 1]; ++k) {
+    for (std::size_t k = first_of_part_[p]; k < first_of_part_[p + 1]; ++k) {
       const std::size_t first = first_members_[k];
       const auto members = std::span<const IslandCord>(members_).subspan(first, first_members_[k + 1] - first);
-      reports[cords_of_members_[first]] = workplaces_[p]->step(members, bodies, dt, gravity);
+      reports[member_cords_[first]] = island_solvers_[p]->step(members, bodies, dt, gravity);
       for (const IslandCord& member : members) member.cord->remember_sweep();
     }
   });
@@ -60,20 +59,20 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   }
 }
 
-/// Those of cords that meet each other.
-void DirectSolver::find_reaches(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
-                                Vec2 gravity) {
-  meeting_.clear();
-  reaches_.clear();
-  links_.clear();
+/// Finds the boxes of cords that may touch each other.
+void DirectSolver::find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
+                                    Vec2 gravity) {
+  contact_cords_.clear();
+  swept_boxes_.clear();
+  link_boxes_.clear();
   first_links_.clear();
   for (std::size_t k = 0; k < cords.size(); ++k) {
     if (!cords[k].cord->def().cord_contact) continue;
-    meeting_.push_back(k);
-    first_links_.push_back(links_.size());
-    reaches_.push_back(take_reach(cords[k], bodies, dt, gravity));
+    contact_cords_.push_back(k);
+    first_links_.push_back(link_boxes_.size());
+    swept_boxes_.push_back(add_swept_boxes(cords[k], bodies, dt, gravity));
   }
-  first_links_.push_back(links_.size());
+  first_links_.push_back(link_boxes_.size());
 }
 
 void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies) {
@@ -81,118 +80,119 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = k;
   first_cords_.assign(bodies.size(), -1);
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    for (const Grip& grip : cords[k].met.grips) share(k, grip.body, bodies);
-    for (const RigidCircle& circle : cords[k].met.circles) share(k, circle.body, bodies);
-    for (const RigidSegment& segment : cords[k].met.segments) share(k, segment.body, bodies);
+    for (const Grip& grip : cords[k].met.grips) join_by_body(k, grip.body, bodies);
+    for (const RigidCircle& circle : cords[k].met.circles) join_by_body(k, circle.body, bodies);
+    for (const RigidSegment& segment : cords[k].met.segments) join_by_body(k, segment.body, bodies);
   }
-  join_near();
+  join_near_cords();
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
 }
 
-/// Those whose links may come near each other.
-void DirectSolver::join_near() {
-  if (meeting_.size() < 2) return;
-  if (tree_room_ < meeting_.size()) {
-    tree_room_ = 2 * meeting_.size();
-    tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_room_));
+/// Joins cords with links that may come near each other.
+void DirectSolver::join_near_cords() {
+  if (contact_cords_.size() < 2) return;
+  if (tree_capacity_ < contact_cords_.size()) {
+    tree_capacity_ = 2 * contact_cords_.size();
+    tree_ = std::make_unique<Quadtree>(static_cast<int>(tree_capacity_));
   }
-  tree_->build(reaches_);
-  for (std::size_t b = 0; b < meeting_.size(); ++b) {
-    tree_->query(reaches_[b], [&](int other) {
-      const auto a = static_cast<std::size_t>(other);
-      if (a < b && root(meeting_[a]) != root(meeting_[b]) && links_meet(a, b)) join(meeting_[a], meeting_[b]);
+  tree_->build(swept_boxes_);
+  for (std::size_t b = 0; b < contact_cords_.size(); ++b) {
+    tree_->query(swept_boxes_[b], [&](int other) {
+      const auto a = at(other);
+      if (a < b && root(contact_cords_[a]) != root(contact_cords_[b]) && links_overlap(a, b))
+        join(contact_cords_[a], contact_cords_[b]);
     });
   }
 }
 
-/// By island.
+/// Lists the cords by island: a counting sort in O(cords).
 void DirectSolver::list_members(std::span<const IslandCord> cords) {
-  places_.assign(cords.size(), 0);
-  for (std::size_t k = 0; k < cords.size(); ++k) ++places_[parents_[k]];
+  next_members_.assign(cords.size(), 0);
+  for (std::size_t k = 0; k < cords.size(); ++k) ++next_members_[parents_[k]];
   first_members_.clear();
   std::size_t members = 0;
   for (std::size_t k = 0; k < cords.size(); ++k) {
     if (parents_[k] != k) continue;
     first_members_.push_back(members);
-    members += std::exchange(places_[k], members);
+    members += std::exchange(next_members_[k], members);
   }
   first_members_.push_back(members);
   members_.resize(cords.size());
-  cords_of_members_.resize(cords.size());
+  member_cords_.resize(cords.size());
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    const std::size_t place = places_[parents_[k]]++;
-    members_[place] = cords[k];
-    cords_of_members_[place] = k;
+    const std::size_t index = next_members_[parents_[k]]++;
+    members_[index] = cords[k];
+    member_cords_[index] = k;
   }
 }
 
-/// Divides the islands into parts of about as many points, in their order, and returns how many.
-int DirectSolver::divide() {
+/// Divides the islands, in their order, into parts with similar numbers of points. Returns the number of parts.
+int DirectSolver::divide_into_parts() {
   const std::size_t count = at(islands());
   std::size_t points = 0;
   for (const IslandCord& member : members_) points += at(member.cord->size());
-  const int most = std::min(islands(), parallel_for_.parts(static_cast<int>(points), least_points));
-  first_parts_.clear();
+  const int max_parts = std::min(islands(), parallel_for_.parts(static_cast<int>(points), min_points_per_part));
+  first_of_part_.clear();
   std::size_t before = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    if (before * at(most) >= points * first_parts_.size()) first_parts_.push_back(k);
+    if (before * at(max_parts) >= points * first_of_part_.size()) first_of_part_.push_back(k);
     for (std::size_t m = first_members_[k]; m < first_members_[k + 1]; ++m) before += at(members_[m].cord->size());
   }
-  const int parts = static_cast<int>(first_parts_.size());
-  first_parts_.push_back(count);
-  while (workplaces_.size() < at(parts)) workplaces_.push_back(std::make_unique<Island>());
+  const int parts = static_cast<int>(first_of_part_.size());
+  first_of_part_.push_back(count);
+  while (island_solvers_.size() < at(parts)) island_solvers_.push_back(std::make_unique<Island>());
   return parts;
 }
 
-/// The box that a cord does not leave in the step unless something hits it, and those of its links.
-Box DirectSolver::take_reach(const IslandCord& island_cord, std::span<const RigidBody> bodies, double dt,
-                             Vec2 gravity) {
+/// Appends the boxes that the links of a cord do not leave in the step without an impact. Returns the box around them.
+Box DirectSolver::add_swept_boxes(const IslandCord& island_cord, std::span<const RigidBody> bodies, double dt,
+                                  Vec2 gravity) {
   const Cord& cord = *island_cord.cord;
   const auto x = cord.positions();
   const auto v = cord.velocities();
   const double margin = cord.def().radius + MotionBounds::bound_of(cord.parts(), island_cord.met, bodies, dt, gravity);
-  const auto rows = static_cast<std::size_t>(cord.def().rows);
-  const auto column_at = [&](std::size_t first) {
+  const auto rows = at(cord.def().rows);
+  const auto column_box = [&](std::size_t first) {
     Box box = box_around(x[first], x[first] + dt * v[first], 0.0);
     for (std::size_t p = first + 1; p < first + rows; ++p) {
       box = joined(box, box_around(x[p], x[p] + dt * v[p], 0.0));
     }
     return box;
   };
-  Box before = column_at(0);
-  Box all = before;
+  Box previous = column_box(0);
+  Box all = previous;
   for (std::size_t first = rows; first < x.size(); first += rows) {
-    const Box column = column_at(first);
-    links_.push_back(widened(joined(before, column), margin));
+    const Box column = column_box(first);
+    link_boxes_.push_back(widened(joined(previous, column), margin));
     all = joined(all, column);
-    before = column;
+    previous = column;
   }
   return widened(all, margin);
 }
 
-/// Whether a link of the one may come near one of the other.
-bool DirectSolver::links_meet(std::size_t a, std::size_t b) const {
+/// Returns whether a link of contact cord a may come near one of contact cord b.
+bool DirectSolver::links_overlap(std::size_t a, std::size_t b) const {
   for (std::size_t i = first_links_[a]; i < first_links_[a + 1]; ++i) {
-    if (!overlap(links_[i], reaches_[b])) continue;
+    if (!overlap(link_boxes_[i], swept_boxes_[b])) continue;
     for (std::size_t j = first_links_[b]; j < first_links_[b + 1]; ++j) {
-      if (overlap(links_[i], links_[j])) return true;
+      if (overlap(link_boxes_[i], link_boxes_[j])) return true;
     }
   }
   return false;
 }
 
-/// A body that nothing pushes passes nothing on.
-void DirectSolver::share(std::size_t cord, int body, std::span<const RigidBody> bodies) {
-  if (bodies[static_cast<std::size_t>(body)].inverse_mass == 0.0) return;
-  int& first = first_cords_[static_cast<std::size_t>(body)];
+/// Joins a cord with the first cord near the same body. Static and kinematic bodies do not couple cords.
+void DirectSolver::join_by_body(std::size_t cord, int body, std::span<const RigidBody> bodies) {
+  if (bodies[at(body)].inverse_mass == 0.0) return;
+  int& first = first_cords_[at(body)];
   if (first < 0) {
     first = static_cast<int>(cord);
   } else {
-    join(static_cast<std::size_t>(first), cord);
+    join(at(first), cord);
   }
 }
 
-/// The first cord of an island.
+/// Returns the first cord of an island.
 std::size_t DirectSolver::root(std::size_t cord) {
   while (parents_[cord] != cord) cord = parents_[cord] = parents_[parents_[cord]];
   return cord;

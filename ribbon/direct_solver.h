@@ -42,35 +42,34 @@ class DirectSolver {
 
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
-  void share(std::size_t cord, int body, std::span<const RigidBody> bodies);
-  void find_reaches(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
-  Box take_reach(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
-  void join_near();
-  bool links_meet(std::size_t a, std::size_t b) const;
+  void join_by_body(std::size_t cord, int body, std::span<const RigidBody> bodies);
+  void find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
+  Box add_swept_boxes(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
+  void join_near_cords();
+  bool links_overlap(std::size_t a, std::size_t b) const;
   std::size_t root(std::size_t cord);
   void join(std::size_t a, std::size_t b);
   void list_members(std::span<const IslandCord> cords);
-  int divide();
+  int divide_into_parts();
 
   ParallelFor parallel_for_;
-  std::vector<std::size_t> parents_;  // by cord: another of its island, in the end its first one, or itself
-  // Of cords that meet others: which, their boxes, those of their links, and the first of each one's links, and the end
-  // of the last's.
-  std::vector<std::size_t> meeting_;
-  std::vector<Box> reaches_;
-  std::vector<Box> links_;
-  std::vector<std::size_t> first_links_;
-  std::unique_ptr<Quadtree> tree_;  // of reaches_
-  std::size_t tree_room_ = 0;       // that it has, boxes
-  std::vector<int> first_cords_;    // by body: the first cord that it is near, −1 if none
-  // By island, in the order of their first cords: the cords, and the first of each island, and the end of the last.
-  std::vector<IslandCord> members_;
-  std::vector<std::size_t> cords_of_members_;
-  std::vector<std::size_t> first_members_;
-  std::vector<std::size_t> places_;       // by first cord of an island: where its next member goes
-  std::vector<std::size_t> first_parts_;  // islands: the first of each part that is done by one task, and the end
+  std::vector<std::size_t> parents_;  // disjoint sets, by cord; after find_islands the first cord of its island
+  // Of the cords with cord_contact, in their order:
+  std::vector<std::size_t> contact_cords_;  // indices of the cords
+  std::vector<Box> swept_boxes_;            // m, which a cord does not leave in the step without an impact
+  std::vector<Box> link_boxes_;             // m, the same of each link, cord by cord
+  std::vector<std::size_t> first_links_;    // index in link_boxes_ of each cord, and the end of the last
+  std::unique_ptr<Quadtree> tree_;          // of swept_boxes_
+  std::size_t tree_capacity_ = 0;           // boxes
+  std::vector<int> first_cords_;            // by body: the first cord near it; −1: none
+  // By island, in the order of their first cords:
+  std::vector<IslandCord> members_;         // cords, island by island
+  std::vector<std::size_t> member_cords_;   // index of the cord of each member
+  std::vector<std::size_t> first_members_;  // index in members_ of each island, and the end of the last
+  std::vector<std::size_t> next_members_;   // by first cord of an island: index of its next member
+  std::vector<std::size_t> first_of_part_;  // first island of each part, which is one task, and the end of the last
   CordReport total_;
-  std::vector<std::unique_ptr<Island>> workplaces_;  // by part, so that each has the memory that it needs
+  std::vector<std::unique_ptr<Island>> island_solvers_;  // by part; each keeps the memory that its part needs
 };
 
 }  // namespace ribbon

@@ -5,16 +5,16 @@
 namespace ribbon {
 namespace {
 
-constexpr int most_substeps = 4096;
-constexpr double least_tolerance = 1e-12;  // m
+constexpr int max_substeps = 4096;
+constexpr double min_tolerance = 1e-12;  // m
 
 }  // namespace
 
 CordDef ErrorProbe::finer_def(const Cord& cord) {
   CordDef def = cord.def();
-  def.accuracy.substeps = std::min(finer * def.accuracy.substeps, most_substeps);
-  // As the error of the second order, so that what the solves leave is not taken for it.
-  def.accuracy.tolerance = std::max(def.accuracy.tolerance / (finer * finer), least_tolerance);
+  def.accuracy.substeps = std::min(finer * def.accuracy.substeps, max_substeps);
+  // The tolerance shrinks like the error of a second-order method, so the error of the solves stays below it.
+  def.accuracy.tolerance = std::max(def.accuracy.tolerance / (finer * finer), min_tolerance);
   return def;
 }
 
@@ -35,10 +35,11 @@ void ErrorProbe::foresee(std::span<const IslandCord> cords, std::span<const Rigi
 }
 
 double ErrorProbe::error(std::size_t cord, const Cord& stepped) const {
-  double most = 0.0;
-  const auto foreseen = copies_[cord].positions();
-  for (std::size_t p = 0; p < foreseen.size(); ++p) most = std::max(most, length(foreseen[p] - stepped.positions()[p]));
-  return most;
+  double largest = 0.0;
+  const auto expected = copies_[cord].positions();
+  for (std::size_t p = 0; p < expected.size(); ++p)
+    largest = std::max(largest, length(expected[p] - stepped.positions()[p]));
+  return largest;
 }
 
 }  // namespace ribbon

@@ -8,40 +8,41 @@
 namespace ribbon {
 namespace {
 
-constexpr double least_distance = 1e-6;  // m, between corners
+constexpr double min_corner_distance = 1e-6;  // m
 
+/// A point of a path, m, and the segment that it is on.
 struct PathPoint {
-  Vec2 at;
+  Vec2 position;
   std::size_t segment;
 };
 
-/// The first point of the path after `from` that is `link` away from it; the last segment goes on straight.
+/// Returns the first point of the path after `from` with the distance `link` [m] from it. The last segment is extended.
 PathPoint next_point(const std::vector<Vec2>& path, const PathPoint& from, double link) {
   std::size_t k = from.segment;
-  while (k + 2 < path.size() && length(path[k + 1] - from.at) < link) ++k;
-  // |o + t·d| = link, where the segment leaves the circle.
+  while (k + 2 < path.size() && length(path[k + 1] - from.position) < link) ++k;
+  // The segment leaves the circle around `from` at the larger root t of |o + t·d| = link.
   const Vec2 d = (1.0 / length(path[k + 1] - path[k])) * (path[k + 1] - path[k]);
-  const Vec2 o = path[k] - from.at;
+  const Vec2 o = path[k] - from.position;
   const double b = dot(o, d);
   const double t = std::sqrt(std::max(0.0, b * b - dot(o, o) + link * link)) - b;
   return {path[k] + t * d, k};
 }
 
 struct Steps {
-  std::vector<Vec2> points;
-  bool arrive;  // at the path's end, or behind it
+  std::vector<Vec2> points;  // m
+  bool reach_end;            // the last point is at the end of the path, or beyond
 };
 
-/// So many points along the path, each `link` from the next.
+/// Returns `columns` points along the path, neighbours at the distance `link` [m].
 Steps step_along(const std::vector<Vec2>& path, double link, int columns) {
-  PathPoint here{path[0], 0};
-  std::vector<Vec2> points{here.at};
+  PathPoint current{path[0], 0};
+  std::vector<Vec2> points{current.position};
   for (int i = 1; i < columns; ++i) {
-    here = next_point(path, here, link);
-    points.push_back(here.at);
+    current = next_point(path, current, link);
+    points.push_back(current.position);
   }
   const Vec2 last = path.back() - path[path.size() - 2];
-  return {std::move(points), here.segment + 2 == path.size() && dot(here.at - path.back(), last) >= 0.0};
+  return {std::move(points), current.segment + 2 == path.size() && dot(current.position - path.back(), last) >= 0.0};
 }
 
 double length_of(const std::vector<Vec2>& path) {
@@ -50,19 +51,20 @@ double length_of(const std::vector<Vec2>& path) {
   return sum;
 }
 
-/// The middle of each column.
+/// Returns the middle of each column [m]. Bisection finds the link length with which the last one is at the end of the
+/// path.
 std::vector<Vec2> in_equal_links(const std::vector<Vec2>& path, int columns) {
-  double falls_short = 0.0;
-  double arrives = length_of(path) / (columns - 1);  // as long as the path is straight
+  double short_link = 0.0;
+  double long_link = length_of(path) / (columns - 1);  // exact for a straight path
   for (int halving = 0; halving < 60; ++halving) {
-    const double link = 0.5 * (falls_short + arrives);
-    (step_along(path, link, columns).arrive ? arrives : falls_short) = link;
+    const double link = 0.5 * (short_link + long_link);
+    (step_along(path, link, columns).reach_end ? long_link : short_link) = link;
   }
-  return step_along(path, falls_short, columns).points;
+  return step_along(path, short_link, columns).points;
 }
 
-/// The rows around that. They lie across the line from the column before to the one after, which at a corner keeps the
-/// cells from crossing as long as they can.
+/// Returns the points of all rows [m]. A column is perpendicular to the line between its neighbours: so cells overlap
+/// at a corner only if the corner is too sharp for their width.
 std::vector<Vec2> rows_across(const std::vector<Vec2>& middle, int rows, double width) {
   if (rows == 1) return middle;
   std::vector<Vec2> positions;
@@ -80,7 +82,7 @@ void check_path(const std::vector<Vec2>& path) {
   for (const Vec2 corner : path) check_coordinates("path", corner);
   for (std::size_t k = 1; k < path.size(); ++k) {
     const double distance = length(path[k] - path[k - 1]);
-    if (!(distance >= least_distance)) refuse("path's distance between corners", distance, "1e-06 m or more");
+    if (!(distance >= min_corner_distance)) refuse("path's distance between corners", distance, "1e-06 m or more");
   }
 }
 

@@ -10,19 +10,19 @@ namespace ribbon {
 /// function the calling thread does all work. The results have the same bits for any number of workers and any order of
 /// tasks.
 struct ParallelFor {
-  /// Runs one task. `things` is passed through from `run`.
-  using Task = void (*)(void* things, int index);
-  /// Calls task(things, index) exactly once for each index 0 … count − 1, from any threads and in any order, and
+  /// Runs one task. `data` is passed through from `run`.
+  using Task = void (*)(void* data, int index);
+  /// Calls task(data, index) exactly once for each index 0 … count − 1, from any threads and in any order, and
   /// returns after all calls have returned. Builds with assertions check this. Tasks do not throw, do not wait, and
   /// allocate only when there is more work than ever before.
-  void (*run)(void* context, int count, Task task, void* things) = nullptr;
+  void (*run)(void* context, int count, Task task, void* data) = nullptr;
   void* context = nullptr;  ///< passed to `run`
   int workers = 1;          ///< number of tasks that run at the same time, 1 or more; determines how work is divided
 
-  /// Returns the number of parts for `count` items of similar size, with at least `least` items per part.
-  int parts(int count, int least) const {
+  /// Returns the number of parts for `count` items of similar size, with at least `min_items` items per part.
+  int parts(int count, int min_items) const {
     if (run == nullptr || workers <= 1) return 1;
-    return std::clamp(count / least, 1, parts_a_worker * workers);
+    return std::clamp(count / min_items, 1, parts_per_worker * workers);
   }
 
   /// Calls function(index) for each index 0 … count − 1.
@@ -32,23 +32,23 @@ struct ParallelFor {
       for (int index = 0; index < count; ++index) function(index);
       return;
     }
-    struct Things {
+    struct Call {
       Function* function;
       std::atomic<int> done;
-    } things{&function, 0};
+    } call{&function, 0};
     run(
         context, count,
-        [](void* all, int index) {
-          auto& these = *static_cast<Things*>(all);
-          (*these.function)(index);
-          these.done.fetch_add(1, std::memory_order_relaxed);
+        [](void* passed, int index) {
+          auto& current = *static_cast<Call*>(passed);
+          (*current.function)(index);
+          current.done.fetch_add(1, std::memory_order_relaxed);
         },
-        &things);
-    assert(things.done == count && "the parallel-for did not do each thing once before it returned");
+        &call);
+    assert(call.done == count && "the parallel-for did not run each task once before it returned");
   }
 
  private:
-  static constexpr int parts_a_worker = 8;  // more: each costs a call; fewer: the last one keeps the others waiting
+  static constexpr int parts_per_worker = 8;  // more: each part costs a call; fewer: workers wait for the last part
 };
 
 /// Throws DefinitionError for less than one worker.

@@ -4,15 +4,16 @@
 #include <string>
 
 #include "ribbon/definition.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
 
-constexpr double anything = std::numeric_limits<double>::max();
-constexpr double far = 1e10;             // m, m/s, rad/s
-constexpr double fastest_change = 1e20;  // m/s²
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double max_component = 1e10;     // m, m/s, rad/s
+constexpr double max_acceleration = 1e20;  // m/s²
 
-/// An entry of a list, whose name is put together only where there is something to say about it.
+/// An entry of a list that is checked. Its name is built only for an error message.
 class Entry {
  public:
   Entry(const char* list, std::size_t index) : list_(list), index_(index) {}
@@ -20,12 +21,12 @@ class Entry {
   void check(const char* field, double value, double low, double high) const {
     if (!(value >= low && value <= high)) check_range(name(field).c_str(), value, low, high);
   }
-  void check(const char* field, Vec2 value, double most = far) const {
-    check(field, value.x, -most, most);
-    check(field, value.y, -most, most);
+  void check(const char* field, Vec2 value, double max = max_component) const {
+    check(field, value.x, -max, max);
+    check(field, value.y, -max, max);
   }
   void check_index(const char* field, int value, std::size_t count) const {
-    if (value >= 0 && static_cast<std::size_t>(value) < count) return;
+    if (value >= 0 && at(value) < count) return;
     throw DefinitionError(name(field) + " is " + std::to_string(value) + "; accepted is an index below " +
                           std::to_string(count));
   }
@@ -40,10 +41,10 @@ class Entry {
 void check_body(const Entry& entry, const RigidBody& body) {
   entry.check("position", body.position);
   entry.check("velocity", body.velocity);
-  entry.check("angular_velocity", body.angular_velocity, -far, far);
-  entry.check("inverse_mass", body.inverse_mass, 0.0, anything);
-  entry.check("inverse_inertia", body.inverse_inertia, 0.0, anything);
-  entry.check("acceleration", body.acceleration, fastest_change);
+  entry.check("angular_velocity", body.angular_velocity, -max_component, max_component);
+  entry.check("inverse_mass", body.inverse_mass, 0.0, largest);
+  entry.check("inverse_inertia", body.inverse_inertia, 0.0, largest);
+  entry.check("acceleration", body.acceleration, max_acceleration);
 }
 
 void check_surface(const Entry& entry, double friction, double restitution) {
@@ -55,7 +56,7 @@ void check_grip(const Entry& entry, const Grip& grip) {
   entry.check("offset", grip.offset);
   entry.check("travel", grip.travel);
   entry.check("along", grip.along, 0.0, 1.0);
-  entry.check("climb", grip.climb, -far, far);
+  entry.check("climb", grip.climb, -max_component, max_component);
   entry.check("strength", grip.strength, 0.0, std::numeric_limits<double>::infinity());
 }
 
@@ -71,7 +72,7 @@ void check_met(const Surroundings& surroundings, std::size_t bodies, int points,
     const Entry entry("circles", k);
     entry.check_index("body", circle.body, bodies);
     entry.check("offset", circle.offset);
-    entry.check("radius", circle.radius, 0.0, far);
+    entry.check("radius", circle.radius, 0.0, max_component);
     check_surface(entry, circle.friction, circle.restitution);
   }
   for (std::size_t k = 0; k < surroundings.segments.size(); ++k) {
@@ -80,14 +81,14 @@ void check_met(const Surroundings& surroundings, std::size_t bodies, int points,
     entry.check_index("body", segment.body, bodies);
     entry.check("a", segment.a);
     entry.check("b", segment.b);
-    entry.check("radius", segment.radius, 0.0, far);
+    entry.check("radius", segment.radius, 0.0, max_component);
     check_surface(entry, segment.friction, segment.restitution);
   }
   for (std::size_t k = 0; k < surroundings.grips.size(); ++k) {
     const Grip& grip = surroundings.grips[k];
     const Entry entry("grips", k);
     entry.check_index("body", grip.body, bodies);
-    entry.check_index("point", grip.point, static_cast<std::size_t>(points));
+    entry.check_index("point", grip.point, at(points));
     check_grip(entry, grip);
     if (rows > 0 && grip.point >= points - rows) entry.check("along", grip.along, 0.0, 0.0);
   }

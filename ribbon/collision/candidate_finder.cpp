@@ -6,7 +6,8 @@
 #include <numeric>
 
 #include "ribbon/collision/outline.h"
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
@@ -17,8 +18,6 @@ constexpr double large_circle = 10.0;  // links: a circle with such a contact di
 constexpr double deep_share = 0.01;
 constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
 constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool may_touch(const Member& member) {
   const CordDef& def = member.cord->def;
@@ -107,8 +106,8 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
   pair.restitution = std::max(def.restitution, restitution);
   restore_touch(member, pair);
   const double distance =
-      gap_between(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
-                  anchor_position(state, contacts, pair.b))
+      find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
+                      anchor_position(state, contacts, pair.b))
           .distance;
   limit_penetration(state, distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]), pair);
   contacts.scene.add(pair);
@@ -131,7 +130,7 @@ bool may_come_within(const IslandState& state, std::span<const Vec2> ends, std::
   const Vec2 past_a = displacement - (ends[a] - x[a]);
   const Vec2 past_b = displacement - (ends[b] - x[b]);
   const double swept = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
-  return may_be_within(swept, x[disc], x[a], x[b]) && gap_between(x[disc], x[a], x[b]).distance <= swept;
+  return may_be_within(swept, x[disc], x[a], x[b]) && find_separation(x[disc], x[a], x[b]).distance <= swept;
 }
 
 bool may_touch_cords(const IslandState& state, const CordDef& def) {

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "ribbon/collision/outline.h"
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
@@ -21,8 +22,6 @@ constexpr double posed_enlargement = 2.0;
 constexpr double posed_near_enlargement = 8.0;
 constexpr double surely_within = 0.9;  // of a bound: whatever is so near the end of its free motion has not left it
 constexpr int halvings = 10;           // to find where something leaves its bound
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -106,7 +105,7 @@ double MotionBounds::excess_of_bodies(const IslandState& state) const {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const RigidBody& body = state.rigid_of(state.bodies[k]);
     const Vec2 end = body.position + state.dt * body.velocity;
-    const double excess = gap_between(state.positions[state.center(k)], body.position, end).distance / body_bound_;
+    const double excess = find_separation(state.positions[state.center(k)], body.position, end).distance / body_bound_;
     max = excess <= max ? max : excess;  // NaN counts as an excess
   }
   return max;
@@ -121,7 +120,7 @@ double MotionBounds::excess(const IslandState& state, std::size_t m) const {
   for (std::size_t p = member.first_point; p < member.end_point(); ++p) {
     const Vec2 off = state.positions[p] - ends_[p];
     if (dot(off, off) <= within2) continue;
-    const double excess = gap_between(state.positions[p], start_[p], ends_[p]).distance / bound;
+    const double excess = find_separation(state.positions[p], start_[p], ends_[p]).distance / bound;
     max = excess <= max ? max : excess;
   }
   return max;
@@ -168,7 +167,7 @@ bool MotionBounds::may_have_touched(const IslandState& state, const Member& memb
   const Vec2 past_a = displacement(disc) - displacement(a);
   const Vec2 past_b = displacement(disc) - displacement(b);
   const double reached = 2.0 * def.radius + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
-  return !(gap_between(start_[disc], start_[a], start_[b]).distance > reached);
+  return !(find_separation(start_[disc], start_[a], start_[b]).distance > reached);
 }
 
 bool MotionBounds::limit(const IslandState& state, std::span<const Vec2> from, std::span<const int> groups,
@@ -197,7 +196,7 @@ bool MotionBounds::limit(const IslandState& state, std::span<const Vec2> from, s
 /// Returns the share of the displacement that stays within the bound, 1 if all of it does.
 double MotionBounds::share_within(Vec2 from, Vec2 to, Vec2 start, Vec2 end, double bound) const {
   const auto is_out = [&](double share) {
-    return !(gap_between(from + share * (to - from), start, end).distance <= bound);
+    return !(find_separation(from + share * (to - from), start, end).distance <= bound);
   };
   if (!is_out(1.0)) return 1.0;
   double inside = 0.0;

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
 
 constexpr double neighbourhood = 3.0;  // radii: parts of a cord that are nearer than that at rest are neighbours
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 int outline_points(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }
 
@@ -73,7 +72,7 @@ bool are_neighbours(const CordDef& def, int k, int link) {
   const int size = outline_points(def);
   if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
   if (k == (link + size) % size || k == (link + 1 + size) % size) return true;
-  const Gap gap = gap_between(rest_position(def, k), rest_position(def, link), rest_position(def, link + 1));
+  const Separation gap = find_separation(rest_position(def, k), rest_position(def, link), rest_position(def, link + 1));
   return gap.distance < neighbourhood * def.radius;
 }
 

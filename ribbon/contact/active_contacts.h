@@ -13,7 +13,7 @@ namespace ribbon {
 /// A pair in contact, and its separation.
 struct ActiveContact {
   std::size_t pair;
-  Gap gap;
+  Separation gap;
 };
 
 /// The pairs that are in contact in a state (narrow phase): those nearer than their active distance where that distance

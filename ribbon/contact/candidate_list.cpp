@@ -93,7 +93,7 @@ bool CandidateList::is_near(const PairGeometry& pair) const {
   const Vec2 b = listed_at_[at(pair.b)];
   const double skin = skins_[at(pair.disc)] + std::max(skins_[at(pair.a)], skins_[at(pair.b)]);
   const double distance = (1.0 + listing_margin) * pair.contact_distance + skin;
-  return may_be_within(distance, disc, a, b) && gap_between(disc, a, b).distance <= distance;
+  return may_be_within(distance, disc, a, b) && find_separation(disc, a, b).distance <= distance;
 }
 
 }  // namespace ribbon

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ribbon/contact/contact_pairs.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 
@@ -33,7 +34,6 @@ class CandidateList {
   std::span<const std::size_t> anchors() const { return anchors_; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void start(const ContactPairs& pairs, std::span<const Vec2> positions);
   bool find_left_skins(std::span<const Vec2> from, std::span<const Vec2> to);
   void renew_skins(std::span<const Vec2> from, std::span<const Vec2> to);

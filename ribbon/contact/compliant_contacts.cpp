@@ -76,12 +76,12 @@ void CompliantContacts::load(const ContactState& state, const ContactForces& for
 void CompliantContacts::load_normal(const ContactState& state, const ActiveContact& contact, double predicted,
                                     BlockLdlt& matrix, std::span<Vec2> force) {
   const ContactPair& pair = state.scene.pairs[contact.pair];
-  const Gap& gap = contact.gap;
+  const Separation& gap = contact.gap;
   const AnchorState anchors = state.anchors();
   const SlotRow& normal = normal_rows_.emplace_back(normal_row(anchors, pair, gap));
   normal.push(pair.stiffness * state.scene.pairs.depth(contact.pair, gap), force);
   matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
-  if (gap.inside() && gap.distance > 0.0) {
+  if (gap.is_interior() && gap.distance > 0.0) {
     const SlotRow rotation = rotation_row(anchors, pair, gap);
     matrix.add_outer(predicted / gap.distance, rotation.slots(), rotation.derivatives());
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ribbon/contact/slot_row.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -65,8 +66,6 @@ class ContactAnchors {
   void place_kinematics(double time);
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   std::size_t points_ = 0;
   std::vector<BodyAnchor> bodies_;
 };

@@ -32,8 +32,8 @@ double ContactPairs::min_contact_distance() const {
   return geometries_.empty() ? 0.0 : least;
 }
 
-bool is_local_minimum(const ContactPair& pair, const Gap& gap, std::span<const Vec2> positions) {
-  if (gap.inside()) return true;
+bool is_local_minimum(const ContactPair& pair, const Separation& gap, std::span<const Vec2> positions) {
+  if (gap.is_interior()) return true;
   const int vertex = gap.along == 0.0 ? pair.a : pair.b;
   if (!pair.owns_ends || (pair.is_mutual && pair.disc > vertex)) return false;
   if (gap.along == 0.0) return pair.previous < 0;

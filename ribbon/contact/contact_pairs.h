@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
 #include "ribbon/touch.h"
 
 namespace ribbon {
@@ -69,7 +69,7 @@ class ContactPairs {
     return pair.contact_distance - (1.0 - depenetration_fraction_) * pair.initial_penetration;
   }
   /// Returns the depth of penetration, m.
-  double depth(std::size_t k, const Gap& gap) const { return active_distance(geometries_[k]) - gap.distance; }
+  double depth(std::size_t k, const Separation& gap) const { return active_distance(geometries_[k]) - gap.distance; }
 
  private:
   std::vector<ContactPair> pairs_;
@@ -87,6 +87,6 @@ void assign_by_pair(std::vector<T>& values, const ContactPairs& pairs, T value) 
 
 /// Returns whether the distance has a local minimum at this pair of the polyline that the segment belongs to. At a
 /// vertex only one pair is the minimum: that of the segment before it. `positions` are those of the anchors, m.
-bool is_local_minimum(const ContactPair& pair, const Gap& gap, std::span<const Vec2> positions);
+bool is_local_minimum(const ContactPair& pair, const Separation& gap, std::span<const Vec2> positions);
 
 }  // namespace ribbon

@@ -2,7 +2,7 @@
 
 namespace ribbon {
 
-SlotRow normal_row(const AnchorState& state, const ContactPair& pair, const Gap& gap) {
+SlotRow normal_row(const AnchorState& state, const ContactPair& pair, const Separation& gap) {
   SlotRow row;
   state.add_derivative(row, pair.disc, gap.normal, state.lever(pair.disc));
   state.add_derivative(row, pair.a, -(1.0 - gap.along) * gap.normal, state.lever(pair.a));
@@ -10,7 +10,7 @@ SlotRow normal_row(const AnchorState& state, const ContactPair& pair, const Gap&
   return row;
 }
 
-SlotRow tangent_row(const AnchorState& state, const ContactPair& pair, const Gap& gap) {
+SlotRow tangent_row(const AnchorState& state, const ContactPair& pair, const Separation& gap) {
   const Vec2 to_axis = pair.contact_distance * gap.normal;
   SlotRow row;
   state.add_derivative(row, pair.disc, gap.tangent, state.lever(pair.disc) - to_axis);
@@ -19,7 +19,7 @@ SlotRow tangent_row(const AnchorState& state, const ContactPair& pair, const Gap
   return row;
 }
 
-SlotRow rotation_row(const AnchorState& state, const ContactPair& pair, const Gap& gap) {
+SlotRow rotation_row(const AnchorState& state, const ContactPair& pair, const Separation& gap) {
   const Vec2 across = (gap.distance / gap.length) * gap.normal;
   SlotRow row;
   state.add_derivative(row, pair.disc, gap.tangent, state.lever(pair.disc));
@@ -44,7 +44,7 @@ void SlipReference::set(const ContactAnchors& anchors, std::span<const Vec2> x) 
   for (std::size_t k = 0; k < bodies.size(); ++k) angles_[k] = bodies[k].angle;
 }
 
-double SlipReference::elongation(const AnchorState& state, const ContactPair& pair, const Gap& gap,
+double SlipReference::elongation(const AnchorState& state, const ContactPair& pair, const Separation& gap,
                                  const SlotRow& tangent) const {
   double slip = pair.touch.stuck;
   for (std::size_t i = 0; i < tangent.slots().size(); ++i) {

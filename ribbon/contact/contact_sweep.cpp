@@ -41,9 +41,9 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
   if (!may_be_within(within, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return max;
   const auto gap = [&](double fraction) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + fraction * displacement(anchor); };
-    return gap_between(there(pair.disc), there(pair.a), there(pair.b));
+    return find_separation(there(pair.disc), there(pair.a), there(pair.b));
   };
-  Gap now = gap(0.0);
+  Separation now = gap(0.0);
   double fraction = 0.0;
   const double nearest = std::min(clearance.fraction * pair.contact_distance, clearance.of_start * now.distance);
   for (int k = 0; k < max_advances; ++k) {
@@ -56,12 +56,12 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
   return fraction;
 }
 
-Gap ContactSweep::gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const {
+Separation ContactSweep::gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const {
   for (const int anchor : {pair.disc, pair.a, pair.b, pair.previous, pair.next}) {
     if (anchor < 0) continue;
     positions[at(anchor)] = from_[at(anchor)] + fraction * (to_[at(anchor)] - from_[at(anchor)]);
   }
-  return gap_between(positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
+  return find_separation(positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
 }
 
 double ContactSweep::collision_free_fraction(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ribbon/contact/contact_scene.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 
@@ -31,7 +32,7 @@ class ContactSweep {
   /// Returns the largest fraction of the path, at most `max`, on which the pair keeps the clearance.
   double free_fraction(const PairGeometry& pair, Clearance clearance, double max) const;
   /// Sets the positions [m] of the pair's anchors to those at this fraction of the path. Returns the separation there.
-  Gap gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const;
+  Separation gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const;
 
   /// Returns the largest fraction of the path from x to `to` that is collision-free: no pair comes nearer than nine
   /// tenths of its contact distance, or, if it is nearer already, by more than two hundredths of its distance.
@@ -51,7 +52,6 @@ class ContactSweep {
                        std::span<const int> group_of, std::span<double> fractions);
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void move_groups(const ContactScene& scene, std::span<const int> group_of, std::span<const double> fractions);
   bool limit_groups(ContactScene& scene, std::span<const int> group_of, bool is_last);
 

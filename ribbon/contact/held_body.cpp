@@ -8,7 +8,7 @@ namespace ribbon {
 
 Vec2 HeldBody::arm_at(double angle) const { return times(rotation(angle), arm + share * travel); }
 
-CarriedLoad HeldStep::load(std::size_t point, Vec2 residual) const {
+CondensedBody HeldStep::load(std::size_t point, Vec2 residual) const {
   const double along = -inertia * inertia * compliance;
   return {point,
           {inertia + along * u.x * u.x, along * u.x * u.y, inertia + along * u.y * u.y},

@@ -53,7 +53,7 @@ struct HeldStep {
   double compliance;  ///< 1/D, 1/(N·m)
 
   /// What the body adds to the point that it holds.
-  CarriedLoad load(std::size_t point, Vec2 residual) const;
+  CondensedBody load(std::size_t point, Vec2 residual) const;
   /// δφ for a step of the point.
   double turning(Vec2 step) const { return compliance * (moment + inertia * dot(u, step)); }
 };

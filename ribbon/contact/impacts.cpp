@@ -50,7 +50,7 @@ bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> 
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];
     if (is_hit_[k] == 0) continue;
-    const Gap gap = gap_between(state[pair.disc], state[pair.a], state[pair.b]);
+    const Separation gap = find_separation(state[pair.disc], state[pair.a], state[pair.b]);
     if (!(gap.distance < 2.0 * pair.contact_distance) || !is_local_minimum(pair, gap, state.positions)) continue;
     const SlotRow normal = normal_row(state, pair, gap);
     const double kinematic = kinematic_speed(pair, gap, state);
@@ -64,7 +64,7 @@ bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> 
 }
 
 /// The part of the separation speed that comes from kinematic bodies, m/s.
-double Impacts::kinematic_speed(const ContactPair& pair, const Gap& gap, const AnchorState& state) {
+double Impacts::kinematic_speed(const ContactPair& pair, const Separation& gap, const AnchorState& state) {
   const auto along_normal = [&](int anchor) {
     if (!state.anchors.is_kinematic(anchor)) return 0.0;
     const BodyAnchor& body = state.anchors.body(anchor);

@@ -38,7 +38,7 @@ class Impacts {
   void end_restitution() { separations_.clear(); }
 
  private:
-  static double kinematic_speed(const ContactPair& pair, const Gap& gap, const AnchorState& state);
+  static double kinematic_speed(const ContactPair& pair, const Separation& gap, const AnchorState& state);
 
   std::vector<char> is_hit_;         // by pair
   std::vector<double> impulses_;     // N·s, by pair

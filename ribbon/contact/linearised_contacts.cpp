@@ -44,7 +44,7 @@ void LinearisedContacts::find_pair(const ContactScene& scene, const ContactSweep
   if (sweep.free_fraction(geometry, Clearance::passing(), 1.0) < 1.0) {
     fraction = sweep.free_fraction(geometry, Clearance::collision_free(), 1.0);
   }
-  const Gap gap = sweep.gap_at(pair, fraction, positions_);
+  const Separation gap = sweep.gap_at(pair, fraction, positions_);
   if (fraction == 1.0 && !(gap.distance < (1.0 + linearising_margin) * pair.contact_distance)) return;
   if (is_local_minimum(pair, gap, positions_)) contacts_.push_back({k, gap});
 }
@@ -62,7 +62,7 @@ bool LinearisedContacts::find_missed(ContactScene& scene, const ContactSweep& sw
       contacts_.push_back({k, sweep.gap_at(pair, fraction, positions_)});
       continue;
     }
-    const Gap gap = sweep.gap_at(pair, 1.0, positions_);
+    const Separation gap = sweep.gap_at(pair, 1.0, positions_);
     const double explained = forces.normal[k] / (stiffness_ratio_ * pair.stiffness);
     const bool is_deep = scene.pairs.depth(k, gap) > explained + tolerance;
     if (is_deep && is_local_minimum(pair, gap, positions_)) contacts_.push_back({k, gap});
@@ -98,7 +98,7 @@ void LinearisedContacts::append_rows(const ContactScene& scene, const SlipRefere
   const AnchorState state{scene.anchors, positions_, x};
   for (const ActiveContact& contact : contacts_) {
     const ContactPair& pair = scene.pairs[contact.pair];
-    const Gap& gap = contact.gap;
+    const Separation& gap = contact.gap;
     const double stiffness = stiffness_ratio_ * pair.stiffness;
     const Vec2 nearest = state[pair.a] + gap.along * (state[pair.b] - state[pair.a]);
     const double separation =

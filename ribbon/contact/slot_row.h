@@ -5,6 +5,7 @@
 #include <span>
 
 #include "ribbon/linear/block_ldlt.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -54,7 +55,6 @@ struct SlotRow {
   std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 };
 
 }  // namespace ribbon

@@ -1,9 +1,10 @@
 #include "ribbon/elastic/bends.h"
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 
-Bends::Bends(const CordDef& def)
-    : bending_stiffness_(def.bending_stiffness), bends_(static_cast<std::size_t>(def.points) - 2) {}
+Bends::Bends(const CordDef& def) : bending_stiffness_(def.bending_stiffness), bends_(at(def.points) - 2) {}
 
 void Bends::set_rest_lengths(std::span<const double> lengths) {
   for (std::size_t k = 0; k < bends_.size(); ++k) {
@@ -35,17 +36,18 @@ void Bends::add_constant(BandedMatrix& matrix) const {
 
 void Bends::load(const NewtonSystem& system, std::span<const double> /*tensions*/) {
   const std::span<Vec2> force = system.force;
-  Vec2 before = force[0];  // forces of the bend's three points: stored when the last bend has added to them
-  Vec2 here = force[1];
+  // A point belongs to three consecutive bends: its sum is stored when the last of them has been added.
+  Vec2 first = force[0];
+  Vec2 second = force[1];
   for (std::size_t k = 0; k < bends_.size(); ++k) {
     const auto& weights = bends_[k].weights;
     const Vec2 moment = bends_[k].stiffness * turn(k, system.damped);
-    force[k] = before - weights[0] * moment;
-    before = here - weights[1] * moment;
-    here = force[k + 2] - weights[2] * moment;
+    force[k] = first - weights[0] * moment;
+    first = second - weights[1] * moment;
+    second = force[k + 2] - weights[2] * moment;
   }
-  force[bends_.size()] = before;
-  force[bends_.size() + 1] = here;
+  force[bends_.size()] = first;
+  force[bends_.size() + 1] = second;
 }
 
 double Bends::energy_at(std::span<const Vec2> x) const {
@@ -57,10 +59,10 @@ double Bends::energy_at(std::span<const Vec2> x) const {
   return sum;
 }
 
-double Bends::potential(const Shape& shape, std::span<const double> /*most*/) const {
+double Bends::potential(const Shape& shape, std::span<const double> /*max_tensions*/) const {
   return energy_at(shape.damped) / shape.stiffening;
 }
 
-double Bends::energy(const Motion& at, std::span<const double> /*tensions*/) const { return energy_at(at.x); }
+double Bends::energy(const Motion& motion, std::span<const double> /*tensions*/) const { return energy_at(motion.x); }
 
 }  // namespace ribbon

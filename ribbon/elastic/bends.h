@@ -7,9 +7,9 @@
 
 namespace ribbon {
 
-/// Bending of a rope: W = ½·EI/l̄ · |t₊ − t₋|² around a point, t₋ and t₊ the links before and after it over their rest
-/// lengths, l̄ the mean of those (Bergou et al. 2008 to lowest order; with equal links ½·EI/l³·|x₋ − 2x + x₊|²).
-/// Quadratic: its Hessian is constant.
+/// Bending of a rope: W = ½·EI/l̄ · |t₊ − t₋|² at each inner point. t₋ and t₊ are the links before and after the point,
+/// divided by their rest lengths; l̄ is the mean of these. To lowest order it is the energy of Bergou et al. 2008; with
+/// equal links it is ½·EI/l³·|x₋ − 2x + x₊|². It is quadratic: its Hessian is constant.
 class Bends final : public Term {
  public:
   explicit Bends(const CordDef& def);
@@ -17,8 +17,8 @@ class Bends final : public Term {
   void set_rest_lengths(std::span<const double> lengths) override;
   void add_constant(BandedMatrix& matrix) const override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
-  double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(const Motion& at, std::span<const double> tensions) const override;
+  double potential(const Shape& shape, std::span<const double> max_tensions) const override;
+  double energy(const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   /// Around point k + 1: t₊ − t₋ = Σ weights[i]·x[k + i].
@@ -27,6 +27,7 @@ class Bends final : public Term {
     double stiffness;   // N·m
   };
   double energy_at(std::span<const Vec2> x) const;
+  /// Returns t₊ − t₋ at point k + 1.
   Vec2 turn(std::size_t k, std::span<const Vec2> x) const;
 
   double bending_stiffness_;  // N·m²

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ribbon/geometry/rotation.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 
@@ -19,26 +20,25 @@ CellModes modes(const Cell& cell, const Corners& x) {
   return {along - perp(across), along + perp(across), 0.25 * ((x[0] - x[1]) - (x[2] - x[3]))};
 }
 
-double bending_and_shear_energy(const Cell& cell, const CellModes& at) {
-  return 0.5 * (cell.shear * dot(at.w, at.w) + cell.hourglass * dot(at.h, at.h));
+double bending_and_shear_energy(const Cell& cell, const CellModes& shape) {
+  return 0.5 * (cell.shear * dot(shape.w, shape.w) + cell.hourglass * dot(shape.h, shape.h));
 }
 
-/// The gradients are, as complex numbers, ∂(½|w|²)/∂X_i = conj(g_i)·w, ∂|z|/∂X_i = g_i·d and ∂(½|h|²)/∂X_i = ¼ξη·h.
-Corners forces(const Cell& cell, const CellModes& at, Vec2 pull) {
-  const Vec2 w = cell.shear * at.w;
-  const Vec2 h = (0.25 * cell.hourglass) * at.h;
-  const Vec2 along = cell.gx * (w + pull);       // the real parts of g, ξ/(2a)
-  const Vec2 across = cell.gy * perp(pull - w);  // the imaginary ones, η/(2b)
+/// The gradients as complex numbers are ∂(½|w|²)/∂X_i = conj(g_i)·w, ∂|z|/∂X_i = g_i·d and ∂(½|h|²)/∂X_i = ¼ξη·h.
+Corners forces(const Cell& cell, const CellModes& shape, Vec2 pull) {
+  const Vec2 w = cell.shear * shape.w;
+  const Vec2 h = (0.25 * cell.hourglass) * shape.h;
+  const Vec2 along = cell.gx * (w + pull);       // real parts of g, ξ/(2a)
+  const Vec2 across = cell.gy * perp(pull - w);  // imaginary parts, η/(2b)
   return {(along + across) - h, (along - across) + h, (across - along) + h, -(along + across) - h};
 }
 
 void CellAssembler::locate(int first, int second) { point_ = {first, first + 1, second, second + 1}; }
 
-/// Adds the 2 × 2 block that multiplies by the complex number `similar`, plus the one that conjugates and multiplies by
-/// `mirrored`, between corners i ≤ j.
+/// Adds a 2 × 2 block between corners i ≤ j. Its action on a complex number x is similar·x + mirrored·conj(x).
 void CellAssembler::add_block(int i, int j, Vec2 similar, Vec2 mirrored) {
-  const int r = 2 * point_[static_cast<std::size_t>(i)];
-  const int offset = 2 * point_[static_cast<std::size_t>(j)] - r;
+  const int r = 2 * point_[at(i)];
+  const int offset = 2 * point_[at(j)] - r;
   double* upper = matrix_.row(r) + offset;
   double* lower = matrix_.row(r + 1) + offset;
   upper[0] += similar.x + mirrored.x;
@@ -47,7 +47,7 @@ void CellAssembler::add_block(int i, int j, Vec2 similar, Vec2 mirrored) {
   lower[0] += similar.x - mirrored.x;
 }
 
-/// conj(g_i)·g_j for w; signs of ξη for h.
+/// The block of corners i and j multiplies by A·μ·conj(g_i)·g_j for w, and by k_h/16 with the sign of ξη for h.
 void CellAssembler::add_constant(const Cell& cell, double hourglass, double scale, int first, int second) {
   locate(first, second);
   const double gg = scale * cell.shear * (cell.gx * cell.gx + cell.gy * cell.gy);
@@ -62,8 +62,8 @@ void CellAssembler::add_constant(const Cell& cell, double hourglass, double scal
   add_block(2, 3, conj(e) - Vec2{k, 0.0}, {});
 }
 
-/// u_i·u_jᵀ + v_i·v_jᵀ is the block of u_i·conj(u_j) = g_i·conj(g_j), u_i·u_jᵀ − v_i·v_jᵀ the mirrored one of
-/// u_i·u_j = g_i·g_j·d²: both take three values and their conjugates.
+/// u_i·u_jᵀ + v_i·v_jᵀ multiplies by u_i·conj(u_j) = g_i·conj(g_j). u_i·u_jᵀ − v_i·v_jᵀ conjugates and multiplies by
+/// u_i·u_j = g_i·g_j·d². Both have three different values, their conjugates and negatives.
 void CellAssembler::add_spread(const Cell& cell, Vec2 d, double along, double across, int first, int second) {
   locate(first, second);
   const Vec2 g2{cell.gx * cell.gx - cell.gy * cell.gy, 2.0 * cell.gx * cell.gy};

@@ -7,20 +7,20 @@
 
 namespace ribbon {
 
-/// Four corners in the order (ξ, η) = (−, −), (−, +), (+, −), (+, +), ξ along the cord and η across.
+/// The four corners in the order (ξ, η) = (−, −), (−, +), (+, −), (+, +), ξ along the cord and η across it; m.
 using Corners = std::array<Vec2, 4>;
 
-/// A rectangular cell a × b of Wilson's incompatible modes, co-rotated, in closed form. With points as complex numbers
-/// X_i and g_i = ξ_i/(2a) + i·η_i/(2b):
+/// A rectangular cell a × b: the co-rotated incompatible-mode quadrilateral (Wilson, Taylor), in closed form. With
+/// points as complex numbers X_i and g_i = ξ_i/(2a) + i·η_i/(2b):
 ///
-///     z = Σ conj(g_i)·X_i      |z| = s₁ + s₂ of the principal stretches, z/|z| the polar rotation
+///     z = Σ conj(g_i)·X_i      |z| = s₁ + s₂ with the principal stretches; z/|z| is the polar rotation
 ///     w = Σ g_i·X_i            |w| = |s₁ − s₂|
-///     h = ¼ Σ ξ_i·η_i·X_i      the hourglass mode, which is how a cell bends
+///     h = ¼ Σ ξ_i·η_i·X_i      the hourglass mode: bending of the cell
 ///
 ///     W = A·(½μ|w|² + ½(μ + λ)(|z| − 2)²) + ½k_h·|h|²,     A = a·b
 ///
-/// with the plane-stress Lamé constants μ = E/(2(1 + ν)), λ = E·ν/(1 − ν²) of E in N/m, and k_h = 16·EI/(a·b²), EI that
-/// of the cell. w and h are linear in X, and z is a bar of rest length 2 with the tension τ = A(μ + λ)(|z| − 2).
+/// with the plane-stress Lamé constants μ = E/(2(1 + ν)), λ = E·ν/(1 − ν²), E in N/m, and k_h = 16·EI/(a·b²), EI of the
+/// cell. w and h are linear in X. z is a bar of rest length 2 and tension τ = A(μ + λ)(|z| − 2).
 struct Cell {
   double gx;         ///< 1/(2a), 1/m
   double gy;         ///< 1/(2b), 1/m
@@ -30,30 +30,32 @@ struct Cell {
   double area;       ///< A, m²
 };
 
-/// a, b [m], E [N/m], ν, EI [N·m²].
+/// Returns the cell of the rest size a × b [m], E = `modulus` [N/m], ν and EI [N·m²].
 Cell make_cell(double a, double b, double modulus, double poisson_ratio, double bending_stiffness);
 
-/// What a cell's shape says of its strain.
+/// The deformation modes of a cell; see Cell.
 struct CellModes {
-  Vec2 z;
-  Vec2 w;  ///< 1
-  Vec2 h;  ///< m
+  Vec2 z;  ///< rotation and spread, dimensionless
+  Vec2 w;  ///< shear, dimensionless
+  Vec2 h;  ///< hourglass mode, m
 };
+/// Returns the modes of a cell with corners x [m].
 CellModes modes(const Cell& cell, const Corners& x);
 
-/// Energy of w and h, J.
-double bending_and_shear_energy(const Cell& cell, const CellModes& at);
-/// The forces −∇W [N] on the corners: w and h by their stiffnesses, z by `pull` [J], its tension times its direction.
-Corners forces(const Cell& cell, const CellModes& at, Vec2 pull);
+/// Returns the energy of w and h, J.
+double bending_and_shear_energy(const Cell& cell, const CellModes& shape);
+/// Returns the forces −∇W [N] on the corners. The force of z is given by `pull` [J]: its tension times its direction.
+Corners forces(const Cell& cell, const CellModes& shape, Vec2 pull);
 
-/// Adds a cell's Hessian to the matrix; `first` and `second` are its points of lower η on either side, and points are
-/// pairs of rows, neighbours across in sequence.
+/// Adds the Hessians of cells to a banded matrix. `first` and `second` are the points of a cell with η = −1, at ξ = −1
+/// and ξ = +1; those with η = +1 are the next points. Point p has the rows 2p and 2p + 1.
 class CellAssembler {
  public:
   explicit CellAssembler(BandedMatrix& matrix) : matrix_(matrix) {}
-  /// Of w and h, constant; both scaled by `scale`, and `hourglass` [N/m] in place of the cell's own.
+  /// Adds `scale` times the Hessian of w and h, which is constant, with `hourglass` [N/m] for k_h.
   void add_constant(const Cell& cell, double hourglass, double scale, int first, int second);
-  /// Of z: along·u·uᵀ + across·v·vᵀ, u_i = g_i·d, v_i = i·u_i, d = z/|z| [both in J].
+  /// Adds the Hessian of z: along·u·uᵀ + across·v·vᵀ with u_i = g_i·d, v_i = i·u_i, d = z/|z|; `along` and `across` in
+  /// J.
   void add_spread(const Cell& cell, Vec2 d, double along, double across, int first, int second);
 
  private:
@@ -64,7 +66,7 @@ class CellAssembler {
   std::array<int, 4> point_{};
 };
 
-/// Twice the signed areas of the corner triangles, in the order of the corners, m².
+/// Returns twice the signed areas of the corner triangles [m²], in the order of the corners; negative if inverted.
 std::array<double, 4> doubled_corner_areas(const Corners& x);
 
 }  // namespace ribbon

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ribbon/elastic/link.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 
@@ -11,87 +12,89 @@ Chain::Chain(const CordDef& def)
     : inverse_stiffness_(1.0 / def.stretch_stiffness),
       damping_(inverse_stiffness_ > 0.0 ? def.damping : 0.0),
       tension_only_(def.tension_only),
-      rest_(static_cast<std::size_t>(def.points) - 1),
-      eliminated_(rest_.size()) {}
+      rest_lengths_(at(def.points) - 1),
+      eliminated_(rest_lengths_.size()) {}
 
 void Chain::set_rest_lengths(std::span<const double> lengths) {
-  std::copy(lengths.begin(), lengths.end(), rest_.begin());
+  std::copy(lengths.begin(), lengths.end(), rest_lengths_.begin());
 }
 
 void Chain::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_[e], compliance(e)}, tension_only_);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_lengths_[e], compliance(e)}, tension_only_);
   }
 }
 
-void Chain::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
+void Chain::add_damping(const Motion& motion, double sign, std::span<double> tensions) const {
   if (damping_ == 0.0) return;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     if (tension_only_ && tensions[e] == 0.0) continue;
-    tensions[e] += sign * damping_ * extension_rate(at, e, e + 1) / compliance(e);
+    tensions[e] += sign * damping_ * extension_rate(motion, e, e + 1) / compliance(e);
   }
 }
 
-void Chain::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+void Chain::add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
   if (damping_ == 0.0) return;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
     if (size == 0.0 || (tension_only_ && tensions[e] == 0.0)) continue;
-    tensions[e] +=
-        damping_ * turning_rate(stage, stage.start(e) - stage.start(e + 1), (1.0 / size) * ab) / compliance(e);
+    tensions[e] += damping_ * rotation_rate(stage, e, (1.0 / size) * ab) / compliance(e);
   }
 }
 
+double Chain::rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const {
+  return rotational_extension_rate(stage, stage.start(link) - stage.start(link + 1), d);
+}
+
 MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
-  const MixedBar undamped{size - rest_[link], compliance(link)};
+  const MixedBar undamped{size - rest_lengths_[link], compliance(link)};
   if (damping_ == 0.0) return undamped;
   const double rate = dot(d, stage.velocity_at(link, x[link]) - stage.velocity_at(link + 1, x[link + 1])) -
-                      turning_rate(stage, stage.start(link) - stage.start(link + 1), d);
+                      rotation_rate(stage, link, d);
   return damped(undamped.elongation, rate, undamped.compliance, damping_, stage.q);
 }
 
-/// g of a link that is not slack.
+/// Returns the geometric stiffness g [N/m] of a link that is not slack.
 double Chain::geometric(const Stage& stage, std::size_t link, double size, double tension) const {
   if (size == 0.0) return 0.0;
-  return std::max(tension / size, stage.least_geometric * std::min(stage.inertia[link], stage.inertia[link + 1]));
+  return std::max(tension / size, stage.min_geometric_ratio * std::min(stage.inertia[link], stage.inertia[link + 1]));
 }
 
-/// The tension λ of each link is an unknown of its own, so that stiffness does not enter, and EA → ∞ is no special
-/// case. For a link from a to b, d the unit vector from a to b, u = perp(d), L its length, α its compliance, c its
-/// elongation, g = max(0, λ)/L with the λ of the iteration before:
+/// The tension λ of each link is an unknown. So the stiffness does not appear in the system, and EA → ∞ is no special
+/// case. For a link from a to b, with the unit vector d from a to b, u = perp(d), length L, compliance α, elongation c,
+/// and g = max(0, λ)/L with the λ of the last iteration:
 ///
-///     A_a·δa − g·u·uᵀ·δb − d·λ = r_a         (A_a and A_b hold the link's own g·u·uᵀ)
+///     A_a·δa − g·u·uᵀ·δb − d·λ = r_a         (A_a and A_b include the link's own g·u·uᵀ)
 ///     A_b·δb − g·u·uᵀ·δa + d·λ = r_b
 ///     dᵀ(δb − δa) − α·λ = −c
 ///
-/// Points are eliminated one by one from the cord's last to its first. With S = A_a⁻¹, p = d − g·(uᵀSd)·u and
-/// σ = α + dᵀSd:
+/// Points are eliminated one by one from the last to the first. With S = A_a⁻¹, p = d − g·(uᵀSd)·u and σ = α + dᵀSd:
 ///
 ///     λ = (c − dᵀS·r_a + pᵀδb)/σ             δa = S(r_a + d·λ + g·u·uᵀδb)
 ///     A_b ← A_b − g²·(uᵀSu)·u·uᵀ + p·pᵀ/σ    r_b ← r_b + g·(uᵀS·r_a)·u − p·(c − dᵀS·r_a)/σ
 ///
-/// A constrained point has S = 0, a slack link 1/σ = 0.
+/// A constrained point has S = 0, a slack link 1/σ = 0. Substitution in the opposite order gives all δ and λ.
 bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                         std::span<Vec2> direction, std::span<double> next) {
-  const double least_sigma = singular_share / stage.inertia[0];
+  const double min_sigma = min_singular_compliance / stage.inertia[0];
   const std::size_t n = x.size();
-  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the point that is eliminated next
+  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the next point to eliminate
   Vec2 r = stage.residual(n - 1, x[n - 1]);
-  std::size_t carried = stage.carried.size();
-  const auto carry = [&](std::size_t point) {
-    while (carried > 0 && stage.carried[carried - 1].point == point) {
-      --carried;
-      a = a + stage.carried[carried].stiffness;
-      r += stage.carried[carried].residual;
+  std::size_t bodies = stage.condensed_bodies.size();
+  const auto add_bodies = [&](std::size_t point) {
+    while (bodies > 0 && stage.condensed_bodies[bodies - 1].point == point) {
+      --bodies;
+      a = a + stage.condensed_bodies[bodies].stiffness;
+      r += stage.condensed_bodies[bodies].residual;
     }
   };
-  carry(n - 1);
+  add_bodies(n - 1);
 
   for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
-    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, 1.0};
+    const Vec2 d = unit_or(ab, size, {0.0, 1.0});
     const Vec2 u = perp(d);
     const MixedBar mixed = bar(stage, x, e, size, d);
     const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size);
@@ -104,7 +107,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Vec2 sd = s(d);
     const Vec2 su = s(u);
     const Vec2 sr = s(r);
-    const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), least_sigma);
+    const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), min_sigma);
     const Vec2 p = d - (g * dot(u, sd)) * u;
     const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
     const Vec2 slope = inverse_sigma * p;
@@ -115,7 +118,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
     a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
     r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
-    carry(e);
+    add_bodies(e);
   }
 
   direction[0] = {};
@@ -124,51 +127,51 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
   }
   for (std::size_t e = 0; e + 1 < n; ++e) {
     const Eliminated& link = eliminated_[e];
-    const Vec2 before = direction[e];
-    next[e] = link.tension + dot(link.slope, before);
-    direction[e + 1] = link.shift + Vec2{dot(link.turn_x, before), dot(link.turn_y, before)};
+    const Vec2 near = direction[e];
+    next[e] = link.tension + dot(link.slope, near);
+    direction[e + 1] = link.shift + Vec2{dot(link.matrix_x, near), dot(link.matrix_y, near)};
   }
   return true;
 }
 
-/// A tension after both its points, so that one of them that is constrained leaves it something to act on.
-void Chain::order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const {
+/// A tension follows both of its points: so its pivot is not 0 if one of them is constrained.
+void Chain::order(int first, int first_dual, std::vector<int>& slots, const PointCallback& on_point) const {
   slots.push_back(first);
-  point_done(first);
-  for (int e = 0; e < static_cast<int>(rest_.size()); ++e) {
+  on_point(first);
+  for (int e = 0; e < static_cast<int>(rest_lengths_.size()); ++e) {
     slots.push_back(first + e + 1);
-    point_done(first + e + 1);
+    on_point(first + e + 1);
     slots.push_back(first_dual + e);
   }
 }
 
 void Chain::couple(BlockLdlt& blocks, int first, int first_dual) const {
-  for (int e = 0; e < static_cast<int>(rest_.size()); ++e) {
+  for (int e = 0; e < static_cast<int>(rest_lengths_.size()); ++e) {
     blocks.couple(first + e, first + e + 1);
     blocks.couple(first + e, first_dual + e);
     blocks.couple(first + e + 1, first_dual + e);
   }
 }
 
-/// The same equations as in newton_step.
+/// Adds the equations of newton_step.
 void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                  int first, int first_dual, std::span<Vec2> right_side) {
-  const double least = dual_share / stage.inertia[0];
+  const double min_compliance = min_dual_compliance / stage.inertia[0];
   for (std::size_t p = 0; p < x.size(); ++p) {
-    right_side[static_cast<std::size_t>(first) + p] = stage.residual(p, x[p]);
+    right_side[at(first) + p] = stage.residual(p, x[p]);
     blocks.add(first + static_cast<int>(p), stage.inertia[p], 0.0, stage.inertia[p]);
   }
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     const int a = first + static_cast<int>(e);
     const int b = a + 1;
     const int dual = first_dual + static_cast<int>(e);
     const Vec2 ab = x[e + 1] - x[e];
     const double size = length(ab);
-    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{0.0, -1.0};
+    const Vec2 d = unit_or(ab, size, {0.0, -1.0});
     const Vec2 u = perp(d);
     const MixedBar mixed = bar(stage, x, e, size, -d);
     blocks.make_dual(dual);
-    right_side[static_cast<std::size_t>(dual)] = {};
+    right_side[at(dual)] = {};
     if (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size)) {
       blocks.add(dual, -1.0, 0.0, -1.0);
       continue;
@@ -179,45 +182,45 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     blocks.add(a, b, -g * u.x * u.x, -g * u.x * u.y, -g * u.x * u.y, -g * u.y * u.y);
     blocks.add(a, dual, -d.x, 0.0, -d.y, 0.0);
     blocks.add(b, dual, d.x, 0.0, d.y, 0.0);
-    blocks.add(dual, -std::max(mixed.compliance, least), 0.0, -1.0);
-    right_side[static_cast<std::size_t>(dual)] = {-mixed.elongation, 0.0};
+    blocks.add(dual, -std::max(mixed.compliance, min_compliance), 0.0, -1.0);
+    right_side[at(dual)] = {-mixed.elongation, 0.0};
   }
 }
 
 void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> /*tensions*/,
                    std::span<const Vec2> /*direction*/, std::span<const Vec2> duals, std::span<double> next) {
-  for (std::size_t e = 0; e < rest_.size(); ++e) next[e] = duals[e].x;
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) next[e] = duals[e].x;
 }
 
-double Chain::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
-  double most = 0.0;
-  for (std::size_t e = 0; tension_only_ && e < rest_.size(); ++e) {
-    if (tensions[e] > 0.0) continue;  // taut, and pulls
+double Chain::active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  double largest = 0.0;
+  for (std::size_t e = 0; tension_only_ && e < rest_lengths_.size(); ++e) {
+    if (tensions[e] > 0.0) continue;  // under tension, as assumed
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
-    const MixedBar mixed = bar(stage, x, e, size, size > 0.0 ? (1.0 / size) * ab : Vec2{});
-    most = std::max(most, ribbon::misjudged_way(mixed, tensions[e], 1.0 / stage.inertia[e]));
+    const MixedBar mixed = bar(stage, x, e, size, unit_or(ab, size, {}));
+    largest = std::max(largest, ribbon::active_set_error(mixed, tensions[e], 1.0 / stage.inertia[e]));
   }
-  return most;
+  return largest;
 }
 
-double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {
+double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) {
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
-    const MixedBar mixed = bar(stage, x, e, size, size > 0.0 ? (1.0 / size) * ab : Vec2{});
-    if (!(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, most[e]);
+    const MixedBar mixed = bar(stage, x, e, size, unit_or(ab, size, {}));
+    if (!(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, max_tensions[e]);
   }
   return sum;
 }
 
-double Chain::energy(const Motion& at, std::span<const double> tensions) const {
+double Chain::energy(const Motion& motion, std::span<const double> tensions) const {
   if (inverse_stiffness_ == 0.0) return 0.0;
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     double rate = 0.0;
-    if (damping_ > 0.0 && tensions[e] != 0.0) rate = extension_rate(at, e, e + 1);
+    if (damping_ > 0.0 && tensions[e] != 0.0) rate = extension_rate(motion, e, e + 1);
     sum += elastic_energy(tensions[e], compliance(e), damping_, rate);
   }
   return sum;

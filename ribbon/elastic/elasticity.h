@@ -9,9 +9,11 @@
 
 namespace ribbon {
 
-using PointDone = std::function<void(int)>;
+/// Receives the slot of a point.
+using PointCallback = std::function<void(int)>;
 
-/// The elastic terms of a cord, and the solve of their Newton step.
+/// The elastic energy of a cord, and the solver of its Newton step. Spans of points are indexed by point, spans of
+/// tensions by tension.
 class Elasticity {
  public:
   Elasticity() = default;
@@ -19,57 +21,62 @@ class Elasticity {
   Elasticity& operator=(const Elasticity&) = delete;
   virtual ~Elasticity() = default;
 
-  /// How many tensions are unknowns of their own.
+  /// Returns the number of tensions, which are unknowns of mixed Newton.
   virtual std::size_t tension_count() const = 0;
 
-  /// The rest length [m] of each link along the cord: points − 1 of them.
+  /// Sets the rest length [m] of each link along the cord: columns − 1 values.
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;
 
-  /// Tensions of these positions at rest; 0 of what does not stretch.
+  /// Writes the static tensions [N, of cells J] at positions x [m]; 0 for inextensible bars.
   virtual void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const = 0;
 
-  /// Adds `sign` times what damping is of the tensions, β·ċ/α, at these velocities.
-  virtual void add_damping(const Motion& at, double sign, std::span<double> tensions) const = 0;
+  /// Adds `sign` times the damping part of the tensions, β·ċ/α, at these velocities.
+  virtual void add_damping(const Motion& motion, double sign, std::span<double> tensions) const = 0;
 
-  /// Adds what damping is at the velocities that implicit Euler ends with, beyond what it was in the solve, see
-  /// `turning_rate`: so that tensions and velocities belong together after any stage.
-  virtual void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const = 0;
+  /// Adds the damping tension of rotational_extension_rate, which the solve of implicit Euler leaves out. So the
+  /// tensions fit the velocities at the end of any stage.
+  virtual void add_rotational_damping(const Stage& stage, std::span<const Vec2> x,
+                                      std::span<double> tensions) const = 0;
 
-  /// One step of mixed Newton from positions x and the tensions of the iteration before, O(points): `direction` is by
-  /// how much the points move, `next` are the tensions after a full step. False if the system was singular.
+  /// Computes one step of mixed Newton from positions x and the tensions of the last iteration. Writes the
+  /// displacements of the points to `direction` [m] and the tensions after a full step to `next`. Returns false if the
+  /// system is singular. Cost: O(points).
   virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                            std::span<Vec2> direction, std::span<double> next) = 0;
 
-  // The same for a solve together with others, as blocks: the points' slots follow each other from `first` on, and
-  // those of tensions that stay unknowns from `first_dual` on.
+  // The same step in a coupled solve. The slots of the points start at `first`, in sequence, and those of the tensions
+  // that stay unknowns at `first_dual`.
 
+  /// Returns the number of tensions that stay unknowns.
   virtual std::size_t dual_count() const { return 0; }
-  /// Appends the slots in an order to eliminate them in, and tells point_done(i) after each point.
-  virtual void order(int first, int first_dual, std::vector<int>& slots, const PointDone& point_done) const = 0;
+  /// Appends the slots in an order of elimination, and calls on_point(slot) after each point.
+  virtual void order(int first, int first_dual, std::vector<int>& slots, const PointCallback& on_point) const = 0;
+  /// Adds the couplings to the pattern.
   virtual void couple(BlockLdlt& blocks, int first, int first_dual) const = 0;
-  /// Adds the matrix, inertia included, and the right-hand side by slot; constrained points are the caller's to hold.
+  /// Adds the matrix, inertia included, and writes the right-hand side by slot. The caller holds constrained points.
   virtual void load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                     int first, int first_dual, std::span<Vec2> right_side) = 0;
-  /// The tensions after the step that solves it.
+  /// Writes the tensions after the step that solves the system: `direction` by point [m], `duals` by dual slot.
   virtual void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                       std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) = 0;
 
-  /// m, how far points moved in the step that led here because bars that cannot push were taken for slack or taut and
-  /// are not. Newton's method on what bends converges fast, so that a short step is near the solution; one that took a
-  /// bar for slack is as far from it as the step is long.
-  virtual double misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) = 0;
+  /// Returns how far the last step moved points wrongly [m], because it took a bar that cannot push for slack or taut
+  /// and the bar is not. A short Newton step is near the solution only if this is small too.
+  virtual double active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) = 0;
 
-  /// What a stage minimises besides inertia and constant forces, J: the elastic energy and what damping takes, but of
-  /// elements with a tension the exact penalty that grows no steeper than `most`, one a tension. See `exact_penalty`.
-  virtual double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) = 0;
+  /// Returns the part of the minimised function of a stage [J] that is not inertia or a constant force: elastic energy
+  /// and dissipation potential. An element with a tension counts as its exact_penalty of the slope `max_tensions`.
+  virtual double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) = 0;
 
-  /// The elastic energy, J, of elements with a tension by that, less what of it is damping: nothing without velocities.
-  virtual double energy(const Motion& at, std::span<const double> tensions) const = 0;
+  /// Returns the elastic energy [J]. Elements with a tension compute it from that tension, less its damping part at the
+  /// velocities of `motion`, if it has any.
+  virtual double energy(const Motion& motion, std::span<const double> tensions) const = 0;
 
-  /// Looks for cells that are turned inside out, at the start of a step, and makes their energy for this step one that
-  /// turns them back. True if there are any.
+  /// Finds inverted cells at the start of a step, and gives them an energy that turns them back during this step.
+  /// Returns whether there are any.
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
-  /// Which cells are, by cell: memory from step to step. Empty where there is no such thing.
+  /// Returns 1 for each cell that is being turned back, 0 for others: state from step to step. Empty without such
+  /// cells.
   virtual std::span<char> unlocked() { return {}; }
 };
 

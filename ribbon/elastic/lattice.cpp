@@ -6,15 +6,19 @@
 #include "ribbon/elastic/cells.h"
 #include "ribbon/elastic/links.h"
 #include "ribbon/elastic/spine.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
 
 using Terms = std::vector<std::unique_ptr<Term>>;
 
-/// Cells of one row bend by their hourglass mode alone, so E is that of stretch and EI what it will. Of more rows,
-/// cells bend by stretching too: they are made as soft as EI says, E = 12·EI/width³, and a spine carries the rest of
-/// EA.
+// Share of EA above which a spine is worth its cost; rounding leaves less.
+constexpr double min_spine_share = 1e-9;
+
+/// Adds the cells of a ribbon. One row of cells bends only by its hourglass mode, so E follows from EA, and EI is
+/// independent. Several rows of cells also bend by stretching, so E follows from EI, E = 12·EI/width³, and a spine adds
+/// the missing EA.
 void add_cells(const CordDef& def, Terms& terms) {
   if (def.rows == 2) {
     terms.push_back(std::make_unique<Cells>(def, def.stretch_stiffness / def.width, def.bending_stiffness));
@@ -24,7 +28,7 @@ void add_cells(const CordDef& def, Terms& terms) {
   const double height = def.width / (def.rows - 1);
   terms.push_back(std::make_unique<Cells>(def, modulus, modulus * height * height * height / 12.0));
   const double missing = def.stretch_stiffness - modulus * def.width;
-  if (missing > 1e-9 * def.stretch_stiffness) terms.push_back(std::make_unique<Spine>(def, missing));
+  if (missing > min_spine_share * def.stretch_stiffness) terms.push_back(std::make_unique<Spine>(def, missing));
 }
 
 Terms declared_terms(const CordDef& def) {
@@ -50,8 +54,8 @@ Lattice::Lattice(const CordDef& def)
       constant_(2 * def.points * def.rows, def.rows == 1 ? 5 : 2 * def.rows + 3),
       stiffened_(constant_),
       matrix_(constant_),
-      damped_(static_cast<std::size_t>(def.damping > 0.0 ? def.points * def.rows : 0)),
-      right_side_(2 * static_cast<std::size_t>(def.points * def.rows)) {
+      damped_(at(def.damping > 0.0 ? def.points * def.rows : 0)),
+      right_side_(2 * at(def.points * def.rows)) {
   for (const auto& term : terms_) tension_count_ += term->tension_count();
 }
 
@@ -65,27 +69,21 @@ void Lattice::set_rest_lengths(std::span<const double> lengths) {
 }
 
 void Lattice::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    term->find_tensions(x, tensions.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    term.find_tensions(x, tensions.subspan(first, count));
+  });
 }
 
-void Lattice::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    term->add_damping(at, sign, tensions.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+void Lattice::add_damping(const Motion& motion, double sign, std::span<double> tensions) const {
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    term.add_damping(motion, sign, tensions.subspan(first, count));
+  });
 }
 
-void Lattice::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    term->add_turning(stage, x, tensions.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+void Lattice::add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    term.add_rotational_damping(stage, x, tensions.subspan(first, count));
+  });
 }
 
 Shape Lattice::shape(const Stage& stage, std::span<const Vec2> x) {
@@ -102,8 +100,9 @@ Shape Lattice::last_shape(const Stage& stage, std::span<const Vec2> x) const {
   return {stage, x, damped_, 1.0 + damping_ / stage.q};
 }
 
-/// The tensions' rows eliminated, what is left is H·δ = r: H inertia and the positive semidefinite part of the elastic
-/// Hessian, its geometric stiffness by the tensions of the iteration before, r the residual of the stage.
+/// After elimination of the tensions, the system is H·δ = r. H is the sum of the inertia and the positive semidefinite
+/// part of the elastic Hessian, with the geometric stiffness of the last iteration's tensions; r is the residual of the
+/// stage.
 bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                           std::span<Vec2> direction, std::span<double> next) {
   assemble(stage, x, tensions, direction);
@@ -130,21 +129,18 @@ void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<co
     diagonal[matrix_.stride()] += inertia;
     diagonal += 2 * matrix_.stride();
   }
-  for (const CarriedLoad& load : stage.carried) {
-    force[load.point] += load.residual;
-    system.add(static_cast<int>(load.point), static_cast<int>(load.point), load.stiffness);
+  for (const CondensedBody& body : stage.condensed_bodies) {
+    force[body.point] += body.residual;
+    system.add(static_cast<int>(body.point), static_cast<int>(body.point), body.stiffness);
   }
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    term->load(system, tensions.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+  for_each_term(
+      [&](Term& term, std::size_t first, std::size_t count) { term.load(system, tensions.subspan(first, count)); });
 }
 
-void Lattice::order(int first, int /*first_dual*/, std::vector<int>& slots, const PointDone& point_done) const {
+void Lattice::order(int first, int /*first_dual*/, std::vector<int>& slots, const PointCallback& on_point) const {
   for (int p = 0; p < matrix_.size() / 2; ++p) {
     slots.push_back(first + p);
-    point_done(first + p);
+    on_point(first + p);
   }
 }
 
@@ -157,22 +153,19 @@ void Lattice::couple(BlockLdlt& blocks, int first, int /*first_dual*/) const {
 
 void Lattice::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                    int first, int /*first_dual*/, std::span<Vec2> right_side) {
-  assemble(stage, x, tensions, right_side.subspan(static_cast<std::size_t>(first), x.size()));
+  assemble(stage, x, tensions, right_side.subspan(at(first), x.size()));
   blocks.add_band(first, matrix_, reach_);
 }
 
 void Lattice::update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                      std::span<const Vec2> direction, std::span<const Vec2> /*duals*/, std::span<double> next) {
   const NewtonSystem system{last_shape(stage, x), matrix_, {}};
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    const std::size_t count = term->tension_count();
-    term->update(system, tensions.subspan(first, count), direction, next.subspan(first, count));
-    first += count;
-  }
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    term.update(system, tensions.subspan(first, count), direction, next.subspan(first, count));
+  });
 }
 
-/// A constrained point's rows and columns become those of the identity.
+/// Replaces the rows and columns of constrained points by those of the identity.
 void Lattice::hold_constrained(const Stage& stage, std::span<Vec2> force) {
   for (std::size_t p = 0; p < force.size(); ++p) {
     if (stage.constrained[p] == 0) continue;
@@ -182,7 +175,7 @@ void Lattice::hold_constrained(const Stage& stage, std::span<Vec2> force) {
   }
 }
 
-/// Overwrites the residual with the direction.
+/// Overwrites the residual [N] with the direction [m]. Returns false if the matrix is not positive definite.
 bool Lattice::solve(std::span<Vec2> residual) {
   for (std::size_t p = 0; p < residual.size(); ++p) {
     right_side_[2 * p] = residual[p].x;
@@ -193,37 +186,31 @@ bool Lattice::solve(std::span<Vec2> residual) {
   return true;
 }
 
-double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> most) {
-  const Shape at = shape(stage, x);
+double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) {
+  const Shape evaluated = shape(stage, x);
   double sum = 0.0;
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    sum += term->potential(at, most.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    sum += term.potential(evaluated, max_tensions.subspan(first, count));
+  });
   return sum;
 }
 
-double Lattice::misjudged_way(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
-  const auto pulls = [](double tension) { return tension > 0.0; };
-  if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), pulls)) return 0.0;
-  const Shape at = shape(stage, x);
-  double most = 0.0;
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    most = std::max(most, term->misjudged_way(at, tensions.subspan(first, term->tension_count())));
-    first += term->tension_count();
-  }
-  return most;
+double Lattice::active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
+  const auto is_taut = [](double tension) { return tension > 0.0; };
+  if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), is_taut)) return 0.0;
+  const Shape evaluated = shape(stage, x);
+  double largest = 0.0;
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    largest = std::max(largest, term.active_set_error(evaluated, tensions.subspan(first, count)));
+  });
+  return largest;
 }
 
-double Lattice::energy(const Motion& at, std::span<const double> tensions) const {
+double Lattice::energy(const Motion& motion, std::span<const double> tensions) const {
   double sum = 0.0;
-  std::size_t first = 0;
-  for (const auto& term : terms_) {
-    sum += term->energy(at, tensions.subspan(first, term->tension_count()));
-    first += term->tension_count();
-  }
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    sum += term.energy(motion, tensions.subspan(first, count));
+  });
   return sum;
 }
 

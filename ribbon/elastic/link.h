@@ -3,64 +3,77 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/vec2.h"
+
 namespace ribbon {
 
-// Least compliance of a bar, as a share of a point's own give q²/m, that an inextensible one is given
-constexpr double singular_share = 1e-10;  // where the system would be singular: between two constrained points
-constexpr double dual_share = 1e-12;      // where a tension stays an unknown of a system that others are coupled with
-constexpr double proximal_share = 1e-7;   // where tensions are eliminated first, and approached by iteration
+// The least compliance of a bar, as a share of the compliance q²/m of a point. Without it, an inextensible bar would
+// make the system singular between two constrained points.
+constexpr double min_singular_compliance = 1e-10;  // of a chain that is solved alone
+constexpr double min_dual_compliance = 1e-12;      // of tensions that stay unknowns of a coupled solve
+constexpr double min_proximal_compliance = 1e-7;   // of tensions that are eliminated first; iterations remove its error
 
-constexpr double nearly_taut = 1e-12;  // of its length, that a bar may be short and is not slack for
+// Elongation below which a bar that cannot push is slack, as a share of its length: rounding of the length.
+constexpr double slack_tolerance = 1e-12;
 
-/// A bar as mixed Newton sees it: W = ½·c²/α for an elongation c, its tension λ an unknown that obeys
+/// Returns ab/size, `size` being the length of ab, or `fallback` if it is 0.
+inline Vec2 unit_or(Vec2 ab, double size, Vec2 fallback) { return size > 0.0 ? (1.0 / size) * ab : fallback; }
+
+/// A bar in mixed Newton: W = ½·c²/α for an elongation c, its tension λ an unknown that satisfies
 ///
 ///     α·λ = c + β·ċ,     ċ the rate of c, β the damping time.
 ///
-/// In a stage v = ṽ + (x − x̃)/q, so a step δ changes c by J·δ and ċ by J·δ/q. Divided by 1 + β/q the condition has the
-/// undamped form again, compliance·λ = elongation + J·δ.
+/// In a stage v = ṽ + (x − x̃)/q, so a step δ changes c by J·δ and ċ by J·δ/q. Division by 1 + β/q gives the undamped
+/// form: compliance·λ = elongation + J·δ.
 struct MixedBar {
   double elongation;  ///< m
   double compliance;  ///< m/N
 };
 
-/// At rest; 0 where inextensible, and where slack if it cannot push.
+/// Returns the tension at rest [N]; 0 for an inextensible bar, and for a slack one that cannot push.
 inline double static_tension(const MixedBar& bar, bool tension_only) {
   return bar.compliance == 0.0 || (tension_only && bar.elongation < 0.0) ? 0.0 : bar.elongation / bar.compliance;
 }
 
+/// Returns the undamped form of a damped bar: `elongation` [m], `rate` [m/s], `compliance` [m/N], damping time [s].
 inline MixedBar damped(double elongation, double rate, double compliance, double damping, double q) {
   const double scale = 1.0 / (1.0 + damping / q);
   return {scale * (elongation + damping * rate), scale * compliance};
 }
 
-/// ½·c²/α of a bar whose tension is λ, c = α·λ − β·ċ: what of it is elastic.
+/// Returns the elastic energy ½·c²/α [J] of a bar of tension λ: c = α·λ − β·ċ.
 inline double elastic_energy(double tension, double compliance, double damping, double rate) {
   const double c = compliance * tension - damping * rate;
   return compliance > 0.0 ? 0.5 * c * c / compliance : 0.0;
 }
 
-/// ½·c²/α up to a tension `most`, from where on it grows with that slope only: so that a line can be searched with any
-/// stiffness. With `most` above |λ⁺| the mixed Newton step is one of descent for it, for then with J·δ = α·λ⁺ − c each
-/// bar's part (φ′ − λ⁺)·J·δ ≤ 0: −(c − α·λ⁺)²/α below, −(most − |λ⁺|)(|c| − α·|λ⁺|) at the least above (Nocedal &
-/// Wright 2006, 18.3).
-inline double exact_penalty(const MixedBar& bar, double most) {
+/// Returns the exact penalty φ(c) [J]: ½·c²/α up to the tension Λ = `max_tension`, and beyond it linear in |c| with the
+/// slope Λ. So a line search works for any stiffness.
+///
+/// If Λ ≥ |λ⁺|, the mixed Newton step is a descent direction: with J·δ = α·λ⁺ − c, each bar's part (φ′ − λ⁺)·J·δ is
+/// −(c − α·λ⁺)²/α in the quadratic range and at most −(Λ − |λ⁺|)(|c| − α·|λ⁺|) in the linear range, so it is ≤ 0
+/// (Nocedal & Wright 2006, 18.3).
+inline double exact_penalty(const MixedBar& bar, double max_tension) {
   const double c = std::abs(bar.elongation);
-  return c < most * bar.compliance ? 0.5 * c * c / bar.compliance : most * (c - 0.5 * most * bar.compliance);
+  return c < max_tension * bar.compliance ? 0.5 * c * c / bar.compliance
+                                          : max_tension * (c - 0.5 * max_tension * bar.compliance);
 }
 
-/// Whether a bar that cannot push is slack, by the sign of λ + (c − α·λ)/k (the primal-dual active set of Hintermüller,
-/// Ito & Kunisch 2003) with the greater of α and `give` for k: what is stiff by its tension, what is soft by its
-/// elongation alone. In doubt it is taut: if it should be slack it pushes in the next step, whoever else does, while of
-/// a row of slack bars only the first would be found taut at a time. `size` [m] is what its elongation is rounded by.
-inline bool is_slack(const MixedBar& bar, double tension, double give, double size) {
-  return tension * std::max(0.0, give - bar.compliance) + bar.elongation < -nearly_taut * size;
+/// Returns whether a bar that cannot push is slack, by the sign of λ + (c − α·λ)/k: the primal-dual active set method
+/// (Hintermüller, Ito & Kunisch 2003). k is the larger of α and `point_compliance` [m/N], so the tension decides for a
+/// stiff bar and the elongation for a soft one. `size` is the length of the bar, m.
+///
+/// A bar near the limit counts as taut. If it should be slack, the next step finds it under compression, and finds all
+/// such bars at once. Of a row of wrongly slack bars, each step would find only the first taut.
+inline bool is_slack(const MixedBar& bar, double tension, double point_compliance, double size) {
+  return tension * std::max(0.0, point_compliance - bar.compliance) + bar.elongation < -slack_tolerance * size;
 }
 
-/// m, how wrong it was, in the step that led here, to take such a bar for slack, and then it is too long, or for taut,
-/// and then it pushes: by how far that moves a point of this `give`.
-inline double misjudged_way(const MixedBar& bar, double tension, double give) {
-  if (tension != 0.0) return std::max(0.0, -tension) * give;
-  return std::max(0.0, bar.elongation) * give / (give + bar.compliance);
+/// Returns how far [m] the last step moved a point of this compliance [m/N] wrongly. It took the bar for slack, and the
+/// bar is too long; or it took the bar for taut, and the bar pushes.
+inline double active_set_error(const MixedBar& bar, double tension, double point_compliance) {
+  if (tension != 0.0) return std::max(0.0, -tension) * point_compliance;
+  return std::max(0.0, bar.elongation) * point_compliance / (point_compliance + bar.compliance);
 }
 
 }  // namespace ribbon

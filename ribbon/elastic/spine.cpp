@@ -4,52 +4,59 @@
 #include <array>
 
 #include "ribbon/elastic/link.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
 
-// Of the rest length, below which a crushed link's geometric stiffness grows no further.
-constexpr double shortest_share = 0.05;
+// Share of the rest length below which the geometric stiffness of a bar does not grow any more.
+constexpr double min_length_ratio = 0.05;
+constexpr double min_length = 1e-300;  // m, to divide by; a bar without length has no direction
 
 }  // namespace
 
 Spine::Spine(const CordDef& def, double stiffness)
-    : rows_(static_cast<std::size_t>(def.rows)),
+    : rows_(at(def.rows)),
       low_((rows_ - 1) / 2),
       high_(rows_ / 2),
       inverse_stiffness_(1.0 / stiffness),
       damping_(def.damping),
-      rest_(static_cast<std::size_t>(def.points) - 1) {}
+      rest_lengths_(at(def.points) - 1) {}
 
 void Spine::set_rest_lengths(std::span<const double> lengths) {
-  std::copy(lengths.begin(), lengths.end(), rest_.begin());
+  std::copy(lengths.begin(), lengths.end(), rest_lengths_.begin());
 }
 
 void Spine::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
-  for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] = (length(link(x, e)) - rest_[e]) / compliance(e);
-}
-
-double Spine::rate(const Motion& at, std::size_t e) const {
-  if (at.v.empty()) return 0.0;
-  const Vec2 ab = link(at.x, e);
-  return dot(ab, link(at.v, e)) / std::max(length(ab), shortest_share * rest_[e]);
-}
-
-void Spine::add_damping(const Motion& at, double sign, std::span<double> tensions) const {
-  for (std::size_t e = 0; e < rest_.size(); ++e) tensions[e] += sign * damping_ * rate(at, e) / compliance(e);
-}
-
-void Spine::add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    const Vec2 ab = link(x, e);
-    tensions[e] += turning(stage, e, (1.0 / std::max(length(ab), 1e-300)) * ab) / compliance(e);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    tensions[e] = (length(bar_vector(x, e)) - rest_lengths_[e]) / compliance(e);
   }
 }
 
-/// m, β times the turning rate.
-double Spine::turning(const Stage& stage, std::size_t e, Vec2 d) const {
-  if (damping_ == 0.0 || !stage.euler) return 0.0;
-  return damping_ * turning_rate(stage, link(stage.predicted, e) - stage.q * link(stage.velocity, e), d);
+double Spine::rate(const Motion& motion, std::size_t e) const {
+  if (motion.v.empty()) return 0.0;
+  const Vec2 ab = bar_vector(motion.x, e);
+  return dot(ab, bar_vector(motion.v, e)) / std::max(length(ab), min_length_ratio * rest_lengths_[e]);
+}
+
+void Spine::add_damping(const Motion& motion, double sign, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    tensions[e] += sign * damping_ * rate(motion, e) / compliance(e);
+  }
+}
+
+void Spine::add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const {
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    const Vec2 ab = bar_vector(x, e);
+    tensions[e] += rotational_extension(stage, e, (1.0 / std::max(length(ab), min_length)) * ab) / compliance(e);
+  }
+}
+
+/// Returns β times the rotational extension rate, m.
+double Spine::rotational_extension(const Stage& stage, std::size_t e, Vec2 d) const {
+  if (damping_ == 0.0 || !stage.implicit_euler) return 0.0;
+  return damping_ *
+         rotational_extension_rate(stage, bar_vector(stage.predicted, e) - stage.q * bar_vector(stage.velocity, e), d);
 }
 
 Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
@@ -57,14 +64,15 @@ Vec2 Spine::middle(std::span<const Vec2> x, std::size_t column) const {
 }
 
 void Spine::load(const NewtonSystem& system, std::span<const double> tensions) {
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    const Vec2 ab = link(system.x, e);
-    const double size = std::max(length(ab), 1e-300);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    const Vec2 ab = bar_vector(system.x, e);
+    const double size = std::max(length(ab), min_length);
     const Vec2 d = (1.0 / size) * ab;
     const double stiffness = 1.0 / compliance(e);
-    const double pull = stiffness * (dot(d, link(system.damped, e)) - turning(system.stage, e, d) - rest_[e]);
+    const double pull = stiffness * (dot(d, bar_vector(system.damped, e)) - rotational_extension(system.stage, e, d) -
+                                     rest_lengths_[e]);
     const Block block = directed(d, system.stiffening * stiffness,
-                                 std::max(0.0, tensions[e]) / std::max(size, shortest_share * rest_[e]));
+                                 std::max(0.0, tensions[e]) / std::max(size, min_length_ratio * rest_lengths_[e]));
     const std::array<std::size_t, 4> points{e * rows_ + low_, e * rows_ + high_, (e + 1) * rows_ + low_,
                                             (e + 1) * rows_ + high_};
     constexpr std::array<double, 4> weights{-0.5, -0.5, 0.5, 0.5};
@@ -80,30 +88,32 @@ void Spine::load(const NewtonSystem& system, std::span<const double> tensions) {
 
 void Spine::update(const NewtonSystem& system, std::span<const double> /*tensions*/, std::span<const Vec2> direction,
                    std::span<double> next) const {
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    const Vec2 ab = link(system.x, e);
-    const Vec2 d = (1.0 / std::max(length(ab), 1e-300)) * ab;
-    const double elongation = dot(d, link(system.damped, e)) - turning(system.stage, e, d) - rest_[e];
-    next[e] = (elongation + system.stiffening * dot(d, link(direction, e))) / compliance(e);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    const Vec2 ab = bar_vector(system.x, e);
+    const Vec2 d = (1.0 / std::max(length(ab), min_length)) * ab;
+    const double elongation =
+        dot(d, bar_vector(system.damped, e)) - rotational_extension(system.stage, e, d) - rest_lengths_[e];
+    next[e] = (elongation + system.stiffening * dot(d, bar_vector(direction, e))) / compliance(e);
   }
 }
 
-double Spine::potential(const Shape& shape, std::span<const double> most) const {
+double Spine::potential(const Shape& shape, std::span<const double> max_tensions) const {
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    const Vec2 ab = link(shape.x, e);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    const Vec2 ab = bar_vector(shape.x, e);
     const double size = length(ab);
-    const Vec2 d = size > 0.0 ? (1.0 / size) * ab : Vec2{};
-    const double along = dot(d, link(shape.damped, e)) - turning(shape.stage, e, d);
-    sum += exact_penalty({(along - rest_[e]) / shape.stiffening, compliance(e) / shape.stiffening}, most[e]);
+    const Vec2 d = unit_or(ab, size, {});
+    const double along = dot(d, bar_vector(shape.damped, e)) - rotational_extension(shape.stage, e, d);
+    sum += exact_penalty({(along - rest_lengths_[e]) / shape.stiffening, compliance(e) / shape.stiffening},
+                         max_tensions[e]);
   }
   return sum;
 }
 
-double Spine::energy(const Motion& at, std::span<const double> tensions) const {
+double Spine::energy(const Motion& motion, std::span<const double> tensions) const {
   double sum = 0.0;
-  for (std::size_t e = 0; e < rest_.size(); ++e) {
-    sum += elastic_energy(tensions[e], compliance(e), damping_, damping_ > 0.0 ? rate(at, e) : 0.0);
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    sum += elastic_energy(tensions[e], compliance(e), damping_, damping_ > 0.0 ? rate(motion, e) : 0.0);
   }
   return sum;
 }

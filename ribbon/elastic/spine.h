@@ -7,39 +7,41 @@
 
 namespace ribbon {
 
-/// Bars along the middle line of a ribbon of three rows and more, between the mean of the two middle points of a column
-/// and that of the next (the same point twice where rows are odd). It carries what stretch stiffness the cells, as soft
-/// as bending wants them, leave missing.
+/// Bars along the middle line of a ribbon of three or more rows. A bar connects the middles of neighbouring columns:
+/// the mean of the two middle points, or the middle point if the number of rows is odd. The cells get their stiffness
+/// from EI; the spine adds the missing EA.
 class Spine final : public Term {
  public:
-  /// `stiffness`: EA of the spine, N.
+  /// Creates the spine of a ribbon. `stiffness` is EA of the spine, N.
   Spine(const CordDef& def, double stiffness);
 
-  std::size_t tension_count() const override { return rest_.size(); }
+  std::size_t tension_count() const override { return rest_lengths_.size(); }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
-  void add_damping(const Motion& at, double sign, std::span<double> tensions) const override;
-  void add_turning(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
+  void add_damping(const Motion& motion, double sign, std::span<double> tensions) const override;
+  void add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
-  double potential(const Shape& shape, std::span<const double> most) const override;
-  double energy(const Motion& at, std::span<const double> tensions) const override;
+  double potential(const Shape& shape, std::span<const double> max_tensions) const override;
+  double energy(const Motion& motion, std::span<const double> tensions) const override;
 
  private:
-  double turning(const Stage& stage, std::size_t e, Vec2 d) const;
-  double rate(const Motion& at, std::size_t e) const;
+  double rotational_extension(const Stage& stage, std::size_t e, Vec2 d) const;
+  double rate(const Motion& motion, std::size_t e) const;
   Vec2 middle(std::span<const Vec2> x, std::size_t column) const;
-  Vec2 link(std::span<const Vec2> x, std::size_t column) const { return middle(x, column + 1) - middle(x, column); }
+  Vec2 bar_vector(std::span<const Vec2> x, std::size_t column) const {
+    return middle(x, column + 1) - middle(x, column);
+  }
 
-  double compliance(std::size_t link) const { return rest_[link] * inverse_stiffness_; }
+  double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }
 
   std::size_t rows_;
-  std::size_t low_;  // rows of the two middle points
-  std::size_t high_;
-  double inverse_stiffness_;  // 1/N
-  double damping_;            // s
-  std::vector<double> rest_;  // m
+  std::size_t low_;                   // row of the lower middle point
+  std::size_t high_;                  // row of the upper middle point
+  double inverse_stiffness_;          // 1/N
+  double damping_;                    // s
+  std::vector<double> rest_lengths_;  // m
 };
 
 }  // namespace ribbon

@@ -7,25 +7,25 @@
 
 namespace ribbon {
 
-/// along·d·dᵀ + across·u·uᵀ with u = perp(d), |d| = 1.
+/// Returns along·d·dᵀ + across·u·uᵀ with u = perp(d), |d| = 1.
 constexpr Block directed(Vec2 d, double along, double across) {
   return {along * d.x * d.x + across * d.y * d.y, (along - across) * d.x * d.y, along * d.y * d.y + across * d.x * d.x};
 }
 
-/// Where a lattice's terms are evaluated in a stage.
+/// The positions at which the terms of a lattice are evaluated in a stage.
 struct Shape {
   const Stage& stage;
   std::span<const Vec2> x;       ///< m
-  std::span<const Vec2> damped;  ///< m, x + β·v, whose forces are the elastic and the damping ones together
-  double stiffening;             ///< 1 + β/q, by which damping enlarges the elastic Hessian
+  std::span<const Vec2> damped;  ///< m, x + β·v: its elastic forces are the sum of elastic and damping forces at x
+  double stiffening;             ///< 1 + β/q: damping multiplies the elastic Hessian by it
 };
 
-/// The Newton system of a lattice while its terms add to it: point p has the rows 2p and 2p + 1.
+/// The Newton system of a lattice, to which its terms add. Point p has the rows 2p and 2p + 1.
 struct NewtonSystem : Shape {
   BandedMatrix& matrix;
   std::span<Vec2> force;  ///< N, the right-hand side
 
-  /// Adds to the blocks of points p ≤ q, and with them q, p.
+  /// Adds b to the blocks (p, q) and (q, p), p ≤ q.
   void add(int p, int q, Block b) const {
     double* upper = matrix.row(2 * p) + 2 * (q - p);
     double* lower = matrix.row(2 * p + 1) + 2 * (q - p);
@@ -34,7 +34,7 @@ struct NewtonSystem : Shape {
     if (p != q) lower[-1] += b.xy;
     lower[0] += b.yy;
   }
-  /// Adds to the blocks of points p, p and q, q, and takes away from those of p, q and q, p; p < q.
+  /// Adds b to the blocks (p, p) and (q, q), and subtracts it from (p, q) and (q, p); p < q.
   void add_between(int p, int q, Block b) const {
     const int along = 2 * (q - p);
     double* p_upper = matrix.row(2 * p);
@@ -52,7 +52,7 @@ struct NewtonSystem : Shape {
     q_upper[1] += b.xy;
     q_lower[0] += b.yy;
   }
-  /// Adds factor·g·hᵀ to the block of points p ≤ q, and its transpose to q, p.
+  /// Adds factor·g·hᵀ to the block (p, q), p ≤ q, and its transpose to (q, p).
   void add_outer(int p, int q, double factor, Vec2 g, Vec2 h) const {
     double* upper = matrix.row(2 * p) + 2 * (q - p);
     double* lower = matrix.row(2 * p + 1) + 2 * (q - p);
@@ -63,7 +63,7 @@ struct NewtonSystem : Shape {
   }
 };
 
-/// One kind of elastic energy, by all its elements.
+/// One kind of elastic energy: the sum over its elements. Functions without a comment are as in Elasticity.
 class Term {
  public:
   Term() = default;
@@ -71,27 +71,24 @@ class Term {
   Term& operator=(const Term&) = delete;
   virtual ~Term() = default;
 
-  /// Its tensions, unknowns of mixed Newton.
   virtual std::size_t tension_count() const { return 0; }
-  /// See Elasticity.
   virtual void find_tensions(std::span<const Vec2> /*x*/, std::span<double> /*tensions*/) const {}
-  virtual void add_damping(const Motion& /*at*/, double /*sign*/, std::span<double> /*tensions*/) const {}
-  virtual void add_turning(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<double> /*tensions*/) const {}
-  /// The rest lengths of the links along the cord, m.
+  virtual void add_damping(const Motion& /*motion*/, double /*sign*/, std::span<double> /*tensions*/) const {}
+  virtual void add_rotational_damping(const Stage& /*stage*/, std::span<const Vec2> /*x*/,
+                                      std::span<double> /*tensions*/) const {}
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;
-  /// Adds the part of the Hessian that does not depend on where the points are.
+  /// Adds the part of the Hessian that does not depend on the positions.
   virtual void add_constant(BandedMatrix& /*matrix*/) const {}
-  /// Adds the forces, and the rest of the Hessian.
+  /// Adds the forces, and the part of the Hessian that depends on the positions.
   virtual void load(const NewtonSystem& system, std::span<const double> tensions) = 0;
-  /// The tensions after the step `direction`, by the system that was loaded last.
+  /// Writes the tensions after the step `direction` [m] to `next`. The system must be the one that was loaded last.
   virtual void update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
                       std::span<const Vec2> /*direction*/, std::span<double> /*next*/) const {}
-  virtual double misjudged_way(const Shape& /*shape*/, std::span<const double> /*tensions*/) const { return 0.0; }
-  /// See Elasticity. A quadratic term's is its energy at the damped positions over the stiffening, whose gradient is
-  /// the elastic and the damping force.
-  virtual double potential(const Shape& shape, std::span<const double> most) const = 0;
-  virtual double energy(const Motion& at, std::span<const double> tensions) const = 0;
-  /// See Elasticity.
+  virtual double active_set_error(const Shape& /*shape*/, std::span<const double> /*tensions*/) const { return 0.0; }
+  /// See Elasticity. For a quadratic term it is the energy at the damped positions, divided by the stiffening: its
+  /// gradient is the sum of the elastic and the damping force.
+  virtual double potential(const Shape& shape, std::span<const double> max_tensions) const = 0;
+  virtual double energy(const Motion& motion, std::span<const double> tensions) const = 0;
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
   virtual std::span<char> unlocked() { return {}; }
 };

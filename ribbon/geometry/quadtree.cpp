@@ -9,7 +9,8 @@ namespace {
 
 Vec2 middle(const Box& box) { return 0.5 * (box.low + box.high); }
 
-/// A square around all centres: its middle and half its side.
+/// Returns a square around the centres of all boxes, not smaller than the largest box: its centre and half its side
+/// [m].
 std::pair<Vec2, double> bounding_square(std::span<const Box> boxes) {
   constexpr double far = std::numeric_limits<double>::max();
   Vec2 low{far, far};
@@ -28,7 +29,8 @@ std::pair<Vec2, double> bounding_square(std::span<const Box> boxes) {
 
 Quadtree::Quadtree(int max_items) {
   const auto n = static_cast<std::size_t>(max_items);
-  // A line of equal items needs about 8 nodes each; when they run out, items stay in larger nodes, still found.
+  // A straight line of equal items needs about 8 nodes per item. Without free nodes an item stays in a larger node,
+  // where queries still find it.
   nodes_.reserve(8 * n + 64);
   boxes_.reserve(n);
   next_item_.reserve(n);
@@ -42,7 +44,7 @@ void Quadtree::build(std::span<const Box> boxes) {
   if (boxes.empty()) return;
   const auto [center, half_size] = bounding_square(boxes);
   nodes_.push_back({center, half_size});
-  // From the last to the first, for lists put the newest in front: each node then lists its items in rising order.
+  // A list puts the newest item first. From the last item to the first, each node lists its items in rising order.
   for (int item = static_cast<int>(boxes.size()) - 1; item >= 0; --item) insert(item);
 }
 
@@ -52,21 +54,21 @@ void Quadtree::insert(int item) {
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   int index = 0;
   for (int depth = 1; depth < max_depth; ++depth) {
-    // A child of half the size holds, loosely, what is no wider than its own square.
-    if (!(extent <= nodes_[static_cast<std::size_t>(index)].half_size) || !divide(index)) break;
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
-    index = node.first_child + (c.x >= node.center.x ? 1 : 0) + (c.y >= node.center.y ? 2 : 0);
+    // The loose box of a child contains every item that has its centre in the child's square and is not wider than it.
+    if (!(extent <= node(index).half_size) || !divide(index)) break;
+    const Node& parent = node(index);
+    index = parent.first_child + (c.x >= parent.center.x ? 1 : 0) + (c.y >= parent.center.y ? 2 : 0);
   }
-  Node& home = nodes_[static_cast<std::size_t>(index)];
-  next_item_[static_cast<std::size_t>(item)] = home.first_item;
-  home.first_item = item;
+  Node& owner = node(index);
+  next_item_[static_cast<std::size_t>(item)] = owner.first_item;
+  owner.first_item = item;
 }
 
-bool Quadtree::divide(int node) {
-  const Node parent = nodes_[static_cast<std::size_t>(node)];
+bool Quadtree::divide(int index) {
+  const Node parent = node(index);
   if (parent.first_child >= 0) return true;
   if (nodes_.size() + 4 > nodes_.capacity()) return false;
-  nodes_[static_cast<std::size_t>(node)].first_child = static_cast<int>(nodes_.size());
+  node(index).first_child = static_cast<int>(nodes_.size());
   const double half_size = 0.5 * parent.half_size;
   for (int child = 0; child < 4; ++child) {
     const double dx = (child & 1) != 0 ? half_size : -half_size;

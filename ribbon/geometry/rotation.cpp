@@ -6,11 +6,11 @@
 namespace ribbon {
 namespace {
 
-// 2π is the sum of both.
+// 2π as the sum of two doubles.
 constexpr double turn = 6.283185307179586;
-constexpr double rest_of_turn = 2.4492935982947064e-16;
+constexpr double turn_remainder = 2.4492935982947064e-16;
 
-/// a modulo `turn` for a ≥ 0. Nothing is rounded: of two numbers that differ by a factor of 2 at the most the
+/// Returns a modulo `turn` for a ≥ 0, without rounding: if two doubles differ by a factor of at most 2, their
 /// difference is a double (Sterbenz 1974).
 double modulo_turn(double a) {
   double turns = turn;
@@ -21,13 +21,13 @@ double modulo_turn(double a) {
   return a;
 }
 
-/// The same direction by an angle of up to two turns. Within 1e-15 rad plus 1e-32 of the angle; one of up to two turns
-/// is returned as it is, and so is one that is not finite.
+/// Returns an angle of the same direction, at most two turns. Error: 1e-15 rad plus 1e-32 of the angle. Angles of up to
+/// two turns and angles that are not finite are returned unchanged.
 double within_two_turns(double angle) {
   while (std::abs(angle) > 2.0 * turn && std::abs(angle) <= std::numeric_limits<double>::max()) {
     const double size = std::abs(angle);
     const double left = modulo_turn(size);
-    const double reduced = left - (size - left) / turn * rest_of_turn;
+    const double reduced = left - (size - left) / turn * turn_remainder;
     angle = angle < 0.0 ? -reduced : reduced;
   }
   return angle;
@@ -35,7 +35,7 @@ double within_two_turns(double angle) {
 
 }  // namespace
 
-/// The series of sine and cosine for a 64th of the angle, six times doubled.
+/// Evaluates the series of sine and cosine for a 64th of the angle and doubles the angle six times.
 Vec2 rotation(double angle) {
   const double a = within_two_turns(angle) / 64.0;
   const double a2 = a * a;

@@ -2,25 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <limits>
+
+#include "ribbon/linear/pair.h"
 
 namespace ribbon {
 namespace {
 
-constexpr std::ptrdiff_t narrow = 8;  // columns, that are looked through faster than halved
-
-/// Two doubles worked on at once, each rounded as it would be alone. g++ 12 does not see by itself that a block's rows
-/// can be.
-using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
-
-Pair pair_at(const double* first) {
-  Pair pair;
-  std::memcpy(&pair, first, sizeof(pair));
-  return pair;
-}
-void put(Pair pair, double* first) { std::memcpy(first, &pair, sizeof(pair)); }
-void subtract(Pair pair, double* first) { put(pair_at(first) - pair, first); }
+constexpr std::ptrdiff_t max_linear_search = 8;  // columns; a binary search is faster above
 
 }  // namespace
 
@@ -32,10 +21,14 @@ inline void BlockLdlt::Block::operator+=(Block b) {
 }
 
 void BlockLdlt::begin_pattern(std::span<const int> order) {
-  order_.assign(order.begin(), order.end());
   row_of_.resize(order.size());
-  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  assign_rows(order);
   couplings_.clear();
+}
+
+void BlockLdlt::assign_rows(std::span<const int> order) {
+  order_.assign(order.begin(), order.end());
+  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
 }
 
 void BlockLdlt::couple(int a, int b) {
@@ -47,8 +40,7 @@ void BlockLdlt::couple(int a, int b) {
 
 void BlockLdlt::reorder(std::span<const int> order) {
   for (auto& coupling : couplings_) coupling = {order_[at(coupling[0])], order_[at(coupling[1])]};
-  order_.assign(order.begin(), order.end());
-  for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  assign_rows(order);
   for (auto& coupling : couplings_) {
     const int a = row_of_[at(coupling[0])];
     const int b = row_of_[at(coupling[1])];
@@ -57,9 +49,14 @@ void BlockLdlt::reorder(std::span<const int> order) {
   end_pattern();
 }
 
-/// The columns of a row are its own and those of its children in the elimination tree, whose first column it is
-/// (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
 void BlockLdlt::end_pattern() {
+  sort_couplings();
+  find_columns();
+  resize_blocks();
+}
+
+/// Sorts the couplings by row: a counting sort in O(rows + couplings).
+void BlockLdlt::sort_couplings() {
   const std::size_t n = order_.size();
   coupling_first_.assign(n + 1, 0);
   for (const auto& coupling : couplings_) ++coupling_first_[at(coupling[0]) + 1];
@@ -69,7 +66,12 @@ void BlockLdlt::end_pattern() {
   for (const auto& coupling : couplings_) coupled_[coupling_first_[at(coupling[0])]++] = coupling[1];
   for (std::size_t k = n; k > 0; --k) coupling_first_[k] = coupling_first_[k - 1];
   coupling_first_[0] = 0;
+}
 
+/// Finds the columns of each row: those of its couplings and those of its children in the elimination tree. A row is a
+/// child of its first column (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
+void BlockLdlt::find_columns() {
+  const std::size_t n = order_.size();
   first_child_.assign(n, -1);
   next_child_.assign(n, -1);
   mark_.assign(n, -1);
@@ -78,14 +80,14 @@ void BlockLdlt::end_pattern() {
   for (std::size_t k = 0; k < n; ++k) {
     const int row = static_cast<int>(k);
     mark_[k] = row;
-    const auto take = [&](int column) {
+    const auto add_column = [&](int column) {
       if (mark_[at(column)] == row) return;
       mark_[at(column)] = row;
       columns_.push_back(column);
     };
-    for (std::size_t i = coupling_first_[k]; i < coupling_first_[k + 1]; ++i) take(coupled_[i]);
+    for (std::size_t i = coupling_first_[k]; i < coupling_first_[k + 1]; ++i) add_column(coupled_[i]);
     for (int child = first_child_[k]; child >= 0; child = next_child_[at(child)]) {
-      for (std::size_t i = first_[at(child)]; i < first_[at(child) + 1]; ++i) take(columns_[i]);
+      for (std::size_t i = first_[at(child)]; i < first_[at(child) + 1]; ++i) add_column(columns_[i]);
     }
     std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(first_[k]), columns_.end());
     first_.push_back(columns_.size());
@@ -94,6 +96,10 @@ void BlockLdlt::end_pattern() {
     next_child_[k] = first_child_[parent];
     first_child_[parent] = row;
   }
+}
+
+void BlockLdlt::resize_blocks() {
+  const std::size_t n = order_.size();
   blocks_.reserve(columns_.capacity());
   blocks_.resize(columns_.size());
   diagonals_.resize(n);
@@ -102,12 +108,12 @@ void BlockLdlt::end_pattern() {
   right_side_.resize(n);
 }
 
-/// The place of a block in its row, or the end of all if it is none of the pattern.
 inline std::size_t BlockLdlt::find(int row, int column) const {
   const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row)]);
   const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[at(row) + 1]);
-  const auto found = end - begin <= narrow ? std::find_if(begin, end, [column](int c) { return c >= column; })
-                                           : std::lower_bound(begin, end, column);
+  const auto found = end - begin <= max_linear_search
+                         ? std::find_if(begin, end, [column](int c) { return c >= column; })
+                         : std::lower_bound(begin, end, column);
   return found != end && *found == column ? static_cast<std::size_t>(found - columns_.begin()) : columns_.size();
 }
 
@@ -199,7 +205,7 @@ void BlockLdlt::solve_again(std::span<Vec2> b) {
   substitute(b);
 }
 
-/// From the last row to the first: x = D⁻¹·r − Σ L_i·x_i.
+/// Back substitution from the last row to the first: x = D⁻¹·r − Σ L_i·x_i.
 inline void BlockLdlt::substitute(std::span<Vec2> b) {
   const std::size_t n = order_.size();
   for (std::size_t k = n; k-- > 0;) {
@@ -216,8 +222,11 @@ inline void BlockLdlt::substitute(std::span<Vec2> b) {
   for (std::size_t k = 0; k < n; ++k) b[at(order_[k])] = right_side_[k];
 }
 
-/// With D the row's diagonal block and B_i those right of it: A_ij ← A_ij − B_iᵀ·D⁻¹·B_j for all its columns i ≤ j,
-/// which are coupled with each other, r_i ← r_i − B_iᵀ·D⁻¹·r. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
+/// Eliminates a row. With its diagonal block D and the blocks B_i right of it,
+///
+///     A_ij ← A_ij − B_iᵀ·D⁻¹·B_j      r_i ← r_i − B_iᵀ·D⁻¹·r
+///
+/// for all pairs of its columns i ≤ j; the pattern has a block for each pair. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
 inline bool BlockLdlt::eliminate(std::size_t row) {
   const std::size_t end = first_[row + 1];
   if (held_[row] != 0) {
@@ -234,7 +243,7 @@ inline bool BlockLdlt::eliminate(std::size_t row) {
   const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
   d = inverse;
   const Vec2 r = right_side_[row];
-  // By pointers of its own, which the compiler knows that no store below changes.
+  // Local pointers: the compiler knows that no store below changes them.
   const int* const columns = columns_.data();
   const char* const held = held_.data();
   Block* const blocks = blocks_.data();
@@ -245,23 +254,23 @@ inline bool BlockLdlt::eliminate(std::size_t row) {
       block = {};
       continue;
     }
-    const Pair b_x = pair_at(&block.xx);
-    const Pair b_y = pair_at(&block.yx);
+    const Pair b_x = load_pair(&block.xx);
+    const Pair b_y = load_pair(&block.yx);
     const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
     const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
-    put(l_x, &block.xx);
-    put(l_y, &block.yx);
-    subtract(l_x * r.x + l_y * r.y, &right_side_[target].x);
+    store_pair(l_x, &block.xx);
+    store_pair(l_y, &block.yx);
+    subtract_pair(l_x * r.x + l_y * r.y, &right_side_[target].x);
     Diagonal& diagonal = diagonals_[target];
-    subtract(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
+    subtract_pair(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
     diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
     std::size_t place = first_[target];
     for (std::size_t j = i + 1; j < end; ++j) {
       while (columns[place] != columns[j]) ++place;
-      const Pair c_x = pair_at(&blocks[j].xx);
-      const Pair c_y = pair_at(&blocks[j].yx);
-      subtract(l_x[0] * c_x + l_y[0] * c_y, &blocks[place].xx);
-      subtract(l_x[1] * c_x + l_y[1] * c_y, &blocks[place].yx);
+      const Pair c_x = load_pair(&blocks[j].xx);
+      const Pair c_y = load_pair(&blocks[j].yx);
+      subtract_pair(l_x[0] * c_x + l_y[0] * c_y, &blocks[place].xx);
+      subtract_pair(l_x[1] * c_x + l_y[1] * c_y, &blocks[place].yx);
     }
   }
   return true;

@@ -6,54 +6,57 @@
 #include <vector>
 
 #include "ribbon/linear/banded_ldlt.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
 
-/// A symmetric matrix of 2 × 2 blocks in any pattern, and the solve of a system with it by LDLᵀ without pivoting, for
-/// what couples further than a band reaches. Slots of the unknowns are eliminated in a given order; eliminating one
-/// couples all later ones that it is coupled with, and the blocks that this fills are part of the pattern. Once it has
-/// been as large as it gets, nothing takes memory.
+/// A sparse symmetric matrix of 2 × 2 blocks, and its direct solver: LDLᵀ without pivoting. For systems whose couplings
+/// reach further than a band. A slot holds two unknowns; the slots are eliminated in a given order. Eliminating a slot
+/// couples all later slots that it is coupled with; these fill-in blocks are part of the pattern. It allocates memory
+/// only for a larger pattern than ever before. A solve costs O(Σ k²), k the number of blocks right of the diagonal in a
+/// row.
 class BlockLdlt {
  public:
-  /// Begins a pattern of diagonal blocks. order[k] is the slot that is eliminated as the k-th; each occurs once.
+  /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once.
   void begin_pattern(std::span<const int> order);
-  /// Adds the blocks of two slots with each other; either way round, and as often as one likes.
+  /// Adds the blocks (a, b) and (b, a) to the pattern. Repeated couplings count once.
   void couple(int a, int b);
-  /// Completes the pattern by what elimination fills.
+  /// Completes the pattern with the fill-in of the elimination.
   void end_pattern();
-  /// Eliminates the slots in another order, and completes the pattern anew.
+  /// Changes the order of elimination and completes the pattern again.
   void reorder(std::span<const int> order);
-  /// Tells visit(slot, slot) what was coupled.
+  /// Calls visit(a, b) for each call of couple(), with either slot first.
   template <typename Visit>
   void for_each_coupling(Visit&& visit) const {
     for (const auto& [a, b] : couplings_) visit(order_[at(a)], order_[at(b)]);
   }
+  /// Returns whether the pattern has the block (a, b), as a coupling or as fill-in.
   bool is_coupled(int a, int b) const;
-  /// How many rows of blocks there are.
+  /// Returns the number of slots.
   std::size_t size() const { return order_.size(); }
-  /// How many blocks right of the diagonal there are.
-  std::size_t blocks() const { return columns_.size(); }
+  /// Returns the number of blocks right of the diagonal, fill-in included.
+  std::size_t off_diagonal_blocks() const { return columns_.size(); }
 
-  /// Sets the matrix to zero, with nothing held and nothing dual.
+  /// Sets all blocks to 0; no slot is held and none is dual.
   void set_zero();
+  /// Declares that the slot has a negative definite pivot: a Lagrange multiplier such as a tension.
   void make_dual(int slot) { dual_[at(row_of_[at(slot)])] = 1; }
-  /// Adds [xx, xy; yx, yy] to the block of slots a and b ≠ a, its transpose to that of b and a.
+  /// Adds [xx, xy; yx, yy] to the block (a, b), b ≠ a, and its transpose to (b, a).
   void add(int a, int b, double xx, double xy, double yx, double yy);
-  /// Adds a symmetric block to the diagonal.
+  /// Adds [xx, xy; xy, yy] to the diagonal block (a, a).
   void add(int a, double xx, double xy, double yy);
-  /// Adds factor·g·gᵀ, g having the part by[i] at slots[i].
+  /// Adds factor·g·gᵀ, where the vector g is by[i] at slots[i] and 0 elsewhere.
   void add_outer(double factor, std::span<const int> slots, std::span<const Vec2> by);
-  /// Adds a band's blocks, the 2 × 2 entries from (2p, 2q) on to that of slots first + p and first + q for p ≤ q ≤
-  /// p + reach.
+  /// Adds a banded matrix: its 2 × 2 block at (2p, 2q) to the block (first + p, first + q), for p ≤ q ≤ p + reach.
   void add_band(int first, const BandedMatrix& band, int reach);
-  /// Makes the slot's rows and columns those of the identity, until the next set_zero.
+  /// Replaces the rows and columns of the slot by those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 
-  /// Overwrites the right-hand side, by slot, with the solution, and the matrix with its factors. False if in
-  /// double precision it is not as definite as it should be; the right-hand side is then undefined.
+  /// Overwrites b, by slot, with the solution of A·x = b, and the matrix with its factors. Returns false if a pivot in
+  /// double precision is not positive definite, or not negative definite for a dual slot; b is then undefined.
   bool solve(std::span<Vec2> b);
-  /// The same of another right-hand side, by the factors of the last solve; what was held has to be 0.
+  /// Solves for another right-hand side with the factors of the last solve. Entries of held slots must be 0.
   void solve_again(std::span<Vec2> b);
 
  private:
@@ -64,20 +67,24 @@ class BlockLdlt {
   struct Diagonal {
     double xx, xy, yy;
   };
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  /// Returns the index of the block (row, column) in blocks_, or its size if the pattern has no such block.
   std::size_t find(int row, int column) const;
+  void assign_rows(std::span<const int> order);
+  void sort_couplings();
+  void find_columns();
+  void resize_blocks();
   bool eliminate(std::size_t row);
   void substitute(std::span<Vec2> b);
 
   std::vector<int> order_;                     // slot by row
   std::vector<int> row_of_;                    // row by slot
   std::vector<std::array<int, 2>> couplings_;  // rows a < b, in any order, some more than once
-  std::vector<std::size_t> coupling_first_;    // by row, while the pattern is made
-  std::vector<int> coupled_;
-  std::vector<int> first_child_, next_child_;
-  std::vector<int> mark_;
-  std::vector<std::size_t> first_;  // of each row in columns_, and the end of the last
-  std::vector<int> columns_;        // rising within a row
+  std::vector<std::size_t> coupling_first_;    // index in coupled_ of each row, and the end of the last
+  std::vector<int> coupled_;                   // columns of the couplings, row by row
+  std::vector<int> first_child_, next_child_;  // elimination tree, by row; −1: none
+  std::vector<int> mark_;                      // by column: the last row that listed it
+  std::vector<std::size_t> first_;             // index in columns_ and blocks_ of each row, and the end of the last
+  std::vector<int> columns_;                   // ascending within a row
   std::vector<Block> blocks_;
   std::vector<Diagonal> diagonals_;
   std::vector<char> held_, dual_;

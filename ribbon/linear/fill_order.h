@@ -6,54 +6,55 @@
 
 namespace ribbon {
 
-/// An order in which elimination of a sparse symmetric matrix fills little: of approximate minimum degree (Amestoy,
-/// Davis & Duff 1996). What is eliminated is an element, whose variables are coupled with each other; elements that
-/// another one covers are absorbed by it, so that what is filled is never stored. Once it has been as large as it gets,
-/// it takes no memory, as a library's would in every step.
+/// Finds an order of elimination with little fill-in for a sparse symmetric matrix: the approximate minimum degree
+/// order (Amestoy, Davis & Duff 1996). Eliminating a variable makes an element: the set of the remaining variables that
+/// it was coupled with, which are all coupled from then on. An element absorbs the elements that it contains, so the
+/// fill-in is never stored. It allocates memory only for a larger graph than ever before.
 class FillOrder {
  public:
-  /// Begins a graph of so many variables that are not coupled.
+  /// Starts a graph of `count` variables without couplings.
   void begin(std::size_t count);
-  /// Couples two of them, either way round, and as often as one likes.
+  /// Couples the variables a and b. Repeated couplings count once.
   void couple(int a, int b);
-  /// All variables in the order in which they are to be eliminated. Ties go to those that were begun with or changed
-  /// last; the same graph gives the same order.
+  /// Returns all variables in the order of elimination. Among variables of equal degree, the one whose degree changed
+  /// last comes first, and initially the one of the lowest index. The same graph gives the same order.
   std::span<const int> find();
 
  private:
+  /// Neighbours of a variable in neighbour_lists_: first the elements that contain it, then variables.
   struct Neighbours {
-    std::size_t first = 0;  // in adjacent_
-    int elements = 0;       // that come first,
-    int variables = 0;      // and follow these
+    std::size_t first = 0;
+    int elements = 0;   // how many
+    int variables = 0;  // how many
   };
   struct Element {
-    std::size_t first = 0;  // in covered_
-    int count = 0;          // of the variables that are left of it
+    std::size_t first = 0;  // in element_variables_
+    int count = 0;          // of its variables
     bool absorbed = false;
   };
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  void make_lists();
+  void make_neighbour_lists();
   void eliminate(int pivot);
-  void cover(int pivot);
-  void count_uncovered(int pivot);
-  void update(int variable, int pivot);
-  void insert(int variable);
-  void remove(int variable);
+  void make_element(int pivot);
+  void count_outside_variables(int pivot);
+  int filter_neighbours(int variable, int pivot);
+  void update_degree(int variable, int pivot);
+  void insert_by_degree(int variable);
+  void remove_by_degree(int variable);
   std::span<int> elements(int variable);
   std::span<int> variables(int variable);
-  std::span<int> covered(int element);
+  std::span<int> variables_of(int element);
 
   std::vector<int> couplings_;  // pairs
   std::vector<Neighbours> neighbours_;
-  std::vector<int> adjacent_;
-  std::vector<Element> elements_;  // by the variable that it was
-  std::vector<int> covered_;
-  std::vector<int> degrees_;
-  std::vector<int> head_, next_, last_;  // lists of variables by degree
-  std::vector<int> mark_;                // by variable: the pivot that covers it last
-  std::vector<int> uncovered_;           // by element: of its variables, that the pivot does not cover
+  std::vector<int> neighbour_lists_;
+  std::vector<Element> elements_;  // by the eliminated variable
+  std::vector<int> element_variables_;
+  std::vector<int> degrees_;                 // upper bound, by variable; −1: eliminated
+  std::vector<int> head_, next_, previous_;  // lists of variables of equal degree
+  std::vector<int> mark_;                    // by variable: the last pivot whose element contains it
+  std::vector<int> outside_;                 // by element: number of its variables outside the pivot's element
   std::vector<int> order_;
-  int least_ = 0;  // degree that there may be
+  int min_degree_ = 0;  // lower bound of the degrees
 };
 
 }  // namespace ribbon

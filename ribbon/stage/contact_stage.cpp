@@ -65,7 +65,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
 void ContactStage::begin(const StageContext& context, const StageRequest& request) {
   IslandState& state = context.state;
   std::vector<Vec2>& direction = context.newton.direction();
-  context.contacts.compliant.begin_stage(contacts.scene.pairs);
+  context.contacts.compliant.begin_stage(context.contacts.scene.pairs);
   context.contacts.scene.anchors.set_kinematic_targets(request.time);
   context.newton.reset_penalty();
   values_.clear();

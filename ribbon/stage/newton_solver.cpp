@@ -65,7 +65,7 @@ bool NewtonSolver::find_single_direction(IslandState& state, Stage stage, Contac
                                stage.inertia[angle], residual, stage.residual(angle, x[angle]).x);
     carried_[k] = held_steps_[k].load(state.held[k].point, residual);
   }
-  stage.carried = carried_;
+  stage.condensed_bodies = carried_;
   const Member& member = state.members[0];
   if (!member.cord->elasticity->newton_step(IslandState::stage_of(stage, member), IslandState::points_of(member, x),
                                             IslandState::tensions_of(member, state.tensions),
@@ -116,9 +116,9 @@ void NewtonSolver::close_arms(const IslandState& state, std::span<Vec2> x) {
 bool NewtonSolver::are_bars_settled(IslandState& state, const Stage& stage, int iteration) const {
   if (iteration >= judging_iterations) return true;
   return std::none_of(state.members.begin(), state.members.end(), [&](const Member& member) {
-    const double misjudged = member.cord->elasticity->misjudged_way(IslandState::stage_of(stage, member),
-                                                                    IslandState::points_of(member, state.positions),
-                                                                    IslandState::tensions_of(member, state.tensions));
+    const double misjudged = member.cord->elasticity->active_set_error(
+        IslandState::stage_of(stage, member), IslandState::points_of(member, state.positions),
+        IslandState::tensions_of(member, state.tensions));
     return misjudged > misjudged_share * state.tolerance;
   });
 }
@@ -159,7 +159,7 @@ bool FreeStage::solve(const StageContext& context, Stage& stage) {
   ++context.work.report.searches;
   state.positions = guess_;
   state.tensions = tension_guess_;
-  stage.least_geometric = Stage::bearable_push;
+  stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   return searched_steps(context, stage);
 }
 

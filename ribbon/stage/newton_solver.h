@@ -65,7 +65,7 @@ class NewtonSolver {
   std::vector<Vec2> trial_;
   std::vector<double> penalty_;  // slopes, by tension
   std::vector<HeldStep> held_steps_;
-  std::vector<CarriedLoad> carried_;
+  std::vector<CondensedBody> carried_;
   bool slip_began_ = false;
 };
 

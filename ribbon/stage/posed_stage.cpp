@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
 
@@ -16,8 +17,6 @@ constexpr int max_misses = 4;             // times that contacts are posed which
 constexpr double far_share = 10.0;        // tolerances: a larger correction is far from the solution
 constexpr int full_linearisations = 5;    // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// N, the largest inertia force of the direction.
 double inertia_force(const StageContext& context, const Stage& stage) {
@@ -50,7 +49,7 @@ PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& b
   IslandState& state = context.state;
   for (HeldBody& held : state.held) held.limited = held.may_slip();
   begin(context, request);
-  stage.least_geometric = Stage::bearable_push;
+  stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   Course course;
   const int max = impact ? impact_linearisations : max_linearisations;
   for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {

@@ -24,7 +24,7 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
   ++work.report.stages;
   load_forces(state, request);
   Stage stage{request.q, prediction.positions, prediction.velocities, inertia_, force_, state.constrained};
-  stage.euler = request.euler;
+  stage.implicit_euler = request.euler;
   const bool converged = solve_contacts({state, contacts, newton_, work}, bounds, request, stage);
   const double inverse_q2 = 1.0 / (request.q * request.q);
   for (std::size_t p = 0; p < state.slots(); ++p) {
@@ -33,9 +33,9 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
   }
   if (!request.euler) return converged;
   for (const Member& member : state.members) {
-    member.cord->elasticity->add_turning(IslandState::stage_of(stage, member),
-                                         IslandState::points_of(member, state.positions),
-                                         IslandState::tensions_of(member, state.tensions));
+    member.cord->elasticity->add_rotational_damping(IslandState::stage_of(stage, member),
+                                                    IslandState::points_of(member, state.positions),
+                                                    IslandState::tensions_of(member, state.tensions));
   }
   return converged;
 }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
 
 namespace ribbon {
 namespace {
 
 constexpr std::size_t much_filled = 6;  // blocks a row, above which an order that fills less is looked for
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void couple(const Contacts& contacts, BlockLdlt& matrix) { contacts.active.couple(contacts.scene, matrix); }
 void couple(const LimitedRows& rows, BlockLdlt& matrix) { rows.couple(matrix); }
@@ -59,7 +58,7 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
   couple(terms, matrix_);
   matrix_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * matrix_.size();
-  if (matrix_.blocks() > much) reduce_fill(state);
+  if (matrix_.off_diagonal_blocks() > much) reduce_fill(state);
   has_pattern_ = true;
 }
 
@@ -108,7 +107,7 @@ void BlockSystem::reduce_fill(const IslandState& state) {
   });
   append_duals_last(slots, fill_order_.find());
   matrix_.reorder(order_);
-  filled_ = matrix_.blocks();
+  filled_ = matrix_.off_diagonal_blocks();
   has_fill_order_ = true;
 }
 

@@ -25,7 +25,7 @@ class BlockSystem {
   void make_pattern(const IslandState& state, const Contacts& contacts);
   void make_pattern(const IslandState& state, const LimitedRows& rows);
   /// Returns the number of blocks of the matrix, or 0 if there is no pattern.
-  std::size_t blocks() const { return has_pattern_ ? matrix_.size() + matrix_.blocks() : 0; }
+  std::size_t blocks() const { return has_pattern_ ? matrix_.size() + matrix_.off_diagonal_blocks() : 0; }
 
   /// Loads the matrix and the right-hand side of all that is neither a contact nor a limited row.
   void load(const IslandState& state, const Stage& stage);

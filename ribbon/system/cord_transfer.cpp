@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
 
 namespace ribbon {
@@ -13,8 +14,6 @@ namespace {
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share: what single precision explains
 constexpr double max_tolerance = 0.2;     // of a link, above which a tolerance would not hold it
 constexpr double resolved_digits = 16.0;  // min. tolerance, in roundings of the largest coordinate
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Accuracy higher(const Accuracy& a, const Accuracy& b) {
   return {a.integrator == Integrator::tr_bdf2 ? a.integrator : b.integrator,

@@ -5,6 +5,7 @@
 
 #include "ribbon/elastic/link.h"
 #include "ribbon/geometry/rotation.h"
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 constexpr double grip_share = 1e-7;  // min. compliance of a grip along the cord, as a share of the point's own
 constexpr double max_draw = 0.25;    // of a link, by which a step draws a point towards an anchor that is elsewhere
 constexpr double min_travel = 1e-3;  // of a link, above which the displacement of an anchor counts as work
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The arm begins where the cord is, so that nothing jumps. It ends at the anchor, or as much nearer to it as a step
 /// may draw a point.
@@ -103,7 +102,7 @@ void load_grip(const IslandState& state, std::size_t k, std::span<const double> 
   blocks.add(slots[3], dual, turning.x, turning.y, 0.0, 0.0);
   right_side[at(slots[3])].x -= dot(u, friction);
   blocks.add(slots[3], std::max(0.0, dot(grip_pull(state, state.tensions, k), arm)), 0.0, 0.0);
-  const double compliance = dual_share / std::max(inertia[held.point], inertia[held.next]);
+  const double compliance = min_dual_compliance / std::max(inertia[held.point], inertia[held.next]);
   blocks.make_dual(dual);
   blocks.add(dual, -compliance - (1.0 - across.xx), across.xy, -compliance - (1.0 - across.yy));
   right_side[at(dual)] = -closing(grip_separation(state, held, state.positions));

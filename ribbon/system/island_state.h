@@ -8,6 +8,7 @@
 #include "ribbon/contact/held_body.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/system/cord_parts.h"
 
@@ -84,7 +85,6 @@ struct IslandState {
   std::vector<double> tensions;
   SubstepStart start;  ///< of the current substep
 
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
   bool is_angle(std::size_t slot) const { return slot >= points && (slot - points) % 2 == 1; }

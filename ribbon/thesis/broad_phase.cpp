@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-constexpr double slack_in_spacings = 0.5;  // less: more rebuilds; more: longer lists
-constexpr std::size_t room_a_circle = 48;  // triangles on average, before a circle has to look at all of them
+constexpr double skin_in_spacings = 0.5;          // less: more builds; more: longer lists
+constexpr std::size_t triangles_per_circle = 48;  // mean capacity; a circle beyond it tests all triangles
 
 bool within(Vec2 a, Vec2 b, double distance) { return dot(a - b, a - b) <= distance * distance; }
 
-bool all_within(std::span<const Vec2> now, std::span<const Vec2> then, double distance) {
-  return std::equal(now.begin(), now.end(), then.begin(), then.end(),
+bool all_within(std::span<const Vec2> current, std::span<const Vec2> old, double distance) {
+  return std::equal(current.begin(), current.end(), old.begin(), old.end(),
                     [distance](Vec2 a, Vec2 b) { return within(a, b, distance); });
 }
 
@@ -23,21 +23,24 @@ bool all_within(std::span<const Vec2> now, std::span<const Vec2> then, double di
 BroadPhase::BroadPhase(const Mesh& mesh, bool circles_are_points)
     : mesh_(&mesh),
       circles_are_points_(circles_are_points),
-      slack_(slack_in_spacings * mesh.spacing),
+      skin_(skin_in_spacings * mesh.spacing),
       tree_(static_cast<int>(mesh.triangles.size())),
       boxes_(mesh.triangles.size()),
-      positions_then_(at(mesh.size())),
+      built_positions_(at(mesh.size())),
       all_(mesh.triangles.size()) {
   std::iota(all_.begin(), all_.end(), 0);
 }
 
-/// By the number of circles alone: a cord that was restored must fall back to all triangles where the first one did.
-std::size_t BroadPhase::room_for(std::size_t circles) const { return circles * std::min(room_a_circle, all_.size()); }
+/// The capacity depends only on the number of circles. So a restored cord falls back to all triangles where the
+/// original cord does.
+std::size_t BroadPhase::capacity_for(std::size_t circles) const {
+  return circles * std::min(triangles_per_circle, all_.size());
+}
 
 void BroadPhase::reserve(std::size_t circles) {
-  centers_then_.reserve(circles);
+  built_centers_.reserve(circles);
   list_start_.reserve(circles + 1);
-  list_.reserve(room_for(circles));
+  list_.reserve(capacity_for(circles));
 }
 
 void BroadPhase::update(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii) {
@@ -45,9 +48,9 @@ void BroadPhase::update(std::span<const Vec2> positions, std::span<const Vec2> c
 }
 
 bool BroadPhase::moved_too_far(std::span<const Vec2> positions, std::span<const Vec2> centers) const {
-  const double half = 0.5 * slack_;
-  if (!all_within(positions, positions_then_, half)) return true;
-  return !circles_are_points_ && !all_within(centers, centers_then_, half);
+  const double half = 0.5 * skin_;
+  if (!all_within(positions, built_positions_, half)) return true;
+  return !circles_are_points_ && !all_within(centers, built_centers_, half);
 }
 
 void BroadPhase::build(std::span<const Vec2> positions, std::span<const Vec2> centers, std::span<const double> radii) {
@@ -60,33 +63,32 @@ void BroadPhase::build(std::span<const Vec2> positions, std::span<const Vec2> ce
                  {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
   }
   tree_.build(boxes_);
-  room_ = room_for(centers.size());
+  capacity_ = capacity_for(centers.size());
   list_.clear();
   list_start_.assign(1, 0);
   for (std::size_t k = 0; k < centers.size(); ++k) {
-    if (!list_around(k, centers[k], radii[k])) break;
+    if (!list_near(k, centers[k], radii[k])) break;
     list_start_.push_back(list_.size());
   }
-  positions_then_.assign(positions.begin(), positions.end());
-  centers_then_.assign(centers.begin(), centers.end());
+  built_positions_.assign(positions.begin(), positions.end());
+  built_centers_.assign(centers.begin(), centers.end());
   stale_ = false;
   ++builds_;
 }
 
-/// False if the room ended before the circle's list did.
-bool BroadPhase::list_around(std::size_t k, Vec2 center, double radius) {
-  const double reach = radius + slack_;
-  const Vec2 corner{reach, reach};
+/// Appends the list of circle k. Returns false if the capacity is too small for it.
+bool BroadPhase::list_near(std::size_t k, Vec2 center, double radius) {
+  const Vec2 corner{radius + skin_, radius + skin_};
   bool complete = true;
   tree_.query({center - corner, center + corner}, [&](int triangle) {
     if (is_own(k, triangle)) return;
-    if (list_.size() < room_) {
+    if (list_.size() < capacity_) {
       list_.push_back(triangle);
     } else {
       complete = false;
     }
   });
-  // The tree's order changes with where its nodes lie; rising order does not.
+  // The order of the tree depends on the positions of its nodes; ascending order does not.
   std::sort(list_.begin() + static_cast<std::ptrdiff_t>(list_start_.back()), list_.end());
   return complete;
 }

@@ -5,14 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+constexpr int own_columns = 2;  // a point does not leave the cord through boundary edges this near to its own column
 
-constexpr int own_columns = 2;  // boundary edges this near to a point's own column are no way out for it
-
-/// Towards which side of the directed edge a → b the cord's outside lies, the boundary running counter-clockwise.
+/// Returns the unit normal of the boundary edge a → b that points out of the cord: the boundary is counter-clockwise.
 Vec2 outward_normal(Vec2 a, Vec2 b) {
   const Vec2 edge = b - a;
   const double size = length(edge);
@@ -25,22 +25,22 @@ bool is_own_edge(const Mesh& mesh, int a, int b, int point) {
   return std::abs(mesh.column(a) - column) <= own_columns || std::abs(mesh.column(b) - column) <= own_columns;
 }
 
-/// The way out of the cord for a circle whose centre is inside it; none if all of the boundary is the point's own.
-std::optional<Contact> find_way_out(const Mesh& mesh, std::span<const Vec2> positions, const Circle& circle) {
+/// Returns the contact of a circle with its centre inside the cord; none if all boundary edges are its own.
+std::optional<Contact> find_exit(const Mesh& mesh, std::span<const Vec2> positions, const Circle& circle) {
   std::optional<Contact> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  double best_from_before = std::numeric_limits<double>::infinity();
+  double best_travel = std::numeric_limits<double>::infinity();
   int a = mesh.boundary.back();
   for (const int b : mesh.boundary) {
     const int start = std::exchange(a, b);
     if (is_own_edge(mesh, start, b, circle.point)) continue;
     const NearestPoint q = nearest_on_segment(circle.center, positions[at(start)], positions[at(b)]);
     const double distance = length(q.point - circle.center);
-    const double from_before = length(q.point - circle.center_before);
-    const bool nearer = distance < best_distance || (distance == best_distance && from_before < best_from_before);
+    const double travel = length(q.point - circle.center_before);
+    const bool nearer = distance < best_distance || (distance == best_distance && travel < best_travel);
     if (!nearer) continue;
     best_distance = distance;
-    best_from_before = from_before;
+    best_travel = travel;
     const Vec2 direction = distance > 0.0 ? (1.0 / distance) * (q.point - circle.center)
                                           : outward_normal(positions[at(start)], positions[at(b)]);
     best = Contact{direction, circle.radius + distance, {start, b, b}, {q.weight[0], q.weight[1], 0.0}};
@@ -91,13 +91,13 @@ std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, 
   const double r = circle.radius;
   if (c.x + r <= low_x || c.x - r >= high_x || c.y + r <= low_y || c.y - r >= high_y) return std::nullopt;
 
-  if (is_inside(c, corners)) return find_way_out(mesh, positions, circle);
+  if (is_inside(c, corners)) return find_exit(mesh, positions, circle);
   const NearestPoint t = nearest_on_triangle_edges(c, corners);
   const Vec2 away = c - t.point;
   const double distance2 = dot(away, away);
   if (distance2 >= r * r) return std::nullopt;
   const double distance = std::sqrt(distance2);
-  if (distance == 0.0) return find_way_out(mesh, positions, circle);  // on a triangle without area
+  if (distance == 0.0) return find_exit(mesh, positions, circle);  // on a triangle without area
   return Contact{(1.0 / distance) * away, r - distance, {triangle.a, triangle.b, triangle.c}, t.weight};
 }
 

@@ -1,13 +1,8 @@
 #include "ribbon/thesis/corrections.h"
 
-#include <cmath>
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void correct_springs(std::span<const Connection> connections, double stiffness, double dt,
                      std::span<const double> inverse_mass, std::span<Vec2> positions) {
@@ -19,9 +14,9 @@ void correct_springs(std::span<const Connection> connections, double stiffness, 
     Vec2& a = positions[at(bar.a)];
     Vec2& b = positions[at(bar.b)];
     const Vec2 ab = b - a;
-    const double now = length(ab);
-    if (now == 0.0) continue;  // no direction to push in; the neighbours part the two
-    const double s = (now - bar.rest_length) / (now * (w_a + w_b + compliance));
+    const double size = length(ab);
+    if (size == 0.0) continue;  // it has no direction; neighbours move its ends apart
+    const double s = (size - bar.rest_length) / (size * (w_a + w_b + compliance));
     a += (s * w_a) * ab;
     b -= (s * w_b) * ab;
   }
@@ -37,7 +32,7 @@ void correct_areas(std::span<const Triangle> triangles, double floor, double sti
     Vec2& c = positions[at(triangle.c)];
     const double missing = floor * triangle.rest_area - signed_area(a, b, c);
     if (missing <= 0.0) continue;
-    // A = ½ (b − a) × (c − a), so its gradient in each corner is half the opposite side, a quarter turn inwards.
+    // A = ½ (b − a) × (c − a): its gradient at a corner is half the opposite side, rotated by 90°.
     const Vec2 grad_a = 0.5 * perp(c - b);
     const Vec2 grad_b = 0.5 * perp(a - c);
     const Vec2 grad_c = 0.5 * perp(b - a);
@@ -45,7 +40,7 @@ void correct_areas(std::span<const Triangle> triangles, double floor, double sti
     const double w_b = inverse_mass[at(triangle.b)];
     const double w_c = inverse_mass[at(triangle.c)];
     const double slope = w_a * dot(grad_a, grad_a) + w_b * dot(grad_b, grad_b) + w_c * dot(grad_c, grad_c);
-    if (slope == 0.0) continue;  // driven, or shrunk to a point: no direction raises its area
+    if (slope == 0.0) continue;  // driven, or shrunk to a point: the gradient is 0
     const double s = stiffness * missing / slope;
     a += (s * w_a) * grad_a;
     b += (s * w_b) * grad_b;

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
@@ -63,7 +65,7 @@ Mesh make_mesh(int w, int h, double spacing) {
 std::vector<Vec2> lay_along(std::span<const Vec2> path, int w, int h, double spacing) {
   assert(path.size() >= 2);
   std::vector<Vec2> positions;
-  positions.reserve(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  positions.reserve(at(w) * at(h));
   std::size_t segment = 0;
   double segment_start = 0.0;  // arc length at path[segment]
   for (int i = 0; i < w; ++i) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-constexpr int reach = 2;  // columns on either side of a crossing: fewer let the next point catch on it
+constexpr int tangled_columns = 2;  // on each side of a crossing; with fewer the next point catches on it
 
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const bool c_left = cross(b - a, c - a) > 0.0;
@@ -24,26 +24,26 @@ bool crosses_an_edge(Vec2 a, Vec2 b, const std::array<Vec2, 3>& corners) {
 }
 
 void mark(std::span<char> tangled, int column) {
-  const int first = std::max(column - reach, 0);
-  const int last = std::min(column + reach, static_cast<int>(tangled.size()) - 1);
+  const int first = std::max(column - tangled_columns, 0);
+  const int last = std::min(column + tangled_columns, static_cast<int>(tangled.size()) - 1);
   for (int c = first; c <= last; ++c) tangled[at(c)] = 1;
 }
 
 }  // namespace
 
-int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, const BroadPhase& near,
+int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, const BroadPhase& broad_phase,
                          std::span<char> tangled) {
   std::fill(tangled.begin(), tangled.end(), 0);
   for (int p = 0; p < mesh.size(); ++p) {
-    for (const int t : near.near(at(p))) {
+    for (const int t : broad_phase.near(at(p))) {
       const Triangle& triangle = mesh.triangles[at(t)];
       const std::array<Vec2, 3> corners = {positions[at(triangle.a)], positions[at(triangle.b)],
                                            positions[at(triangle.c)]};
-      for (const int q : {p - mesh.h, p + mesh.h}) {  // its neighbours along the cord
-        if (q < 0 || q >= mesh.size() || near.is_own(at(p), t) || near.is_own(at(q), t)) continue;
+      for (const int q : {p - mesh.h, p + mesh.h}) {  // neighbours of p along the cord
+        if (q < 0 || q >= mesh.size() || broad_phase.is_own(at(p), t) || broad_phase.is_own(at(q), t)) continue;
         if (!crosses_an_edge(positions[at(p)], positions[at(q)], corners)) continue;
         mark(tangled, mesh.column(p));
-        mark(tangled, mesh.column(triangle.a));  // which may not see p's edge from its own side
+        mark(tangled, mesh.column(triangle.a));  // its own circles may not list a triangle of p's edge
       }
     }
   }

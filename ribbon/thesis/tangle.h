@@ -7,13 +7,12 @@
 
 namespace ribbon {
 
-/// Marks with 1 the columns around each place where the cord crosses itself, all others with 0; returns how many.
-/// `near` is the up-to-date broad phase of the cord's own point circles.
+/// Marks the columns near crossings of the cord with itself by 1, all others by 0, and returns the number of marked
+/// columns. `broad_phase` is the current broad phase of the cord's own point circles.
 ///
-/// A cord that has been thrown through itself crosses itself, and contact then holds the crossing for ever, since it
-/// drives out to either side what would have to slide through. So contact has to rest there until springs and gravity
-/// have pulled the crossing out.
-int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, const BroadPhase& near,
+/// Contact would hold a crossing for ever, because it pushes points to either side that have to slide through. So
+/// contact must be off there until springs and gravity have removed the crossing.
+int find_tangled_columns(const Mesh& mesh, std::span<const Vec2> positions, const BroadPhase& broad_phase,
                          std::span<char> tangled);
 
 }  // namespace ribbon

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/thesis/broad_phase.h"
 
 namespace ribbon {
@@ -45,8 +46,8 @@ ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solve
       targets_(positions_.size()),
       kinds_(positions_.size(), PointKind::free),
       inverse_mass_(positions_.size(), 1.0 / def.point_mass),
-      before_(positions_),
-      starts_(positions_) {
+      substep_start_(positions_),
+      step_start_(positions_) {
   if (def_.bar_damping > 0.0) {
     matrix_ = std::make_unique<BandedMatrix>(2 * mesh_->size(), 2 * def_.h + 3);
     force_.resize(2 * positions_.size());
@@ -55,7 +56,7 @@ ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solve
     self_phase_ = std::make_unique<BroadPhase>(*mesh_, true);
     self_phase_->reserve(positions_.size());
     own_radii_.assign(positions_.size(), def_.radius);
-    tangled_.resize(static_cast<std::size_t>(def_.w));
+    tangled_.resize(at(def_.w));
   }
   for (const int pin : def_.pins) constrain(pin, positions_[index(pin)]);
 }

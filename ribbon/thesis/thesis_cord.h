@@ -22,11 +22,10 @@ struct StepReport {
   int self_contacts = 0;    ///< resolved overlaps of the cord with itself
   int circle_contacts = 0;  ///< resolved overlaps with rigid circles
   int tangled_columns = 0;  ///< columns without self-contact, because the cord crosses itself there
-  int strained_bars =
-      0;                 ///< bars more than a tenth off their rest length, of a stiff cord a sign that it is not solved
-  int turned_over = 0;   ///< inverted triangles
-  int energy_gains = 0;  ///< 1 if energy has come from nowhere, above a thousandth of what there is and of M·g·L; not
-                         ///< looked for while a point, a hand or a body that nothing pushes is moving
+  int strained_bars = 0;    ///< bars with a strain above 10 %; in a stiff cord they show that it is not converged
+  int turned_over = 0;      ///< inverted triangles
+  int energy_gains = 0;  ///< 1 if the energy rose without a cause, by more than a thousandth of itself and of M·g·L;
+                         ///< not checked while a driven point, a grip or a kinematic body moves
 
   bool operator==(const StepReport&) const = default;
   /// Adds the counts of another step.
@@ -117,28 +116,29 @@ class ThesisCord {
   void report_motions(const Surroundings& surroundings) const;
   // thesis_report.cpp:
   struct Energy {
-    double moving = 0.0;     // J, kinetic and elastic
-    double potential = 0.0;  // J
-    double total() const { return moving + potential; }
+    double kinetic_and_elastic = 0.0;  // J
+    double potential = 0.0;            // J
+    double total() const { return kinetic_and_elastic + potential; }
   };
   Energy energy(Vec2 gravity, const Surroundings& surroundings) const;
   bool is_driven(const Surroundings& surroundings) const;
   void report_gain(const Energy& before, Vec2 gravity, const Surroundings& surroundings);
   void report_shape();
 
-  /// A body's motion within the step; its owner's copy stays as it was but for the impulse.
+  /// Motion of a body within the step. Of the RigidBody itself only the impulses change.
   struct BodyMotion {
     Vec2 position;
     Vec2 velocity;
     double angular_velocity;
-    double turned;      // rad, in this substep
-    double turned_all;  // rad, in the substeps before
+    double rotation;        // rad, in this substep
+    double total_rotation;  // rad, in all substeps so far
   };
-  Vec2 reach(const BodyMotion& body, Vec2 offset) const { return offset + body.turned * perp(offset); }
-  void push_body(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt);
+  /// Returns an offset from the centre of mass after the rotation in this substep, to first order.
+  Vec2 rotated(const BodyMotion& body, Vec2 offset) const { return offset + body.rotation * perp(offset); }
+  void apply_impulse(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt);
 
   ThesisDef def_;
-  std::unique_ptr<Mesh> mesh_;  // at a fixed address: the broad phases point to it
+  std::unique_ptr<Mesh> mesh_;  // has a fixed address, because the broad phases point to it
   std::unique_ptr<LinearSolver> solver_;
 
   std::vector<Vec2> positions_;
@@ -147,15 +147,15 @@ class ThesisCord {
   std::vector<PointKind> kinds_;
   std::vector<double> inverse_mass_;  // 1/kg, 0 for driven points
 
-  std::vector<Vec2> before_;  // R of Eq. 3.16: positions at the start of the substep
-  std::vector<Vec2> starts_;  // of driven points at the start of the step
+  std::vector<Vec2> substep_start_;  // R of Eq. 3.16: positions at the start of the substep
+  std::vector<Vec2> step_start_;     // positions at the start of the step
   std::unique_ptr<BandedMatrix> matrix_;
-  std::vector<double> force_;  // N, then U′ in m
+  std::vector<double> force_;  // F [N], overwritten by U′ [m]
 
   std::unique_ptr<BroadPhase> self_phase_;  // if the cord declares self-collision
   std::vector<double> own_radii_;
   std::vector<char> tangled_;                 // by column: 1 where the cord crosses itself in this step
-  std::unique_ptr<BroadPhase> circle_phase_;  // made when the first circle comes near
+  std::unique_ptr<BroadPhase> circle_phase_;  // exists from the first circle on
   std::vector<BodyMotion> motions_;
   std::vector<Vec2> circle_offsets_;
   std::vector<Vec2> circle_centers_;

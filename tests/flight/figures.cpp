@@ -5,8 +5,8 @@
 
 #include "engine/replay/cord_extremes.h"
 #include "ribbon/contact/held_body.h"
-#include "ribbon/geometry/gap.h"
 #include "ribbon/geometry/rotation.h"
+#include "ribbon/geometry/separation.h"
 
 namespace flight {
 namespace {
@@ -73,7 +73,7 @@ double distance(const Link& p, const Link& q, double within) {
   double nearest = within;
   const auto take = [&nearest](Vec2 point, const Link& link) {
     if (!ribbon::may_be_within(nearest, point, link.a, link.b)) return;
-    nearest = std::min(nearest, ribbon::gap_between(point, link.a, link.b).distance);
+    nearest = std::min(nearest, ribbon::find_separation(point, link.a, link.b).distance);
   };
   take(p.a, q);
   take(p.b, q);

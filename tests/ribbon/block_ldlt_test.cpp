@@ -93,12 +93,12 @@ TEST(BlockLdlt, KnowsWhatEliminationFills) {
   EXPECT_TRUE(matrix.is_coupled(0, 2));
   EXPECT_TRUE(matrix.is_coupled(3, 2));
   EXPECT_FALSE(matrix.is_coupled(0, 1));
-  EXPECT_EQ(matrix.blocks(), 3U);
+  EXPECT_EQ(matrix.off_diagonal_blocks(), 3U);
   matrix.begin_pattern(std::vector<int>{2, 3, 0, 1});
   matrix.couple(0, 2);
   matrix.couple(0, 3);
   matrix.end_pattern();
-  EXPECT_EQ(matrix.blocks(), 2U);  // 0 last of them: nothing fills
+  EXPECT_EQ(matrix.off_diagonal_blocks(), 2U);  // 0 last of them: nothing fills
 }
 
 TEST(BlockLdlt, RefusesWhatIsNotPositiveDefinite) {

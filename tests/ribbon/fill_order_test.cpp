@@ -33,7 +33,7 @@ std::size_t blocks(const std::vector<int>& order, const Couplings& couplings) {
   matrix.begin_pattern(order);
   for (const auto& [a, b] : couplings) matrix.couple(a, b);
   matrix.end_pattern();
-  return matrix.blocks();
+  return matrix.off_diagonal_blocks();
 }
 
 std::vector<int> natural(int count) {

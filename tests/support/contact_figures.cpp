@@ -5,12 +5,12 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/elastic/cell.h"
-#include "ribbon/geometry/gap.h"
+#include "ribbon/geometry/separation.h"
 
 namespace test_support {
 namespace {
 
-using ribbon::gap_between;
+using ribbon::find_separation;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
@@ -50,15 +50,15 @@ double beyond(Vec2 n, Vec2 edge, Vec2 a, Vec2 b) { return std::min(dot(n, a - ed
 
 double depth_in_circle(const b2CircleShape& circle, const b2Body& body, Vec2 a, Vec2 b) {
   const Vec2 center = to_double(body.GetWorldPoint(circle.m_p));
-  return static_cast<double>(circle.m_radius) - gap_between(center, a, b).distance;
+  return static_cast<double>(circle.m_radius) - find_separation(center, a, b).distance;
 }
 
 double depth_in_edge(const b2EdgeShape& edge, const b2Body& body, Vec2 a, Vec2 b) {
   const Vec2 c = to_double(body.GetWorldPoint(edge.m_vertex1));
   const Vec2 d = to_double(body.GetWorldPoint(edge.m_vertex2));
-  const double ends = std::min(gap_between(a, c, d).distance, gap_between(b, c, d).distance);
+  const double ends = std::min(find_separation(a, c, d).distance, find_separation(b, c, d).distance);
   if (is_crossing(a, b, c, d)) return ends;
-  return -std::min({ends, gap_between(c, a, b).distance, gap_between(d, a, b).distance});
+  return -std::min({ends, find_separation(c, a, b).distance, find_separation(d, a, b).distance});
 }
 
 /// Two convex shapes overlap by the least way along a normal of either that takes them apart (separating axes).
@@ -74,8 +74,8 @@ double depth_in_polygon(const b2PolygonShape& polygon, const b2Body& body, Vec2 
     apart = std::max(apart, beyond(to_double(body.GetWorldVector(polygon.m_normals[k])), c, a, b));
     least = std::min(least, dot(across, c - a));
     most = std::max(most, dot(across, c - a));
-    distance = std::min(
-        {distance, gap_between(a, c, d).distance, gap_between(b, c, d).distance, gap_between(c, a, b).distance});
+    distance = std::min({distance, find_separation(a, c, d).distance, find_separation(b, c, d).distance,
+                         find_separation(c, a, b).distance});
   }
   apart = std::max({apart, least, -most});
   return apart < 0.0 ? -apart : -distance;

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "ribbon/contact/held_body.h"
-#include "ribbon/geometry/gap.h"
 #include "ribbon/geometry/rotation.h"
+#include "ribbon/geometry/separation.h"
 
 namespace test_support {
 
@@ -94,7 +94,7 @@ double ContactWorld::depth() const {
   for (const ribbon::RigidCircle& circle : circles) {
     const Vec2 middle = body(circle.body).position + circle.offset;
     const auto meet = [&](Vec2 a, Vec2 b) {
-      deepest = std::max(deepest, circle.radius + def.radius - ribbon::gap_between(middle, a, b).distance);
+      deepest = std::max(deepest, circle.radius + def.radius - ribbon::find_separation(middle, a, b).distance);
     };
     for (const int j : {0, def.rows - 1}) {
       for (int i = 0; i + 1 < def.points; ++i) meet(at(i, j), at(i + 1, j));
@@ -106,7 +106,7 @@ double ContactWorld::depth() const {
   for (const ribbon::RigidSegment& segment : segments) {
     const Vec2 center = body(segment.body).position;
     for (const Vec2 point : x) {
-      const double distance = ribbon::gap_between(point, center + segment.a, center + segment.b).distance;
+      const double distance = ribbon::find_separation(point, center + segment.a, center + segment.b).distance;
       deepest = std::max(deepest, segment.radius + def.radius - distance);
     }
   }

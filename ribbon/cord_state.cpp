@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "ribbon/cord.h"
+#include "ribbon/system/cord_parts.h"
+
+// Saving and restoring the state of a cord.
+
+namespace ribbon {
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::min();
+
+void check_all(const char* field, std::span<const double> values, double low, double high) {
+  for (const double value : values) check_range(field, value, low, high);
+}
+
+void check_vectors(const char* field, std::span<const Vec2> values) {
+  for (const Vec2 value : values) {
+    check_range(field, value.x, -largest, largest);
+    check_range(field, value.y, -largest, largest);
+  }
+}
+
+void check_sizes(const Cord::State& state, const CordParts& cord) {
+  const std::size_t n = cord.size();
+  const Cord::State& own = cord.state;
+  const auto is_optional = [](std::size_t size, std::size_t wanted) { return size == wanted || size == 0; };
+  if (state.positions.size() != n || state.velocities.size() != n || state.accelerations.size() != n ||
+      state.targets.size() != n || state.kinds.size() != n || state.masses.size() != n ||
+      !is_optional(state.loads.size(), n) || state.tensions.size() != own.tensions.size() ||
+      state.rest.size() != own.rest.size() || !is_optional(state.rest_targets.size(), own.rest.size()) ||
+      state.rest_speeds.size() != state.rest_targets.size() ||
+      state.unlocked.size() != cord.elasticity->unlocked().size()) {
+    throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(cord.def.points) + " x " +
+                          std::to_string(cord.def.rows) + " points with the same terms");
+  }
+}
+
+}  // namespace
+
+Cord::State Cord::save() const {
+  State state;
+  save(state);
+  return state;
+}
+
+void Cord::save(State& state) const {
+  const std::span<const char> unlocked = parts_->elasticity->unlocked();
+  state.touches.reserve(parts_->state.touches.capacity());
+  state = parts_->state;
+  state.unlocked.assign(unlocked.begin(), unlocked.end());
+}
+
+void Cord::check_state(const State& state) const {
+  check_sizes(state, *parts_);
+  check_vectors("state.positions", state.positions);
+  check_vectors("state.velocities", state.velocities);
+  check_vectors("state.accelerations", state.accelerations);
+  check_vectors("state.targets", state.targets);
+  check_vectors("state.loads", state.loads);
+  check_all("state.masses", state.masses, smallest, largest);
+  check_all("state.tensions", state.tensions, -largest, largest);
+  check_all("state.rest", state.rest, smallest, largest);
+  check_all("state.rest_targets", state.rest_targets, smallest, largest);
+  check_all("state.rest_speeds", state.rest_speeds, 0.0, largest);
+  check_range("state.regainable_energy", state.regainable_energy, -largest, largest);
+  check_range("state.energy_drift", state.energy_drift, -largest, largest);
+  check_range("state.rest_time", state.rest_time, state.asleep ? time_to_sleep : 0.0,
+              parts_->def.allow_sleep ? time_to_sleep : 0.0);
+  for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
+  for (const Holder& holder : state.holders) {
+    check_range("state.holders.point", holder.point, 0, size() - 1);
+    check_vectors("state.holders", std::array{holder.velocity, holder.acceleration, holder.pull});
+    check_all("state.holders", std::array{holder.turning, holder.angular_acceleration, holder.slid}, -largest, largest);
+  }
+  for (const Touch& touch : state.touches) {
+    check_vectors("state.touches", std::array{touch.point, touch.normal});
+    check_all("state.touches", std::array{touch.force, touch.stuck, touch.impulse}, -largest, largest);
+  }
+}
+
+void Cord::restore(const State& state) {
+  check_state(state);
+  CordParts& parts = *parts_;
+  parts.sweep.reset();
+  parts.state = state;
+  parts.state.unlocked.clear();
+  parts.rest_start = state.rest_targets;
+  parts.rest_end = state.rest_targets;
+  std::copy(state.unlocked.begin(), state.unlocked.end(), parts.elasticity->unlocked().begin());
+  parts.elasticity->set_rest_lengths(state.rest);
+}
+
+}  // namespace ribbon
