@@ -86,7 +86,7 @@ Next PlayScreen::update(const Frame& frame) {
 
 /// A level whose file has changed begins anew; one that is broken now is told of, and the old one goes on.
 void PlayScreen::follow_file(std::int64_t elapsed_ns) {
-  if (!level_file_ || !level_file_->pass(elapsed_ns)) return;
+  if (!level_file_ || !level_file_->poll(elapsed_ns)) return;
   try {
     Level level = load_level(level_file_->path());
     if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote

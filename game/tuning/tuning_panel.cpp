@@ -42,7 +42,7 @@ engine::WindowInput TuningPanel::update(const engine::WindowInput& input, const 
   show(run, meter, scale);
   panel_.end();
   obey(run);
-  return left_by(panel_, input);
+  return without_captured(panel_, input);
 }
 
 void TuningPanel::draw(engine::Canvas& canvas) const {

@@ -75,7 +75,7 @@ void use(Audio& audio) {
   for (int k = 0; k < 100; ++k) audio.play(sound);
   audio.set_loop(loop, {0.5, 0.0, 1.0});
   audio.set_volume(0.3);
-  audio.hush();
+  audio.fade_out();
 }
 
 TEST(Audio, WithoutADeviceItSaysWhyAndGoesOn) {
