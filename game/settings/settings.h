@@ -30,7 +30,7 @@ struct Settings {
   SoundSettings sound;
 
   /// Of runs that begin from now on.
-  Assists assists() const { return {long_reach ? std::optional(Assists::long_reach) : std::nullopt, no_fall}; }
+  Assists assists() const { return {long_reach ? std::optional(Assists::long_grab_range) : std::nullopt, no_fall}; }
 
   bool operator==(const Settings&) const = default;
 };

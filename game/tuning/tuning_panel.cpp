@@ -113,11 +113,11 @@ void TuningPanel::show_player(const RecordedRun& run) {
   if (!ImGui::CollapsingHeader("Player")) return;
   PlayerTuning tuning = run.simulation().player().tuning();
   bool moved = slide("run speed [m/s]", tuning.run_speed, 1.0, 20.0, false);
-  moved |= slide("gain on the ground [m/s²]", tuning.ground_gain, 1.0, 100.0, false);
-  moved |= slide("gain in the air [m/s²]", tuning.air_gain, 0.0, 40.0, false);
+  moved |= slide("gain on the ground [m/s²]", tuning.ground_acceleration, 1.0, 100.0, false);
+  moved |= slide("gain in the air [m/s²]", tuning.air_acceleration, 0.0, 40.0, false);
   moved |= slide("jump speed [m/s]", tuning.jump_speed, 1.0, 20.0, false);
-  moved |= slide("pump [m/s²]", tuning.pump_gain, 0.0, 20.0, false);
-  moved |= slide("reach [m]", tuning.reach, 0.3, 3.0, false);
+  moved |= slide("pump [m/s²]", tuning.pump_acceleration, 0.0, 20.0, false);
+  moved |= slide("reach [m]", tuning.grab_range, 0.3, 3.0, false);
   moved |= slide("climb speed [m/s]", tuning.climb_speed, 0.1, 10.0, false);
   moved |= slide("hop speed [m/s]", tuning.hop_speed, 0.0, 10.0, false);
   if (moved) player_ = tuning;

@@ -115,7 +115,7 @@ Table direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter)
     if (coupling.cord(c).direct().is_asleep()) table.back()[3] = "asleep";
     if (meter == nullptr) continue;
     table.back().push_back(per_cent(meter->peak_stretch(c)));
-    table.back().push_back(millimetres(meter->error_a_second(c)));
+    table.back().push_back(millimetres(meter->error_per_second(c)));
   }
   return table;
 }
