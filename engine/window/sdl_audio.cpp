@@ -73,15 +73,15 @@ void Audio::Impl::close() {
 Audio::Audio() : impl_(std::make_unique<Impl>()) {}
 Audio::~Audio() = default;
 
-bool Audio::is_heard() const { return impl_->device != 0 && !impl_->is_lost(); }
+bool Audio::has_device() const { return impl_->device != 0 && !impl_->is_lost(); }
 
 std::string Audio::why_silent() const { return impl_->is_lost() ? "the sound device was lost" : impl_->open_error; }
 
 bool Audio::reopen_if_lost() {
-  if (is_heard()) return false;
+  if (has_device()) return false;
   impl_->close();
   impl_->open();
-  return is_heard();
+  return has_device();
 }
 
 SoundId Audio::add(Sound sound) {

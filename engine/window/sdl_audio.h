@@ -17,7 +17,7 @@ class Audio {
   ~Audio();
 
   /// True while a device plays.
-  bool is_heard() const;
+  bool has_device() const;
   /// The reason why no device plays; empty if one does.
   std::string why_silent() const;
   /// Opens a device if there is none or it was lost; returns true if that succeeded. Costs some milliseconds if it

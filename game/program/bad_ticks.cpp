@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-constexpr int max_files = 20;  // of one run: a cord that is lost is bad in every tick
+constexpr int max_files = 20;  // per run: a diverged cord is bad in every tick
 
 }  // namespace
 
