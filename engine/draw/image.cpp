@@ -60,10 +60,11 @@ Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipma
   while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halved(levels_.back()));
 }
 
-const Image::Level& Image::level(double texels_a_pixel) const {
+const Image::Level& Image::level(double texels_per_pixel) const {
   // Rounding to nearest would add 0.5. The lower value prefers sharper levels: blur is more visible than a little
   // aliasing.
-  const int halvings = texels_a_pixel > 1.0 ? static_cast<int>(std::min(std::log2(texels_a_pixel) + 0.35, 30.0)) : 0;
+  const int halvings =
+      texels_per_pixel > 1.0 ? static_cast<int>(std::min(std::log2(texels_per_pixel) + 0.35, 30.0)) : 0;
   return levels_[std::min(static_cast<std::size_t>(halvings), levels_.size() - 1)];
 }
 

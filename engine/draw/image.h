@@ -28,8 +28,8 @@ class Image {
     /// 0xAARRGGBB, premultiplied, row by row.
     std::vector<std::uint32_t> pixels{};
   };
-  /// Returns the level with about one texel per pixel, where the full image has `texels_a_pixel`.
-  const Level& level(double texels_a_pixel) const;
+  /// Returns the level with about one texel per pixel, where the full image has `texels_per_pixel`.
+  const Level& level(double texels_per_pixel) const;
 
  private:
   std::vector<Level> levels_;

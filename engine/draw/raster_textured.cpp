@@ -70,7 +70,7 @@ class Planes {
     return std::all_of(per_x_.begin() + 2, per_x_.end(), [](double slope) { return std::abs(slope) < 1e-7; });
   }
   /// The number of texels per pixel: the square root of the area of the image that a pixel covers.
-  double texels_a_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
+  double texels_per_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
 
  private:
   Corner origin_;
@@ -203,7 +203,7 @@ class Raster::Painter {
       paint(v, planes, 1.0, 1.0, Plain{});
       return;
     }
-    const Image::Level& level = image->level(planes.texels_a_pixel());
+    const Image::Level& level = image->level(planes.texels_per_pixel());
     const double u_scale = level.width / width;
     const double v_scale = level.height / height;
     const Texels texels(level, texture_);

@@ -56,20 +56,20 @@ class Band {
                                 section.color,
                                 std::min(cover, 1.0)});
     }
-    if (begun_) {
+    if (has_previous_) {
       for (int k = first; k < first + 3; ++k) {
         add_triangle(mesh_, k - 4, k, k + 1);
         add_triangle(mesh_, k - 4, k + 1, k - 3);
       }
     }
-    begun_ = true;
+    has_previous_ = true;
   }
 
  private:
   TexturedMesh& mesh_;
   const BandLook& look_;
   Profile profile_;
-  bool begun_ = false;
+  bool has_previous_ = false;
 };
 
 Vec2 turned(Vec2 v, double angle) {

@@ -23,8 +23,8 @@ float limit(float x) {
 /// Clamps x; NaN gives `min`.
 double clamped(double x, double min, double max) { return x > min ? std::min(x, max) : min; }
 
-float approached(float from, float to, float share) {
-  const float next = from + share * (to - from);
+float approached(float from, float to, float fraction) {
+  const float next = from + fraction * (to - from);
   return std::abs(to - next) < inaudible ? to : next;
 }
 
@@ -64,16 +64,16 @@ LoopId Mixer::start_loop(SoundId sound) {
 
 void Mixer::set_loop(LoopId loop, const Playing& how) {
   Loop& set = loops_[static_cast<std::size_t>(loop)];
-  set.wanted = gains_of(how);
-  set.step_wanted = step_of(set.sound, how.pitch);
+  set.target = gains_of(how);
+  set.target_step = step_of(set.sound, how.pitch);
 }
 
 void Mixer::fade_out() {
   for (Voice& voice : voices_) voice.ends = true;
-  for (Loop& loop : loops_) loop.wanted = {};
+  for (Loop& loop : loops_) loop.target = {};
 }
 
-void Mixer::set_volume(double volume) { volume_wanted_ = static_cast<float>(clamped(volume, 0.0, 1.0)); }
+void Mixer::set_volume(double volume) { target_volume_ = static_cast<float>(clamped(volume, 0.0, 1.0)); }
 
 void Mixer::add_voice(Voice& voice, std::span<float> stereo) const {
   const std::vector<float>& x = samples(voice.sound);
@@ -93,9 +93,9 @@ void Mixer::add_voice(Voice& voice, std::span<float> stereo) const {
 void Mixer::add_loop(Loop& loop, std::span<float> stereo) const {
   const std::vector<float>& x = samples(loop.sound);
   for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
-    loop.gains.left = approached(loop.gains.left, loop.wanted.left, approach_);
-    loop.gains.right = approached(loop.gains.right, loop.wanted.right, approach_);
-    loop.step += static_cast<double>(approach_) * (loop.step_wanted - loop.step);
+    loop.gains.left = approached(loop.gains.left, loop.target.left, approach_);
+    loop.gains.right = approached(loop.gains.right, loop.target.right, approach_);
+    loop.step += static_cast<double>(approach_) * (loop.target_step - loop.step);
     const auto here = static_cast<std::size_t>(loop.at);
     const float next = x[here + 1 < x.size() ? here + 1 : 0];
     const auto part = static_cast<float>(loop.at - static_cast<double>(here));
@@ -112,7 +112,7 @@ void Mixer::mix(std::span<float> stereo) {
   std::erase_if(voices_, [](const Voice& voice) { return voice.is_over; });
   for (Loop& loop : loops_) add_loop(loop, stereo);
   for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
-    volume_ = approached(volume_, volume_wanted_, approach_);
+    volume_ = approached(volume_, target_volume_, approach_);
     stereo[k] = limit(volume_ * stereo[k]);
     stereo[k + 1] = limit(volume_ * stereo[k + 1]);
   }

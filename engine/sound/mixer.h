@@ -63,8 +63,8 @@ class Mixer {
   struct Loop {
     SoundId sound = 0;
     double at = 0.0;
-    double step = 0.0, step_wanted = 0.0;
-    Gains gains, wanted;
+    double step = 0.0, target_step = 0.0;
+    Gains gains, target;
   };
 
   static Gains gains_of(const Playing& how);
@@ -79,7 +79,7 @@ class Mixer {
   std::vector<Voice> voices_;
   std::vector<Loop> loops_;
   float volume_ = 1.0F;
-  float volume_wanted_ = 1.0F;
+  float target_volume_ = 1.0F;
 };
 
 }  // namespace engine

@@ -205,7 +205,7 @@ void PlayScreen::report_recording_failure(const engine::ReplayError& error) {
 }
 
 void PlayScreen::choose_message() {
-  const auto say = [this](std::string headline, std::string below) {
+  const auto set = [this](std::string headline, std::string below) {
     view_options_.headline = std::move(headline);
     view_options_.below = std::move(below);
   };
@@ -215,18 +215,18 @@ void PlayScreen::choose_message() {
   const std::string leave = session_->uses_pad ? "B: leave" : "Esc: leave";
   if (is_over() && options_.verify) {
     const bool same = run_.exit_status() == 0;
-    return say(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
+    return set(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
   }
-  if (is_over()) return say("End of the recording", leave);
+  if (is_over()) return set("End of the recording", leave);
   const auto goal = simulation().goal_ticks();
-  if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
-  if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));
-  if (run_.has_replay()) return say("", "");
+  if (stopped_) return set("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
+  if (goal && !won_) return set("You made it!", "in " + seconds_in_words(*goal));
+  if (run_.has_replay()) return set("", "");
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
-    return say("", hint);
+    return set("", hint);
   }
-  say("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
+  set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {

@@ -12,12 +12,12 @@ using ribbon::Vec2;
 /// Returns the knot interval between two points: the square root of their distance, but not 0.
 double knots_between(Vec2 a, Vec2 b) { return std::max(std::sqrt(length(b - a)), 1e-4); }
 
-/// Evaluates the spline between p1 (share 0) and p2 (share 1) with Barry and Goldman's pyramid.
-Vec2 between(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3, double share) {
+/// Evaluates the spline between p1 (s = 0) and p2 (s = 1) with Barry and Goldman's pyramid.
+Vec2 between(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3, double s) {
   const double t0 = knots_between(p0, p1);
   const double t1 = knots_between(p1, p2);
   const double t2 = knots_between(p2, p3);
-  const double t = share * t1;  // from p1
+  const double t = s * t1;  // from p1
   const auto line = [t](Vec2 a, Vec2 b, double at_a, double at_b) {
     return a + ((t - at_a) / (at_b - at_a)) * (b - a);
   };

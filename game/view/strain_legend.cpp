@@ -29,10 +29,10 @@ void draw_strain_legend(engine::Canvas& canvas, double text_scale) {
   constexpr int steps = 32;
   engine::TexturedMesh mesh;
   for (int k = 0; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / steps;  // from the top
-    const Color color = strain_color(max_strain * (1.0 - share) * (1.0 - share));
-    mesh.vertices.push_back({bar + Vec2{0.0, share * high}, {}, color});
-    mesh.vertices.push_back({bar + Vec2{16.0 * text_scale, share * high}, {}, color});
+    const double t = static_cast<double>(k) / steps;  // from the top
+    const Color color = strain_color(max_strain * (1.0 - t) * (1.0 - t));
+    mesh.vertices.push_back({bar + Vec2{0.0, t * high}, {}, color});
+    mesh.vertices.push_back({bar + Vec2{16.0 * text_scale, t * high}, {}, color});
     if (k > 0) mesh.indices.insert(mesh.indices.end(), {2 * k - 2, 2 * k - 1, 2 * k + 1, 2 * k - 2, 2 * k + 1, 2 * k});
   }
   canvas.textured(mesh, {});
