@@ -17,7 +17,7 @@ namespace {
 
 constexpr int status_unusable = 2;  // bad arguments or files
 
-/// Files that are read and files that are written must all be different ones.
+/// Throws if a path is a pipe or two options have the same file.
 void check_paths(const game::RunOptions& options) {
   namespace fs = std::filesystem;
   const std::pair<const char*, std::string> named[] = {
@@ -34,7 +34,7 @@ void check_paths(const game::RunOptions& options) {
       throw std::runtime_error(std::string(option) + " " + path + " is a pipe; accepted is a file");
     }
     fs::path canonical = fs::weakly_canonical(path, ignored);
-    if (canonical.empty()) canonical = path;  // nowhere that can be looked at: whoever opens it says why
+    if (canonical.empty()) canonical = path;  // cannot be resolved: opening it later reports why
     const auto [other, is_new] = seen.emplace(canonical, option);
     if (!is_new) {
       throw std::runtime_error(std::string(other->second) + " and " + option + " are both " + path +
@@ -43,7 +43,7 @@ void check_paths(const game::RunOptions& options) {
   }
 }
 
-/// 640x360
+/// Reads a size such as 640x360. Throws std::runtime_error for other texts.
 void read_video_size(const std::string& text, game::RunOptions& options) {
   const std::size_t cross = text.find('x');
   const auto number = [&text](std::size_t from, std::size_t to) {
@@ -68,13 +68,7 @@ int run(const game::RunOptions& options) {
   return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a recording that gets too long is an error to tell, not the end of the game
-  CLI::App app{"Swing from rope to rope to the flag."};
-  game::RunOptions options;
-  std::string video_size;
+void add_options(CLI::App& app, game::RunOptions& options, std::string& video_size) {
   const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");
   app.add_option("--level", options.level, "A level's name, or a Tiled map (.tmj)")->check(named);
   auto* headless = app.add_flag("--headless", options.headless, "Run without a window at full speed");
@@ -100,6 +94,16 @@ int main(int argc, char** argv) {
   app.add_option("--work", options.bad_work, "Also write ticks with more work than this")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}))
       ->needs(bad_ticks);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a recording above the size limit is an error to report, not the end of the game
+  CLI::App app{"Swing from rope to rope to the flag."};
+  game::RunOptions options;
+  std::string video_size;
+  add_options(app, options, video_size);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

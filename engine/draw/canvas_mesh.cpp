@@ -14,12 +14,12 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double farthest = 1e12;       // px; beyond, a pixel is lost in rounding
-constexpr double smallest_area = 1e-9;  // px²; twice the area of a triangle worth drawing
-constexpr double same_place = 0.01;     // px; points closer than this are one
-constexpr double roundness = 0.05;      // px; how far a chord may stay behind its arc
+constexpr double max_coordinate = 1e12;   // px; above it doubles do not resolve a pixel
+constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
+constexpr double merge_distance = 0.01;   // px; points closer than this are merged
+constexpr double max_chord_error = 0.05;  // px, between an arc and its chords
 
-bool drawable(double x) { return std::abs(x) <= farthest; }  // false for NaN
+bool drawable(double x) { return std::abs(x) <= max_coordinate; }  // false for NaN
 bool drawable(Vec2 p) { return drawable(p.x) && drawable(p.y); }
 bool drawable(std::span<const Vec2> points) {
   return std::all_of(points.begin(), points.end(), [](Vec2 p) { return drawable(p); });
@@ -34,7 +34,7 @@ int add_vertex(Mesh& mesh, Vec2 at, double cover) {
 
 void add_triangle(Mesh& mesh, int a, int b, int c) {
   const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(i)].at; };
-  if (std::abs(cross(at(b) - at(a), at(c) - at(a))) < smallest_area) return;
+  if (std::abs(cross(at(b) - at(a), at(c) - at(a))) < min_double_area) return;
   mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
@@ -43,7 +43,8 @@ void add_quad(Mesh& mesh, int a, int b, int c, int d) {
   add_triangle(mesh, a, c, d);
 }
 
-// A cone cut off at core c and outer o, height 1, holds π/3 (o² + oc + c²) = π (r² + 1/12) with o, c = r ± 1/2.
+// The volume of a truncated cone of height 1 with radii o, c = r ± 1/2 is π/3 (o² + oc + c²) = π (r² + 1/12).
+// With r² = radius² − 1/12 the disc has the exact total cover.
 Profile disc_profile(double radius) {
   const double squared = radius * radius - 1.0 / 12.0;
   if (squared < 0.25) return {0.0, 1.0, std::min(1.0, 3.0 * radius * radius)};
@@ -51,17 +52,17 @@ Profile disc_profile(double radius) {
 }
 
 int arc_steps(double radius, double sweep) {
-  const double step = 2.0 * std::acos(1.0 - std::min(roundness / radius, 0.5));
+  const double step = 2.0 * std::acos(1.0 - std::min(max_chord_error / radius, 0.5));
   return static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / step), 1.0, 512.0));
 }
 
-/// Chords cut off part of a disc; this much further out, they enclose its area again.
+/// Returns the factor of the radius with which the chords enclose the area of the disc.
 double chord_compensation(double step) {
   const double angle = std::abs(step);
   return angle > 1e-6 ? std::sqrt(angle / std::sin(angle)) : 1.0;
 }
 
-/// A slice of a disc, and the border along its arc.
+/// A sector of a disc with the border along its arc.
 void add_sector(Mesh& mesh, Vec2 center, const Profile& profile, double start, double sweep) {
   const int steps = arc_steps(profile.outer, sweep);
   const double step = sweep / steps;
@@ -81,7 +82,7 @@ void add_full_disc(Mesh& mesh, Vec2 center, const Profile& profile) {
   add_sector(mesh, center, profile, 0.0, 2.0 * std::numbers::pi);
 }
 
-/// A straight piece of line with square ends, and the borders along its two sides.
+/// A straight piece of a line with square ends and the borders along its two sides.
 void add_bar(Mesh& mesh, Vec2 from, Vec2 to, const Profile& profile) {
   const Vec2 across = perp((1.0 / length(to - from)) * (to - from));
   const std::array<std::pair<double, double>, 4> rails{
@@ -95,9 +96,9 @@ void add_bar(Mesh& mesh, Vec2 from, Vec2 to, const Profile& profile) {
   }
 }
 
-/// Fills the wedge that two bars leave open on the outside of a bend. Nothing more is ever missing, however tight the
-/// bend: a point near the line is nearest either to the inside of a piece, then in its bar, or to a joint, and then in
-/// front of the one piece's end and behind the other's start, which is this wedge.
+/// Fills the wedge that two bars leave open on the outside of a bend. This completes the line for any bend: a point
+/// near the line is nearest either to the interior of a piece, and so in its bar, or to a joint, and so beyond the end
+/// of one piece and before the start of the other, which is this wedge.
 void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& profile) {
   const Vec2 in = at - before;
   const Vec2 out = after - at;
@@ -106,10 +107,10 @@ void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& prof
   add_sector(mesh, at, profile, std::atan2(outside.y, outside.x), turn);
 }
 
-/// The points without those that stand where the one before does. They are copied only where there are such: most lines
-/// have none, and there are hundreds in a frame.
+/// Returns the points without those that coincide with the one before. Copies them only if there are such points: most
+/// lines have none, and a frame draws hundreds of lines.
 std::span<const Vec2> distinct(std::span<const Vec2> points, std::vector<Vec2>& copy) {
-  const auto is_same = [](Vec2 a, Vec2 b) { return !(length(b - a) > same_place); };
+  const auto is_same = [](Vec2 a, Vec2 b) { return !(length(b - a) > merge_distance); };
   if (std::adjacent_find(points.begin(), points.end(), is_same) == points.end()) return points;
   copy.reserve(points.size());
   for (const Vec2 p : points)
@@ -129,7 +130,7 @@ double perimeter(std::span<const Vec2> corners) {
   return sum;
 }
 
-/// How a corner moves when both its edges move outwards by 1; bounded where the corner is a needle.
+/// Returns the displacement of a corner when both its edges move outwards by 1, bounded for very sharp corners.
 Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double orientation) {
   const Vec2 in = (-orientation / length(at - before)) * perp(at - before);
   const Vec2 out = (-orientation / length(after - at)) * perp(after - at);
@@ -138,7 +139,7 @@ Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double orientation) {
 
 using Edge = std::pair<int, int>;
 
-/// The edges that belong to one triangle only.
+/// Returns the edges that belong to one triangle only.
 std::vector<Edge> boundary(std::span<const int> indices) {
   std::vector<Edge> edges;
   edges.reserve(indices.size());
@@ -161,9 +162,9 @@ std::vector<Edge> boundary(std::span<const int> indices) {
 
 bool is_paintable(const Mesh& mesh) {
   const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < mesh.vertices.size(); };
-  const auto sound = [](const MeshVertex& v) { return drawable(v.at) && v.cover >= 0.0 && v.cover <= 1.0; };
+  const auto valid = [](const MeshVertex& v) { return drawable(v.at) && v.cover >= 0.0 && v.cover <= 1.0; };
   return std::all_of(mesh.indices.begin(), mesh.indices.end(), known) &&
-         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), sound);
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), valid);
 }
 
 void add_disc(Mesh& mesh, Vec2 center, double radius) {
@@ -209,11 +210,11 @@ void add_convex(Mesh& mesh, std::span<const Vec2> corners) {
   if (!drawable(corners)) return;
   std::vector<Vec2> copy;
   std::span<const Vec2> p = distinct(corners, copy);
-  while (p.size() > 1 && length(p.front() - p.back()) <= same_place) p = p.first(p.size() - 1);
+  while (p.size() > 1 && length(p.front() - p.back()) <= merge_distance) p = p.first(p.size() - 1);
   const double area = signed_area(p);
-  if (p.size() < 3 || std::abs(area) < smallest_area) return;
-  // Area over perimeter is never more than the inscribed circle's radius, so the core cannot turn inside out; for a
-  // sliver it is half the width.
+  if (p.size() < 3 || std::abs(area) < min_double_area) return;
+  // area / perimeter is at most the radius of the inscribed circle, so the core cannot invert; for a sliver it is half
+  // the width.
   const double inset = std::min(0.5, std::abs(area) / perimeter(p));
   const Profile profile = line_profile(2.0 * inset);
   const int first = static_cast<int>(mesh.vertices.size());

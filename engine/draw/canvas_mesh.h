@@ -7,14 +7,14 @@
 
 namespace engine {
 
-/// A corner of a mesh, in pixels. `cover` is how much of a pixel the shape takes here, 0 to 1, interpolated over the
-/// triangle: shapes get a border one pixel wide along which it falls to 0, and that is the antialiasing.
+/// A corner of a mesh, in pixels. `cover` is the fraction of a pixel that the shape covers, 0 … 1, interpolated over
+/// the triangle. For antialiasing, shapes have a border one pixel wide in which it falls to 0.
 struct MeshVertex {
   ribbon::Vec2 at;
   double cover = 1.0;
 };
 
-/// Triangles, three indices each, in either order. They may overlap: the largest cover counts.
+/// Triangles, three indices each, in either order. Where they overlap, the largest cover counts.
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<int> indices;
@@ -25,19 +25,19 @@ struct Mesh {
   }
 };
 
-/// True if all indices are in range and all numbers such that it can be painted.
+/// Returns whether all indices are in range, all coordinates within ±1e12 px and all covers within 0 … 1.
 bool is_paintable(const Mesh& mesh);
 
-/// These add a shape to a mesh, all in pixels. Input that is not finite (beyond 1e12 pixels counts as such) or has no
-/// size adds nothing; no triangle without area is ever added.
+/// The functions below add a shape in pixels. They add nothing for input that is not finite, beyond ±1e12 px or without
+/// size, and no triangle without area.
 void add_disc(Mesh& mesh, ribbon::Vec2 center, double radius);
-/// The annulus of this width along the middle of a circle's rim.
+/// An annulus of `width`, centred on the circle.
 void add_ring(Mesh& mesh, ribbon::Vec2 center, double radius, double width);
-/// A line with round joints and ends, through two or more points in different places.
+/// A line with round joints and ends through at least two distinct points.
 void add_polyline(Mesh& mesh, std::span<const ribbon::Vec2> points, double width);
 /// A convex polygon, in either order.
 void add_convex(Mesh& mesh, std::span<const ribbon::Vec2> corners);
-/// Triangles with a rim one pixel wide outside their common boundary. Adds nothing if an index is out of range.
+/// Triangles with a rim one pixel wide outside the boundary of their union. Adds nothing if an index is out of range.
 void add_triangles(Mesh& mesh, std::span<const ribbon::Vec2> vertices, std::span<const int> indices);
 /// An axis-aligned rectangle with round corners.
 void add_rounded_rectangle(Mesh& mesh, ribbon::Vec2 corner, ribbon::Vec2 size, double corner_radius);

@@ -9,26 +9,26 @@
 namespace engine {
 namespace {
 
-/// The color over the pixel below it, alpha 0 … 255; exact at both ends, within one level between.
+/// Blends a colour over a pixel, alpha 0 … 255. Exact for 0 and 255, within one level otherwise.
 std::uint32_t blend(std::uint32_t below, std::uint32_t color, int alpha) {
   const auto over = static_cast<std::uint32_t>(alpha + (alpha >> 7));  // 0 … 256
   const std::uint32_t under = 256U - over;
-  // Red and blue have room for each other's carry, so they are done in one go.
+  // Red and blue are computed together: the bits between them take the carries.
   const std::uint32_t red_blue = (color & 0xff00ffU) * over + (below & 0xff00ffU) * under + 0x800080U;
   const std::uint32_t green = (color & 0x00ff00U) * over + (below & 0x00ff00U) * under + 0x008000U;
   return ((red_blue >> 8) & 0xff00ffU) | ((green >> 8) & 0x00ff00U);
 }
 
-/// cover · opacity, both 0 … 255 for 0 … 1.
+/// Returns cover · opacity; 255 stands for 1.
 int alpha_of(std::uint8_t cover, int opacity) { return (cover * opacity + 127) / 255; }
 
-/// The first pixel whose middle is at x or after it, kept to 0 … limit.
+/// Returns the first pixel whose middle is at x or after it, clamped to 0 … limit.
 int first_pixel(double x, int limit) {
   return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(limit)));
 }
 
-/// Where an edge passes a height. Always computed from its upper end, so that two triangles that share an edge find
-/// the same x, and no pixel between them is missed.
+/// Returns the x of an edge at a height. Always computed from its upper end, so that two triangles that share an edge
+/// get the same x and no pixel between them is missed.
 double edge_x(const MeshVertex& upper, const MeshVertex& lower, double y) {
   const double slope = (lower.at.x - upper.at.x) / (lower.at.y - upper.at.y);
   return upper.at.x + (y - upper.at.y) * slope;
@@ -38,13 +38,13 @@ bool above(const MeshVertex& a, const MeshVertex& b) {
   return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x);
 }
 
-/// 0 … 255 for 0 … 1, to the nearest; by hand, because lround is a call for every pixel.
+/// Rounds 0 … 1 to 0 … 255. Does not use lround, which would be a call for each pixel.
 std::uint8_t byte_of(double cover) {
   constexpr double half = 0.5;
   return static_cast<std::uint8_t>(std::clamp(cover, 0.0, 1.0) * 255.0 + half);
 }
 
-/// The cover of a triangle as a plane over the picture.
+/// The cover of a triangle as a linear function of x and y.
 struct CoverPlane {
   CoverPlane(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) : origin(a) {
     const ribbon::Vec2 u = b.at - a.at;
@@ -61,6 +61,7 @@ struct CoverPlane {
   double per_y;
 };
 
+/// Raises the cover of a row of pixels to that of the plane where it is lower. (x, y) is the middle of the first pixel.
 void raise(std::span<std::uint8_t> cover, const CoverPlane& plane, double x, double y) {
   if (plane.flat()) {
     const std::uint8_t value = byte_of(plane.origin.cover);
@@ -101,7 +102,7 @@ void Raster::fill(const Mesh& mesh, std::uint32_t rgb, int opacity) {
 void Raster::cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
   std::array<MeshVertex, 3> v{a, b, c};
   std::sort(v.begin(), v.end(), above);
-  // A mesh holds no triangle without area, but far outside one may come to that when its corners are sorted.
+  // Meshes have no triangles without area, but far outside rounding can give 0 in the sorted order.
   if (cross(v[1].at - v[0].at, v[2].at - v[0].at) == 0.0) return;
   const CoverPlane plane(v[0], v[1], v[2]);
   const int first = first_pixel(v[0].at.y, height_);
@@ -126,7 +127,7 @@ void Raster::blend_row(int y, std::uint32_t rgb, int opacity) {
   const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(y) * width_;
   std::uint8_t* cover = cover_.data() + line;
   std::uint32_t* pixel = pixels_.data() + line;
-  // Most of a shape is covered fully, and most of a line's row lies between its flanks: eight pixels at a time there.
+  // Eight pixels at a time where the cover is full or zero, which is most of a shape.
   for (int x = row.begin; x < row.end;) {
     std::uint64_t eight = 1;
     if (x + 8 <= row.end) std::memcpy(&eight, cover + x, 8);

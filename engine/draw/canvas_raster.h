@@ -10,32 +10,31 @@
 
 namespace engine {
 
-/// A picture in memory, and the two ways of putting something on it: a mesh, and a mask of letters.
+/// A picture in memory with a rasteriser for meshes and masks.
 ///
-/// It exists because SDL's own software renderer moves the corners of triangles to whole pixels, which undoes any
-/// antialiasing. Drawing here also gives the window and the saved file the same picture.
+/// SDL's software renderer is not used because it rounds the corners of triangles to whole pixels, which prevents
+/// antialiasing. Also, the window and saved files get the same picture this way.
 class Raster {
  public:
-  /// Black. Width and height in pixels, 1 or more.
+  /// Makes a black picture of width × height pixels, 1 or more each.
   Raster(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Row by row from the top, without padding; 0x00RRGGBB each.
+  /// The pixels row by row from the top, without padding, 0x00RRGGBB.
   const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
-  /// Takes all pixels from a copy of pixels().
+  /// Overwrites all pixels with a copy of pixels().
   void put(const std::vector<std::uint32_t>& pixels) { std::copy(pixels.begin(), pixels.end(), pixels_.begin()); }
 
-  /// Fills the row, 0 … height − 1, with one colour.
+  /// Fills a row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);
-  /// Blends the colour once over every pixel whose middle the mesh covers, by the largest cover of its triangles there
-  /// times opacity (0 … 255). The mesh's indices are in range, its corners finite.
+  /// Blends the colour once over each pixel whose middle the mesh covers, with the largest cover of its triangles there
+  /// times opacity (0 … 255). Indices must be in range and corners finite.
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
-  /// Blends the mesh's triangles over what is there, one after the other (raster_textured.cpp). The mesh is paintable.
+  /// Blends the triangles of the mesh in order (raster_textured.cpp). The mesh must be paintable.
   void fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
-  /// Blends the colour by a mask of width × (its size / width) bytes, its top left corner at this pixel; parts outside
-  /// are cut off.
+  /// Blends the colour with a mask of opacities, row by row, with its top left corner at pixel (left, top); clips it.
   void stamp(std::span<const std::uint8_t> mask, int mask_width, int left, int top, std::uint32_t rgb, int opacity);
 
  private:
@@ -54,9 +53,9 @@ class Raster {
   int width_;
   int height_;
   std::vector<std::uint32_t> pixels_;
-  std::vector<std::uint8_t> cover_;  // all zero between two fills
-  std::vector<Range> rows_;          // the pixels of the cover buffer that may be non-zero, row by row
-  Range touched_;                    // the rows of which that is so
+  std::vector<std::uint8_t> cover_;  // zero between two fills
+  std::vector<Range> rows_;          // the pixels of each row whose cover may be non-zero
+  Range touched_;                    // the rows whose cover may be non-zero
 };
 
 }  // namespace engine

@@ -4,7 +4,7 @@
 
 namespace engine {
 
-/// Red, green, blue and opacity, 0 to 255 each, not premultiplied; alpha 255 is opaque.
+/// Red, green, blue and alpha, 0 … 255 each, not premultiplied; alpha 255 is opaque.
 struct Color {
   std::uint8_t r = 0;
   std::uint8_t g = 0;

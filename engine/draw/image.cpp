@@ -9,9 +9,9 @@
 namespace engine {
 namespace {
 
-constexpr int longest_side = 4096;
+constexpr int max_side = 4096;
 
-bool is_side(int n) { return n >= 1 && n <= longest_side && std::has_single_bit(static_cast<unsigned>(n)); }
+bool is_side(int n) { return n >= 1 && n <= max_side && std::has_single_bit(static_cast<unsigned>(n)); }
 
 std::uint32_t premultiplied(Color c) {
   const auto channel = [&c](std::uint8_t value) { return static_cast<std::uint32_t>((value * c.a + 127) / 255); };
@@ -49,7 +49,7 @@ Image::Level halved(const Image::Level& whole) {
 Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps) {
   if (!is_side(width) || !is_side(height))
     throw std::invalid_argument("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels: each side must be a power of two, 1 to " + std::to_string(longest_side));
+                                " pixels: each side must be a power of two, 1 to " + std::to_string(max_side));
   if (pixels.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     throw std::invalid_argument("an image of " + std::to_string(width) + " x " + std::to_string(height) +
                                 " pixels was given " + std::to_string(pixels.size()));
@@ -60,9 +60,11 @@ Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipma
   while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halved(levels_.back()));
 }
 
-const Image::Level& Image::level(double texels_a_pixel) const {
-  // Half a level towards the sharper side: a softer look is seen sooner than a little sparkle.
-  const int halvings = texels_a_pixel > 1.0 ? static_cast<int>(std::min(std::log2(texels_a_pixel) + 0.35, 30.0)) : 0;
+const Image::Level& Image::level(double texels_per_pixel) const {
+  // Rounding to nearest would add 0.5. The lower value prefers sharper levels: blur is more visible than a little
+  // aliasing.
+  const int halvings =
+      texels_per_pixel > 1.0 ? static_cast<int>(std::min(std::log2(texels_per_pixel) + 0.35, 30.0)) : 0;
   return levels_[std::min(static_cast<std::size_t>(halvings), levels_.size() - 1)];
 }
 

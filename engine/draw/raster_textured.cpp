@@ -2,24 +2,24 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 #include "engine/draw/canvas_raster.h"
 #include "engine/draw/lanes.h"
+#include "engine/draw/samplers.h"
 
 namespace engine {
 namespace {
 
 using ribbon::Vec2;
 
-/// The first pixel whose middle is at x or after it, kept to low … high.
+/// Returns the first pixel whose middle is at x or after it, clamped to low … high.
 int first_pixel(double x, int low, int high) {
   return static_cast<int>(std::clamp(std::ceil(x - 0.5), static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// What is interpolated over a triangle: the place in the image, in texels, and the colour times alpha and cover,
-/// 0 … 255, blue, red, green, alpha as in Lanes.
+/// The quantities that are interpolated over a triangle: u and v in texels, then the colour times alpha and cover,
+/// 0 … 255, in the order of Lanes: blue, red, green, alpha.
 constexpr int quantities = 6;
 using Quantities = std::array<double, quantities>;
 struct Corner {
@@ -33,8 +33,8 @@ Corner corner_of(const TexturedVertex& v, double width, double height) {
   return {v.at, {v.uv.x * width, v.uv.y * height, channel(v.color.b), channel(v.color.r), channel(v.color.g), alpha}};
 }
 
-/// Where an edge passes a height. Always computed from its upper end, so that two triangles that share an edge find
-/// the same x: no pixel between them is missed, and none taken twice.
+/// Returns the x of an edge at a height. Always computed from its upper end, so that two triangles that share an edge
+/// get the same x: no pixel between them is missed or painted twice.
 double edge_x(const Corner& upper, const Corner& lower, double y) {
   const double slope = (lower.at.x - upper.at.x) / (lower.at.y - upper.at.y);
   return upper.at.x + (y - upper.at.y) * slope;
@@ -42,8 +42,8 @@ double edge_x(const Corner& upper, const Corner& lower, double y) {
 
 bool above(const Corner& a, const Corner& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); }
 
-/// The quantities as planes over the picture, kept to what the corners have: a sliver's are steep, and the middle of a
-/// pixel that it just reaches may lie outside it by rounding.
+/// The quantities as linear functions of x and y, clamped to the range of the corners: those of a sliver are steep, and
+/// by rounding the middle of a pixel may be slightly outside the triangle.
 class Planes {
  public:
   Planes(const Corner& a, const Corner& b, const Corner& c) : origin_(a) {
@@ -65,22 +65,22 @@ class Planes {
   }
   double low(std::size_t k) const { return low_[k]; }
   bool flat(std::size_t k) const { return low_[k] == high_[k]; }
-  /// Whether all colours stay the same along rows, as those of a vertical gradient do.
-  bool even() const {
+  /// Returns whether all colours are constant along rows, as in a vertical gradient.
+  bool constant_along_rows() const {
     return std::all_of(per_x_.begin() + 2, per_x_.end(), [](double slope) { return std::abs(slope) < 1e-7; });
   }
-  /// How far the place in the image goes for a pixel: the side of the square that a pixel covers of it on average.
-  double texels_a_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
+  /// The number of texels per pixel: the square root of the area of the image that a pixel covers.
+  double texels_per_pixel() const { return std::sqrt(std::abs(per_x_[0] * per_y_[1] - per_x_[1] * per_y_[0])); }
 
  private:
   Corner origin_;
   Quantities per_x_{}, per_y_{}, low_{}, high_{};
 };
 
-/// A quantity along a row, in 1/65536.
+/// A quantity along a row, in units of 1/65536.
 struct Ramp {
   std::int64_t here = 0;
-  std::int64_t step = 0;
+  std::int64_t step = 0;  // per pixel
 };
 
 std::int64_t fixed(double x) { return static_cast<std::int64_t>(std::floor(x * 65536.0 + 0.5)); }
@@ -89,95 +89,7 @@ Ramp ramp_of(double first, double last, int pixels) {
   return {fixed(first), pixels > 1 ? (fixed(last) - fixed(first)) / (pixels - 1) : 0};
 }
 
-/// Which texels of an image lie around a place, in texels.
-class Texels {
- public:
-  Texels(const Image::Level& level, const Texture& texture)
-      : texels_(level.pixels.data()),
-        width_(level.width),
-        height_(level.height),
-        repeat_u_(texture.along_u == Wrap::repeat),
-        repeat_v_(texture.along_v == Wrap::repeat) {}
-
-  std::ptrdiff_t column(std::int64_t x) const {
-    return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
-  }
-  const std::uint32_t* row(std::int64_t y) const {
-    return texels_ + (repeat_v_ ? y & (height_ - 1) : std::clamp<std::int64_t>(y, 0, height_ - 1)) * width_;
-  }
-
- private:
-  const std::uint32_t* texels_;
-  std::int64_t width_;
-  std::int64_t height_;
-  bool repeat_u_;
-  bool repeat_v_;
-};
-
-// The samplers below give the colour of an image at a place of 1/65536 texels.
-constexpr std::int64_t half_texel = 32768;
-
-struct Nearest {
-  Texels texels;
-  Lanes operator()(std::int64_t u, std::int64_t v) const { return spread(texels.row(v >> 16)[texels.column(u >> 16)]); }
-};
-
-Lanes share_of(std::int64_t x) { return static_cast<Lanes>(x & 0xffff) >> 8U; }
-
-struct Linear {
-  Texels texels;
-  Lanes operator()(std::int64_t u, std::int64_t v) const {
-    const std::int64_t x = u - half_texel;  // between the middles of texels
-    const std::int64_t y = v - half_texel;
-    const std::uint32_t* const upper = texels.row(y >> 16);
-    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
-    const std::ptrdiff_t left = texels.column(x >> 16);
-    const std::ptrdiff_t right = texels.column((x >> 16) + 1);
-    return mixed(mixed(spread(upper[left]), spread(upper[right]), share_of(x)),
-                 mixed(spread(lower[left]), spread(lower[right]), share_of(x)), share_of(y));
-  }
-};
-
-/// Along a row of the image: what two rows mix to in a column serves for the pixels on both sides of it.
-class LinearRow {
- public:
-  LinearRow(const Texels& texels, std::int64_t v)
-      : texels_(texels),
-        upper_(texels.row((v - half_texel) >> 16)),
-        lower_(texels.row(((v - half_texel) >> 16) + 1)),
-        share_(share_of(v - half_texel)) {}
-
-  Lanes operator()(std::int64_t u, std::int64_t) {
-    const std::int64_t x = u - half_texel;
-    if (const std::int64_t left = x >> 16; left != left_of_) {
-      left_ = left == left_of_ + 1 ? right_ : column(left);
-      right_ = column(left + 1);
-      left_of_ = left;
-    }
-    return left_ == right_ ? left_ : mixed(left_, right_, share_of(x));
-  }
-
- private:
-  Lanes column(std::int64_t x) const {
-    const std::ptrdiff_t at = texels_.column(x);
-    return upper_[at] == lower_[at] ? spread(upper_[at]) : mixed(spread(upper_[at]), spread(lower_[at]), share_);
-  }
-
-  const Texels& texels_;
-  const std::uint32_t* upper_;
-  const std::uint32_t* lower_;
-  Lanes share_;
-  std::int64_t left_of_ = std::numeric_limits<std::int64_t>::min() / 2;  // nowhere
-  Lanes left_ = 0;
-  Lanes right_ = 0;
-};
-
-/// No image: white everywhere.
-struct Plain {
-  Lanes operator()(std::int64_t, std::int64_t) const { return white_lanes; }
-};
-
-/// The pixels of a row that lie in the triangle, and what is interpolated along them.
+/// The pixels of a row that are in the triangle, and the quantities along them.
 struct Span {
   std::uint32_t* pixel;
   int count;
@@ -192,7 +104,7 @@ void blend(std::uint32_t& pixel, Lanes color) {
   }
 }
 
-/// The image as `change` makes its colours, the same all along the row.
+/// Paints the image with all its colours changed by `change`, which is constant along the row.
 template <typename Sample, typename Change>
 void paint_evenly(Span span, Sample sample, Change change) {
   auto [u, v] = std::array{span.ramp[0], span.ramp[1]};
@@ -213,7 +125,7 @@ void paint_tinted(Span span, Sample sample) {
   }
 }
 
-/// In the cheapest way that the row allows.
+/// Paints an image with the cheapest method for the colours of the row. `flat`: they are constant along it.
 template <typename Sample>
 void paint_image(const Span& span, const Sample& sample, bool flat) {
   const auto& [u, v, b, r, g, a] = span.ramp;
@@ -248,6 +160,22 @@ Lanes first_color(const Span& span) {
   return tinted(white_lanes, b.here, r.here, g.here, a.here);
 }
 
+/// `flat`: the colours are constant along the row.
+template <typename Sample>
+void paint_span(const Span& span, const Sample& sample, bool flat) {
+  if constexpr (std::is_same_v<Sample, Plain>) {
+    if (flat) {
+      paint_flat(span, first_color(span));
+    } else {
+      paint_tinted(span, sample);
+    }
+  } else if (std::is_same_v<Sample, Linear> && span.ramp[1].step == 0) {
+    paint_image(span, LinearRow(sample.texels, span.ramp[1].here), flat);
+  } else {
+    paint_image(span, sample, flat);
+  }
+}
+
 }  // namespace
 
 /// Paints one mesh on a raster's pixels.
@@ -275,7 +203,7 @@ class Raster::Painter {
       paint(v, planes, 1.0, 1.0, Plain{});
       return;
     }
-    const Image::Level& level = image->level(planes.texels_a_pixel());
+    const Image::Level& level = image->level(planes.texels_per_pixel());
     const double u_scale = level.width / width;
     const double v_scale = level.height / height;
     const Texels texels(level, texture_);
@@ -293,6 +221,8 @@ class Raster::Painter {
     return x_high < left_ || x_low > right_ || y_high < top_ || y_low > bottom_;
   }
 
+  /// Paints a triangle whose corners are sorted from the top. `u_scale` and `v_scale` convert texels of the image to
+  /// those of the sampler's level.
   template <typename Sample>
   void paint(const std::array<Corner, 3>& v, const Planes& planes, double u_scale, double v_scale,
              const Sample& sample) {
@@ -300,7 +230,7 @@ class Raster::Painter {
     if (flat && planes.low(5) == 0.0) return;
     std::array<Ramp, 4> colors;
     for (std::size_t k = 0; k < colors.size(); ++k) colors[k].here = fixed(planes.low(k + 2));
-    const bool even = flat || planes.even();
+    const bool constant = flat || planes.constant_along_rows();
     const int last = first_pixel(v[2].at.y, top_, bottom_);
     for (int y = first_pixel(v[0].at.y, top_, bottom_); y < last; ++y) {
       const double middle = y + 0.5;
@@ -315,26 +245,16 @@ class Raster::Painter {
       };
       if (flat) {
         std::copy(colors.begin(), colors.end(), span.ramp.begin() + 2);
-      } else if (even) {
+      } else if (constant) {
         for (std::size_t k = 2; k < quantities; ++k) span.ramp[k].here = fixed(planes.at(k, begin + 0.5, middle));
       } else {
         for (std::size_t k = 2; k < quantities; ++k) span.ramp[k] = ramp(k, 1.0);
       }
-      if constexpr (std::is_same_v<Sample, Plain>) {
-        if (even) {
-          paint_flat(span, first_color(span));
-        } else {
-          paint_tinted(span, sample);
-        }
-      } else {
+      if constexpr (!std::is_same_v<Sample, Plain>) {
         span.ramp[0] = ramp(0, u_scale);
         span.ramp[1] = ramp(1, v_scale);
-        if (std::is_same_v<Sample, Linear> && span.ramp[1].step == 0) {
-          paint_image(span, LinearRow(sample.texels, span.ramp[1].here), even);
-        } else {
-          paint_image(span, sample, even);
-        }
       }
+      paint_span(span, sample, constant);
     }
   }
 

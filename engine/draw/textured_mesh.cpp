@@ -12,33 +12,33 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double farthest = 1e12;       // px
-constexpr double farthest_uv = 1e6;     // beyond, a texel is lost in the rasteriser's fixed-point numbers
-constexpr double same_place = 0.01;     // px
-constexpr double mitred_turn = 0.2;     // rad; a corner sharper than this is made round outside
-constexpr double roundness = 0.05;      // px; how far a chord may stay behind its arc
-constexpr double smallest_area = 1e-9;  // px²
+constexpr double max_coordinate = 1e12;   // px
+constexpr double max_uv = 1e6;            // above it the fixed-point numbers of the rasteriser do not resolve a texel
+constexpr double merge_distance = 0.01;   // px; points closer than this are merged
+constexpr double max_mitre_turn = 0.2;    // rad; sharper corners are round outside
+constexpr double max_chord_error = 0.05;  // px, between an arc and its chords
+constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
 
-bool within(double x, double most) { return std::abs(x) <= most; }  // false for NaN
-bool within(Vec2 p, double most) { return within(p.x, most) && within(p.y, most); }
+bool within(double x, double limit) { return std::abs(x) <= limit; }  // false for NaN
+bool within(Vec2 p, double limit) { return within(p.x, limit) && within(p.y, limit); }
 
 void add_triangle(TexturedMesh& mesh, int a, int b, int c) {
   const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(i)].at; };
-  if (std::abs(cross(at(b) - at(a), at(c) - at(a))) < smallest_area) return;
+  if (std::abs(cross(at(b) - at(a), at(c) - at(a))) < min_double_area) return;
   mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// Puts one cross-section after the other, and the quads between each and the one before.
+/// Adds cross-sections of a band and the quads between successive ones.
 class Band {
  public:
   Band(TexturedMesh& mesh, const BandLook& look) : mesh_(mesh), look_(look), profile_(line_profile(look.width)) {}
 
   const Profile& profile() const { return profile_; }
 
-  /// `upper` and `lower` are where the band's edges lie, seen from `at` and in half widths.
+  /// `upper` and `lower`: the offsets of the edges of the band from `at`, in half widths.
   struct Section {
     Vec2 at;
-    double way;  // px, along the line
+    double distance;  // px, along the line
     Vec2 upper;
     Vec2 lower;
     Color color;
@@ -46,7 +46,7 @@ class Band {
   };
   void add(const Section& section) {
     const int first = static_cast<int>(mesh_.vertices.size());
-    const double u = look_.u_start + section.way * look_.u_per_pixel;
+    const double u = look_.u_start + section.distance * look_.u_per_pixel;
     const std::array<double, 4> offsets = {-profile_.outer, -profile_.core, profile_.core, profile_.outer};
     for (std::size_t k = 0; k < offsets.size(); ++k) {
       const Vec2 side = offsets[k] < 0.0 || k < 2 ? section.upper : section.lower;
@@ -56,20 +56,20 @@ class Band {
                                 section.color,
                                 std::min(cover, 1.0)});
     }
-    if (begun_) {
+    if (has_previous_) {
       for (int k = first; k < first + 3; ++k) {
         add_triangle(mesh_, k - 4, k, k + 1);
         add_triangle(mesh_, k - 4, k + 1, k - 3);
       }
     }
-    begun_ = true;
+    has_previous_ = true;
   }
 
  private:
   TexturedMesh& mesh_;
   const BandLook& look_;
   Profile profile_;
-  bool begun_ = false;
+  bool has_previous_ = false;
 };
 
 Vec2 turned(Vec2 v, double angle) {
@@ -79,9 +79,9 @@ Vec2 turned(Vec2 v, double angle) {
 }
 
 struct Corner {
-  Vec2 in;  // the line's direction before it and after it, length 1
+  Vec2 in;  // the unit directions of the line before and after it
   Vec2 out;
-  double shorter;  // px, of the two pieces that meet
+  double min_length;  // px, of the two pieces that meet
 };
 
 void add_corner(Band& band, Band::Section section, const Corner& corner) {
@@ -90,15 +90,15 @@ void add_corner(Band& band, Band::Section section, const Corner& corner) {
   const Vec2 after = perp(corner.out);
   const double fold = 1.0 + dot(before, after);
   const Vec2 mitre = (1.0 / std::max(fold, 1e-3)) * (before + after);
-  if (std::abs(turn) < mitred_turn) {
+  if (std::abs(turn) < max_mitre_turn) {
     section.lower = mitre;
     section.upper = -mitre;
     band.add(section);
     return;
   }
-  // Inside the bend both pieces end in the point where their edges cross, if they reach that far.
-  const bool meets = band.profile().outer * std::tan(0.5 * std::abs(turn)) <= corner.shorter;
-  const double step = 2.0 * std::acos(1.0 - std::min(roundness / band.profile().outer, 0.5));
+  // Inside the bend both pieces end at the intersection of their edges, if they are long enough.
+  const bool meets = band.profile().outer * std::tan(0.5 * std::abs(turn)) <= corner.min_length;
+  const double step = 2.0 * std::acos(1.0 - std::min(max_chord_error / band.profile().outer, 0.5));
   const int steps = static_cast<int>(std::clamp(std::ceil(std::abs(turn) / step), 1.0, 64.0));
   for (int k = 0; k <= steps; ++k) {
     const Vec2 normal = turned(before, turn * k / steps);
@@ -108,15 +108,48 @@ void add_corner(Band& band, Band::Section section, const Corner& corner) {
   }
 }
 
+/// The distinct points of a line, by index, with their colours.
+class BandLine {
+ public:
+  BandLine(std::span<const Vec2> points, const BandLook& look) : points_(points), look_(look) {
+    distinct_.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (distinct_.empty() || length(points[i] - points[distinct_.back()]) > merge_distance) distinct_.push_back(i);
+  }
+
+  std::size_t size() const { return distinct_.size(); }
+  Vec2 point(std::size_t k) const { return points_[distinct_[k]]; }
+  Color color(std::size_t k) const { return look_.colors.empty() ? look_.color : look_.colors[distinct_[k]]; }
+  /// The unit direction of piece k, from point k to point k + 1.
+  Vec2 direction(std::size_t k) const {
+    const Vec2 piece = point(k + 1) - point(k);
+    return (1.0 / length(piece)) * piece;
+  }
+
+ private:
+  std::span<const Vec2> points_;
+  const BandLook& look_;
+  std::vector<std::size_t> distinct_;
+};
+
+/// Adds the straight cut at the first or last point, with a border one pixel wide.
+void add_end(Band& band, const BandLine& line, std::size_t k, Vec2 along, double distance, bool first) {
+  const double step = std::min(0.5, 0.4 * length(line.point(first ? 1 : k) - line.point(first ? 0 : k - 1)));
+  for (const double side : {-step, step}) {
+    band.add({line.point(k) + side * along, distance + side, -perp(along), perp(along), line.color(k),
+              (side < 0.0) == first ? 0.0 : 1.0});
+  }
+}
+
 }  // namespace
 
 bool is_paintable(const TexturedMesh& mesh) {
   const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < mesh.vertices.size(); };
-  const auto sound = [](const TexturedVertex& v) {
-    return within(v.at, farthest) && within(v.uv, farthest_uv) && v.cover >= 0.0 && v.cover <= 1.0;
+  const auto valid = [](const TexturedVertex& v) {
+    return within(v.at, max_coordinate) && within(v.uv, max_uv) && v.cover >= 0.0 && v.cover <= 1.0;
   };
   return std::all_of(mesh.indices.begin(), mesh.indices.end(), known) &&
-         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), sound);
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), valid);
 }
 
 void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color color) {
@@ -129,41 +162,25 @@ void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color co
 }
 
 void add_band(TexturedMesh& mesh, std::span<const Vec2> points, const BandLook& look) {
-  const auto drawable = [](Vec2 p) { return within(p, farthest); };
-  if (!std::all_of(points.begin(), points.end(), drawable) || !within(look.width, farthest) || look.width <= 0.0)
+  const auto drawable = [](Vec2 p) { return within(p, max_coordinate); };
+  if (!std::all_of(points.begin(), points.end(), drawable) || !within(look.width, max_coordinate) || look.width <= 0.0)
     return;
   if (!look.colors.empty() && look.colors.size() != points.size()) return;
-  std::vector<std::size_t> kept;
-  kept.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (kept.empty() || length(points[i] - points[kept.back()]) > same_place) kept.push_back(i);
-  if (kept.size() < 2) return;
+  const BandLine line(points, look);
+  if (line.size() < 2) return;
 
   Band band(mesh, look);
-  const auto place = [&](std::size_t k) { return points[kept[k]]; };
-  const auto color = [&](std::size_t k) { return look.colors.empty() ? look.color : look.colors[kept[k]]; };
-  const auto direction = [&](std::size_t k) {
-    const Vec2 way = place(k + 1) - place(k);
-    return (1.0 / length(way)) * way;
-  };
-  const auto add_end = [&](std::size_t k, Vec2 along, double way, bool first) {
-    const double step = std::min(0.5, 0.4 * length(place(first ? 1 : k) - place(first ? 0 : k - 1)));
-    for (const double side : {-step, step}) {
-      band.add({place(k) + side * along, way + side, -perp(along), perp(along), color(k),
-                (side < 0.0) == first ? 0.0 : 1.0});
-    }
-  };
-  double way = 0.0;
-  add_end(0, direction(0), way, true);
-  for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-    const double before = length(place(k) - place(k - 1));
-    way += before;
-    add_corner(band, {place(k), way, {}, {}, color(k)},
-               {direction(k - 1), direction(k), std::min(before, length(place(k + 1) - place(k)))});
+  double distance = 0.0;
+  add_end(band, line, 0, line.direction(0), distance, true);
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const double before = length(line.point(k) - line.point(k - 1));
+    distance += before;
+    add_corner(band, {line.point(k), distance, {}, {}, line.color(k)},
+               {line.direction(k - 1), line.direction(k), std::min(before, length(line.point(k + 1) - line.point(k)))});
   }
-  const std::size_t last = kept.size() - 1;
-  way += length(place(last) - place(last - 1));
-  add_end(last, direction(last - 1), way, false);
+  const std::size_t last = line.size() - 1;
+  distance += length(line.point(last) - line.point(last - 1));
+  add_end(band, line, last, line.direction(last - 1), distance, false);
 }
 
 }  // namespace engine

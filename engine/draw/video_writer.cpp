@@ -38,7 +38,7 @@ std::vector<std::string> arguments_for(const std::string& path, int width, int h
                                         "-movflags", "+faststart"};
   const std::vector<std::string>& form = is_gif(path) ? gif : mp4;
   all.insert(all.end(), form.begin(), form.end());
-  all.push_back("file:" + path);  // whatever it begins with
+  all.push_back("file:" + path);  // also for names that look like an option or a protocol
   return all;
 }
 
@@ -46,7 +46,7 @@ void close_one(int& file) {
   if (file >= 0) close(std::exchange(file, -1));
 }
 
-/// What is written for a child process to start with.
+/// Owns the file actions of posix_spawn.
 struct FileActions {
   posix_spawn_file_actions_t actions{};
   FileActions() { posix_spawn_file_actions_init(&actions); }
@@ -55,7 +55,7 @@ struct FileActions {
   ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
 };
 
-/// All that comes until the other end is closed.
+/// Reads until the other end is closed.
 std::string read_all(int file) {
   std::string text;
   std::array<char, 4096> block{};
@@ -69,7 +69,7 @@ std::string read_all(int file) {
 
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.substr(text.rfind('\n') + 1);  // all of it if there is no other
+  return text.substr(text.rfind('\n') + 1);
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ VideoWriter::~VideoWriter() {
   close_one(errors_);
 }
 
-/// A socket and not a pipe for the frames: writing to one that nobody reads is an error that can be asked not to be a
-/// signal as well.
+/// Starts ffmpeg. The frames go through a socket, not a pipe: with MSG_NOSIGNAL, writing after ffmpeg has ended is an
+/// error without a signal.
 void VideoWriter::start(const std::string& path) {
   std::array<int, 2> frames{-1, -1};
   std::array<int, 2> errors{-1, -1};
@@ -141,10 +141,10 @@ int VideoWriter::wait() {
 
 void VideoWriter::fail() {
   close_input();
-  const std::string said = last_line(read_all(errors_));
+  const std::string output = last_line(read_all(errors_));
   const int status = process_ >= 0 ? wait() : 0;
   throw VideoError("cannot write the video " + path_ + ": ffmpeg ended with status " + std::to_string(status) +
-                   (said.empty() ? "" : ": " + said));
+                   (output.empty() ? "" : ": " + output));
 }
 
 void VideoWriter::write(std::span<const std::uint32_t> pixels) {
@@ -161,11 +161,11 @@ void VideoWriter::write(std::span<const std::uint32_t> pixels) {
 
 void VideoWriter::finish() {
   close_input();
-  const std::string said = last_line(read_all(errors_));
+  const std::string output = last_line(read_all(errors_));
   const int status = wait();
   if (status == 0) return;
   throw VideoError("cannot write the video " + path_ + ": ffmpeg ended with status " + std::to_string(status) +
-                   (said.empty() ? "" : ": " + said));
+                   (output.empty() ? "" : ": " + output));
 }
 
 }  // namespace engine

@@ -7,32 +7,32 @@
 
 namespace engine {
 
-/// A video that cannot be written, in a sentence that names the file and the reason.
+/// A video cannot be written. The message has the file and the reason.
 class VideoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A video file that the program ffmpeg makes of frames, 30 a second: a GIF of 64 colours if its name ends in .gif,
-/// else H.264 in a .mp4. (For its palette a GIF is held in memory by ffmpeg until it is finished: half a megabyte a
-/// frame of 480 x 270.)
+/// Writes a video file of 30 frames per second with the program ffmpeg: a GIF of 64 colours if the name ends in .gif,
+/// or H.264 if it ends in .mp4. ffmpeg holds all frames of a GIF in memory to compute its palette: 0.5 MB per frame of
+/// 480 × 270.
 class VideoWriter {
  public:
   static constexpr int frames_per_second = 30;
 
-  /// Starts ffmpeg, which is looked for in PATH. Throws VideoError if it is not there, for another ending, and for
-  /// sizes that are not 2 … 16384.
+  /// Starts ffmpeg from PATH. Throws VideoError if it is not found, for other endings of the name, and for sizes
+  /// outside 2 … 16384 px.
   VideoWriter(const std::string& path, int width, int height);
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
-  /// One that is not finished is given up: ffmpeg ends with what it got.
+  /// Without finish(), ffmpeg ends with the frames so far, and its errors are ignored.
   ~VideoWriter();
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// A frame, row by row from the top, 0x00RRGGBB. The caller sees to it that there are width · height pixels. Throws
-  /// VideoError, with what ffmpeg said, if it takes no more.
+  /// Writes a frame of width · height pixels, row by row from the top, 0x00RRGGBB. Throws VideoError, with the output
+  /// of ffmpeg, if ffmpeg has ended.
   void write(std::span<const std::uint32_t> pixels);
   /// Completes the file. Throws VideoError if ffmpeg could not.
   void finish();
@@ -40,7 +40,7 @@ class VideoWriter {
  private:
   void start(const std::string& path);
   void close_input();
-  /// The exit status, −1 of one that a signal ended.
+  /// Waits for ffmpeg and returns its exit status, or −1 if a signal ended it.
   int wait();
   [[noreturn]] void fail();
 
@@ -52,7 +52,7 @@ class VideoWriter {
   int process_ = -1;
 };
 
-/// Throws VideoError unless it ends in .gif or .mp4.
+/// Throws VideoError unless the path ends in .gif or .mp4.
 void check_video_name(const std::string& path);
 
 }  // namespace engine

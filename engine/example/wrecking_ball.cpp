@@ -117,8 +117,7 @@ struct Game {
   ribbon::box2d::CordId cord = 0;  // its id
 };
 
-/// Runs until the window is closed, or for a number of ticks; then it saves at half of them and restores that at the
-/// end.
+/// Runs until the window is closed, or for `ticks` ticks; then it saves after half of them and restores at the end.
 void play(Game& game, SDL_Renderer* renderer, int ticks) {
   const int half = ticks > 0 ? ticks / 2 : -1;
   Saved saved = game.save();

@@ -17,18 +17,18 @@ std::optional<FileWatch::Stamp> FileWatch::stamp_of(const std::string& path) {
   return Stamp{std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count(), size};
 }
 
-FileWatch::FileWatch(std::string path, Look look)
-    : path_(std::move(path)), look_(std::move(look)), known_(look_(path_)), last_(known_) {}
+FileWatch::FileWatch(std::string path, ReadStamp read_stamp)
+    : path_(std::move(path)), read_stamp_(std::move(read_stamp)), reported_(read_stamp_(path_)), last_(reported_) {}
 
-bool FileWatch::pass(std::int64_t elapsed_ns) {
+bool FileWatch::poll(std::int64_t elapsed_ns) {
   waited_ns_ += elapsed_ns;
   if (waited_ns_ < period_ns) return false;
   waited_ns_ = 0;
-  const std::optional<Stamp> now = look_(path_);
+  const std::optional<Stamp> now = read_stamp_(path_);
   const bool is_settled = now == last_;
   last_ = now;
-  if (!now || !is_settled || now == known_) return false;
-  known_ = now;
+  if (!now || !is_settled || now == reported_) return false;
+  reported_ = now;
   return true;
 }
 

@@ -9,33 +9,34 @@ using nlohmann::json;
 
 namespace {
 
-/// How deep the brackets of a text nest; of one that is no JSON, whatever.
+/// The nesting depth of the brackets of a JSON text; unspecified for other texts.
 int depth_of(std::string_view text) {
   int depth = 0;
-  int deepest = 0;
+  int max_depth = 0;
   bool quoted = false;
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     if (c == '"') quoted = !quoted;
-    if (quoted && c == '\\') ++k;  // whatever it escapes ends no text
+    if (quoted && c == '\\') ++k;  // an escaped quote does not end the string
     if (quoted) continue;
-    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    if (c == '[' || c == '{') max_depth = std::max(max_depth, ++depth);
     if (c == ']' || c == '}') --depth;
   }
-  return deepest;
+  return max_depth;
 }
 
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& where, int max_depth) {
-  // Not by the parser's callback: with one it looks at all values so far at the end of each object or array.
+  // The parser's callback could check this too, but makes parsing quadratic: it visits all values so far at the end of
+  // each object or array.
   if (depth_of(text) > max_depth) {
     throw JsonError(where + ": nested more than the " + std::to_string(max_depth) + " levels deep accepted");
   }
   try {
     return json::parse(text);
   } catch (const json::exception& error) {
-    // The library's own prefix, [json.exception.…], says nothing to a reader; the rest may quote the whole file.
+    // Drops the library's prefix "[json.exception.…] " and limits the length: the rest may quote the whole file.
     const std::string what = error.what();
     const std::size_t prefix_end = what.find("] ");
     const std::string sentence = what.substr(prefix_end == std::string::npos ? 0 : prefix_end + 2, 200);

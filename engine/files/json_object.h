@@ -9,25 +9,26 @@
 
 #include "engine/files/ranges.h"
 
-/// Reading JSON whose every fault is named. Included by sources only: no header of the engine brings in the library.
+/// Reads JSON with an error message for each kind of fault. Include it in sources only, so that no header of the engine
+/// includes the JSON library.
 namespace engine {
 
-/// What is wrong with a piece of JSON, in a sentence that begins with where it stands.
+/// An error in a piece of JSON. The message begins with its location.
 class JsonError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Parses a text nested at most `max_depth` deep. Throws a JsonError beginning with `where`, with line and column where
-/// the parser knows them.
+/// Parses a text that nests at most `max_depth` deep. Throws a JsonError whose message begins with `where` and includes
+/// line and column if the parser knows them.
 nlohmann::json parse_json(std::string_view text, const std::string& where, int max_depth);
 
-/// The value as it stands in the file, shortened; `an object` or `an array` for those.
+/// Returns the value as JSON, shortened, for messages; `an object` or `an array` for those.
 std::string json_in_words(const nlohmann::json& value);
 
-/// An object of a JSON file with the words that say where in the file it is. All readers throw a JsonError if the field
-/// is absent (those with `_or` return the fallback), has another type or is out of range. Refers to the JSON it was
-/// given, which must outlive it.
+/// An object of a JSON file and its location in words. The readers throw a JsonError if the field is missing (those
+/// with `_or` return the fallback), has another type or is out of range. Refers to the JSON value, which must outlive
+/// it.
 class JsonObject {
  public:
   JsonObject(const nlohmann::json& value, std::string where);
@@ -47,7 +48,7 @@ class JsonObject {
   JsonObject object(std::string_view key) const;
 
   [[noreturn]] void fail(const std::string& sentence) const { throw JsonError(where_ + ": " + sentence); }
-  /// Says that the field is what it is, and what is accepted.
+  /// Throws a JsonError with the value of the field and what is accepted. The field must exist.
   [[noreturn]] void refuse(std::string_view key, const std::string& accepted) const;
 
  private:

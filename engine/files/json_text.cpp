@@ -9,7 +9,7 @@ std::size_t skip_space(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
 }
 
-/// Behind the string that begins here.
+/// Returns the position after the string that begins at `at`.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at) {
     if (text[at] == '\\') ++at;
@@ -17,7 +17,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// Behind the value that begins here.
+/// Returns the position after the value that begins at `at`.
 std::size_t end_of_value(std::string_view text, std::size_t at) {
   if (at < text.size() && text[at] == '"') return end_of_string(text, at);
   int depth = 0;
@@ -41,7 +41,7 @@ JsonSpan value_at(std::string_view text, std::size_t at) {
   return {begin, end_of_value(text, begin)};
 }
 
-/// The next item's first byte, behind a comma; none at the end of what is closed by `bracket`.
+/// Returns the position of the next item, after a comma if there is one; nothing if `bracket` follows.
 std::optional<std::size_t> next_item(std::string_view text, std::size_t at, char bracket) {
   at = skip_space(text, at);
   if (at < text.size() && text[at] == ',') at = skip_space(text, at + 1);
@@ -58,7 +58,7 @@ std::optional<JsonSpan> json_member(std::string_view text, JsonSpan object, std:
   std::optional<JsonSpan> found;
   for (auto at = next_item(text, object.begin + 1, '}'); at;) {
     const JsonSpan key{*at + 1, end_of_string(text, *at) - 1};
-    const JsonSpan value = value_at(text, skip_space(text, key.end + 1) + 1);  // behind the colon
+    const JsonSpan value = value_at(text, skip_space(text, key.end + 1) + 1);  // after the colon
     if (key.of(text) == name) found = value;
     at = next_item(text, value.end, '}');
   }

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-/// Where values stand in a text of JSON, to change some and leave every other byte as it is. The text has to be one
-/// that parse_json takes.
+/// Finds the bytes of values in a JSON text, to change some and leave every other byte as it is. The text must be valid
+/// for parse_json.
 namespace engine {
 
-/// From its first byte to behind its last.
+/// The bytes [begin, end) of a text.
 struct JsonSpan {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -17,12 +17,12 @@ struct JsonSpan {
   std::string_view of(std::string_view text) const { return text.substr(begin, end - begin); }
 };
 
-/// The whole value, without the space around it.
+/// Returns the root value, without the white space around it.
 JsonSpan json_value(std::string_view text);
-/// The value of an object's member, the last of that name; none if there is none, or if it is no object. The name is
-/// compared as it is written: one without escapes is found.
+/// Returns the value of the last member with that name; nothing if there is none or `object` is not an object. Names
+/// are compared as they are written, so a name with escapes is not found.
 std::optional<JsonSpan> json_member(std::string_view text, JsonSpan object, std::string_view name);
-/// The values of an array; none of what is no array.
+/// Returns the elements of an array; none if the value is not an array.
 std::vector<JsonSpan> json_elements(std::string_view text, JsonSpan array);
 
 }  // namespace engine

@@ -43,12 +43,12 @@ std::string list_in_words(Choices choices) {
 }
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 80;
+  constexpr std::size_t max_bytes = 80;
   constexpr std::string_view digits = "0123456789abcdef";
   std::string words = "\"";
-  for (const char c : text.substr(0, longest)) {
+  for (const char c : text.substr(0, max_bytes)) {
     const auto byte = static_cast<unsigned char>(c);
-    // Bytes of 0x80 and more are left alone: names are UTF-8.
+    // Bytes from 0x80 are copied: names are UTF-8.
     const bool printable = byte >= 0x20 && byte != 0x7F;
     if (printable) {
       words += c;
@@ -56,7 +56,7 @@ std::string in_quotes(std::string_view text) {
       words += {'\\', 'x', digits[byte >> 4U], digits[byte & 0xFU]};
     }
   }
-  if (text.size() <= longest) return words + '"';
+  if (text.size() <= max_bytes) return words + '"';
   while ((static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U) words.pop_back();
   return words + "…\"";
 }

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-/// What is accepted, and what was found, in the words of error messages.
+/// Ranges of accepted values, and values and ranges in words for error messages.
 namespace engine {
 
-/// Inclusive; by default every finite number.
+/// An inclusive range; by default all finite numbers.
 struct NumberRange {
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
@@ -17,7 +17,7 @@ struct NumberRange {
   bool contains(double value) const { return value >= min && value <= max; }
 };
 
-/// Inclusive; by default every number.
+/// An inclusive range; by default all numbers.
 struct IntegerRange {
   std::int64_t min = std::numeric_limits<std::int64_t>::min();
   std::int64_t max = std::numeric_limits<std::int64_t>::max();
@@ -27,7 +27,7 @@ struct IntegerRange {
 
 using Choices = std::initializer_list<std::string_view>;
 
-/// The shortest digits that read back as the same number: two numbers that differ never look alike.
+/// Returns the shortest digits that read back as the same number, so that different numbers have different texts.
 std::string number_in_words(double value);
 /// `a number from 0.1 to 20`, `a number, 0.1 or more`, …
 std::string range_in_words(NumberRange range);
@@ -35,7 +35,7 @@ std::string range_in_words(NumberRange range);
 std::string range_in_words(IntegerRange range);
 /// `rope, bridge, net`, or `none`.
 std::string list_in_words(Choices choices);
-/// In quotes, what cannot be printed as \xNN, cut at about 80 bytes: a text found in a file may be anything.
+/// Returns the text in quotes, with control characters as \xNN, cut at about 80 bytes. For texts from files.
 std::string in_quotes(std::string_view text);
 
 }  // namespace engine

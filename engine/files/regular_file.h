@@ -5,8 +5,8 @@
 
 namespace engine {
 
-/// Opens a regular file for reading, in binary. Throws a std::runtime_error naming path and reason if there is none or
-/// it cannot be opened; a directory, device or pipe is refused, since reading one could fail late or never end.
+/// Opens a regular file for reading in binary mode. Throws a std::runtime_error with path and reason if the file does
+/// not exist, cannot be opened, or is a directory, device or pipe, since reading those may fail late or never end.
 std::ifstream open_regular_file(const std::string& path);
 
 }  // namespace engine

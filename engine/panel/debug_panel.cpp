@@ -50,8 +50,8 @@ ribbon::Vec2 vec2(ImVec2 v) { return {static_cast<double>(v.x), static_cast<doub
 
 int whole(float x) { return static_cast<int>(std::lround(std::clamp(x, -1e6F, 1e6F))); }
 
-/// The triangles of one command, with the vertices that it uses alone.
-void take(const ImDrawList& list, const ImDrawCmd& command, TexturedMesh& mesh) {
+/// Copies the triangles of one command to `mesh`, with only the vertices that they use.
+void copy_triangles(const ImDrawList& list, const ImDrawCmd& command, TexturedMesh& mesh) {
   mesh.clear();
   const std::span<const ImDrawIdx> indices(list.IdxBuffer.Data + command.IdxOffset, command.ElemCount);
   if (indices.empty()) return;
@@ -90,7 +90,7 @@ struct DebugPanel::Impl {
   std::optional<Image> atlas;
 };
 
-/// Sizes and font anew: letters that are enlarged blur.
+/// Makes font and sizes again for a new scale, since scaled glyphs blur.
 void DebugPanel::Impl::set_scale(float wanted) {
   if (std::abs(wanted - scale) < 0.01F) return;
   scale = wanted;
@@ -133,7 +133,7 @@ void DebugPanel::begin(const WindowInput& input, int width, int height, double s
   io.MousePos = {static_cast<float>(input.mouse.x), static_cast<float>(input.mouse.y)};
   constexpr std::array buttons = {MouseButton::left, MouseButton::right, MouseButton::middle};  // in ImGui's order
   for (std::size_t k = 0; k < buttons.size(); ++k) {
-    io.MouseDown[k] = input.held(buttons[k]) || input.pressed(buttons[k]);  // a click between two frames is one too
+    io.MouseDown[k] = input.held(buttons[k]) || input.pressed(buttons[k]);  // includes clicks between two frames
   }
   io.MouseWheel = static_cast<float>(input.wheel.y);
   io.MouseWheelH = static_cast<float>(input.wheel.x);
@@ -159,7 +159,7 @@ void DebugPanel::draw(Canvas& canvas) const {
   for (const ImDrawList* list : std::span(data->CmdLists, static_cast<std::size_t>(data->CmdListsCount))) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (command.UserCallback != nullptr) continue;
-      take(*list, command, mesh);
+      copy_triangles(*list, command, mesh);
       const ImVec4 clip = command.ClipRect;
       canvas.textured(mesh, texture, {whole(clip.x), whole(clip.y), whole(clip.z), whole(clip.w)});
     }
@@ -169,20 +169,20 @@ void DebugPanel::draw(Canvas& canvas) const {
 bool DebugPanel::wants_mouse() const { return impl_->use().WantCaptureMouse; }
 bool DebugPanel::wants_keyboard() const { return impl_->use().WantTextInput; }
 
-WindowInput left_by(const DebugPanel& panel, const WindowInput& input) {
-  WindowInput left = input;
+WindowInput without_captured(const DebugPanel& panel, const WindowInput& input) {
+  WindowInput rest = input;
   if (panel.wants_mouse()) {
-    left.buttons_held.reset();
-    left.buttons_pressed.reset();
-    left.wheel = {};
-    left.wheel_turned.reset();
+    rest.buttons_held.reset();
+    rest.buttons_pressed.reset();
+    rest.wheel = {};
+    rest.wheel_turned.reset();
   }
   if (panel.wants_keyboard()) {
-    left.keys_held.reset();
-    left.keys_pressed.reset();
-    left.text.clear();
+    rest.keys_held.reset();
+    rest.keys_pressed.reset();
+    rest.text.clear();
   }
-  return left;
+  return rest;
 }
 
 }  // namespace engine

@@ -8,25 +8,25 @@
 
 namespace engine {
 
-/// Dear ImGui on a canvas: what its functions are asked for between begin and end, draw paints, in a window and without
-/// one alike. It writes no file of its own.
+/// Dear ImGui on a canvas, with or without a window. draw() paints what ImGui's functions added between begin() and
+/// end(). It writes no files.
 class DebugPanel {
  public:
-  /// `font`: a TrueType file; where there is none ImGui's own is taken. Sizes are those of a desktop unit; see begin.
+  /// `font`: path of a TrueType file; if it does not exist, ImGui's built-in font is used.
   explicit DebugPanel(const std::string& font);
   DebugPanel(const DebugPanel&) = delete;
   DebugPanel& operator=(const DebugPanel&) = delete;
   ~DebugPanel();
 
-  /// Begins a frame `seconds` after the one before, on a canvas of that size in pixels, `scale` pixels a desktop unit.
-  /// From here to end ImGui's functions may be called.
+  /// Begins a frame `seconds` after the last one, on a canvas of width × height pixels with `scale` pixels per desktop
+  /// unit. ImGui's functions may be called until end().
   void begin(const WindowInput& input, int width, int height, double scale, double seconds);
   void end();
 
-  /// Paints the frame that was ended last. Nothing before the first.
+  /// Paints the last frame that was ended; nothing before the first.
   void draw(Canvas& canvas) const;
 
-  /// Whether the panel uses the mouse, or the keyboard: then they are not meant for the game.
+  /// True while the panel uses the mouse or the keyboard: the game should then ignore them.
   bool wants_mouse() const;
   bool wants_keyboard() const;
 
@@ -35,7 +35,7 @@ class DebugPanel {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The input without what the panel uses.
-WindowInput left_by(const DebugPanel& panel, const WindowInput& input);
+/// Returns the input without what the panel uses.
+WindowInput without_captured(const DebugPanel& panel, const WindowInput& input);
 
 }  // namespace engine

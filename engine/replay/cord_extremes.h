@@ -4,12 +4,12 @@
 
 namespace engine {
 
-/// By which share the link that is stretched most is longer than at rest, in any row; negative if all are shorter. Of
-/// one that is not a number, infinity.
+/// Returns the largest strain of any link of any row, length / rest length − 1; negative if all links are shortened.
+/// Infinity if one is NaN.
 double largest_stretch(const ribbon::Cord& cord);
-/// m/s, of the fastest point; infinity of one that is not a number.
+/// Returns the speed of the fastest point in m/s; infinity if one is NaN.
 double largest_speed(const ribbon::Cord& cord);
-/// Whether all positions and velocities are finite.
+/// Returns whether all positions and velocities are finite.
 bool is_finite(const ribbon::Cord& cord);
 
 }  // namespace engine

@@ -9,7 +9,7 @@
 namespace engine {
 namespace {
 
-constexpr const char* no_memory = "no memory";  // short enough to be said without any
+constexpr const char* no_memory = "no memory";  // short enough for std::string to store it without an allocation
 
 std::string more_than(const char* what, double found, double accepted) {
   return what + number_in_words(found) + ", above " + number_in_words(accepted);
@@ -17,8 +17,8 @@ std::string more_than(const char* what, double found, double accepted) {
 
 }  // namespace
 
-FlightRecorder::FlightRecorder(const FlightConditions& conditions, std::string prefix, int most_files)
-    : conditions_(conditions), prefix_(std::move(prefix)), most_files_(most_files) {}
+FlightRecorder::FlightRecorder(const FlightConditions& conditions, std::string prefix, int max_files)
+    : conditions_(conditions), prefix_(std::move(prefix)), max_files_(max_files) {}
 
 void FlightRecorder::before(const ribbon::box2d::SolverInput& input) noexcept {
   has_step_ = false;
@@ -47,7 +47,7 @@ void FlightRecorder::after(const ribbon::box2d::SolverInput& input, std::span<co
   }
 }
 
-/// The first condition that holds, in words; empty if none does.
+/// Returns the first condition that holds, in words; empty if none does.
 std::string FlightRecorder::reason(const ribbon::box2d::SolverInput& input, const ribbon::CordReport& total) const {
   if (conditions_.unconverged && total.unconverged > 0) {
     return "unconverged substeps: " + std::to_string(total.unconverged);

@@ -9,33 +9,33 @@
 
 namespace engine {
 
-/// Which steps are worth a file: those of which any of these holds. None holds unless it is asked for.
+/// The steps to record: those for which at least one condition holds. By default all conditions are off.
 struct FlightConditions {
-  std::optional<std::int64_t> max_work{};  ///< more work than that, of all islands: CordReport::work
-  bool unconverged = false;                ///< a substep that was left unconverged
-  std::optional<double> max_speed{};       ///< m/s: a point that is faster after the step
-  std::optional<double> max_stretch{};  ///< a link that is longer after it by more than that share of its rest length
-  bool not_finite = false;              ///< a position or velocity that is no number after it
+  std::optional<std::int64_t> max_work{};  ///< more work in all islands than this: CordReport::work
+  bool unconverged = false;                ///< a substep that did not converge
+  std::optional<double> max_speed{};       ///< m/s: a point that is faster than this after the step
+  std::optional<double> max_stretch{};     ///< a link whose strain is larger than this after the step
+  bool not_finite = false;                 ///< a position or velocity that is not finite after the step
 };
 
-/// Writes the steps of a coupling's direct solver of which a condition holds, each into a file of its own as
-/// load_solver_step reads it: coupling.watch(&recorder). While it is armed it copies what each step begins with: memory
-/// is taken only where there is more of something than in any step before.
+/// Records steps of a coupling's direct solver for which a condition holds, each in a file of its own that
+/// load_solver_step reads. Attach it with coupling.watch(&recorder). While it is armed it copies the input of every
+/// step; it allocates only if a step has more data than all before.
 class FlightRecorder : public ribbon::box2d::StepWatcher {
  public:
-  /// The files are PREFIX1.json, PREFIX2.json, …, in place of none that is there; `most_files` of them, and then it is
-  /// not armed any more.
-  FlightRecorder(const FlightConditions& conditions, std::string prefix, int most_files);
+  /// The files are PREFIX1.json, PREFIX2.json, …; existing files are not overwritten. After `max_files` files it is
+  /// disarmed.
+  FlightRecorder(const FlightConditions& conditions, std::string prefix, int max_files);
 
   void before(const ribbon::box2d::SolverInput& input) noexcept override;
   void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> reports,
              const ribbon::CordReport& total) noexcept override;
 
-  /// Whether it still writes: not after the last file, and not after a failure.
-  bool is_armed() const { return written_ < most_files_ && failure_.empty(); }
+  /// False after the last file and after a failure.
+  bool is_armed() const { return written_ < max_files_ && failure_.empty(); }
   int written() const { return written_; }                     ///< files
   const std::string& last_file() const { return last_file_; }  ///< empty if there is none
-  /// Why a file could not be written, in a sentence; empty if all could.
+  /// The reason why a file could not be written; empty if there was no failure.
   const std::string& failure() const { return failure_; }
 
  private:
@@ -45,9 +45,9 @@ class FlightRecorder : public ribbon::box2d::StepWatcher {
 
   FlightConditions conditions_;
   std::string prefix_;
-  int most_files_;
+  int max_files_;
   int written_ = 0;
-  int number_ = 0;  // of the last file tried
+  int number_ = 0;  // in the name of the last file tried
   SolverStep step_;
   bool has_step_ = false;
   std::string last_file_;

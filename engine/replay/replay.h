@@ -15,7 +15,7 @@
 #include "engine/tick/input.h"
 #include "ribbon/box2d/state_hash.h"
 
-/// Replays: the level and settings played, every tick's input, and a hash of the state after every tick.
+/// Replays: the level, the settings, the input of each tick and a hash of the state after each tick.
 ///
 /// The file, version 1 (numbers are little-endian, without padding):
 ///
@@ -31,41 +31,42 @@
 ///     if closed cleanly:
 ///       u8 'E' · u32 number of ticks · u32 checksum, and nothing after it
 ///
-/// Every checksum is the CRC-32 (as in zlib) of all bytes of the file before it except earlier checksums, so a record
-/// that is changed, lost, repeated or moved is noticed at the first checksum after it.
+/// Each checksum is the CRC-32 (as in zlib) of all bytes of the file before it except earlier checksums, so the first
+/// checksum after a record that is changed, lost, repeated or moved detects it.
 ///
-/// Cut short or damaged: the writer only ever appends, so whatever kills it leaves a beginning of a good file. Exactly
-/// that is accepted as cut short: the header is whole, every whole record is right, and the file ends at a record's end
-/// or within one (whose bytes are dropped). Anything else, such as a wrong checksum even in the very last record, a
-/// part count that disagrees with its complement, or bytes after the end marker, is damage and refused: with the byte
-/// at which the first bad record begins. Cut there (`head -c BYTE`), the file is a replay of the ticks before.
+/// Cut short or damaged: the writer only appends, so if it is killed, the file is the beginning of a good one. Exactly
+/// such a file is accepted as cut short: the header is complete, every complete record is valid, and the file ends at
+/// the end of a record or within one (whose bytes are dropped). Anything else is damage and an error, for instance a
+/// wrong checksum even in the last record, a part count that does not match its complement, or bytes after the end
+/// marker. The error has the byte at which the first bad record begins. Cut there (`head -c BYTE`), the file is a
+/// replay of the ticks before.
 namespace engine {
 
-/// A replay that cannot be written, read or used here. The sentence names the file, and the byte or tick in it where
-/// there is one, what was found and what is accepted.
+/// A replay cannot be written, read or used. The message names the file, the byte or tick if there is one, what was
+/// found and what is accepted.
 class ReplayError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A finite number or a text. (A whole number that must survive beyond 2^53 goes as text.)
+/// A finite number or a text. Whole numbers above 2^53 must be stored as text.
 using Setting = std::variant<double, std::string>;
 
-/// What must be the same for a replay to play as it was recorded.
+/// What must be equal for a replay to run as it was recorded.
 struct ReplayHeader {
-  std::string level;             ///< The level's name, in UTF-8.
+  std::string level;             ///< Name of the level, UTF-8.
   std::uint64_t level_hash = 0;  ///< hash_bytes() of the level file.
-  int tick_rate = 60;            ///< Ticks a second, 1 to 1'000'000.
+  int tick_rate = 60;            ///< Ticks per second, 1 … 1'000'000.
   std::map<std::string, Setting> settings;
 
   bool operator==(const ReplayHeader&) const = default;
 };
 
-/// Throws a ReplayError naming the first field in which the two differ, with both values: level, level hash, tick rate,
-/// then the settings by name (one that only one side has differs too).
+/// Throws a ReplayError with the first field that differs and both values. Compares level, level hash, tick rate, then
+/// the settings by name; a setting that only one side has differs.
 void check_header(const ReplayHeader& recorded, const ReplayHeader& current);
 
-/// One tick as recorded: the input it ran with and the hash of the state after it.
+/// One recorded tick: its input and the hash of the state after it.
 struct RecordedTick {
   TickInput input;
   ribbon::box2d::StateHash state;
@@ -76,32 +77,33 @@ struct RecordedTick {
 struct Replay {
   ReplayHeader header;
   std::vector<RecordedTick> ticks;
-  bool complete = false;  ///< False: the recording was cut short after these ticks.
+  bool complete = false;  ///< False if the recording was cut short after these ticks.
 };
 
-/// Reads a replay from a regular file. Throws a ReplayError if it is none, of another version, or damaged.
+/// Reads a replay from a regular file. Throws a ReplayError if the file is not a replay, has another version or is
+/// damaged.
 Replay load_replay(const std::string& path);
-/// The same from a stream; `name` stands for the path in messages.
+/// Reads a replay from a stream; messages use `name` as the path.
 Replay read_replay(std::istream& in, const std::string& name);
 
-/// Writes a replay while the game runs. After each call the tick is with the operating system: a game that is killed
-/// leaves a replay up to its last tick.
+/// Writes a replay while the game runs. Each call passes its tick to the operating system, so the replay of a game that
+/// is killed has all ticks.
 class ReplayWriter {
  public:
-  /// Creates or empties the file and writes the header. Throws a ReplayError if the file cannot be written, or if the
+  /// Creates or overwrites the file and writes the header. Throws a ReplayError if the file cannot be written or the
   /// header cannot be recorded (not UTF-8, a number that is not finite, over 64 KiB, tick rate out of range).
   ReplayWriter(const std::string& path, const ReplayHeader& header);
 
-  /// Appends one tick; at most 4096 parts. The first write that fails throws a ReplayError, and the recording is over:
-  /// later calls do nothing, so that a game may tell its player once and play on. What was written before stays.
+  /// Appends one tick of at most 4096 parts. The first write that fails throws a ReplayError and ends the recording;
+  /// later calls do nothing, so that a game can report the error once and continue. What was written before stays.
   void write(const TickInput& input, const ribbon::box2d::StateHash& state);
 
-  /// Marks the recording complete and closes the file; throws like write(). Without it the file reads as cut short.
+  /// Marks the recording as complete and closes the file; throws like write(). Without it the file counts as cut short.
   void finish();
 
-  /// True once a write has failed.
+  /// True after a write has failed.
   bool failed() const { return failed_; }
-  /// Ticks written so far.
+  /// The number of ticks written so far.
   std::uint32_t tick_count() const { return ticks_; }
 
  private:
@@ -114,7 +116,7 @@ class ReplayWriter {
 
   std::string path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::vector<std::uint8_t> record_;  // reused from tick to tick
+  std::vector<std::uint8_t> record_;  // scratch, reused in each tick
   std::uint32_t crc_;
   std::uint32_t ticks_ = 0;
   bool failed_ = false;
@@ -122,21 +124,21 @@ class ReplayWriter {
 
 enum class VerifyOutcome { verified, diverged, cut_short };
 
-/// What a program that verifies a replay ends with: 0 verified, 1 diverged, 2 cut short.
+/// The exit status of a program that verifies a replay: 0 verified, 1 diverged, 2 cut short.
 int exit_status(VerifyOutcome outcome);
 
 struct VerifyResult {
   VerifyOutcome outcome = VerifyOutcome::verified;
-  std::size_t ticks = 0;   ///< Ticks compared and found equal.
+  std::size_t ticks = 0;   ///< Number of equal ticks.
   std::uint64_t hash = 0;  ///< Combined hash after the last tick computed; 0 before the first.
   std::string difference;  ///< If diverged: `cord 2 differs (…)`.
 
-  /// The line to end with: `verified 600 ticks, hash 0123456789abcdef`, `tick 120: cord 2 differs (recorded 89abcdef,
+  /// A line for the user: `verified 600 ticks, hash 0123456789abcdef`, `tick 120: cord 2 differs (recorded 89abcdef,
   /// now 01234567)` or `cut short after 400 ticks`.
   std::string message() const;
 };
 
-/// Holds a run against its recording. Ticks count from 1: tick n is the state after n ticks. The loop is the game's:
+/// Compares a run with its recording. Ticks count from 1: tick n is the state after n ticks. The game runs the loop:
 ///
 ///     ReplayVerifier verifier(replay);
 ///     while (!verifier.done()) verifier.check(play_one_tick(verifier.input()));
@@ -146,11 +148,11 @@ class ReplayVerifier {
   /// `replay` must outlive the verifier.
   explicit ReplayVerifier(const Replay& replay) : replay_(&replay) {}
 
-  /// True when all recorded ticks have been compared, or one differed.
+  /// True after all recorded ticks have been compared or one differed.
   bool done() const { return difference_ || next_ == replay_->ticks.size(); }
-  /// The recorded input of the tick to run next. Only while not done().
+  /// The recorded input of the next tick. Precondition: not done().
   const TickInput& input() const;
-  /// Compares the state after running that tick with the recorded one; false if it differs. Only while not done().
+  /// Compares the state after that tick with the recorded one; returns false if it differs. Precondition: not done().
   bool check(const ribbon::box2d::StateHash& computed);
   /// The result so far; before done() a run without a difference counts as cut short.
   VerifyResult result() const;

@@ -6,13 +6,13 @@
 #include <span>
 #include <string_view>
 
-/// What the writer and the reader of replays share; the layout itself is described in engine/replay/replay.h.
+/// Constants and checksums shared by the writer and the reader of replays. engine/replay/replay.h describes the layout.
 namespace engine::replay_format {
 
 inline constexpr std::string_view magic = "ropeswing-replay ";
 inline constexpr int version = 1;
 
-inline constexpr std::size_t max_header_bytes = 65536;  // of the JSON line, its line feed included
+inline constexpr std::size_t max_header_bytes = 65536;  // of the JSON line, including its line feed
 inline constexpr std::size_t max_parts = 4096;
 inline constexpr int max_tick_rate = 1'000'000;
 
@@ -26,13 +26,13 @@ inline constexpr std::size_t part_bytes = 1 + 2 + 4;
 inline constexpr std::size_t combined_bytes = 8;
 inline constexpr std::size_t end_bytes = 1 + 4 + checksum_bytes;
 
-/// Bytes of a tick's record after its head.
+/// The number of bytes of a tick's record after its head.
 constexpr std::size_t tick_body_bytes(std::size_t parts) {
   return input_bytes + parts * part_bytes + combined_bytes + checksum_bytes;
 }
 
-/// CRC-32 as in zlib and PNG (reflected, polynomial 0xEDB88320): `crc` of the bytes so far (0 at the start), continued
-/// over `bytes`. It notices every change confined to 32 consecutive bits.
+/// Continues `crc`, the CRC-32 of the bytes so far (0 at the start), with `bytes`. CRC-32 as in zlib and PNG:
+/// reflected, polynomial 0xEDB88320. It detects every change within 32 consecutive bits.
 constexpr std::uint32_t crc32(std::uint32_t crc, std::span<const std::uint8_t> bytes) {
   constexpr auto remainders = [] {
     std::array<std::uint32_t, 256> table{};

@@ -23,7 +23,7 @@ json settings_json(const std::map<std::string, Setting>& settings) {
   json object = json::object();
   for (const auto& [key, value] : settings) {
     if (const double* number = std::get_if<double>(&value)) {
-      // JSON has no such numbers: they would be written as null.
+      // JSON has no such numbers; the library would write null.
       if (!std::isfinite(*number)) throw ReplayError("setting " + in_quotes(key) + " is not a finite number");
       object[key] = *number;
     } else {
@@ -59,8 +59,8 @@ std::uint64_t parse_hash(const JsonObject& header, const char* key) {
 }
 
 ReplayHeader parse(std::string_view line) {
-  constexpr int deepest = 4;
-  const json root = parse_json(line, "the header", deepest);
+  constexpr int max_depth = 4;
+  const json root = parse_json(line, "the header", max_depth);
   const JsonObject header(root, "the header");
   const Choices known = {"level", "level_hash", "tick_rate", "settings"};
   for (const auto& [key, value] : root.items()) {

@@ -16,7 +16,7 @@ namespace {
 
 using namespace replay_format;
 
-/// Takes a little-endian number off the front of `bytes`.
+/// Removes a little-endian number from the front of `bytes` and returns it.
 template <std::unsigned_integral T>
 T take(std::span<const std::uint8_t>& bytes) {
   std::uint64_t value = 0;
@@ -44,8 +44,8 @@ RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_cou
   return {input, ribbon::box2d::StateHash(std::move(parts), take<std::uint64_t>(body))};
 }
 
-/// Reads a stream from front to back with one record in memory at a time, so that no size found in a file is believed
-/// before the bytes are there.
+/// Reads a stream with one record in memory at a time. A size in the file never causes an allocation before its bytes
+/// are read.
 class Reader {
  public:
   Reader(std::istream& in, const std::string& name) : in_(in), name_(name) {}
@@ -62,7 +62,7 @@ class Reader {
   [[noreturn]] void fail(std::uint64_t offset, const std::string& sentence) const {
     throw ReplayError(name_ + ": byte " + std::to_string(offset) + ": " + sentence);
   }
-  /// What is before the record has been held against its checksums: a replay cut short there.
+  /// All records before the current one have valid checksums: they are a replay that is cut short there.
   [[noreturn]] void fail_record(const std::string& sentence) const {
     if (record_start_ == 0) fail(0, "damaged in the header: " + sentence);
     fail(record_start_, "damaged after tick " + std::to_string(replay_.ticks.size()) + ": " + sentence +
@@ -81,13 +81,13 @@ class Reader {
   std::istream& in_;
   const std::string& name_;
   Replay replay_;
-  std::vector<std::uint8_t> record_;  // the bytes of the present record read so far
+  std::vector<std::uint8_t> record_;  // the bytes of the current record read so far
   std::uint64_t offset_ = 0;          // of the next byte in the file
   std::uint64_t record_start_ = 0;
-  std::uint32_t crc_ = 0;  // of all records before
+  std::uint32_t crc_ = 0;  // of all records before the current one
 };
 
-/// Reads `count` more bytes of the record; false if the file ends before.
+/// Reads `count` more bytes of the record. Returns false if the file ends before.
 bool Reader::append(std::size_t count) {
   const std::size_t had = record_.size();
   record_.resize(had + count);
@@ -99,7 +99,7 @@ bool Reader::append(std::size_t count) {
   return got == count;
 }
 
-/// Reads up to and including a line feed; false if there is none within `max_bytes` or the file.
+/// Reads up to and including a line feed. Returns false if there is none within `max_bytes` or the file.
 bool Reader::append_line(std::size_t max_bytes) {
   for (std::size_t i = 0; i < max_bytes && append(1); ++i) {
     if (record_.back() == '\n') return true;
@@ -107,7 +107,7 @@ bool Reader::append_line(std::size_t max_bytes) {
   return false;
 }
 
-/// The record without its checksum, which has been held against the bytes.
+/// Checks the checksum of the record and returns the bytes before it.
 std::span<const std::uint8_t> Reader::checked_content() {
   const std::span<const std::uint8_t> record(record_);
   const auto content = record.first(record.size() - checksum_bytes);
@@ -122,9 +122,9 @@ std::span<const std::uint8_t> Reader::checked_content() {
 }
 
 void Reader::read_version() {
-  constexpr std::size_t longest_first_line = 64;
+  constexpr std::size_t max_first_line = 64;
   const std::string expected = std::string(magic) + std::to_string(version);
-  const bool whole = append_line(longest_first_line);
+  const bool whole = append_line(max_first_line);
   std::string line(record_.begin(), record_.end());
   if (line.empty()) fail(0, "the file is empty, accepted is a replay, which begins with " + in_quotes(expected));
   if (whole) line.pop_back();
@@ -155,7 +155,7 @@ void Reader::read_header() {
   }
 }
 
-/// Reads one record; false at the end of the replay, cut short or complete.
+/// Reads one record. Returns false at the end of the replay, complete or cut short.
 bool Reader::read_record() {
   record_.clear();
   record_start_ = offset_;
@@ -170,7 +170,8 @@ bool Reader::read_tick() {
   if (!append(tick_head_bytes - 1)) return false;
   auto head = std::span<const std::uint8_t>(record_).subspan(1);
   const auto count = take<std::uint16_t>(head);
-  // The count says how long the record is. Were it taken on trust, a wrong one could pass for a record cut short.
+  // The count determines the length of the record. Without the complement, a damaged count could look like a record
+  // that is cut short.
   const auto complement = take<std::uint16_t>(head);
   if (complement != static_cast<std::uint16_t>(~count)) fail_record("the part count and its complement disagree");
   if (count > max_parts) {

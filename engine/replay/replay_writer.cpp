@@ -25,15 +25,15 @@ void put_text(std::vector<std::uint8_t>& out, const std::string& text) {
 
 std::string system_reason() { return errno == 0 ? "reason unknown" : std::generic_category().message(errno); }
 
-/// What a reader still finds in the file.
-std::string what_is_kept(std::uint32_t ticks) {
+/// Returns the part of the message that reports what the file still contains.
+std::string ticks_in_file(std::uint32_t ticks) {
   return ticks == 0 ? "" : "; the file keeps the " + std::to_string(ticks) + " ticks before";
 }
 
 }  // namespace
 
 ReplayWriter::ReplayWriter(const std::string& path, const ReplayHeader& header) : path_(path), crc_(0) {
-  // All that can be wrong with the header is found before the file is touched.
+  // Errors in the header are found before the file is overwritten.
   std::string line;
   try {
     line = replay_header_line(header);
@@ -95,7 +95,7 @@ void ReplayWriter::append_record() {
 void ReplayWriter::fail(const std::string& reason) {
   failed_ = true;
   file_.reset();
-  throw ReplayError(path_ + ": cannot write the replay: " + reason + what_is_kept(ticks_));
+  throw ReplayError(path_ + ": cannot write the replay: " + reason + ticks_in_file(ticks_));
 }
 
 }  // namespace engine

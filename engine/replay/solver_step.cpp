@@ -8,7 +8,7 @@
 namespace engine {
 namespace {
 
-/// What it throws for one cord begins with which one it is.
+/// Runs `check` and puts the index of the cord in front of its error message.
 template <typename Check>
 void check_cord(std::size_t index, Check check) {
   try {
@@ -18,7 +18,7 @@ void check_cord(std::size_t index, Check check) {
   }
 }
 
-/// Before a cord is made: a short text may ask for a long one.
+/// Checks the number of points before a cord is made, since a short text may define a very long cord.
 void check_points(const SolverStep::Cord& cord) {
   ribbon::check_size(cord.def);
   const auto points = static_cast<std::size_t>(cord.def.points) * static_cast<std::size_t>(cord.def.rows);

@@ -15,15 +15,15 @@
 
 namespace engine {
 
-/// A text that holds no step that could be taken. The sentence says where it is wrong, and what is accepted.
+/// A text does not contain a valid step. The message has the location of the fault and what is accepted.
 class SolverStepError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// One step of the direct solver: all that ribbon::DirectSolver::step is given, and what came of it.
+/// One step of the direct solver: the whole input of ribbon::DirectSolver::step and its outcome.
 struct SolverStep {
-  /// A cord as it is before the step, and what it alone meets.
+  /// A cord before the step, with its environment.
   struct Cord {
     ribbon::CordDef def;
     ribbon::Cord::State state;
@@ -32,42 +32,42 @@ struct SolverStep {
     std::vector<ribbon::Grip> grips;
     std::uint64_t id = 0;  ///< IslandCord::id
   };
-  /// What the step did when it was recorded, to see whether it does so again.
+  /// The outcome when the step was recorded, to compare with a repetition.
   struct Outcome {
-    std::string why;              ///< what it was recorded for, in words
-    std::int64_t work = 0;        ///< CordReport::work, of all islands
-    int unconverged = 0;          ///< substeps, of all islands
-    std::uint64_t positions = 0;  ///< hash_of_positions of its cords
+    std::string why;              ///< why it was recorded, in words
+    std::int64_t work = 0;        ///< CordReport::work of all islands
+    int unconverged = 0;          ///< unconverged substeps of all islands
+    std::uint64_t positions = 0;  ///< hash_of_positions of the cords
   };
 
   double dt = 0.0;                        ///< s
   ribbon::Vec2 gravity;                   ///< m/s²
-  std::vector<ribbon::RigidBody> bodies;  ///< that all cords refer to
-  std::vector<Cord> cords;                ///< in the order in which they are solved
+  std::vector<ribbon::RigidBody> bodies;  ///< referred to by all cords
+  std::vector<Cord> cords;                ///< in the order of the solver
   Outcome outcome;
 };
 
-/// Copies what the solver is about to be given. A step that has held the same before takes no memory.
+/// Copies the input of the solver. Allocates only if `step` never held as much before.
 void capture(const ribbon::box2d::SolverInput& input, SolverStep& step);
 
-/// Of where the points of the cords are and how fast they move: the same for the same bits alone.
+/// Returns a hash of the positions and velocities of all points.
 std::uint64_t hash_of_positions(std::span<const ribbon::IslandCord> cords);
 
-/// Throws SolverStepError unless the solver can take the step: every number in its range, every state one of its
-/// definition, every body and point that something refers to there, no two cords with the same id.
+/// Throws SolverStepError unless the solver accepts the step: all numbers are in range, each state fits its definition,
+/// all bodies and points referred to exist, and the ids of the cords are unique.
 void check(const SolverStep& step);
 
-/// JSON, with all numbers exact: doubles by the shortest digits that read back as the same bits, what is not finite as
-/// a text.
+/// Returns the step as JSON with exact numbers: the shortest digits that read back as the same bits, and texts for
+/// numbers that are not finite.
 std::string to_text(const SolverStep& step);
-/// Reads it back. Throws SolverStepError, whose sentence begins with `where`, for what is no such text, has another
-/// version, lacks a field or has one too many, or holds what check refuses.
+/// Reads what to_text returned. Throws SolverStepError, with a message that begins with `where`, if the text is not a
+/// step, has another version, has a missing or unknown field, or fails check().
 SolverStep read_solver_step(std::string_view text, const std::string& where);
 
-/// The same from a file of up to 256 MiB.
+/// Reads a file of up to 256 MiB. Throws like read_solver_step.
 SolverStep load_solver_step(const std::string& path);
-/// The same into a file, which is not there afterwards if it cannot be written whole. With `is_new` only where there
-/// is none of that name yet; returns false where there is. Throws SolverStepError.
+/// Writes a file, or removes it if it cannot be written completely. With `is_new` it does not overwrite: it returns
+/// false if the file exists. Throws SolverStepError.
 bool save_solver_step(const SolverStep& step, const std::string& path, bool is_new = false);
 
 }  // namespace engine

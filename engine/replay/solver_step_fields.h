@@ -7,9 +7,9 @@
 
 #include "engine/replay/solver_step.h"
 
-/// The fields of a SolverStep by name, once, for whatever writes, reads or prints them: `fields(archive, value)` calls
-/// archive("name", field) for each. Everything is named, one and all: what is new in a state or a definition does not
-/// compile until it is added here, and then solver_step_version is another one.
+/// The fields of a SolverStep by name, for writing, reading and printing: `fields(archive, value)` calls
+/// archive("name", field) for each field. Structured bindings name all fields: a new field of a state or definition
+/// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
 inline constexpr int solver_step_version = 2;
@@ -18,7 +18,7 @@ inline constexpr int solver_step_version = 2;
 template <typename T, typename Plain>
 concept Is = std::same_as<std::remove_const_t<T>, Plain>;
 
-/// The names of an enumeration's values, from 0.
+/// The names of the values of an enumeration, from 0.
 template <typename Enum>
 inline constexpr std::array<std::string_view, 0> names_of{};
 template <>

@@ -17,7 +17,7 @@ using step_fields::fields;
 constexpr int max_depth = 8;
 constexpr std::streamoff max_bytes = 256L << 20;
 
-/// Where a value stands: put into words only where something is wrong with it.
+/// The location of a value, as a chain to the root. It is put into words only for an error.
 struct Place {
   const Place* parent = nullptr;
   const char* name = "";
@@ -38,7 +38,7 @@ struct Place {
 template <typename T>
 void read(const Place& place, const json& from, T& to);
 
-/// Takes the fields of one object, all of them and no other.
+/// Reads the fields of one object. Missing and unknown fields are errors.
 class Reader {
  public:
   Reader(const Place& place, const json& object) : place_(place), object_(object) {

@@ -16,7 +16,7 @@ namespace {
 
 using step_fields::fields;
 
-/// Fields of these stand in lines of their own; all else is in its parent's line.
+/// True for types whose fields get a line each; all others are written in the line of their parent.
 template <typename T>
 constexpr bool has_lines = std::same_as<T, SolverStep> || std::same_as<T, SolverStep::Cord> ||
                            std::same_as<T, ribbon::CordDef> || std::same_as<T, ribbon::Cord::State>;
@@ -59,7 +59,7 @@ class Writer {
     char digits[32];
     const std::string_view written(digits, std::to_chars(std::begin(digits), std::end(digits), value).ptr);
     text_ += written;
-    // A whole number has no sign if it is 0, and may be too long for one.
+    // Without ".0" the reader would take a whole number for an integer, which has no −0 and a limited range.
     if (written.find_first_not_of("-0123456789") == std::string_view::npos) text_ += ".0";
   }
   void put(ribbon::Vec2 v) {
@@ -147,7 +147,7 @@ bool save_solver_step(const SolverStep& step, const std::string& path, bool is_n
   const int reason = errno;
   if (std::fclose(file) == 0 && is_whole) return true;
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);  // a device stays
+  if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);  // not a device
   errno = reason;
   fail(path);
 }

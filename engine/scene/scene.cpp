@@ -16,10 +16,10 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr std::size_t most_objects = 2000;     // far more than a level needs, few enough to run whatever they are
-constexpr std::int64_t most_points = 100'000;  // of all cords together: a few hundred megabytes at the most
-constexpr double anchor_reach = 0.25;          // m, from an anchor to the cord point that it holds
-constexpr double load_reach = 0.5;             // m, from a load's rim to the end of the cord that it hangs from
+constexpr std::size_t max_objects = 2000;     // far more than a level needs, few enough to run any of them
+constexpr std::int64_t max_points = 100'000;  // of all cords together: a few hundred megabytes at most
+constexpr double max_anchor_distance = 0.25;  // m, from an anchor to the cord point that it pins
+constexpr double max_load_distance = 0.5;     // m, from the rim of a load to the end of the cord that it hangs from
 
 b2Vec2 gravity_of(const TiledMap& map) {
   return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};
@@ -27,22 +27,22 @@ b2Vec2 gravity_of(const TiledMap& map) {
 
 bool is_cord(const MapObject& object) { return object.kind == "cord" || object.kind == "ribbon"; }
 
-/// Before any of them is laid out: few objects can ask for all the memory there is.
+/// Limits the points of all cords before any is built: a few objects can define more than fits in memory.
 void check_points(const TiledMap& map) {
   std::int64_t points = 0;
   for (const MapObject& object : map.objects) {
     if (is_cord(object)) points += points_of(object);
-    if (points <= most_points) continue;
+    if (points <= max_points) continue;
     throw object.error("the cords up to this one have " + std::to_string(points) +
-                       " points, columns times rows; accepted are at most " + std::to_string(most_points));
+                       " points, columns times rows; accepted are at most " + std::to_string(max_points));
   }
 }
 
 void check_map(const TiledMap& map, const std::vector<std::string>& other_properties) {
   map.properties.check_known_properties({"gravity_y", "pixels_per_metre"}, other_properties);
-  if (map.objects.size() > most_objects) {
+  if (map.objects.size() > max_objects) {
     throw MapError(map.file + ": the map has " + std::to_string(map.objects.size()) +
-                   " objects; accepted are at most " + std::to_string(most_objects));
+                   " objects; accepted are at most " + std::to_string(max_objects));
   }
   check_points(map);
 }
@@ -65,7 +65,7 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
     : world_(gravity_of(map)) {
   check_map(map, other_properties);
   for (const MapObject& object : map.objects) build(object, other_kinds, cord_filter);
-  for (const MapObject& object : map.objects) {  // these need the cords to be there
+  for (const MapObject& object : map.objects) {  // these refer to cords
     if (object.kind == "anchor") fix_anchor(object, map);
     if (object.kind == "load" && object.properties.has("cord")) hang_load(object, map);
   }
@@ -103,7 +103,7 @@ void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   cord_objects_.push_back(object.id);
 }
 
-/// The cord that an object names in its property `cord`.
+/// Returns the cord whose id is the object's property `cord`.
 ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap& map) const {
   const std::int64_t id = object.properties.integer("cord");
   const auto found = std::find(cord_objects_.begin(), cord_objects_.end(), id);
@@ -115,47 +115,48 @@ ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap&
       "; accepted is the id of a cord or ribbon");
 }
 
-/// Constrains the cord point nearest to the anchor, of the cord it names or of any.
+/// Pins the cord point nearest to the anchor, of the cord that it names or of any cord.
 void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
   object.properties.check_known_properties({"cord"});
   if (object.shape != MapShape::point) {
     throw object.error("the shape of an anchor is " + std::string(shape_name(object.shape)) + "; accepted is point");
   }
-  std::optional<ribbon::box2d::CordPoint> nearest = coupling_.nearest_point(object.position, anchor_reach);
-  if (object.properties.has("cord")) nearest = nearest_of(named_cord(object, map), object.position, anchor_reach);
+  std::optional<ribbon::box2d::CordPoint> nearest = coupling_.nearest_point(object.position, max_anchor_distance);
+  if (object.properties.has("cord"))
+    nearest = nearest_of(named_cord(object, map), object.position, max_anchor_distance);
   if (!nearest) {
     throw object.error("is further from its cord than an anchor reaches; accepted is one within " +
-                       number_in_words(anchor_reach) + " m of a cord's point");
+                       number_in_words(max_anchor_distance) + " m of a cord's point");
   }
   coupling_.cord(nearest->cord).pin(nearest->point, object.position);
 }
 
 std::optional<ribbon::box2d::CordPoint> Scene::nearest_of(ribbon::box2d::CordId cord, Vec2 position,
-                                                          double reach) const {
+                                                          double max_distance) const {
   std::optional<ribbon::box2d::CordPoint> nearest;
   const auto x = coupling_.cord(cord).positions();
   for (std::size_t p = 0; p < x.size(); ++p) {
     const double distance = length(x[p] - position);
-    if (distance <= (nearest ? nearest->distance : reach)) nearest = {cord, static_cast<int>(p), distance};
+    if (distance <= (nearest ? nearest->distance : max_distance)) nearest = {cord, static_cast<int>(p), distance};
   }
   return nearest;
 }
 
-/// The load takes in hand the end of its cord that is nearer.
+/// Attaches the load to the nearer end of its cord.
 void Scene::hang_load(const MapObject& object, const TiledMap& map) {
   const ribbon::box2d::CordId cord = named_cord(object, map);
   const auto x = coupling_.cord(cord).positions();
   const bool first = length(x.front() - object.position) < length(x.back() - object.position);
   const Vec2 end = first ? x.front() : x.back();
-  if (length(end - object.position) > 0.5 * length(object.size) + load_reach) {
+  if (length(end - object.position) > 0.5 * length(object.size) + max_load_distance) {
     throw object.error("is " + number_in_words(length(end - object.position)) +
                        " m from the end of its cord; accepted is one whose rim is within " +
-                       number_in_words(load_reach) + " m of it");
+                       number_in_words(max_load_distance) + " m of it");
   }
   const auto made = std::find_if(bodies_.begin(), bodies_.end(),
                                  [&object](const SceneBody& body) { return body.object == object.id; });
-  const b2Vec2 hand = made->body->GetLocalPoint(ribbon::box2d::to_float(end));
-  coupling_.hold(cord, first ? 0 : static_cast<int>(x.size()) - 1, *made->body, hand);
+  const b2Vec2 anchor = made->body->GetLocalPoint(ribbon::box2d::to_float(end));
+  coupling_.hold(cord, first ? 0 : static_cast<int>(x.size()) - 1, *made->body, anchor);
 }
 
 int Scene::cord_object(ribbon::box2d::CordId cord) const {

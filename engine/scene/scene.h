@@ -13,41 +13,42 @@
 
 namespace engine {
 
-/// What a body of a scene was made from.
+/// The class of the object that a body was built from.
 enum class BodyKind : unsigned char { ground, circle, load };
 struct SceneBody {
   b2Body* body = nullptr;
   BodyKind kind = BodyKind::ground;
-  int object = 0;  ///< its id in the map
+  int object = 0;  ///< id of the object in the map
 };
 
-/// A Box2D world with its cords, built from a map's objects of class
+/// A Box2D world with its cords, built from the objects of a map. The classes and their properties:
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
-/// - `circle`: ellipse as wide as high; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
+/// - `circle`: ellipse with equal axes; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
 ///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s].
-/// - `load`: rectangle, or ellipse as wide as high, dynamic; mass [kg], friction, restitution, angular_damping [1/s],
-///   cord (the cord or ribbon whose nearer end it holds, if any, within 0.5 m of its rim).
-/// - `anchor`: point; it constrains the nearest cord point within 0.25 m; cord (which one, if not any).
-/// - `cord`: polyline that its middle line follows; solver ("direct", the default, or "thesis"); columns (how many
-///   points along it), rows, mass [kg, all of it], drag [1/s], substeps, pin_first, pin_last (the points of the first
-///   or last column are constrained), solid (it meets every fixture, also those that the game keeps from cords).
-///   - "thesis" (ribbon/thesis/thesis_def.h), 2 rows unless given: spring_stiffness [N/m], bar_damping [N·s/m],
+/// - `load`: rectangle, or ellipse with equal axes, dynamic; mass [kg], friction, restitution, angular_damping [1/s],
+///   cord (optional: the cord or ribbon whose nearer end it holds, within 0.5 m of its rim).
+/// - `anchor`: point; pins the nearest cord point within 0.25 m; cord (optional: only points of this cord).
+/// - `cord`: polyline of its middle line; solver ("direct", the default, or "thesis"); columns (number of points along
+///   it), rows, mass [kg, total], drag [1/s], substeps, pin_first, pin_last (pin the points of the first or last
+///   column), solid (collides with all fixtures, also those that the cord filter excludes).
+///   - "thesis" (ribbon/thesis/thesis_def.h), by default 2 rows: spring_stiffness [N/m], bar_damping [N·s/m],
 ///     area_stiffness, self_collision.
-///   - "direct" (ribbon/cord_def.h), 1 row unless given: stretch_stiffness [N, a rope without it does not stretch, a
-///     ribbon needs one], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius
-///     [m], width [m, that of square cells unless given], friction, restitution, self_contact, cord_contact (with other
-///     cords that declare it), allow_sleep, accuracy ("fast", "balanced" unless given, "accurate"), and what is to be
-///     otherwise in it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (of
-///     Newton's a solve), soft_contacts (true for implicit_euler unless given). Its links are all straight and equal,
-///     so that it is a little shorter than a polyline with corners.
-/// - `ribbon`: the same, with 3 rows unless given, 2 or more.
-/// At most 2000 objects, and 100,000 points of all cords together. The map's own property gravity_y [m/s²] is −9.81
-/// unless given.
+///   - "direct" (ribbon/cord_def.h), by default 1 row: stretch_stiffness [N; a rope without it is inextensible, a
+///   ribbon
+///     requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius [m],
+///     width [m, by default that of square cells], friction, restitution, self_contact, cord_contact (with other cords
+///     that declare it), allow_sleep, accuracy ("fast", "balanced", the default, or "accurate"), and overrides of it:
+///     integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (Newton steps per
+///     solve), soft_contacts (by default true for implicit_euler). All links are straight and of equal length, so the
+///     cord is a little shorter than a polyline with corners.
+/// - `ribbon`: like cord with 2 rows or more, by default 3.
+/// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
+/// default.
 class Scene {
  public:
-  /// `other_kinds` and `other_properties` are the classes, and the properties of the map itself, that the caller takes
-  /// care of; `cord_filter` says which fixtures the cords meet that are not solid. Bodies have Box2D's default filter.
-  /// Throws MapError for any other class, and for an object, property or value that cannot be built.
+  /// `other_kinds` and `other_properties`: classes and map properties that the caller handles. `cord_filter`: the
+  /// collision filter of cords that are not solid; bodies have Box2D's default filter. Throws MapError for any other
+  /// class, and for an object, property or value that cannot be built.
   explicit Scene(const TiledMap& map, const std::vector<std::string>& other_kinds = {},
                  const b2Filter& cord_filter = {}, const std::vector<std::string>& other_properties = {});
   Scene(const Scene&) = delete;
@@ -58,19 +59,19 @@ class Scene {
   ribbon::box2d::Coupling& coupling() { return coupling_; }
   const ribbon::box2d::Coupling& coupling() const { return coupling_; }
 
-  /// In the order in which they were made, which is the map's.
+  /// The bodies in the order of the map.
   std::span<const SceneBody> bodies() const { return bodies_; }
-  /// The id of the object that a cord was made from; 0 for one that was added since.
+  /// Returns the id of the object that a cord was built from; 0 for cords that were added later.
   int cord_object(ribbon::box2d::CordId cord) const;
 
-  /// One tick: the cords take from the world what is near them, move, push, and then the world moves.
+  /// Advances the cords and the world by one tick of `dt` s: Coupling::tick.
   void tick(double dt);
 
-  /// Adds every cord and every body, bodies in the order they were made, to a state hash. Cords are
-  /// copied on the way, into memory that is kept: after the first time it takes none.
+  /// Adds all cords and all bodies, in the order of creation, to a state hash. Copies the cords to scratch memory:
+  /// allocates only on the first call.
   void add_to(ribbon::box2d::StateHash& hash);
 
-  /// Of cords that do not ask for one.
+  /// The solver of cords without the property.
   static constexpr ribbon::box2d::Solver default_solver = ribbon::box2d::Solver::direct;
   static constexpr int velocity_iterations = 8;
   static constexpr int position_iterations = 3;
@@ -83,13 +84,13 @@ class Scene {
   void hang_load(const MapObject& object, const TiledMap& map);
   ribbon::box2d::CordId named_cord(const MapObject& object, const TiledMap& map) const;
   std::optional<ribbon::box2d::CordPoint> nearest_of(ribbon::box2d::CordId cord, ribbon::Vec2 position,
-                                                     double reach) const;
+                                                     double max_distance) const;
 
   b2World world_;
   ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
   std::vector<int> cord_objects_;  // by cord
-  ribbon::Cord::State hashed_;     // of the cord that was hashed last
+  ribbon::Cord::State hashed_;     // scratch of add_to
   ribbon::ThesisCord::State hashed_thesis_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double largest_velocity = 1000.0;  // m/s, of a body as a map may declare it
+constexpr double max_velocity = 1000.0;  // m/s or rad/s, the largest initial velocity that a map may set
 
 float single(double value) { return static_cast<float>(value); }
 
@@ -23,17 +23,17 @@ b2BodyType body_type(const MapObject& object) {
   return type == "kinematic" ? b2_kinematicBody : b2_dynamicBody;
 }
 
-/// True if every corner lies to the same side of every edge (which a star's do not), none is too near the next, and
-/// they span an area: one that Box2D, in single precision, does not take for none.
+/// True if all corners are on the same side of each edge (which excludes stars), neighbours are far enough apart, and
+/// the area is large enough for Box2D's single precision.
 bool is_convex(const std::vector<Vec2>& points) {
   double side = 0.0;
   double twice_area = 0.0;
-  double longest = 0.0;
+  double max_edge = 0.0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec2 a = points[k];
     const Vec2 b = points[(k + 1) % points.size()];
     if (length(b - a) < 2.0 * static_cast<double>(b2_linearSlop)) return false;
-    longest = std::max(longest, length(b - a));
+    max_edge = std::max(max_edge, length(b - a));
     twice_area += cross(a - points[0], b - points[0]);
     for (const Vec2 c : points) {
       const double turn = cross(b - a, c - a);
@@ -41,10 +41,11 @@ bool is_convex(const std::vector<Vec2>& points) {
       if (turn != 0.0) side = turn;
     }
   }
-  return std::abs(twice_area) > std::max(1e-3, 1e-5 * longest * longest);  // m²
+  return std::abs(twice_area) > std::max(1e-3, 1e-5 * max_edge * max_edge);  // m²
 }
 
-/// A convex polygon of at most b2_maxPolygonVertices corners, about `origin`; false if it is none.
+/// Sets the shape to a polygon relative to `origin`. Returns false if the polygon is not convex or has more than
+/// b2_maxPolygonVertices corners.
 bool set_polygon(b2PolygonShape& shape, const std::vector<Vec2>& points, Vec2 origin) {
   if (points.size() > b2_maxPolygonVertices || !is_convex(points)) return false;
   std::vector<b2Vec2> corners;
@@ -98,9 +99,9 @@ b2Body& build_circle(const MapObject& object, b2World& world) {
   b2BodyDef definition;
   definition.type = body_type(object);
   definition.position = ribbon::box2d::to_float(object.position);
-  definition.linearVelocity = {single(p.number_or("velocity_x", 0.0, {-largest_velocity, largest_velocity})),
-                               single(p.number_or("velocity_y", 0.0, {-largest_velocity, largest_velocity}))};
-  definition.angularVelocity = single(p.number_or("spin", 0.0, {-largest_velocity, largest_velocity}));
+  definition.linearVelocity = {single(p.number_or("velocity_x", 0.0, {-max_velocity, max_velocity})),
+                               single(p.number_or("velocity_y", 0.0, {-max_velocity, max_velocity}))};
+  definition.angularVelocity = single(p.number_or("spin", 0.0, {-max_velocity, max_velocity}));
   definition.angularDamping = single(p.number_or("angular_damping", 0.0, {0.0, 100.0}));
   b2CircleShape shape;
   shape.m_radius = single(0.5 * object.size.x);

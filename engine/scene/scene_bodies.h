@@ -4,8 +4,8 @@
 
 #include "engine/scene/tiled_map.h"
 
-/// The bodies of a map. Part of the scene; included by its sources only. Each of these makes the body of an object as
-/// engine/scene/scene.h says, and throws MapError for a shape, property or value that it cannot have.
+/// Builds the bodies of a map; private to the scene. engine/scene/scene.h describes the objects. All functions throw
+/// MapError for a shape, property or value that is not accepted.
 namespace engine {
 
 b2Body& build_ground(const MapObject& object, b2World& world);

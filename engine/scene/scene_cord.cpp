@@ -27,7 +27,7 @@ bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
 
-/// `own` are the properties of the cord's solver, `others` those of the one that it does not have.
+/// Throws MapError for unknown properties. `own`: properties of the cord's solver; `others`: those of the other solver.
 void check_properties(const MapObject& object, ribbon::box2d::Solver solver, Choices own, Choices others) {
   for (const std::string_view property : others) {
     if (!object.properties.has(property) || contains(own, property)) continue;
@@ -56,7 +56,7 @@ void check_corners(const MapObject& object) {
   }
 }
 
-/// m, along the polyline.
+/// Returns the length of the polyline in m.
 double path_length(const MapObject& object) {
   check_corners(object);
   double sum = 0.0;
@@ -73,11 +73,11 @@ int rows_of(const MapObject& object, ribbon::box2d::Solver solver) {
 }
 double mass_of(const Properties& p) { return p.number("mass", {1e-6, 1e6}); }
 double drag_of(const Properties& p) { return p.number_or("drag", 0.0, {0.0, 1e3}); }
-int substeps_of(const Properties& p, int otherwise) {
-  return static_cast<int>(p.integer_or("substeps", otherwise, {1, 256}));
+int substeps_of(const Properties& p, int fallback) {
+  return static_cast<int>(p.integer_or("substeps", fallback, {1, 256}));
 }
 
-/// The points of the first and last column, as far as they are pinned.
+/// Returns the points of the pinned end columns.
 std::vector<int> pins_of(const Properties& p, int columns, int rows) {
   std::vector<int> pins;
   for (int j = 0; j < rows; ++j) {
@@ -143,7 +143,7 @@ ribbon::CordDef direct_def(const MapObject& object) {
   lay_along_polyline(def, object);
   def.radius = p.number_or("radius", def.radius, {0.0, 10.0});
   def.mass_per_length = mass_of(p) / def.length;
-  const bool stretches = def.rows > 1 || p.has("stretch_stiffness");  // a rope does not unless it is told to
+  const bool stretches = def.rows > 1 || p.has("stretch_stiffness");  // ropes are inextensible by default
   if (stretches) def.stretch_stiffness = p.number("stretch_stiffness", {1e-6, 1e12});
   def.bending_stiffness = p.number_or("bending_stiffness", 0.0, {0.0, 1e12});
   def.poisson_ratio = p.number_or("poisson_ratio", 0.0, {-0.9, 0.9});

@@ -7,20 +7,20 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/thesis/thesis_def.h"
 
-/// One cord of a map. Part of the scene; included by its sources only.
+/// Reads one cord of a map; private to the scene.
 namespace engine {
 
-/// By the solver that moves it.
+/// The definition for the thesis's solver or the direct solver.
 using CordDefinition = std::variant<ribbon::ThesisDef, ribbon::CordDef>;
 
-/// How many points a cord has, as its object says. Throws MapError where read_cord does for these numbers.
+/// Returns the number of points of a cord, columns × rows. Throws MapError if columns, rows or solver are not accepted.
 std::int64_t points_of(const MapObject& object);
 
-/// Whether it meets fixtures that other cords of its game do not.
+/// Returns whether the cord collides with all fixtures, whatever the cord filter.
 bool is_solid(const MapObject& object);
 
-/// What a cord is made of, as its object says (engine/scene/scene.h has the properties). Throws MapError for a shape,
-/// property or value that it cannot have; which values go together is left to the definition's own check.
+/// Reads the definition of a cord; engine/scene/scene.h describes the properties. Throws MapError for a shape, property
+/// or value that is not accepted. The constructor of the cord checks combinations of values.
 CordDefinition read_cord(const MapObject& object);
 
 }  // namespace engine

@@ -8,8 +8,8 @@
 namespace engine {
 namespace {
 
-/// The state that the old cord is in, as the new one can have it.
-ribbon::Cord::State carried_over(const ribbon::Cord& old, const ribbon::Cord& made) {
+/// Returns the state of the old cord for the new one. Masses and stiffness are those of the new definition.
+ribbon::Cord::State carry_over(const ribbon::Cord& old, const ribbon::Cord& made) {
   const ribbon::Cord::State from = old.save();
   const ribbon::Cord::State bare = ribbon::Cord(old.def()).save();
   ribbon::Cord::State to = made.save();
@@ -23,14 +23,15 @@ ribbon::Cord::State carried_over(const ribbon::Cord& old, const ribbon::Cord& ma
   to.rest_speeds = from.rest_speeds;
   to.holders = from.holders;
   to.touches = from.touches;
-  for (std::size_t p = 0; p < to.masses.size(); ++p) to.masses[p] += from.masses[p] - bare.masses[p];  // attached
+  for (std::size_t p = 0; p < to.masses.size(); ++p)
+    to.masses[p] += from.masses[p] - bare.masses[p];  // attached masses
   to.restart = true;
   return to;
 }
 
 void retune(ribbon::Cord& cord, const ribbon::CordDef& def) {
   ribbon::Cord made(def);
-  made.restore(carried_over(cord, made));
+  made.restore(carry_over(cord, made));
   cord = std::move(made);
 }
 

@@ -68,23 +68,23 @@ std::string replaced(std::string_view text, JsonSpan span, std::string_view by) 
   return changed += text.substr(span.end);
 }
 
-/// The space from here on.
+/// Returns the white space that begins at `at`.
 std::string_view space_at(std::string_view text, std::size_t at) {
   const std::size_t end = text.find_first_not_of(" \t\r\n", at);
   return text.substr(at, (end == std::string_view::npos ? text.size() : end) - at);
 }
 
-/// The space up to here.
+/// Returns the white space that ends at `end`.
 std::string_view space_before(std::string_view text, std::size_t end) {
   const std::size_t last = text.find_last_not_of(" \t\r\n", end - 1);
   return text.substr(last + 1, end - last - 1);
 }
 
-/// A property laid out as the one that stands there.
+/// Returns the JSON of a property with the white space of the property `like`.
 std::string entry(std::string_view name, const Token& token, std::string_view text, JsonSpan like) {
   const std::string_view before = space_at(text, like.begin + 1);
   const std::string_view colon = text.substr(text.find(':', like.begin));
-  const std::string_view behind = space_at(colon, 1);
+  const std::string_view after_colon = space_at(colon, 1);
   std::string made = "{";
   const auto add = [&](std::string_view key, const std::string& value) {
     if (made.size() > 1) made += ',';
@@ -92,7 +92,7 @@ std::string entry(std::string_view name, const Token& token, std::string_view te
     made += '"';
     made += key;
     made += "\":";
-    made += behind;
+    made += after_colon;
     made += value;
   };
   add("name", json(name).dump());
@@ -129,8 +129,8 @@ std::string added(std::string_view text, JsonSpan owner, std::string_view name, 
   return replaced(text, {known.back().end, known.back().end}, next);
 }
 
-/// Where in the list of the owner's properties it stands.
-std::optional<std::size_t> place_of(std::string_view text, const std::vector<JsonSpan>& known, std::string_view name) {
+/// Returns the index of the property with that name; nothing if there is none.
+std::optional<std::size_t> index_of(std::string_view text, const std::vector<JsonSpan>& known, std::string_view name) {
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (parsed(text, json_member(text, known[k], "name")) == name) return k;
   }
@@ -148,14 +148,14 @@ std::string with_property(std::string_view text, int object, std::string_view na
   const JsonSpan owner = owner_of(text, object);
   const Token token = token_of(value);
   const auto known = properties_of(text, owner);
-  const auto place = place_of(text, known, name);
-  if (!place) return added(text, owner, name, token);
-  const auto type = json_member(text, known[*place], "type");
-  const auto old = json_member(text, known[*place], "value");
-  if (!type || !old) return replaced(text, known[*place], entry(name, token, text, known[*place]));
-  const bool number_stays_one = token.type == "int" && type->of(text) == "\"float\"";
-  const std::string new_type = number_stays_one ? json_string("float") : json_string(token.type);
-  // The later one first, so that the place of the other stays what it is.
+  const auto index = index_of(text, known, name);
+  if (!index) return added(text, owner, name, token);
+  const auto type = json_member(text, known[*index], "type");
+  const auto old = json_member(text, known[*index], "value");
+  if (!type || !old) return replaced(text, known[*index], entry(name, token, text, known[*index]));
+  const bool stays_float = token.type == "int" && type->of(text) == "\"float\"";
+  const std::string new_type = stays_float ? json_string("float") : json_string(token.type);
+  // The later span is replaced first, so that the earlier one stays valid.
   const bool type_first = type->begin < old->begin;
   const std::string once = type_first ? replaced(text, *old, token.value) : replaced(text, *type, new_type);
   return type_first ? replaced(once, *type, new_type) : replaced(once, *old, token.value);
@@ -163,26 +163,26 @@ std::string with_property(std::string_view text, int object, std::string_view na
 
 std::string without_property(std::string_view text, int object, std::string_view name) {
   const auto known = properties_of(text, owner_of(text, object));
-  const auto place = place_of(text, known, name);
-  if (!place) return std::string(text);
-  const std::size_t k = *place;
+  const auto index = index_of(text, known, name);
+  if (!index) return std::string(text);
+  const std::size_t k = *index;
   if (k + 1 < known.size()) return replaced(text, {known[k].begin, known[k + 1].begin}, "");
   const std::size_t begin = k > 0 ? known[k - 1].end : known[k].begin;
   return replaced(text, {begin, known[k].end}, "");
 }
 
 void replace_file(const std::string& path, std::string_view text) {
-  const std::string beside = path + ".new";
+  const std::string temporary = path + ".new";
   std::error_code failed;
   {
-    std::ofstream out(beside, std::ios::binary);
+    std::ofstream out(temporary, std::ios::binary);
     out << text << std::flush;
     if (!out) failed = std::make_error_code(std::errc::io_error);
   }
-  if (!failed) std::filesystem::rename(beside, path, failed);
+  if (!failed) std::filesystem::rename(temporary, path, failed);
   if (!failed) return;
   std::error_code ignored;
-  std::filesystem::remove(beside, ignored);
+  std::filesystem::remove(temporary, ignored);
   throw std::runtime_error("cannot write " + path + "; the file is as it was");
 }
 

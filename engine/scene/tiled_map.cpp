@@ -25,7 +25,7 @@ constexpr int max_group_depth = 16;
 constexpr IntegerRange accepted_tiles{1, 100'000};
 constexpr NumberRange accepted_pixels_per_metre{0.001, 100'000.0};
 
-/// Where a layer stands among the layers around it.
+/// What a layer inherits from the group layers around it.
 struct LayerFrame {
   ribbon::Vec2 offset_px;
   bool hidden = false;
@@ -107,7 +107,8 @@ void MapLoader::load_layer(const JsonObject& layer, const LayerFrame& around) {
   const std::string type = layer.text("type");
   if (type == "objectgroup") return load_objects(layer, inside.offset_px);
   if (type == "group") return load_layers(layer, inside);
-  // A hidden picture or tile layer is something to draw a level over; a visible one would be missing from the game.
+  // Hidden tile and image layers are templates for the editor. Visible ones are refused, since the game does not draw
+  // them.
   if (inside.hidden && (type == "tilelayer" || type == "imagelayer")) return;
   layer.refuse("type", "objectgroup or group (tilelayer and imagelayer if hidden)");
 }
@@ -129,7 +130,7 @@ std::string read_file(const std::string& path) {
   } catch (const std::runtime_error& error) {
     throw MapError(error.what());
   }
-  // A byte more than is accepted, whatever size the file claims.
+  // Reads one byte more than accepted, whatever size the file reports.
   std::string text(max_file_bytes + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) throw MapError(path + ": reading failed");

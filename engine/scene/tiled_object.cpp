@@ -21,8 +21,8 @@ using nlohmann::json;
 constexpr NumberRange accepted_degrees{-1e6, 1e6};
 constexpr NumberRange accepted_extent{0.01, 1e7};  // pixels
 
-/// A turn counter-clockwise.
-struct Turn {
+/// A counter-clockwise rotation.
+struct Rotation {
   double angle = 0.0;
   double cos = 1.0;
   double sin = 0.0;
@@ -30,17 +30,17 @@ struct Turn {
   ribbon::Vec2 operator()(ribbon::Vec2 v) const { return {cos * v.x - sin * v.y, sin * v.x + cos * v.y}; }
 };
 
-/// Tiled turns clockwise, in degrees.
-Turn turn_of(double clockwise_degrees) {
+/// Converts Tiled's clockwise degrees.
+Rotation rotation_of(double clockwise_degrees) {
   const double degrees = 0.0 - std::remainder(clockwise_degrees, 360.0);
   const double angle = degrees * (std::numbers::pi / 180.0);
-  // Quarter turns exactly: cos(π/2) is not 0 in floating point, and what is drawn upright should be upright.
+  // Quarter turns are exact: cos(π/2) is not 0 in floating point.
   if (degrees == 0.0) return {angle, 1.0, 0.0};
   if (std::abs(degrees) == 90.0) return {angle, 0.0, std::copysign(1.0, degrees)};
   if (std::abs(degrees) == 180.0) return {angle, -1.0, 0.0};
-  // Not by the C library, whose last bit differs between machines, and replays with it.
-  const ribbon::Vec2 turned = ribbon::rotation(angle);
-  return {angle, turned.x, turned.y};
+  // Not std::cos and std::sin: their last bit depends on the C library, which would break replays.
+  const ribbon::Vec2 cos_sin = ribbon::rotation(angle);
+  return {angle, cos_sin.x, cos_sin.y};
 }
 
 Properties::Value property_value(const JsonObject& property) {
@@ -72,16 +72,16 @@ MapShape shape_of(const JsonObject& object) {
   return found.empty() ? MapShape::rectangle : found.front();
 }
 
-/// The corners in pixels from the object's position, y up, not turned.
-std::vector<ribbon::Vec2> parse_points(const JsonObject& object, const char* key, std::size_t least) {
+/// Reads the corners in pixels relative to the object's position, y up, not rotated.
+std::vector<ribbon::Vec2> parse_points(const JsonObject& object, const char* key, std::size_t min_count) {
   std::vector<ribbon::Vec2> points;
   for (const json& value : object.array(key)) {
     const JsonObject point(value, object.where() + ": " + key + " point " + std::to_string(points.size() + 1));
     points.push_back({point.number("x", tiled_coordinate), -point.number("y", tiled_coordinate)});
   }
-  if (points.size() < least) {
+  if (points.size() < min_count) {
     object.fail(std::string(key) + " has " + std::to_string(points.size()) + " points, accepted are " +
-                std::to_string(least) + " or more");
+                std::to_string(min_count) + " or more");
   }
   return points;
 }
@@ -118,7 +118,7 @@ MapObject parse_object(JsonObject& object, const std::string& file, ribbon::Vec2
   object.rename(file + ": object " + std::to_string(result.id));
   result.name = object.text_or("name", "");
   if (!result.name.empty()) object.rename(object.where() + " " + in_quotes(result.name));
-  // The field has been "type" up to Tiled 1.8, "class" in 1.9, and "type" again.
+  // The field is "type" up to Tiled 1.8, "class" in 1.9, and "type" again from 1.10.
   result.kind = object.text_or("class", "");
   if (result.kind.empty()) result.kind = object.text_or("type", "");
   result.shape = shape_of(object);
@@ -126,19 +126,19 @@ MapObject parse_object(JsonObject& object, const std::string& file, ribbon::Vec2
 
   const ribbon::Vec2 pivot_px =
       offset_px + ribbon::Vec2{object.number("x", tiled_coordinate), object.number("y", tiled_coordinate)};
-  const Turn turn = turn_of(object.number_or("rotation", 0.0, accepted_degrees));
-  result.rotation = turn.angle;
+  const Rotation rotated = rotation_of(object.number_or("rotation", 0.0, accepted_degrees));
+  result.rotation = rotated.angle;
   result.position = frame.to_world(pivot_px);
   if (result.shape == MapShape::rectangle || result.shape == MapShape::ellipse) {
-    // Tiled's position is the top left corner, and it is what the shape turns about.
+    // Tiled's position is the top left corner, which is also the centre of rotation.
     const ribbon::Vec2 size_px{object.number("width", accepted_extent), object.number("height", accepted_extent)};
     result.size = {size_px.x / frame.pixels_per_metre, size_px.y / frame.pixels_per_metre};
-    result.position = frame.to_world(pivot_px, turn({size_px.x / 2.0, -size_px.y / 2.0}));
+    result.position = frame.to_world(pivot_px, rotated({size_px.x / 2.0, -size_px.y / 2.0}));
   }
   std::vector<ribbon::Vec2> points_px;
   if (result.shape == MapShape::polygon) points_px = parse_points(object, "polygon", 3);
   if (result.shape == MapShape::polyline) points_px = parse_points(object, "polyline", 2);
-  for (const ribbon::Vec2 point_px : points_px) result.points.push_back(frame.to_world(pivot_px, turn(point_px)));
+  for (const ribbon::Vec2 point_px : points_px) result.points.push_back(frame.to_world(pivot_px, rotated(point_px)));
   return result;
 }
 

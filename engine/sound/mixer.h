@@ -7,44 +7,43 @@
 
 namespace engine {
 
-/// A sound's place in its mixer, in the order of adding.
+/// The index of a sound in its mixer, in the order of add().
 using SoundId = int;
-/// A loop's, in the order of starting.
+/// The index of a loop, in the order of start_loop().
 using LoopId = int;
 
-/// How a sound is heard. What is out of range counts as the nearest that is in it.
+/// How a sound is played. Values out of range are clamped.
 struct Playing {
   double volume = 1.0;  ///< 0 … 4
   double pan = 0.0;     ///< −1 left … 1 right
-  double pitch = 1.0;   ///< 0.125 … 8: twice as high is twice as fast
+  double pitch = 1.0;   ///< 0.125 … 8, the factor of frequency and speed
 };
 
-/// Adds up sounds: what plays once, and loops that go on while their volume and pitch change. Nothing in it is sudden:
-/// volumes go where they are to go within some milliseconds, and what is too loud together is bent, not cut off. Knows
-/// no device. Of play and the setters the caller sees to it that there is such a sound or loop.
+/// Mixes sounds that play once and loops whose volume and pitch change. It avoids clicks: volumes change over some
+/// milliseconds, and a soft limiter replaces clipping. Independent of the audio device. Callers must pass valid ids.
 class Mixer {
  public:
-  static constexpr int most_voices = 32;
+  static constexpr int max_voices = 32;
 
-  /// `rate`: samples a second of what it mixes.
+  /// `rate`: samples per second of the mix.
   explicit Mixer(int rate);
 
   SoundId add(Sound sound);
-  /// Plays it once from its beginning. If too many play already, the one that began first ends.
+  /// Plays the sound once. If max_voices play already, the oldest ends.
   void play(SoundId sound, const Playing& how = {});
-  /// A loop of that sound, silent until set_loop.
+  /// Starts a loop of that sound, silent until set_loop.
   LoopId start_loop(SoundId sound);
   void set_loop(LoopId loop, const Playing& how);
-  /// Ends what plays, softly, and has all loops silent.
-  void hush();
-  /// Of everything, 0 … 1.
+  /// Fades out all sounds and loops.
+  void fade_out();
+  /// Sets the master volume, 0 … 1.
   void set_volume(double volume);
 
-  /// The next samples, left and right in turn, −1 … 1. Allocates nothing.
+  /// Writes the next samples, left and right interleaved, in −1 … 1. Does not allocate.
   void mix(std::span<float> stereo);
 
   int rate() const { return rate_; }
-  /// How many sounds are playing, loops left out.
+  /// The number of sounds that play, without loops.
   int voices() const { return static_cast<int>(voices_.size()); }
 
  private:
@@ -54,18 +53,18 @@ class Mixer {
   };
   struct Voice {
     SoundId sound = 0;
-    double at = 0.0;    // sample of the sound
-    double step = 0.0;  // samples of the sound a sample of the mix
+    double at = 0.0;    // position in samples of the sound
+    double step = 0.0;  // samples of the sound per sample of the mix
     Gains gains;
-    float fade = 1.0F;  // while it ends
+    float fade = 1.0F;  // falls to 0 while it ends
     bool ends = false;
     bool is_over = false;
   };
   struct Loop {
     SoundId sound = 0;
     double at = 0.0;
-    double step = 0.0, step_wanted = 0.0;
-    Gains gains, wanted;
+    double step = 0.0, target_step = 0.0;
+    Gains gains, target;
   };
 
   static Gains gains_of(const Playing& how);
@@ -75,12 +74,12 @@ class Mixer {
   void add_loop(Loop& loop, std::span<float> stereo) const;
 
   int rate_;
-  float approach_;  // share of the way that a volume goes in a sample
+  float approach_;  // the fraction of its remaining change that a volume makes per sample
   std::vector<Sound> sounds_;
   std::vector<Voice> voices_;
   std::vector<Loop> loops_;
   float volume_ = 1.0F;
-  float volume_wanted_ = 1.0F;
+  float target_volume_ = 1.0F;
 };
 
 }  // namespace engine

@@ -12,7 +12,7 @@
 namespace engine {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{16} << 20U;
+constexpr std::size_t max_file_bytes = std::size_t{16} << 20U;
 constexpr float full_scale = 32767.0F;
 constexpr std::string_view accepted = "; accepted is a WAV file of one channel of 16-bit PCM";
 
@@ -30,7 +30,7 @@ void append(std::string& bytes, std::uint32_t value, std::size_t size) {
   throw SoundError(file + ": " + sentence + std::string(accepted));
 }
 
-/// The content of the first chunk of that name.
+/// Returns the content of the first chunk with that name.
 std::optional<std::string_view> chunk(std::string_view bytes, std::string_view name, const std::string& file) {
   std::size_t at = 12;
   while (at + 8 <= bytes.size()) {
@@ -80,7 +80,7 @@ Sound load_wav(const std::string& path) {
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (!in || in.bad()) throw SoundError(path + ": reading failed");
-  if (bytes.view().size() > largest_file) fail(path, "is larger than 16 MiB");
+  if (bytes.view().size() > max_file_bytes) fail(path, "is larger than 16 MiB");
   return parse_wav(bytes.view(), path);
 }
 
@@ -92,11 +92,11 @@ std::string wav_of(const Sound& sound) {
   bytes += "WAVEfmt ";
   append(bytes, 16, 4);
   append(bytes, 1, 2);  // PCM
-  append(bytes, 1, 2);  // channel
+  append(bytes, 1, 2);  // channels
   append(bytes, rate, 4);
-  append(bytes, 2 * rate, 4);  // bytes a second
-  append(bytes, 2, 2);         // bytes a sample
-  append(bytes, 16, 2);        // bits a sample
+  append(bytes, 2 * rate, 4);  // bytes per second
+  append(bytes, 2, 2);         // bytes per sample
+  append(bytes, 16, 2);        // bits per sample
   bytes += "data";
   append(bytes, size, 4);
   for (const float sample : sound.samples) {

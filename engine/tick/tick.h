@@ -6,17 +6,17 @@
 
 namespace engine {
 
-/// Turns the time between two drawn frames into a whole number of simulation ticks.
+/// Converts the time between two drawn frames to a whole number of simulation ticks.
 ///
-/// A frame reads: `run advance(elapsed) ticks, draw once at alpha()`. Time is kept in integers, in units of
-/// 1 / (10⁹ · ticks_per_second) s, so that nothing is ever rounded and no drift builds up however the frames fall.
+/// Each frame runs advance(elapsed) ticks and draws once at alpha(). Time is stored as an integer in units of
+/// 1 / (10⁹ · ticks_per_second) s: nothing is rounded, so there is no drift.
 class FixedTick {
  public:
   static constexpr int max_ticks_per_second = 1'000'000;
 
-  /// `ticks_per_second` in 1..1'000'000. `max_ticks_per_frame`, 1 or more, is the clamp: a frame that took longer
-  /// runs this many ticks and the rest of its time is lost, so that a slow machine slows down instead of falling ever
-  /// further behind. Throws std::invalid_argument on other values.
+  /// `ticks_per_second`: 1 … 1'000'000. `max_ticks_per_frame`: 1 or more; a frame that took longer runs this many ticks
+  /// and drops the rest of its time, so that the game slows down on a slow machine instead of falling further and
+  /// further behind. Throws std::invalid_argument for other values.
   explicit FixedTick(int ticks_per_second = 60, int max_ticks_per_frame = 8)
       : rate_(ticks_per_second), max_ticks_(max_ticks_per_frame) {
     if (rate_ < 1 || rate_ > max_ticks_per_second) {
@@ -28,11 +28,11 @@ class FixedTick {
     }
   }
 
-  /// Takes in `elapsed_ns` nanoseconds of real time (negative, from a clock set back, counts as 0) and returns how
-  /// many ticks to run now, 0 to max_ticks_per_frame.
+  /// Adds `elapsed_ns` nanoseconds of real time and returns the number of ticks to run now, 0 … max_ticks_per_frame.
+  /// Negative times, from a clock that was set back, count as 0.
   int advance(std::int64_t elapsed_ns) {
     if (elapsed_ns <= 0) return 0;
-    // Whole seconds apart from the rest: no product below can overflow, whatever the clock says.
+    // Whole seconds are split off so that no product below can overflow, whatever the clock returns.
     const std::int64_t whole_seconds = elapsed_ns / unit;
     accumulated_ += (elapsed_ns % unit) * rate_;
     const std::int64_t due = whole_seconds * rate_ + accumulated_ / unit;
@@ -42,13 +42,13 @@ class FixedTick {
     return max_ticks_;
   }
 
-  /// How far the present moment lies between the last tick and the next, in [0, 1): the weight of interpolation.
+  /// The fraction of the next tick that has elapsed, in [0, 1): the weight for interpolation between ticks.
   double alpha() const { return static_cast<double>(accumulated_) / static_cast<double>(unit); }
 
-  /// Ticks lost to the clamp so far.
+  /// The number of ticks dropped so far because a frame took too long.
   std::int64_t dropped_ticks() const { return dropped_; }
   int ticks_per_second() const { return rate_; }
-  /// Seconds of simulated time in one tick.
+  /// The length of a tick in s.
   double tick_seconds() const { return 1.0 / rate_; }
 
  private:
@@ -56,7 +56,7 @@ class FixedTick {
 
   int rate_;
   int max_ticks_;
-  std::int64_t accumulated_ = 0;  // in 1/rate nanoseconds, always below unit: the part of a tick not run yet
+  std::int64_t accumulated_ = 0;  // the elapsed part of the next tick, in 1/rate nanoseconds, below `unit`
   std::int64_t dropped_ = 0;
 };
 

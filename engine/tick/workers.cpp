@@ -37,15 +37,16 @@ void Workers::run(int count, Task task, void* things) {
   has_work_.notify_all();
   work();
   std::unique_lock lock(mutex_);
-  open_ = false;  // a thread that wakes up now finds nothing left
+  open_ = false;  // all indices are taken: a thread that wakes up now must not join
   is_left_.wait(lock, [this] { return helpers_ == 0; });
 }
 
-/// Does what no thread does yet, until there is nothing left.
+/// Runs tasks of the current call until all indices are taken.
 void Workers::work() {
   for (int index = next_++; index < count_; index = next_++) task_(things_, index);
 }
 
+/// The loop of each thread: waits for a call, helps with it once, and ends when the object is destroyed.
 void Workers::serve() {
   std::uint64_t done = 0;
   std::unique_lock lock(mutex_);

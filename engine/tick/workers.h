@@ -11,20 +11,20 @@
 
 namespace engine {
 
-/// Threads that wait for things to do side by side. One of them is the caller's.
+/// A pool of threads that run tasks in parallel. The calling thread is one of the workers.
 class Workers {
  public:
-  /// One a core.
+  /// One worker per core.
   Workers();
-  /// So many, the caller among them; at least that one.
+  /// `count` workers, including the calling thread; values below 1 count as 1.
   explicit Workers(int count);
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
-  /// Ends the threads. Nothing is being done then.
+  /// Ends the threads. No task may be running.
   ~Workers();
 
-  /// For ribbon::DirectSolver::use and Coupling::use. They outlive what uses them; one thread at a time calls it, and
-  /// no task does.
+  /// For ribbon::DirectSolver::use and Coupling::use. The pool must outlive what uses it. Only one thread at a time may
+  /// call it, and no task may.
   ribbon::ParallelFor parallel_for();
 
  private:
@@ -37,12 +37,12 @@ class Workers {
   std::mutex mutex_;
   std::condition_variable has_work_;
   std::condition_variable is_left_;
-  // Under the mutex: a number for each call, whether it still takes helpers, and how many it has.
-  std::uint64_t call_ = 0;
-  bool open_ = false;
+  // Guarded by the mutex:
+  std::uint64_t call_ = 0;  // counts the calls
+  bool open_ = false;       // threads may join the current call
   bool ends_ = false;
-  int helpers_ = 0;
-  // Of the call that is open:
+  int helpers_ = 0;  // threads that work on the current call
+  // Of the current call:
   int count_ = 0;
   Task task_ = nullptr;
   void* things_ = nullptr;

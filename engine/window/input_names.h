@@ -7,11 +7,11 @@
 
 namespace engine {
 
-/// How files name what can be pressed: `key_a`, `mouse_left`, `wheel_up`, `pad_dpad_left`. Each has one name.
+/// Returns the unique name of an input in files: `key_a`, `mouse_left`, `wheel_up`, `pad_dpad_left`.
 std::string_view input_name(const InputCode& code);
-/// The other way round; none if nothing has that name.
+/// Returns the input with that name; nothing if there is none.
 std::optional<InputCode> input_of_name(std::string_view name);
-/// How a player reads it: `A`, `Left mouse`, `Wheel up`, `Pad left`.
+/// Returns the name of an input for the player: `A`, `Left mouse`, `Wheel up`, `D-pad ←`.
 std::string_view input_title(const InputCode& code);
 
 }  // namespace engine

@@ -9,9 +9,9 @@
 namespace engine {
 namespace {
 
-constexpr std::uint16_t frames_a_callback = 512;  // 12 ms: well below what a thud may lag behind its picture
+constexpr std::uint16_t frames_per_callback = 512;  // 12 ms: a delay that is not noticed
 
-/// Keeps the device's thread out of the mixer.
+/// Locks the mixer against the audio thread.
 class Lock {
  public:
   explicit Lock(SDL_AudioDeviceID device) : device_(device) {
@@ -46,7 +46,7 @@ struct Audio::Impl {
   Mixer mixer{rate};
   bool has_driver = false;
   SDL_AudioDeviceID device = 0;
-  std::string why_not;
+  std::string open_error;
 };
 
 void Audio::Impl::open() {
@@ -56,12 +56,12 @@ void Audio::Impl::open() {
     wanted.freq = rate;
     wanted.format = AUDIO_F32SYS;
     wanted.channels = 2;
-    wanted.samples = frames_a_callback;
+    wanted.samples = frames_per_callback;
     wanted.callback = fill;
     wanted.userdata = &mixer;
     device = SDL_OpenAudioDevice(nullptr, 0, &wanted, nullptr, 0);
   }
-  why_not = device == 0 ? std::string("there is no sound: ") + SDL_GetError() : "";
+  open_error = device == 0 ? std::string("there is no sound: ") + SDL_GetError() : "";
   if (device != 0) SDL_PauseAudioDevice(device, 0);
 }
 
@@ -73,15 +73,15 @@ void Audio::Impl::close() {
 Audio::Audio() : impl_(std::make_unique<Impl>()) {}
 Audio::~Audio() = default;
 
-bool Audio::is_heard() const { return impl_->device != 0 && !impl_->is_lost(); }
+bool Audio::has_device() const { return impl_->device != 0 && !impl_->is_lost(); }
 
-std::string Audio::why_silent() const { return impl_->is_lost() ? "the sound device was lost" : impl_->why_not; }
+std::string Audio::why_silent() const { return impl_->is_lost() ? "the sound device was lost" : impl_->open_error; }
 
 bool Audio::reopen_if_lost() {
-  if (is_heard()) return false;
+  if (has_device()) return false;
   impl_->close();
   impl_->open();
-  return is_heard();
+  return has_device();
 }
 
 SoundId Audio::add(Sound sound) {
@@ -104,9 +104,9 @@ void Audio::set_loop(LoopId loop, const Playing& how) {
   impl_->mixer.set_loop(loop, how);
 }
 
-void Audio::hush() {
+void Audio::fade_out() {
   const Lock lock(impl_->device);
-  impl_->mixer.hush();
+  impl_->mixer.fade_out();
 }
 
 void Audio::set_volume(double volume) {

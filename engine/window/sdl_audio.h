@@ -7,30 +7,29 @@
 
 namespace engine {
 
-/// The sound device and the mixer that it plays. Where there is no device, and once it is lost, everything can be
-/// called as before and nothing is heard.
+/// The audio device and its mixer. Without a device, or after it was lost, all calls have no audible effect.
 class Audio {
  public:
-  static constexpr int rate = 44100;  ///< samples a second of the mixer
+  static constexpr int rate = 44100;  ///< samples per second of the mixer
 
-  /// Opens the device that the system prefers.
+  /// Opens the default device.
   Audio();
   ~Audio();
 
-  /// True while there is a device that plays.
-  bool is_heard() const;
-  /// What keeps it from being heard, as a sentence; empty if nothing does.
+  /// True while a device plays.
+  bool has_device() const;
+  /// The reason why no device plays; empty if one does.
   std::string why_silent() const;
-  /// Opens a device anew if the one before was lost; true if it did. It costs some milliseconds where there is none:
-  /// try it every few seconds, no more.
+  /// Opens a device if there is none or it was lost; returns true if that succeeded. Costs some milliseconds if it
+  /// fails, so callers should retry only every few seconds.
   bool reopen_if_lost();
 
-  /// As of Mixer, whose mixing goes on in a thread of its own.
+  /// The functions of Mixer. Mixing runs in the audio thread.
   SoundId add(Sound sound);
   void play(SoundId sound, const Playing& how = {});
   LoopId start_loop(SoundId sound);
   void set_loop(LoopId loop, const Playing& how);
-  void hush();
+  void fade_out();
   void set_volume(double volume);
 
  private:

@@ -16,10 +16,10 @@
 namespace engine {
 namespace {
 
-constexpr int largest_side = 16384;  // px; what graphics hardware takes as a texture
-constexpr std::size_t most_cached_texts = 256;
-constexpr std::size_t most_open_fonts = 16;
-constexpr double text_margin = 1e6;  // px; text further outside than this is not seen either
+constexpr int max_side = 16384;  // px, the texture size that graphics hardware accepts
+constexpr std::size_t max_cached_texts = 256;
+constexpr std::size_t max_open_fonts = 16;
+constexpr double text_margin = 1e6;  // px; text farther outside is skipped
 
 using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
 using Font = std::unique_ptr<TTF_Font, decltype(&TTF_CloseFont)>;
@@ -38,13 +38,13 @@ Color mix(Color top, Color bottom, double t) {
 int pixel_size(double size) { return static_cast<int>(std::lround(std::clamp(size, 6.0, 200.0))); }
 
 Raster make_raster(int width, int height) {
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side)
+  if (width < 1 || height < 1 || width > max_side || height > max_side)
     throw std::invalid_argument("a canvas of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels: each side must be 1 to " + std::to_string(largest_side));
+                                " pixels: each side must be 1 to " + std::to_string(max_side));
   return {width, height};
 }
 
-/// The opacity of a line of text, pixel by pixel.
+/// The opacity of each pixel of a line of text.
 struct Letters {
   std::vector<std::uint8_t> mask;
   int width = 0;
@@ -66,7 +66,7 @@ Letters read_alpha(SDL_Surface& surface) {
 
 }  // namespace
 
-/// Sets text, and remembers what it set: most of what a game writes is the same in the next frame.
+/// Renders text and caches it: most text of a game is the same in the next frame.
 class HeadlessCanvas::Typesetter {
  public:
   explicit Typesetter(const std::string& font_file) : font_file_(font_file) {
@@ -87,7 +87,7 @@ class HeadlessCanvas::Typesetter {
   const Letters& letters(std::string_view utf8, int size) {
     std::pair<int, std::string> key(size, utf8);
     if (const auto found = texts_.find(key); found != texts_.end()) return found->second;
-    if (texts_.size() >= most_cached_texts) texts_.clear();
+    if (texts_.size() >= max_cached_texts) texts_.clear();
     return texts_[std::move(key)] = set(std::string(utf8), size);
   }
 
@@ -109,7 +109,7 @@ class HeadlessCanvas::Typesetter {
     Font opened(TTF_OpenFont(font_file_.c_str(), size), TTF_CloseFont);
     if (!opened) return nullptr;
     TTF_SetFontHinting(opened.get(), TTF_HINTING_LIGHT);
-    if (fonts_.size() >= most_open_fonts) fonts_.clear();
+    if (fonts_.size() >= max_open_fonts) fonts_.clear();
     return fonts_.emplace(size, std::move(opened)).first->second.get();
   }
 
@@ -173,7 +173,7 @@ void HeadlessCanvas::save_png(const std::string& path) const {
   const auto fail = [&path](const std::string& reason) {
     throw std::runtime_error("cannot write the picture " + path + ": " + reason);
   };
-  // SDL only reads from the surface, it just cannot say so.
+  // SDL only reads the pixels; its interface has no const.
   auto* const pixels = const_cast<std::uint32_t*>(raster_.pixels().data());
   const Surface surface(
       SDL_CreateRGBSurfaceWithFormatFrom(pixels, width(), height(), 32, 4 * width(), SDL_PIXELFORMAT_RGB888),

@@ -12,11 +12,11 @@
 
 namespace engine {
 
-/// A canvas in memory. It needs no display and no video driver, and the same drawing gives the same bytes in every run.
+/// A canvas in memory. It needs no display and no video driver. The same drawing calls give the same bytes in each run.
 class HeadlessCanvas : public Canvas {
  public:
-  /// Black, width × height pixels, 1 … 16384 each; throws std::invalid_argument otherwise, and std::runtime_error if
-  /// the font, a TrueType file, cannot be opened.
+  /// Makes a black canvas of width × height pixels, 1 … 16384 each. `font`: path of a TrueType file. Throws
+  /// std::invalid_argument for other sizes and std::runtime_error if the font cannot be opened.
   HeadlessCanvas(int width, int height, const std::string& font = default_font());
   ~HeadlessCanvas() override;
 
@@ -28,14 +28,14 @@ class HeadlessCanvas : public Canvas {
   void remember(int key) override;
   bool recall(int key) override;
 
-  /// Black again, in another size. Throws as the constructor does, and then changes nothing.
+  /// Changes the size and clears to black. Throws like the constructor, without a change.
   void resize(int width, int height);
-  /// Writes the picture so far. Throws std::runtime_error naming the path and the reason if it cannot be written.
+  /// Writes the picture to a PNG file. Throws std::runtime_error with path and reason if it cannot be written.
   void save_png(const std::string& path) const;
 
   const Raster& raster() const { return raster_; }
 
-  /// The font that was there when this was built: DejaVu Sans.
+  /// The path of DejaVu Sans that was found at build time.
   static std::string default_font();
 
  protected:

@@ -9,14 +9,14 @@ namespace engine {
 
 namespace {
 
-int keep_silent(Display*) { return 0; }
-void set_lost(Display*, void* noted) {
-  auto& loss = *static_cast<DisplayLoss*>(noted);
+int ignore_error(Display*) { return 0; }
+void set_lost(Display*, void* context) {
+  auto& loss = *static_cast<DisplayLoss*>(context);
   loss.lost = true;
   if (loss.escape != nullptr) std::longjmp(*loss.escape, 1);
 }
 
-/// A function of the Xlib that SDL holds open; null if that is too old to have it.
+/// Returns a function of the Xlib that SDL has loaded; null if that version does not have it.
 template <typename Function>
 Function* function_of(void* xlib, const char* name) {
   return reinterpret_cast<Function*>(SDL_LoadFunction(xlib, name));
@@ -24,18 +24,18 @@ Function* function_of(void* xlib, const char* name) {
 
 }  // namespace
 
-void note_loss_of_display(SDL_Window* window, DisplayLoss& loss) {
+void watch_for_display_loss(SDL_Window* window, DisplayLoss& loss) {
   SDL_SysWMinfo info;
   SDL_VERSION(&info.version);
   if (SDL_GetWindowWMInfo(window, &info) == SDL_FALSE || info.subsystem != SDL_SYSWM_X11) return;
   void* const xlib = SDL_LoadObject("libX11.so.6");
   if (xlib == nullptr) return;
-  // The first handler would print and end the program; the second, of Xlib 1.7 (2020) and later, decides whether the
-  // call that failed returns. Without the second the first changes nothing for the better.
+  // The default first handler prints and ends the program. The second, of Xlib 1.7 (2020) and later, runs instead of
+  // exit() after it. The first alone would not help.
   const auto on_error = function_of<decltype(XSetIOErrorHandler)>(xlib, "XSetIOErrorHandler");
   const auto on_exit = function_of<decltype(XSetIOErrorExitHandler)>(xlib, "XSetIOErrorExitHandler");
   if (on_error != nullptr && on_exit != nullptr) {
-    on_error(keep_silent);
+    on_error(ignore_error);
     on_exit(info.info.x11.display, set_lost, &loss);
   }
   SDL_UnloadObject(xlib);
@@ -43,7 +43,7 @@ void note_loss_of_display(SDL_Window* window, DisplayLoss& loss) {
 
 #else
 
-void note_loss_of_display(SDL_Window*, DisplayLoss&) {}
+void watch_for_display_loss(SDL_Window*, DisplayLoss&) {}
 
 #endif
 

@@ -6,16 +6,17 @@ struct SDL_Window;
 
 namespace engine {
 
-/// Whether a display has gone, and where whoever asks it something goes on then.
+/// Whether the connection to the display was lost, and where to continue after that.
 struct DisplayLoss {
   bool lost = false;
-  std::jmp_buf* escape = nullptr;  ///< while somebody asks, who holds nothing that has to be cleared up
+  std::jmp_buf* escape = nullptr;  ///< set during calls of the display; the caller must own nothing with a destructor
 };
 
-/// Without it Xlib ends the whole program when the X server goes away (stopped, crashed, a lost remote connection):
-/// this sets `loss.lost` and jumps to `loss.escape`, out of drivers that draw on with the answers that they did not get
-/// (Mesa's writes anywhere). After that nothing may be asked of that display again, not even to close the window.
-/// `loss` must live as long as the display is open. Does nothing where the window is not X11's; Wayland sends SDL_QUIT.
-void note_loss_of_display(SDL_Window* window, DisplayLoss& loss);
+/// Installs handlers for the loss of the X server (stopped, crashed, lost connection), which by default ends the
+/// program: they set `loss.lost` and jump to `loss.escape`. The jump is needed because drivers continue with answers
+/// that they did not receive (Mesa's writes to invalid memory). After a loss no function of that display may be called,
+/// not even to close the window. `loss` must live as long as the display is open. Does nothing without X11; Wayland
+/// sends SDL_QUIT.
+void watch_for_display_loss(SDL_Window* window, DisplayLoss& loss);
 
 }  // namespace engine

@@ -42,8 +42,8 @@ std::optional<Key> key_of_code(SDL_Keycode code) {
   return find_in(table, code);
 }
 
-/// The label's key; where the layout has no such label (digits in French, letters in Greek), the key that stands in the
-/// same place on an American keyboard.
+/// Returns the key by its label. If the layout has no such label (digits in French, letters in Greek), the key at the
+/// same position on an American keyboard.
 std::optional<Key> key_of(const SDL_Keysym& keysym) {
   if (const auto key = key_of_code(keysym.sym)) return key;
   switch (keysym.scancode) {
@@ -86,14 +86,14 @@ std::optional<PadButton> pad_button_of(std::uint8_t button) {
 }
 
 void read_axis(const SDL_ControllerAxisEvent& event, InputState& input) {
-  const double way = event.value / 32767.0;
+  const double value = event.value / 32767.0;
   switch (event.axis) {
-    case SDL_CONTROLLER_AXIS_LEFTX: return input.stick_x(PadStick::left, way);
-    case SDL_CONTROLLER_AXIS_LEFTY: return input.stick_y(PadStick::left, -way);
-    case SDL_CONTROLLER_AXIS_RIGHTX: return input.stick_x(PadStick::right, way);
-    case SDL_CONTROLLER_AXIS_RIGHTY: return input.stick_y(PadStick::right, -way);
-    case SDL_CONTROLLER_AXIS_TRIGGERLEFT: return input.trigger(PadButton::left_trigger, way);
-    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT: return input.trigger(PadButton::right_trigger, way);
+    case SDL_CONTROLLER_AXIS_LEFTX: return input.stick_x(PadStick::left, value);
+    case SDL_CONTROLLER_AXIS_LEFTY: return input.stick_y(PadStick::left, -value);
+    case SDL_CONTROLLER_AXIS_RIGHTX: return input.stick_x(PadStick::right, value);
+    case SDL_CONTROLLER_AXIS_RIGHTY: return input.stick_y(PadStick::right, -value);
+    case SDL_CONTROLLER_AXIS_TRIGGERLEFT: return input.trigger(PadButton::left_trigger, value);
+    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT: return input.trigger(PadButton::right_trigger, value);
     default: return;
   }
 }
@@ -108,7 +108,7 @@ Vec2 notches_of(const SDL_MouseWheelEvent& event) {
 void EventReader::Close::operator()(SDL_GameController* pad) const { SDL_GameControllerClose(pad); }
 
 EventReader::EventReader() {
-  // Without gamepads (no permission to look for any, say) there is still a keyboard.
+  // A failure, for instance without permission for gamepads, is not an error: the keyboard works without.
   started_ = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
 }
 

@@ -10,7 +10,7 @@ struct _SDL_GameController;
 
 namespace engine {
 
-/// Turns SDL's events into what an InputState gathers, and opens every gamepad that is plugged in.
+/// Passes SDL's events to an InputState and opens all gamepads that are connected.
 class EventReader {
  public:
   EventReader();
@@ -18,7 +18,7 @@ class EventReader {
   EventReader& operator=(const EventReader&) = delete;
   ~EventReader();
 
-  /// `pixels_per_unit` is the canvas's pixels a desktop unit, x and y.
+  /// `pixels_per_unit`: pixels of the canvas per desktop unit, x and y.
   void read(const SDL_Event& event, ribbon::Vec2 pixels_per_unit, InputState& input);
 
  private:
@@ -29,7 +29,7 @@ class EventReader {
   void open_pad(int device, InputState& input);
   void read_pad(const SDL_Event& event, InputState& input);
 
-  std::map<int, std::unique_ptr<_SDL_GameController, Close>> pads_;  // by SDL's instance number
+  std::map<int, std::unique_ptr<_SDL_GameController, Close>> pads_;  // by SDL's instance id
   bool started_ = false;
 };
 

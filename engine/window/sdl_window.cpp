@@ -24,16 +24,16 @@ using Clock = std::chrono::steady_clock;
                            "): start it from a desktop session, or run with --headless");
 }
 
-/// Without a display SDL settles for a window that nobody sees; that is wanted only by who asks for it by name.
-bool unseen(std::string_view driver) { return driver == "offscreen" || driver == "dummy" || driver == "evdev"; }
+/// SDL falls back to these drivers, which show nothing, if there is no display. They are used only on request.
+bool shows_nothing(std::string_view driver) { return driver == "offscreen" || driver == "dummy" || driver == "evdev"; }
 
-/// Holds SDL's video part open; a member before all that needs it.
+/// Keeps SDL's video subsystem open. Declare it before the members that need it.
 struct Video {
   Video() {
     SDL_SetMainReady();
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) no_display(SDL_GetError());
-    if (SDL_GetHint(SDL_HINT_VIDEODRIVER) != nullptr || !unseen(SDL_GetCurrentVideoDriver())) return;
+    if (SDL_GetHint(SDL_HINT_VIDEODRIVER) != nullptr || !shows_nothing(SDL_GetCurrentVideoDriver())) return;
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
     no_display("neither DISPLAY nor WAYLAND_DISPLAY leads to one");
   }
@@ -54,7 +54,8 @@ SDL_Renderer* make_renderer(SDL_Window* window) {
   return need(made, "a renderer for the window");
 }
 
-/// Only hardware is believed: the software renderer says so too, and then waits under some drivers only.
+/// Returns whether present() waits for the display. The software renderer claims it too, but with some drivers it does
+/// not wait.
 bool waits_for_display(SDL_Renderer* renderer) {
   constexpr std::uint32_t both = SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC;
   SDL_RendererInfo info{};
@@ -73,8 +74,8 @@ struct Window::Impl {
   Impl(const std::string& title, int width, int height);
 
   void check_display() const;
-  template <typename Question>
-  int ask_display(const Question& question);
+  template <typename Call>
+  int call_display(const Call& call);
 
   void follow_size();
 
@@ -101,7 +102,7 @@ Window::Impl::Impl(const std::string& title, int width, int height)
       renderer(make_renderer(window.get()), SDL_DestroyRenderer),
       vsync(waits_for_display(renderer.get())),
       period(frame_time(window.get())) {
-  note_loss_of_display(window.get(), loss);
+  watch_for_display_loss(window.get(), loss);
   follow_size();
 }
 
@@ -109,26 +110,27 @@ void Window::Impl::check_display() const {
   if (loss.lost) throw std::runtime_error("the display was lost: the X server that showed the window has gone");
 }
 
-/// Throws where the display is lost before or meanwhile. The question calls C alone: it may be left by a jump.
-template <typename Question>
-int Window::Impl::ask_display(const Question& question) {
+/// Calls a function that uses the display. Throws std::runtime_error if the display is or gets lost. The function may
+/// be left by longjmp: it must call C functions only.
+template <typename Call>
+int Window::Impl::call_display(const Call& call) {
   check_display();
   std::jmp_buf escape;
-  volatile int answer = 0;
+  volatile int result = 0;
   if (setjmp(escape) == 0) {
     loss.escape = &escape;
-    answer = question();
+    result = call();
   }
   loss.escape = nullptr;
   check_display();
-  return answer;
+  return result;
 }
 
 void Window::Impl::follow_size() {
   int pixels_x = 0, pixels_y = 0, units_x = 0, units_y = 0;
   SDL_GetWindowSize(window.get(), &units_x, &units_y);
   if (SDL_GetRendererOutputSize(renderer.get(), &pixels_x, &pixels_y) != 0) return;
-  if (pixels_x < 1 || pixels_y < 1 || units_x < 1 || units_y < 1) return;  // while it is minimised
+  if (pixels_x < 1 || pixels_y < 1 || units_x < 1 || units_y < 1) return;  // minimised
   scale = {static_cast<double>(pixels_x) / units_x, static_cast<double>(pixels_y) / units_y};
   if (texture && pixels_x == canvas.width() && pixels_y == canvas.height()) return;
   canvas.resize(pixels_x, pixels_y);
@@ -140,9 +142,9 @@ void Window::Impl::follow_size() {
 Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
 
 Window::~Window() {
-  // Whatever closes a window asks its display, and may wait for the answer: with that gone, it is left as it is.
-  static std::vector<Impl*> left;
-  if (impl_->loss.lost) left.push_back(impl_.release());
+  // Closing a window calls its display and may wait for an answer. After a loss the objects are leaked on purpose.
+  static std::vector<Impl*> leaked;
+  if (impl_->loss.lost) leaked.push_back(impl_.release());
 }
 
 Canvas& Window::canvas() { return impl_->canvas; }
@@ -154,7 +156,7 @@ double Window::pixel_scale() const { return std::max(impl_->scale.y, 1.0); }
 
 WindowInput Window::poll() {
   SDL_Event event;
-  while (impl_->ask_display([&event] { return SDL_PollEvent(&event); }) != 0) {
+  while (impl_->call_display([&event] { return SDL_PollEvent(&event); }) != 0) {
     impl_->events.read(event, impl_->scale, impl_->input);
   }
   impl_->follow_size();
@@ -162,7 +164,7 @@ WindowInput Window::poll() {
 }
 
 void Window::present() {
-  impl_->ask_display([this] {
+  impl_->call_display([this] {
     const Raster& raster = impl_->canvas.raster();
     SDL_Renderer* const renderer = impl_->renderer.get();
     SDL_UpdateTexture(impl_->texture.get(), nullptr, raster.pixels().data(), 4 * raster.width());
@@ -170,7 +172,7 @@ void Window::present() {
     SDL_RenderPresent(renderer);
     return 0;
   });
-  // A driver that promises to wait may not do so while the window is hidden: then the half period is the limit.
+  // With vsync, the driver may not wait while the window is hidden: half a period is the minimum then.
   const auto earliest = impl_->shown + (impl_->vsync ? impl_->period / 2 : impl_->period);
   const auto now = Clock::now();
   if (now < earliest) std::this_thread::sleep_until(earliest);
@@ -178,14 +180,14 @@ void Window::present() {
 }
 
 void Window::set_title(const std::string& title) {
-  impl_->ask_display([&] {
+  impl_->call_display([&] {
     SDL_SetWindowTitle(impl_->window.get(), title.c_str());
     return 0;
   });
 }
 
 void Window::set_fullscreen(bool fullscreen) {
-  impl_->ask_display([&] {
+  impl_->call_display([&] {
     return SDL_SetWindowFullscreen(impl_->window.get(), fullscreen ? std::uint32_t{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0U);
   });
 }

@@ -9,34 +9,33 @@
 
 namespace engine {
 
-/// A resizable window with a canvas. A frame is: poll, draw on canvas(), present.
+/// A resizable window with a canvas. In each frame: poll, draw on canvas(), present.
 class Window {
  public:
-  /// Width and height are in the desktop's units, which are pixels unless it scales its windows. Throws
-  /// std::runtime_error if there is no display to open a window on, saying what to do then, and
-  /// std::invalid_argument unless both are 1 … 16384.
+  /// `width` and `height`: 1 … 16384 desktop units, which are pixels unless the desktop scales its windows. Throws
+  /// std::runtime_error, with advice, if there is no display, and std::invalid_argument for other sizes.
   Window(const std::string& title, int width, int height);
   ~Window();
 
-  /// The picture to draw on, in the display's own pixels. It keeps what was drawn until it is cleared.
+  /// The canvas, in pixels of the display. It keeps its content until it is cleared.
   Canvas& canvas();
   const Canvas& canvas() const;
   const Raster& raster() const;
-  /// How many pixels a desktop unit has, 1 or more: multiply text sizes by it to keep them readable.
+  /// Pixels per desktop unit, 1 or more: multiply text sizes by it to keep them readable.
   double pixel_scale() const;
 
-  /// Everything that happened since the last poll. If the window was resized, the canvas now has the new size and is
-  /// black: draw again before present. Throws std::runtime_error if the display has gone, as present does.
+  /// Returns the input since the last poll. If the window was resized, the canvas now has the new size and is black:
+  /// draw again before present. Throws std::runtime_error if the display was lost.
   WindowInput poll();
-  /// Shows the canvas, and waits so that a loop of frames runs at the display's rate, or at 60 a second if it is
-  /// unknown.
+  /// Shows the canvas and waits, so that a loop of frames runs at the rate of the display, or at 60 Hz if that is
+  /// unknown. Throws std::runtime_error if the display was lost.
   void present();
 
   void set_title(const std::string& title);
-  /// Fills the whole screen, or is a window again. Where the desktop does not have it, nothing happens.
+  /// Switches between full screen and window. No effect if the desktop does not support it.
   void set_fullscreen(bool fullscreen);
 
-  /// Writes the canvas as it is now. Throws std::runtime_error naming the path and the reason if it cannot be written.
+  /// Writes the canvas to a PNG file. Throws std::runtime_error with path and reason if it cannot be written.
   void save_png(const std::string& path) const;
 
  private:
@@ -44,7 +43,7 @@ class Window {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A clock for pacing a loop: nanoseconds since some fixed moment; it never goes back.
+/// A monotonic clock: nanoseconds since an unspecified moment.
 std::int64_t now_ns();
 
 }  // namespace engine

@@ -6,13 +6,13 @@
 namespace engine {
 namespace {
 
-constexpr double pulled = 0.5;     // share of the way from where a trigger or stick counts as a button
-constexpr double let_go = 0.4;     // and up to where it goes on to do so
-constexpr double dead_zone = 0.2;  // a stick at rest does not stand quite in the middle
+constexpr double press_threshold = 0.5;    // deflection from which a trigger or stick counts as a pressed button
+constexpr double release_threshold = 0.4;  // lower than press_threshold: hysteresis
+constexpr double dead_zone = 0.2;          // a stick at rest is not exactly in its middle
 
-double beyond_dead_zone(double way) {
-  const double far = std::abs(std::clamp(way, -1.0, 1.0));
-  return far <= dead_zone ? 0.0 : std::copysign((far - dead_zone) / (1.0 - dead_zone), way);
+double beyond_dead_zone(double deflection) {
+  const double size = std::abs(std::clamp(deflection, -1.0, 1.0));
+  return size <= dead_zone ? 0.0 : std::copysign((size - dead_zone) / (1.0 - dead_zone), deflection);
 }
 
 }  // namespace
@@ -93,8 +93,8 @@ void InputState::pad_up(PadButton button) {
 }
 
 void InputState::trigger(PadButton which, double pull) {
-  const double enough = input_.held(which) ? let_go : pulled;
-  pull >= enough ? pad_down(which) : pad_up(which);
+  const double threshold = input_.held(which) ? release_threshold : press_threshold;
+  pull >= threshold ? pad_down(which) : pad_up(which);
 }
 
 void InputState::stick_x(PadStick stick, double x) {

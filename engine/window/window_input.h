@@ -11,8 +11,8 @@
 
 namespace engine {
 
-/// The keys a game can ask for. Left and right shift are one key, as are left and right ctrl. Letters are meant by
-/// their label on the user's keyboard, as a help text names them.
+/// The keys that a game can use. Left and right shift are one key, as are left and right ctrl. Letters are those of the
+/// labels on the user's keyboard.
 enum class Key : std::uint8_t {
   a,
   b,
@@ -92,12 +92,12 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::semicolon
 enum class MouseButton : std::uint8_t { left, middle, right };
 inline constexpr std::size_t mouse_button_count = 3;
 
-/// The turning of a mouse's wheel by a notch: it is pressed and never held.
+/// A turn of the mouse wheel by one notch: it is pressed and never held.
 enum class WheelTurn : std::uint8_t { up, down };
 inline constexpr std::size_t wheel_turn_count = 2;
 
-/// A gamepad's buttons by their place on a pad of the usual shape (a is the lower of the four). Triggers and the eight
-/// directions of the sticks count as buttons too: down beyond half the way.
+/// The buttons of a gamepad by their position on a standard pad (a is the lower of the four). Triggers and the eight
+/// directions of the sticks are buttons too, which are down beyond half their range.
 enum class PadButton : std::uint8_t {
   a,
   b,
@@ -128,26 +128,26 @@ inline constexpr std::size_t pad_button_count = static_cast<std::size_t>(PadButt
 
 enum class PadStick : std::uint8_t { left, right };
 
-/// Anything that can be pressed.
+/// Any input that can be pressed.
 using InputCode = std::variant<Key, MouseButton, WheelTurn, PadButton>;
 
-/// What the user did up to one poll. `held` is the state at the poll; `pressed` and `released` are what happened since
-/// the poll before, so a key tapped between two polls is pressed and released without being held.
+/// The input at one poll. `held` is the state at the poll; `pressed` and `released` are events since the poll before: a
+/// key that is tapped between two polls is pressed and released but not held.
 struct WindowInput {
   bool quit = false;        ///< the window was asked to close
-  bool focus_lost = false;  ///< another window has the keyboard now: what was held is released
+  bool focus_lost = false;  ///< another window got the keyboard; everything held is released
   ribbon::Vec2 mouse{};     ///< canvas pixels, y down
   bool mouse_moved = false;
   ribbon::Vec2 wheel{};  ///< notches: to the right, and upwards (away from the user)
-  std::string text;      ///< what was typed, UTF-8
+  std::string text;      ///< typed text, UTF-8
   std::bitset<key_count> keys_held, keys_pressed, keys_released;
   std::bitset<mouse_button_count> buttons_held, buttons_pressed, buttons_released;
   std::bitset<wheel_turn_count> wheel_turned;
   std::bitset<pad_button_count> pad_held, pad_pressed, pad_released;
-  ribbon::Vec2 left_stick{}, right_stick{};  ///< −1 … 1 each way, y up; 0 where a stick at rest stands
-  int pads = 0;                              ///< gamepads that are plugged in: they count as one
-  bool pad_found = false;                    ///< one was plugged in
-  bool pad_lost = false;                     ///< one was unplugged: what was held on any of them is released
+  ribbon::Vec2 left_stick{}, right_stick{};  ///< −1 … 1 per axis, y up; 0 within the dead zone
+  int pads = 0;                              ///< number of connected gamepads; their input is combined
+  bool pad_found = false;                    ///< a gamepad was connected
+  bool pad_lost = false;                     ///< a gamepad was disconnected; everything held on gamepads is released
 
   bool held(Key key) const { return keys_held[static_cast<std::size_t>(key)]; }
   bool pressed(Key key) const { return keys_pressed[static_cast<std::size_t>(key)]; }
@@ -169,20 +169,20 @@ struct WindowInput {
   }
 };
 
-/// Gathers single events into what a poll returns. Knows no window, so it can be tested without one.
+/// Collects events into the result of a poll. Independent of a window.
 class InputState {
  public:
-  /// A repeated key_down of a held key (the keyboard's auto-repeat) is not another press.
+  /// Ignores key_down of a held key (auto-repeat).
   void key_down(Key key);
   void key_up(Key key);
   void button_down(MouseButton button);
   void button_up(MouseButton button);
   void mouse_at(ribbon::Vec2 pixels);
-  /// By so many notches, to the right and upwards.
+  /// Turns the wheel by this number of notches, to the right and upwards.
   void wheel(ribbon::Vec2 notches);
   void text(std::string_view utf8) { input_.text += utf8; }
   void quit() { input_.quit = true; }
-  /// Releases everything held on keyboard and mouse: a window without focus is not told when a key goes up.
+  /// Releases everything held on keyboard and mouse, since a window without focus receives no key-up events.
   void focus_lost();
 
   void pad_found();
@@ -190,14 +190,13 @@ class InputState {
   void pad_lost();
   void pad_down(PadButton button);
   void pad_up(PadButton button);
-  /// How far a trigger is pulled, 0 … 1.
+  /// Sets the position of a trigger, 0 … 1.
   void trigger(PadButton which, double pull);
-  /// Where one coordinate of a stick is, −1 … 1: x to the right, y up.
+  /// Sets one coordinate of a stick, −1 … 1: x to the right, y up.
   void stick_x(PadStick stick, double x);
   void stick_y(PadStick stick, double y);
 
-  /// What happened since the last take. Presses, releases, quit and a lost focus are then forgotten; what is held stays
-  /// held.
+  /// Returns the input since the last call and clears all events; what is held stays held.
   WindowInput take();
 
  private:

@@ -19,12 +19,12 @@ namespace {
 constexpr int window_width = 1280;
 constexpr int window_height = 720;
 
-std::unique_ptr<PlayScreen> run_asked_for(Session& session, const RunOptions& options) {
+std::unique_ptr<PlayScreen> requested_run(Session& session, const RunOptions& options) {
   if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
-  RunOptions asked = options;
+  RunOptions requested = options;
   const bool by_hand = options.replay.empty() && !options.ticks;
-  if (by_hand) asked.assists = session.settings.assists();
-  return std::make_unique<PlayScreen>(session, asked, true);
+  if (by_hand) requested.assists = session.settings.assists();
+  return std::make_unique<PlayScreen>(session, requested, true);
 }
 
 }  // namespace
@@ -33,11 +33,11 @@ App::App(const RunOptions& options)
     : options_(options),
       bad_ticks_(bad_tick_recorder(options)),
       session_(config_folder(), data_folder()),
-      first_run_(run_asked_for(session_, options)),
+      first_run_(requested_run(session_, options)),
       direct_(first_run_.get()),
       window_("Rope swing", window_width, window_height) {
   session_.watcher = bad_ticks_.get();
-  tell_of_sounds();
+  report_sound_errors();
   if (direct_ != nullptr) {
     screens_.open(std::move(first_run_));
   } else {
@@ -56,19 +56,19 @@ bool App::frame(std::int64_t elapsed_ns) {
 
 bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   if (input.quit) return false;
-  obey_keys(input);
-  notice_pads(input);
+  handle_keys(input);
+  report_gamepads(input);
   const MenuInput menu = menu_reader_.read(input, elapsed_ns);
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
-  session_.notice.pass(elapsed_ns);
+  session_.notice.advance(elapsed_ns);
   drawn_ns_ += elapsed_ns;
-  session_.sounds.pass(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
-  follow_settings();
+  session_.sounds.frame(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
+  apply_settings();
   return true;
 }
 
-void App::follow_settings() {
-  session_.keep_settings();
+void App::apply_settings() {
+  session_.save_settings();
   if (is_fullscreen_ != session_.settings.fullscreen) {
     is_fullscreen_ = session_.settings.fullscreen;
     window_.set_fullscreen(is_fullscreen_);
@@ -82,17 +82,17 @@ void App::follow_settings() {
 void App::draw() {
   screens_.draw(window_.canvas(), text_scale());
   if (!session_.notice.text().empty()) draw_notice(window_.canvas(), session_.notice.text(), text_scale());
-  if (std::exchange(wants_picture_, false)) take_picture();
-  take_film();
+  if (std::exchange(wants_screenshot_, false)) save_screenshot();
+  record_frame();
 }
 
-/// What is drawn after it is not in the film.
-void App::take_film() {
-  std::string said = film_.take(window_.raster(), std::exchange(drawn_ns_, 0));
-  if (std::exchange(wants_film_, false)) said = film_.toggle(window_.raster());
-  if (!said.empty()) {
-    std::printf("%s\n", said.c_str());
-    session_.notice.show(std::move(said));
+/// Adds the canvas to the video. What is drawn later is not in it.
+void App::record_frame() {
+  std::string message = film_.take(window_.raster(), std::exchange(drawn_ns_, 0));
+  if (std::exchange(wants_film_, false)) message = film_.toggle(window_.raster());
+  if (!message.empty()) {
+    std::printf("%s\n", message.c_str());
+    session_.notice.show(std::move(message));
   }
   if (film_.is_running()) draw_filming_mark(window_.canvas(), text_scale());
 }
@@ -103,43 +103,43 @@ double App::text_scale() const {
   return window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
 }
 
-void App::obey_keys(const engine::WindowInput& input) {
+void App::handle_keys(const engine::WindowInput& input) {
   Settings& settings = session_.settings;
   if (settings.bindings.pressed(Action::mute, input)) settings.sound.muted = !settings.sound.muted;
   if (settings.bindings.pressed(Action::fullscreen, input)) settings.fullscreen = !settings.fullscreen;
-  if (settings.bindings.pressed(Action::screenshot, input)) wants_picture_ = true;
+  if (settings.bindings.pressed(Action::screenshot, input)) wants_screenshot_ = true;
   if (settings.bindings.pressed(Action::film, input)) wants_film_ = true;
 }
 
-void App::notice_pads(const engine::WindowInput& input) {
+void App::report_gamepads(const engine::WindowInput& input) {
   if (input.pad_pressed.any()) session_.uses_pad = true;
   if (input.keys_pressed.any() || input.buttons_pressed.any()) session_.uses_pad = false;
   if (input.pad_found) session_.notice.show("A gamepad is plugged in");
   if (input.pad_lost) session_.notice.show("The gamepad was unplugged");
 }
 
-void App::tell_of_sounds() {
+void App::report_sound_errors() {
   const Sounds& sounds = session_.sounds;
-  for (const std::string& trouble : {sounds.why_silent(), sounds.trouble()}) {
-    if (!trouble.empty()) std::fprintf(stderr, "ropeswing: %s\n", trouble.c_str());
+  for (const std::string& error : {sounds.why_silent(), sounds.load_error()}) {
+    if (!error.empty()) std::fprintf(stderr, "ropeswing: %s\n", error.c_str());
   }
-  if (!sounds.trouble().empty()) session_.notice.show("A sound is missing: " + sounds.trouble());
+  if (!sounds.load_error().empty()) session_.notice.show("A sound is missing: " + sounds.load_error());
 }
 
-void App::take_picture() {
+void App::save_screenshot() {
   try {
     const std::string name = free_name(".png");
     window_.save_png(name);
     std::printf("picture: %s\n", name.c_str());
     session_.notice.show("Screenshot: " + name);
-  } catch (const std::runtime_error& error) {  // no reason to stop playing
+  } catch (const std::runtime_error& error) {  // the game continues
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     session_.notice.show("The screenshot cannot be written");
   }
 }
 
 int App::finish() {
-  if (const std::string said = film_.finish(); !said.empty()) std::printf("%s\n", said.c_str());
+  if (const std::string message = film_.finish(); !message.empty()) std::printf("%s\n", message.c_str());
   screens_.leave();
   if (!options_.screenshot.empty()) {
     window_.save_png(options_.screenshot);

@@ -14,24 +14,25 @@ namespace game {
 
 class PlayScreen;
 
-/// The program in a window: settings, window, and the screens in it. Its loop is callable a frame at a time.
+/// The program in a window: settings, window and screens. The caller runs its frames one at a time.
 class App {
  public:
-  /// Goes straight into play if the options ask for anything, else to the title. Throws as run_in_window does.
+  /// Opens the run that the options ask for, or the title screen. Throws like run_in_window.
   explicit App(const RunOptions& options);
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
 
-  /// What happened since the last frame, so long ago, is obeyed, drawn and shown. False at the end of the game.
+  /// Runs one frame: polls, updates, draws and presents. `elapsed_ns`: the time since the last frame. Returns false at
+  /// the end of the game.
   bool frame(std::int64_t elapsed_ns);
-  /// The parts of a frame: input may come from elsewhere.
+  /// The parts of a frame, for input from elsewhere. update() returns false at the end of the game.
   bool update(const engine::WindowInput& input, std::int64_t elapsed_ns);
   void draw();
 
-  /// Completes the recordings of runs that cannot go on.
+  /// Completes all recordings, before an end by an error.
   void save_recordings() { screens_.leave(); }
-  /// Says how it ended; the exit status.
+  /// Prints the result and returns the exit status.
   int finish();
 
   engine::Window& window() { return window_; }
@@ -40,27 +41,27 @@ class App {
 
  private:
   double text_scale() const;
-  void follow_settings();
-  void obey_keys(const engine::WindowInput& input);
-  void notice_pads(const engine::WindowInput& input);
-  void tell_of_sounds();
-  void take_picture();
-  void take_film();
+  void apply_settings();
+  void handle_keys(const engine::WindowInput& input);
+  void report_gamepads(const engine::WindowInput& input);
+  void report_sound_errors();
+  void save_screenshot();
+  void record_frame();
 
   RunOptions options_;
-  std::unique_ptr<engine::FlightRecorder> bad_ticks_;  // if they are asked for
+  std::unique_ptr<engine::FlightRecorder> bad_ticks_;  // null unless requested
   Session session_;
-  std::unique_ptr<PlayScreen> first_run_;  // until there is a window to open it in
-  PlayScreen* direct_;                     // the run that the command line asked for, if it did
+  std::unique_ptr<PlayScreen> first_run_;  // until the window is open
+  PlayScreen* direct_;                     // the run that the command line requested, or null
   engine::Window window_;
   ScreenStack screens_;
   MenuReader menu_reader_;
   bool is_fullscreen_ = false;
   std::string title_;
-  bool wants_picture_ = false;
+  bool wants_screenshot_ = false;
   Film film_;
-  bool wants_film_ = false;    // to begin or end
-  std::int64_t drawn_ns_ = 0;  // since the frame drawn before
+  bool wants_film_ = false;    // to start or stop
+  std::int64_t drawn_ns_ = 0;  // since the last frame that was drawn
 };
 
 }  // namespace game

@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-constexpr int most_files = 20;  // of one run: a cord that is lost is bad in every tick
+constexpr int max_files = 20;  // per run: a diverged cord is bad in every tick
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::unique_ptr<engine::FlightRecorder> bad_tick_recorder(const RunOptions& opti
   conditions.max_work = options.bad_work;
   conditions.unconverged = true;
   conditions.not_finite = true;
-  return std::make_unique<engine::FlightRecorder>(conditions, options.record_bad_ticks + "/", most_files);
+  return std::make_unique<engine::FlightRecorder>(conditions, options.record_bad_ticks + "/", max_files);
 }
 
 std::string bad_ticks_line(const engine::FlightRecorder& recorder, const RunOptions& options) {

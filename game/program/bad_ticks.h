@@ -8,11 +8,11 @@
 
 namespace game {
 
-/// The recorder that the options ask for, of ticks whose cords did not converge, are no numbers, or took more than the
-/// work that is given; null if they ask for none. Makes its folder. Throws std::runtime_error if that cannot be.
+/// Returns a recorder of ticks whose cords did not converge, are not finite, or took more work than the options allow;
+/// null unless requested. Makes its folder. Throws std::runtime_error if that fails.
 std::unique_ptr<engine::FlightRecorder> bad_tick_recorder(const RunOptions& options);
 
-/// What to say of it at the end: how many it has written, and what it could not.
+/// Returns the last line of output about it: the number of files and any failure.
 std::string bad_ticks_line(const engine::FlightRecorder& recorder, const RunOptions& options);
 
 }  // namespace game

@@ -7,7 +7,7 @@ namespace game {
 namespace {
 
 constexpr std::int64_t frame_ns = 1'000'000'000 / engine::VideoWriter::frames_per_second;
-constexpr std::int64_t longest_gap_ns = 500'000'000;  // of a window that stood still: it is cut out
+constexpr std::int64_t max_gap_ns = 500'000'000;  // longer gaps between frames are shortened to this
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::string free_name(const std::string& ending) {
 std::string Film::toggle(const engine::Raster& raster) {
   if (writer_) return finish();
   name_ = free_name(".mp4");
-  due_ns_ = frame_ns;  // the first at once
+  due_ns_ = frame_ns;  // the first frame is due
   try {
     writer_.emplace(name_, raster.width(), raster.height());
   } catch (const engine::VideoError& error) {
@@ -35,7 +35,7 @@ std::string Film::take(const engine::Raster& raster, std::int64_t elapsed_ns) {
   if (raster.width() != writer_->width() || raster.height() != writer_->height()) {
     return end_with("The window has another size now; ");
   }
-  due_ns_ += std::min(elapsed_ns, longest_gap_ns);
+  due_ns_ += std::min(elapsed_ns, max_gap_ns);
   try {
     for (; due_ns_ >= frame_ns; due_ns_ -= frame_ns) writer_->write(raster.pixels());
   } catch (const engine::VideoError& error) {

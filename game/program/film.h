@@ -10,15 +10,15 @@
 
 namespace game {
 
-/// A video of what a window shows, from one press of a key to the next.
+/// Records a video of the window. The functions return a message for the player, or an empty text.
 class Film {
  public:
-  /// Begins, or ends, and says so. It goes into a free name in the working folder.
+  /// Starts or stops. The file has a free name in the working folder.
   std::string toggle(const engine::Raster& raster);
   bool is_running() const { return writer_.has_value(); }
-  /// A drawn frame, so long after the one before. Says why when the video cannot go on; else nothing.
+  /// Adds a frame `elapsed_ns` after the last one. Ends the video if that fails.
   std::string take(const engine::Raster& raster, std::int64_t elapsed_ns);
-  /// Completes what is running, and says so, or why not; nothing if none is.
+  /// Completes the video, if one is running.
   std::string finish();
 
  private:
@@ -26,13 +26,13 @@ class Film {
 
   std::optional<engine::VideoWriter> writer_;
   std::string name_;
-  std::int64_t due_ns_ = 0;  // frames that are still to be written
+  std::int64_t due_ns_ = 0;  // time of frames that are still to be written
 };
 
-/// A red dot at the top of a picture that is being filmed. Not in the film.
+/// Draws a red dot at the top of the window while a video is recorded.
 void draw_filming_mark(engine::Canvas& canvas, double text_scale);
 
-/// A free name: ropeswing-1.mp4, -2.mp4, …
+/// Returns the first free name of ropeswing-1.mp4, -2.mp4, …
 std::string free_name(const std::string& ending);
 
 }  // namespace game

@@ -31,7 +31,7 @@ void save_picture(const Simulation& simulation, const RunOptions& options) {
   std::printf("picture of the last moment: %s\n", options.screenshot.c_str());
 }
 
-/// The picture of every second tick, as a video.
+/// A video with a frame for every second tick.
 class HeadlessFilm {
  public:
   HeadlessFilm(const Simulation& simulation, const RunOptions& options)
@@ -60,11 +60,11 @@ class HeadlessFilm {
   int frames_ = 0;
 };
 
-/// Goes there and says how fast, by the processor's time: what else runs on the machine does not count.
+/// Goes to a tick and prints the speed in processor time, which does not depend on other programs.
 void seek(RecordedRun& run, int tick) {
-  const std::clock_t begun = std::clock();
+  const std::clock_t start = std::clock();
   run.seek(tick);
-  const double seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const double played = static_cast<double>(tick) / ticks_per_second;
   std::printf("tick %d reached in %.1f ms, %.0f times real time\n", tick, 1e3 * seconds,
               played / std::max(seconds, 1e-6));
@@ -93,8 +93,8 @@ int run_headless(const RunOptions& options) {
   std::optional<HeadlessFilm> film;
   if (!options.video.empty()) film.emplace(run.simulation(), options);
   run.start_recording();
-  const int most = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
-  while (!run.is_over() && run.simulation().ticks() < most) {
+  const int max_ticks = options.ticks.value_or(run.has_replay() ? std::numeric_limits<int>::max() : 0);
+  while (!run.is_over() && run.simulation().ticks() < max_ticks) {
     run.tick({});
     if (film) film->take(run.simulation());
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin = 26.0;
 constexpr double headline_size = 40.0;
-constexpr double outside = 44.0;  // above and below the card, where the line of keys is
+constexpr double outside = 44.0;  // above and below the card, for the line of keys
 
 struct Layout {
   Vec2 corner, size;  // px
@@ -30,10 +30,10 @@ Layout lay_out(const Canvas& canvas, double scale, const Card& card, int rows) {
   for (const std::string& text : card.lines) width = std::max(width, canvas.text_width(text, card.line_size * scale));
   MenuPlace menu{{}, width, 0.0, card.text_size * scale};
   const double fixed = headline + lines + 1.6 * margin * scale;
-  const double room = canvas.height() - 2.0 * outside * scale - fixed;
-  menu.height = menu.row_height() * std::clamp(static_cast<int>(room / menu.row_height()), 1, std::max(rows, 1));
+  const double available = canvas.height() - 2.0 * outside * scale - fixed;
+  menu.height = menu.row_height() * std::clamp(static_cast<int>(available / menu.row_height()), 1, std::max(rows, 1));
   if (rows == 0) menu.height = 0.0;
-  menu.height += 1e-6;  // so many rows, and not one less for a rounding
+  menu.height += 1e-6;  // rounding must not remove a row
   const Vec2 size{width + 2.0 * margin * scale, fixed + menu.height};
   const double aside = 0.5 * (canvas.width() - size.x);
   const Vec2 corner{aside + card.side * std::max(aside - 24.0 * scale, 0.0), 0.5 * (canvas.height() - size.y)};

@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-constexpr std::size_t shown_codes = 3;  // of a device
+constexpr std::size_t shown_codes = 3;  // per device
 
 }  // namespace
 

@@ -10,10 +10,10 @@
 
 namespace game {
 
-/// Which key does what, to be changed.
+/// The screen to change the bindings.
 class ControlsScreen : public Screen {
  public:
-  /// The session outlives it.
+  /// The session must outlive it.
   explicit ControlsScreen(Session& session);
 
   Next update(const Frame& frame) override;

@@ -3,8 +3,8 @@
 namespace game {
 
 std::vector<std::string> help_lines(const Settings& settings, bool pad) {
-  const auto keys = [&](Action action, std::size_t most = 2) {
-    return codes_in_words(settings.bindings, action, pad, most);
+  const auto keys = [&](Action action, std::size_t max_codes = 2) {
+    return codes_in_words(settings.bindings, action, pad, max_codes);
   };
   const auto both = [&](Action one, Action other) { return keys(one, 1) + " " + keys(other, 1); };
   std::vector<std::string> lines = {
@@ -18,7 +18,7 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
       keys(Action::pause, 1) + ": pause"};
   if (pad) return lines;
   lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
-  lines.push_back(keys(Action::debug_view) + ": points, drag by mouse   " + keys(Action::panel) + ": dials");
+  lines.push_back(keys(Action::debug_view) + ": points, drag by mouse   " + keys(Action::panel) + ": parameters");
   lines.push_back(keys(Action::film) + ": film   " + keys(Action::fullscreen) + ": full screen   " +
                   keys(Action::screenshot) + ": picture");
   lines.push_back(keys(Action::mute) + ": sound   " + keys(Action::help) + ": hide this");

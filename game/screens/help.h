@@ -7,11 +7,11 @@
 
 namespace game {
 
-/// What keys, or a gamepad's buttons, do in a run, a line each.
+/// Returns lines that explain the keys, or the buttons of a gamepad, in a run.
 std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
-/// What a level teaches: the name of an action in braces, as in "hold {grab}", is put in the words of its first key.
-/// Braces around anything else stay.
+/// Returns the hint of a level with names of actions in braces, as in "hold {grab}", replaced by their first key. Other
+/// braces stay.
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad);
 
 }  // namespace game

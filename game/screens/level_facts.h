@@ -10,18 +10,18 @@
 
 namespace game {
 
-/// What a level is called: its title, or "First swing" for first_swing.
+/// Returns the title of a level, or "First swing" for first_swing.
 std::string level_title(const Level& level);
-/// "Gold 12.00 s   Silver 15.00 s   Bronze 20.00 s"; empty if the level has none.
+/// Returns "Gold 12.00 s   Silver 15.00 s   Bronze 20.00 s"; empty if the level has no medals.
 std::string medals_in_words(const Level& level);
-/// All levels of the assets folder, in the order in which they are to be played. One that cannot be read is left out,
-/// and standard error says why.
+/// Returns all levels of the assets folder in their order. Skips levels that cannot be read, with a message on standard
+/// error.
 std::vector<Level> levels_in_order();
 LevelKey level_key(const Level& level);
 
-/// "12.35 s, Gold", "14.00 s with help"; empty: not won yet.
+/// Returns "12.35 s, Gold" or "14.00 s with help"; empty if there is no best run.
 std::string best_in_words(const Level& level, const std::optional<Best>& best);
-/// The medal that a run gets: none for one with assists.
+/// Returns the medal of a run; none for runs with assists.
 Medal medal_of(const Level& level, const Best& run);
 
 }  // namespace game

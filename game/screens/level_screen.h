@@ -15,10 +15,10 @@
 
 namespace game {
 
-/// The level select. Behind the list the level that has the focus is to be seen.
+/// The list of levels. The selected level is shown behind it.
 class LevelScreen : public Screen {
  public:
-  /// The session outlives it.
+  /// The session must outlive it.
   explicit LevelScreen(Session& session);
 
   void shown() override;
@@ -41,9 +41,9 @@ class LevelScreen : public Screen {
   engine::FixedTick clock_{ticks_per_second, 2};
 };
 
-/// Leaves everything but the title below it.
+/// Replaces all screens by the title screen and the list of levels.
 Next to_levels(Session& session);
-/// The same, with a run of that level above; with a notice instead if it cannot be read.
+/// The same, with a run of the level on top. Shows a notice and stays if the level cannot be read.
 Next start_level(Session& session, const std::string& name);
 
 }  // namespace game

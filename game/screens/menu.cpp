@@ -13,7 +13,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double value_share = 0.45;  // of the width, at the right
+constexpr double value_width = 0.45;  // fraction of the width, at the right
 
 }  // namespace
 
@@ -52,8 +52,8 @@ std::optional<MenuChoice> Menu::update(const MenuInput& input, const MenuPlace& 
   const bool adjustable = items_[static_cast<std::size_t>(focus_)].adjustable;
   const bool clicked = input.clicked && under_mouse;
   if (clicked && adjustable) {
-    const double left_arrow = place.top_left.x + place.width * (1.0 - value_share) + 0.1 * place.width;
-    const bool on_value = input.mouse.x > place.top_left.x + place.width * (1.0 - value_share);
+    const double left_arrow = place.top_left.x + place.width * (1.0 - value_width) + 0.1 * place.width;
+    const bool on_value = input.mouse.x > place.top_left.x + place.width * (1.0 - value_width);
     return MenuChoice{focus_, on_value && input.mouse.x < left_arrow ? -1 : 1};
   }
   if (input.accept || clicked) return MenuChoice{focus_, adjustable ? 1 : 0};
@@ -73,13 +73,13 @@ void Menu::draw_row(Canvas& canvas, Vec2 at, const MenuPlace& place, int item) c
   canvas.text({at.x + margin, y}, shown.label, size, color);
   if (shown.value.empty()) return;
   if (!shown.adjustable) {
-    const double room = shown.medal == Medal::none ? 0.0 : 1.2 * size;
-    canvas.text({at.x + place.width - margin - room, y}, shown.value, size, color, Align::right);
+    const double medal_width = shown.medal == Medal::none ? 0.0 : 1.2 * size;
+    canvas.text({at.x + place.width - margin - medal_width, y}, shown.value, size, color, Align::right);
     const Vec2 disc{at.x + place.width - margin - 0.8 * size, at.y + 0.5 * height - 0.45 * size};
-    if (room > 0.0) canvas.panel(disc, {0.8 * size, 0.8 * size}, 0.4 * size, style::of_medal(shown.medal));
+    if (medal_width > 0.0) canvas.panel(disc, {0.8 * size, 0.8 * size}, 0.4 * size, style::of_medal(shown.medal));
     return;
   }
-  const double left = at.x + place.width * (1.0 - value_share);
+  const double left = at.x + place.width * (1.0 - value_width);
   const double right = at.x + place.width - margin;
   canvas.text({0.5 * (left + right), y}, shown.value, size, color, Align::center);
   if (!focused) return;

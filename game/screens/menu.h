@@ -13,22 +13,22 @@ namespace game {
 struct MenuItem {
   std::string label;
   std::string value{};        ///< at the right; empty: none
-  bool adjustable = false;    ///< left and right change the value; else they do nothing
+  bool adjustable = false;    ///< left and right change the value
   Medal medal = Medal::none;  ///< drawn beside the value
 };
 
-/// Where a menu stands, in pixels.
+/// The rectangle of a menu in pixels.
 struct MenuPlace {
   ribbon::Vec2 top_left;
   double width;
-  double height;  ///< of all lines that are shown at a time
+  double height;  ///< of all visible lines
   double text_size;
 
   double row_height() const { return 1.75 * text_size; }
   int rows() const;
 };
 
-/// What the player did with a menu's line.
+/// A choice of the player in a menu.
 struct MenuChoice {
   int item;
   int step;  ///< ±1: the value was changed; 0: the line was chosen
@@ -36,17 +36,17 @@ struct MenuChoice {
   bool operator==(const MenuChoice&) const = default;
 };
 
-/// Lines of which one has the focus. Up and down wrap around; what does not fit is scrolled. Draws nothing but itself.
+/// A list of lines of which one has the focus. Up and down wrap around; a long list scrolls.
 class Menu {
  public:
-  /// Keeps the focus where it was, if there still is that line.
+  /// Keeps the index of the focus, clamped to the number of lines.
   void set_items(std::vector<MenuItem> items);
   const std::vector<MenuItem>& items() const { return items_; }
   int focus() const { return focus_; }
   void set_focus(int item);
 
-  /// Moves the focus, by mouse too. A line that is adjustable answers accept and click with a step: to the left where
-  /// the click was on the left arrow.
+  /// Moves the focus by keys, gamepad and mouse, and returns the choice, if any. For an adjustable line, accept and
+  /// click are steps to the right, and a click on its left arrow is a step to the left.
   std::optional<MenuChoice> update(const MenuInput& input, const MenuPlace& place);
   void draw(engine::Canvas& canvas, const MenuPlace& place) const;
 
@@ -58,7 +58,7 @@ class Menu {
 
   std::vector<MenuItem> items_;
   int focus_ = 0;
-  int scrolled_ = 0;  // lines above the first that is shown
+  int scrolled_ = 0;  // number of lines above the first visible one
 };
 
 }  // namespace game

@@ -6,7 +6,7 @@
 
 namespace game {
 
-/// What was done in a menu, by keyboard, gamepad or mouse alike.
+/// The input of a menu from keyboard, gamepad and mouse.
 struct MenuInput {
   int down = 0;   ///< lines to go down; negative: up
   int right = 0;  ///< steps to the right; negative: to the left
@@ -17,14 +17,14 @@ struct MenuInput {
   ribbon::Vec2 mouse{};  ///< px
 };
 
-/// Reads it. A direction that stays held is repeated, as a keyboard's keys are. The keys of menus cannot be rebound, so
-/// that nobody locks himself out.
+/// Reads the input of menus. Directions that are held repeat, like the keys of a keyboard. The keys of menus are fixed,
+/// so that menus work with any bindings.
 class MenuReader {
  public:
   MenuInput read(const engine::WindowInput& input, std::int64_t elapsed_ns);
 
  private:
-  /// Keeps the time that one direction is held.
+  /// The auto-repeat of one direction.
   class Repeat {
    public:
     int steps(bool pressed, bool held, std::int64_t elapsed_ns);

@@ -24,13 +24,13 @@ Option choice(const char* label, bool Settings::*which, const char* off, const c
 
 std::string per_cent(int value) { return std::to_string(value) + " %"; }
 
-/// The line that opens the keys stands before them, the one that goes back behind them.
+/// The options in order. The menu has one line before them, for the keys, and one after them, to go back.
 const std::vector<Option>& options() {
   static const std::vector<Option> all = {
       choice("Catch a rope", &Settings::toggle_grab, "hold the key", "press once"),
       {"Game speed", [](const Settings& settings) { return per_cent(settings.speed); },
        [](Settings& settings, int step) {
-         settings.speed = std::clamp(settings.speed + 10 * step, Settings::slowest, 100);
+         settings.speed = std::clamp(settings.speed + 10 * step, Settings::min_speed, 100);
        }},
       choice("Longer reach", &Settings::long_reach, "off", "on, from the next level"),
       choice("After a fall", &Settings::no_fall, "back to start or checkpoint", "back to the last foothold"),

@@ -8,7 +8,7 @@ namespace game {
 
 class OptionsScreen : public Screen {
  public:
-  /// The session outlives it.
+  /// The session must outlive it.
   explicit OptionsScreen(Session& session);
 
   Next update(const Frame& frame) override;

@@ -9,7 +9,7 @@
 namespace game {
 namespace {
 
-enum Item { go_on, again, options, levels, leave_it };
+enum Item { resume, again, options, levels, quit };
 
 }  // namespace
 
@@ -44,8 +44,8 @@ Next PauseScreen::choose(int item) {
     case again: play_->restart(); return Next::back();
     case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
     case levels: return play_->is_direct() ? Next::quit() : to_levels(*session_);
-    case leave_it: return to_title(*session_);
-    case go_on:
+    case quit: return to_title(*session_);
+    case resume:
     default: return Next::back();
   }
 }

@@ -9,10 +9,10 @@ namespace game {
 
 class PlayScreen;
 
-/// Over a run that stands still.
+/// The menu over a paused run.
 class PauseScreen : public Screen {
  public:
-  /// Both outlive it.
+  /// Both must outlive it.
   PauseScreen(Session& session, PlayScreen& play);
 
   Next update(const Frame& frame) override;

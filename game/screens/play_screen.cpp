@@ -13,9 +13,9 @@
 namespace game {
 namespace {
 
-constexpr int joy_ticks = 45;                        // from the goal to the results
-constexpr int hint_ticks = 8 * ticks_per_second;     // that what a level teaches is shown
-constexpr std::int64_t ghost_budget_ns = 1'500'000;  // of a frame
+constexpr int results_delay = 45;                    // ticks, from the goal to the results
+constexpr int hint_ticks = 8 * ticks_per_second;     // for which the hint of a level is shown
+constexpr std::int64_t ghost_budget_ns = 1'500'000;  // per frame
 
 }  // namespace
 
@@ -29,11 +29,11 @@ PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
 std::string PlayScreen::title() const { return run_.level().name + (run_.has_replay() ? ", a replay" : ""); }
 
 void PlayScreen::shown() {
-  controls_.forget();
+  controls_.discard();
   if (std::exchange(started_, true)) return;
   run_.watch(session_->watcher);
   run_.use(session_->workers.parallel_for());
-  if (keeps_runs()) {
+  if (records_runs()) {
     session_->last_level = run_.level().name;
     begin_run();
   } else {
@@ -41,7 +41,7 @@ void PlayScreen::shown() {
   }
 }
 
-/// With a new recording, and beside the best run so far.
+/// Starts a new run with a recording of its own and the ghost of the best run.
 void PlayScreen::begin_run() {
   finish_recording();
   assisted_ = won_ = false;
@@ -49,13 +49,13 @@ void PlayScreen::begin_run() {
   if (run_.level_is_tuned()) {
     recording_.clear();
   } else if (recording_.empty()) {
-    session_->say_that_runs_are_not_recorded();
+    session_->report_no_recordings();
   }
   try {
     run_.begin(recording_);
   } catch (const engine::ReplayError& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    session_->say_that_runs_are_not_recorded();
+    session_->report_no_recordings();
     recording_.clear();
   }
   const LevelKey key{run_.level().name, run_.level().map.content_hash};
@@ -69,33 +69,33 @@ bool PlayScreen::is_over() const {
 
 bool PlayScreen::is_won() const {
   const auto goal = simulation().goal_ticks();
-  return !is_plain() && goal && simulation().run_ticks() >= *goal + joy_ticks;
+  return !is_plain() && goal && simulation().run_ticks() >= *goal + results_delay;
 }
 
 Next PlayScreen::update(const Frame& frame) {
-  const engine::WindowInput left = panel_.update(frame.input, frame.canvas, frame.text_scale,
-                                                 1e-9 * static_cast<double>(frame.elapsed_ns), run_, meter_);
+  const engine::WindowInput input = panel_.update(frame.input, frame.canvas, frame.text_scale,
+                                                  1e-9 * static_cast<double>(frame.elapsed_ns), run_, meter_);
   if (run_.is_tuned()) {
     assisted_ = true;
-    recording_.clear();  // it ended where the tuning began
+    recording_.clear();  // it ended when the tuning began
   }
-  follow_file(frame.elapsed_ns);
+  reload_if_changed(frame.elapsed_ns);
   if (panel_.takes_restart()) restart();
-  return play({left, frame.menu, frame.canvas, frame.elapsed_ns, frame.text_scale});
+  return play({input, frame.menu, frame.canvas, frame.elapsed_ns, frame.text_scale});
 }
 
-/// A level whose file has changed begins anew; one that is broken now is told of, and the old one goes on.
-void PlayScreen::follow_file(std::int64_t elapsed_ns) {
-  if (!level_file_ || !level_file_->pass(elapsed_ns)) return;
+/// Restarts with the new level when its file has changed. If that is invalid, reports it and continues.
+void PlayScreen::reload_if_changed(std::int64_t elapsed_ns) {
+  if (!level_file_ || !level_file_->poll(elapsed_ns)) return;
   try {
     Level level = load_level(level_file_->path());
-    if (level.map.content_hash == run_.level().map.content_hash) return;  // what the panel wrote
+    if (level.map.content_hash == run_.level().map.content_hash) return;  // written by the panel
     level.assists = run_.level().assists;
     run_.set_level(std::move(level), false);
     session_->notice.show("The level was reloaded");
     restart();
   } catch (const engine::ReplayError& error) {
-    say_that_recording_failed(error);
+    report_recording_failure(error);
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     session_->notice.show(error.what());
@@ -107,16 +107,16 @@ Next PlayScreen::play(const Frame& frame) {
     return direct_ ? Next::quit() : Next::back();
   }
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
-  obey_keys(frame);
+  handle_keys(frame);
   const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
   controls_.take(frame.input, session_->settings, mouse, view_options_.debug || run_.level().sandbox);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
   advance_ghost(ticks);
   if (!is_won()) {
-    won_ = false;  // it began anew
+    won_ = false;  // restarted
   } else if (!std::exchange(won_, true)) {
-    if (keeps_runs()) finish_recording();
+    if (records_runs()) finish_recording();
     return Next::open(std::make_unique<ResultsScreen>(*session_, *this));
   }
   return Next::stay();
@@ -125,12 +125,12 @@ Next PlayScreen::play(const Frame& frame) {
 bool PlayScreen::wants_pause(const Frame& frame) const {
   if (is_plain()) return false;
   const bool lost = frame.input.pad_lost && session_->uses_pad;
-  const bool fixed = frame.input.pressed(engine::Key::escape);  // whatever is bound to what
-  if (frame.input.focus_lost && !stopped_) return true;         // nobody's hands are on the keys
+  const bool fixed = frame.input.pressed(engine::Key::escape);  // with any bindings
+  if (frame.input.focus_lost && !stopped_) return true;
   return lost || fixed || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
 }
 
-void PlayScreen::obey_keys(const Frame& frame) {
+void PlayScreen::handle_keys(const Frame& frame) {
   Settings& settings = session_->settings;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::pause)) stopped_ = is_plain() && !stopped_;
@@ -148,8 +148,8 @@ int PlayScreen::ticks_to_run(const Frame& frame) {
   const int due = clock_.advance(frame.elapsed_ns * speed / (100 * slowed_));
   if (!stopped_) return due;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
-  if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart shows at once
-  controls_.forget_presses();  // what was tapped while it stood still is not meant for after it
+  if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart needs a tick to be visible
+  controls_.discard_presses();  // presses while the run is stopped do not count later
   return 0;
 }
 
@@ -159,8 +159,8 @@ void PlayScreen::step() {
 }
 
 void PlayScreen::restart() {
-  controls_.forget();
-  if (keeps_runs()) {
+  controls_.discard();
+  if (records_runs()) {
     begin_run();
   } else {
     restart_wanted_ = true;
@@ -177,17 +177,17 @@ void PlayScreen::tick() {
   const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
-  const std::int64_t begun = engine::now_ns();
+  const std::int64_t start = engine::now_ns();
   try {
     run_.tick(input);
-  } catch (const engine::ReplayError& error) {  // of the recording, once: play on without it
-    say_that_recording_failed(error);
+  } catch (const engine::ReplayError& error) {  // thrown once; the run continues without a recording
+    report_recording_failure(error);
   }
-  meter_.add(run_.simulation(), engine::now_ns() - begun);
-  session_->sounds.hear(run_.simulation());
+  meter_.add(run_.simulation(), engine::now_ns() - start);
+  session_->sounds.tick(run_.simulation());
 }
 
-/// At least as far as the run goes, and ahead of it while there is time.
+/// Advances the ghost by the ticks of the run, and further while there is time.
 void PlayScreen::advance_ghost(int ticks) {
   if (!ghost_) return;
   const std::int64_t end = engine::now_ns() + ghost_budget_ns;
@@ -196,16 +196,16 @@ void PlayScreen::advance_ghost(int ticks) {
   }
 }
 
-void PlayScreen::say_that_recording_failed(const engine::ReplayError& error) {
+void PlayScreen::report_recording_failure(const engine::ReplayError& error) {
   std::fprintf(stderr, "ropeswing: %s\n", error.what());
-  recording_.clear();  // what there is of it is not the run
-  if (keeps_runs()) return session_->say_that_runs_are_not_recorded();
+  recording_.clear();  // it is incomplete
+  if (records_runs()) return session_->report_no_recordings();
   recording_failed_ = true;
   view_options_.notice = "Recording stopped: the file cannot be written";
 }
 
 void PlayScreen::choose_message() {
-  const auto say = [this](std::string headline, std::string below) {
+  const auto set = [this](std::string headline, std::string below) {
     view_options_.headline = std::move(headline);
     view_options_.below = std::move(below);
   };
@@ -215,18 +215,18 @@ void PlayScreen::choose_message() {
   const std::string leave = session_->uses_pad ? "B: leave" : "Esc: leave";
   if (is_over() && options_.verify) {
     const bool same = run_.exit_status() == 0;
-    return say(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
+    return set(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
   }
-  if (is_over()) return say("End of the recording", leave);
+  if (is_over()) return set("End of the recording", leave);
   const auto goal = simulation().goal_ticks();
-  if (stopped_) return say("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
-  if (goal && !won_) return say("You made it!", "in " + seconds_in_words(*goal));
-  if (run_.has_replay()) return say("", "");
+  if (stopped_) return set("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
+  if (goal && !won_) return set("You made it!", "in " + seconds_in_words(*goal));
+  if (run_.has_replay()) return set("", "");
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
-    return say("", hint);
+    return set("", hint);
   }
-  say("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
+  set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
@@ -254,7 +254,7 @@ void PlayScreen::finish_recording() {
   try {
     run_.finish();
   } catch (const engine::ReplayError& error) {
-    say_that_recording_failed(error);
+    report_recording_failure(error);
   }
 }
 

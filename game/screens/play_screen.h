@@ -18,12 +18,12 @@
 
 namespace game {
 
-/// A run that is played or watched.
+/// The screen of a run that is played, or of a replay.
 class PlayScreen : public Screen {
  public:
   static constexpr int status_recording_failed = 2;
 
-  /// `direct`: the command line asked for this run, and the program ends with it. Throws as RecordedRun does.
+  /// `direct`: the command line requested this run, and the program ends with it. Throws like RecordedRun.
   PlayScreen(Session& session, const RunOptions& options, bool direct);
 
   void shown() override;
@@ -33,11 +33,11 @@ class PlayScreen : public Screen {
   void leave() override;
   std::string title() const override;
 
-  /// Stops, and runs one tick.
+  /// Stops the run and runs one tick.
   void step();
-  /// The level begins anew, at once.
+  /// Restarts the level.
   void restart();
-  /// This run is not one for medals: something besides the player's keys moves what is in it.
+  /// Marks the run as assisted: it earns no medal.
   void mark_assisted() { assisted_ = true; }
 
   const Simulation& simulation() const { return run_.simulation(); }
@@ -45,30 +45,30 @@ class PlayScreen : public Screen {
   const RecordedRun& run() const { return run_; }
   bool is_direct() const { return direct_; }
   bool is_assisted() const { return assisted_; }
-  /// The recording of the present run; empty: there is none of it alone.
+  /// The path of the recording of the current run; empty if it has none of its own.
   const std::string& own_recording() const { return recording_; }
-  /// True when there is no more to run: the end of a replay, or of the ticks that were asked for.
+  /// True at the end of a replay, or after the number of ticks of the options.
   bool is_over() const;
-  /// True when the program was asked to end by then.
+  /// True if the program should end now.
   bool ends_program() const { return direct_ && is_over() && (options_.ticks || options_.verify); }
   int exit_status() const { return recording_failed_ ? status_recording_failed : run_.exit_status(); }
 
  private:
-  /// A replay or a number of ticks: it has no menus.
+  /// True for a replay or a number of ticks, which have no menus.
   bool is_plain() const { return run_.has_replay() || options_.ticks; }
-  /// Each run has a recording of its own, in the player's folder.
-  bool keeps_runs() const { return !is_plain() && options_.record.empty(); }
+  /// True if each run has a recording of its own in the player's folder.
+  bool records_runs() const { return !is_plain() && options_.record.empty(); }
   void begin_run();
   Next play(const Frame& frame);
-  void obey_keys(const Frame& frame);
-  void follow_file(std::int64_t elapsed_ns);
+  void handle_keys(const Frame& frame);
+  void reload_if_changed(std::int64_t elapsed_ns);
   bool wants_pause(const Frame& frame) const;
   int ticks_to_run(const Frame& frame);
   void tick();
   bool is_won() const;
   void advance_ghost(int ticks);
   void finish_recording();
-  void say_that_recording_failed(const engine::ReplayError& error);
+  void report_recording_failure(const engine::ReplayError& error);
   void choose_message();
   void draw_run(engine::Canvas& canvas, double text_scale, bool help);
 
@@ -79,7 +79,7 @@ class PlayScreen : public Screen {
   View view_;
   Meter meter_;
   TuningPanel panel_;
-  std::optional<engine::FileWatch> level_file_;  // none: of a replay
+  std::optional<engine::FileWatch> level_file_;  // not for replays
   ViewOptions view_options_;
   Controls controls_;
   engine::FixedTick clock_{ticks_per_second};
@@ -87,10 +87,10 @@ class PlayScreen : public Screen {
   std::vector<std::string> keys_;
   std::string recording_;
   bool started_ = false;
-  bool stopped_ = false;  // goes on by single ticks
-  bool won_ = false;      // and the player was told
+  bool stopped_ = false;  // runs single ticks only
+  bool won_ = false;      // and the results were shown
   bool assisted_ = false;
-  int slowed_ = 1;  // times
+  int slowed_ = 1;  // the factor of slow motion
   bool restart_wanted_ = false;
   bool recording_failed_ = false;
 };

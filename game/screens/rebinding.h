@@ -8,15 +8,15 @@
 
 namespace game {
 
-/// Waits for what a player presses for an action, and asks again if it belongs to another one.
+/// Waits for the new input of an action. An input of another action must be pressed twice.
 class Rebinding {
  public:
   explicit Rebinding(Action action) : action_(action) {}
 
-  /// A frame's input. A key of another action is asked for twice; one that the action has already is taken from it.
-  /// True when there is no more to wait for.
+  /// Handles the input of a frame. An input that the action already has is removed from it. Returns true when it is
+  /// finished.
   bool take(const engine::WindowInput& input, Bindings& bindings);
-  /// What to tell the player.
+  /// Returns the prompt for the player.
   std::string prompt(const Bindings& bindings) const;
   Action action() const { return action_; }
 
@@ -25,7 +25,7 @@ class Rebinding {
   std::optional<engine::InputCode> contested_;
 };
 
-/// The first code that was pressed in this frame.
+/// Returns the first code that was pressed in this frame.
 std::optional<engine::InputCode> pressed_code(const engine::WindowInput& input);
 
 }  // namespace game

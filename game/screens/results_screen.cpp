@@ -12,9 +12,9 @@
 namespace game {
 namespace {
 
-enum Meaning { next_level, again, watch, levels, leave_it };
+enum Meaning { next_level, again, watch, levels, quit };
 
-/// The level after that one, in the order of the level select; empty: it was the last.
+/// Returns the name of the next level; empty after the last one.
 std::string level_after(const std::string& name) {
   const std::vector<Level> levels = levels_in_order();
   const auto found = std::find_if(levels.begin(), levels.end(), [&](const Level& level) { return level.name == name; });
@@ -27,9 +27,9 @@ ResultsScreen::ResultsScreen(Session& session, PlayScreen& play) : session_(&ses
   const Level& level = play.run().level();
   const Best run{*play.simulation().goal_ticks(), play.is_assisted()};
   const auto before = session.records.best(level_key(level));
-  std::string trouble;
-  const bool is_best = session.records.offer(level_key(level), run, play.own_recording(), trouble);
-  if (!trouble.empty()) session.notice.show(trouble);
+  std::string error;
+  const bool is_best = session.records.offer(level_key(level), run, play.own_recording(), error);
+  if (!error.empty()) session.notice.show(error);
   fill_card(run, before, is_best);
   fill_menu();
 }
@@ -61,7 +61,7 @@ void ResultsScreen::fill_menu() {
   add(again, "Play again");
   if (!play_->own_recording().empty()) add(watch, "Watch this run");
   if (!play_->is_direct()) add(levels, "Levels");
-  if (play_->is_direct()) add(leave_it, "Quit");
+  if (play_->is_direct()) add(quit, "Quit");
   menu_.set_items(std::move(items));
 }
 
@@ -73,24 +73,26 @@ Next ResultsScreen::update(const Frame& frame) {
   return choice ? choose(meanings_[static_cast<std::size_t>(choice->item)]) : Next::stay();
 }
 
+Next ResultsScreen::watch_recording() {
+  RunOptions options;
+  options.level = play_->options().level.value_or(play_->run().level().name);
+  options.replay = play_->own_recording();
+  options.verify = true;
+  try {
+    return Next::open(std::make_unique<PlayScreen>(*session_, options, false));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ropeswing: %s\n", error.what());
+    session_->notice.show("The recording of this run cannot be read");
+    return Next::stay();
+  }
+}
+
 Next ResultsScreen::choose(int meaning) {
   switch (meaning) {
     case next_level: return start_level(*session_, next_);
-    case watch: {
-      RunOptions options;
-      options.level = play_->options().level.value_or(play_->run().level().name);
-      options.replay = play_->own_recording();
-      options.verify = true;
-      try {
-        return Next::open(std::make_unique<PlayScreen>(*session_, options, false));
-      } catch (const std::exception& error) {
-        std::fprintf(stderr, "ropeswing: %s\n", error.what());
-        session_->notice.show("The recording of this run cannot be read");
-        return Next::stay();
-      }
-    }
+    case watch: return watch_recording();
     case levels: return to_levels(*session_);
-    case leave_it: return Next::quit();
+    case quit: return Next::quit();
     case again:
     default: play_->restart(); return Next::back();
   }

@@ -14,10 +14,10 @@ namespace game {
 
 class PlayScreen;
 
-/// Over a run that reached the goal.
+/// The results over a run that reached the goal.
 class ResultsScreen : public Screen {
  public:
-  /// Both outlive it. Takes the run into the records.
+  /// Offers the run to the records. Both must outlive it.
   ResultsScreen(Session& session, PlayScreen& play);
 
   Next update(const Frame& frame) override;
@@ -28,14 +28,15 @@ class ResultsScreen : public Screen {
  private:
   void fill_card(const Best& run, const std::optional<Best>& before, bool is_best);
   void fill_menu();
+  Next watch_recording();
   Next choose(int item);
 
   Session* session_;
   PlayScreen* play_;
   Card card_;
   Menu menu_;
-  std::string next_{};         // level
-  std::vector<int> meanings_;  // of the menu's lines
+  std::string next_{};         // name of the next level
+  std::vector<int> meanings_;  // by line of the menu
 };
 
 }  // namespace game

@@ -11,18 +11,18 @@
 
 namespace game {
 
-/// A frame as a screen sees it.
+/// The input of a screen in one frame.
 struct Frame {
   const engine::WindowInput& input;
-  const MenuInput& menu;         ///< the same for whoever shows a menu
+  const MenuInput& menu;         ///< the same input for menus
   const engine::Canvas& canvas;  ///< as it was last drawn
-  std::int64_t elapsed_ns;       ///< since the frame before
-  double text_scale;             ///< pixels a unit of text sizes and margins
+  std::int64_t elapsed_ns;       ///< since the last frame
+  double text_scale;             ///< pixels per unit of text sizes and margins
 };
 
 class Screen;
 
-/// What a screen asks for.
+/// The next screen after an update.
 struct Next {
   enum class What { stay, open, back, replace_all, quit };
 
@@ -36,8 +36,8 @@ struct Next {
   static Next quit();
 };
 
-/// One of the pictures that the game consists of. They lie on each other: the top one gets the input; below an
-/// overlay the next one that is none is drawn, and stands still.
+/// A screen of the game. Screens form a stack: the top one gets the input. Below overlays, the first screen that is not
+/// an overlay is drawn, but not updated.
 class Screen {
  public:
   Screen() = default;
@@ -45,28 +45,28 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
   virtual ~Screen() = default;
 
-  /// Comes to lie on top: at first, and again when what was above it has gone.
+  /// Called when the screen becomes the top one: after it was opened, and after those above it were closed.
   virtual void shown() {}
-  /// What the window is called meanwhile.
+  /// The title of the window.
   virtual std::string title() const = 0;
   virtual Next update(const Frame& frame) = 0;
   virtual void draw(engine::Canvas& canvas, double text_scale) = 0;
-  /// The same while an overlay lies on it.
+  /// Draws the screen below an overlay.
   virtual void draw_below(engine::Canvas& canvas, double text_scale) { draw(canvas, text_scale); }
-  /// True if what lies below is to be drawn first.
+  /// True if the screen below must be drawn first.
   virtual bool is_overlay() const { return false; }
-  /// Before it goes, at the latest when the window closes: completes what it has under way.
+  /// Called before the screen or the window is closed, to complete files.
   virtual void leave() {}
 };
 
-/// The screens that are open.
+/// The stack of open screens.
 class ScreenStack {
  public:
   void open(std::unique_ptr<Screen> screen);
-  /// Gives the top one a frame and does what it asks for. False if it asked to quit or the last one has gone.
+  /// Updates the top screen and opens or closes screens. Returns false to quit: on request, or when none is left.
   bool update(const Frame& frame);
   void draw(engine::Canvas& canvas, double text_scale);
-  /// All of them leave, top first.
+  /// Calls leave() of all screens, the top one first.
   void leave();
   const Screen& top() const { return *screens_.back(); }
 

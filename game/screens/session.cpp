@@ -16,27 +16,27 @@ void Notice::show(std::string sentence) {
   left_ns_ = shown_for_ns;
 }
 
-void Notice::pass(std::int64_t nanoseconds) {
+void Notice::advance(std::int64_t nanoseconds) {
   left_ns_ -= nanoseconds;
   if (left_ns_ <= 0) text_.clear();
 }
 
 Session::Session(const std::string& config_folder, const std::string& data_folder)
     : records(data_folder), runs(below(data_folder, "/runs")), settings_file_(below(config_folder, "/settings.json")) {
-  std::string trouble;
-  settings = settings_file_.load(trouble);
-  records.load(trouble);
-  if (!trouble.empty()) notice.show(trouble);
+  std::string error;
+  settings = settings_file_.load(error);
+  records.load(error);
+  if (!error.empty()) notice.show(error);
 }
 
-void Session::keep_settings() {
-  std::string trouble;
-  settings_file_.keep(settings, trouble);
-  if (!trouble.empty()) notice.show(trouble);
+void Session::save_settings() {
+  std::string error;
+  settings_file_.save(settings, error);
+  if (!error.empty()) notice.show(error);
 }
 
-void Session::say_that_runs_are_not_recorded() {
-  if (std::exchange(said_, true)) return;
+void Session::report_no_recordings() {
+  if (std::exchange(reported_, true)) return;
   notice.show("Runs are not recorded: the folder cannot be written");
 }
 

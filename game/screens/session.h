@@ -14,12 +14,12 @@
 
 namespace game {
 
-/// A sentence for the player, shown for a while at the bottom of whichever screen there is; a new one takes its place.
+/// A message for the player, shown for some seconds at the bottom of any screen. A new one replaces it.
 class Notice {
  public:
   void show(std::string sentence);
-  void pass(std::int64_t nanoseconds);
-  /// Empty: none.
+  void advance(std::int64_t nanoseconds);
+  /// Empty if there is no message.
   const std::string& text() const { return text_; }
 
  private:
@@ -27,31 +27,31 @@ class Notice {
   std::int64_t left_ns_ = 0;
 };
 
-/// What all screens share.
+/// The state that all screens share.
 struct Session {
-  /// Reads what is remembered in these folders; empty: nothing is.
+  /// Reads settings and records from these folders; empty: nothing is read or saved.
   Session(const std::string& config_folder, const std::string& data_folder);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Remembers the settings if they have changed.
-  void keep_settings();
-  /// Says, once, that runs cannot be recorded.
-  void say_that_runs_are_not_recorded();
+  /// Saves the settings if they have changed.
+  void save_settings();
+  /// Reports, once, that runs cannot be recorded.
+  void report_no_recordings();
 
   Settings settings;
   Notice notice;
   Sounds sounds;
   Records records;
   RunFolder runs;
-  bool uses_pad = false;     ///< the last thing that was pressed was on a gamepad: hints name its buttons
-  std::string last_level{};  ///< that was played, for the level select
-  ribbon::box2d::StepWatcher* watcher = nullptr;  ///< of all runs that are played; outlives them
-  engine::Workers workers;                        ///< that move their cords: one a core
+  bool uses_pad = false;                          ///< the last press was on a gamepad: hints show its buttons
+  std::string last_level{};                       ///< that was played, for the list of levels
+  ribbon::box2d::StepWatcher* watcher = nullptr;  ///< of all runs; must outlive them
+  engine::Workers workers;                        ///< for the cords of all runs, one per core
 
  private:
   SettingsFile settings_file_;
-  bool said_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace game

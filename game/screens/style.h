@@ -3,11 +3,11 @@
 #include "engine/draw/canvas.h"
 #include "game/simulation/medals.h"
 
-/// What all menus look like.
+/// The colours of menus.
 namespace game::style {
 
 inline constexpr engine::Color paper{20, 24, 34, 215};
-inline constexpr engine::Color shade{12, 16, 26, 110};  ///< over a picture that stands still
+inline constexpr engine::Color shade{12, 16, 26, 110};  ///< over a paused run
 inline constexpr engine::Color white{255, 255, 255};
 inline constexpr engine::Color faint{206, 216, 226};
 inline constexpr engine::Color gold{255, 212, 92};

@@ -11,7 +11,7 @@
 namespace game {
 namespace {
 
-enum Item { play, options, leave_it };
+enum Item { play, options, quit };
 
 const Card card{.headline = "Rope swing",
                 .lines = {"Swing from rope to rope to the flag"},
@@ -28,7 +28,7 @@ TitleScreen::TitleScreen(Session& session) : session_(&session) {
   try {
     run_.emplace(shown);
     view_.emplace(run_->simulation());
-  } catch (const std::exception&) {  // without it there is the sky
+  } catch (const std::exception&) {  // without the recording, only the sky is drawn
     run_.reset();
   }
 }
@@ -41,12 +41,12 @@ Next TitleScreen::update(const Frame& frame) {
   switch (choice->item) {
     case play: return Next::open(std::make_unique<LevelScreen>(*session_));
     case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
-    case leave_it:
+    case quit:
     default: return Next::quit();
   }
 }
 
-/// Over and over.
+/// Runs the recording in a loop.
 void TitleScreen::show_run(std::int64_t elapsed_ns) {
   if (!run_) return;
   for (int ticks = clock_.advance(elapsed_ns); ticks > 0; --ticks) {

@@ -11,10 +11,10 @@
 
 namespace game {
 
-/// The first screen. Behind it a recorded run is shown.
+/// The first screen, with a recorded run behind it.
 class TitleScreen : public Screen {
  public:
-  /// The session outlives it.
+  /// The session must outlive it.
   explicit TitleScreen(Session& session);
 
   Next update(const Frame& frame) override;
@@ -32,7 +32,7 @@ class TitleScreen : public Screen {
   engine::FixedTick clock_{ticks_per_second, 2};
 };
 
-/// Leaves everything else.
+/// Replaces all screens by the title screen.
 Next to_title(Session& session);
 
 }  // namespace game

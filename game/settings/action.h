@@ -7,7 +7,7 @@
 
 namespace game {
 
-/// What a key, mouse button or gamepad button can be bound to.
+/// The actions to which keys, mouse buttons and gamepad buttons can be bound.
 enum class Action : std::uint8_t {
   left,
   right,
@@ -33,14 +33,14 @@ enum class Action : std::uint8_t {
 };
 inline constexpr std::size_t action_count = static_cast<std::size_t>(Action::screenshot) + 1;
 
-/// `throw_line`: how a settings file names it.
+/// Returns the name in settings files: `throw_line`.
 std::string_view action_name(Action action);
-/// "Throw a line": how the player reads it.
+/// Returns the name for the player: "Throw a line".
 std::string_view action_title(Action action);
-/// The bit of engine::TickInput::buttons, or 0 for what does not steer the player.
+/// Returns the bit of engine::TickInput::buttons, or 0 if the action is not an input of the simulation.
 std::uint16_t button_of(Action action);
 
-/// All of them, in their order.
+/// Returns all actions in order.
 std::span<const Action> all_actions();
 
 }  // namespace game

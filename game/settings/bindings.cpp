@@ -69,13 +69,13 @@ bool Bindings::pressed(Action action, const engine::WindowInput& input) const {
                      [&input](const InputCode& code) { return input.pressed(code); });
 }
 
-std::string codes_in_words(const Bindings& bindings, Action action, bool of_pad, std::size_t most) {
+std::string codes_in_words(const Bindings& bindings, Action action, bool of_pad, std::size_t max_codes) {
   std::string words;
   std::size_t count = 0;
   for (const InputCode& code : bindings.codes(action)) {
     if (std::holds_alternative<PadButton>(code) != of_pad) continue;
     words += (words.empty() ? "" : " or ") + std::string(engine::input_title(code));
-    if (++count == most) break;
+    if (++count == max_codes) break;
   }
   return words.empty() ? "none" : words;
 }

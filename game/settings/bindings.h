@@ -10,17 +10,17 @@
 
 namespace game {
 
-/// Which keys and buttons do what. One code belongs to one action at most; an action may have any number of codes.
+/// The bindings of inputs to actions. Each input code has at most one action; an action may have several codes.
 class Bindings {
  public:
-  /// Nothing is bound.
+  /// Makes empty bindings.
   Bindings() = default;
   static Bindings defaults();
 
   const std::vector<engine::InputCode>& codes(Action action) const { return codes_[index(action)]; }
   std::optional<Action> action_of(const engine::InputCode& code) const;
 
-  /// Adds a code to those of the action, taking it from whichever had it.
+  /// Adds a code to the action and removes it from any other.
   void bind(Action action, const engine::InputCode& code);
   void unbind(const engine::InputCode& code);
 
@@ -35,7 +35,8 @@ class Bindings {
   std::array<std::vector<engine::InputCode>, action_count> codes_;
 };
 
-/// Those of one device, as a player reads them: "Space", "A or Left", "none". Not all if there are more than `most`.
-std::string codes_in_words(const Bindings& bindings, Action action, bool of_pad, std::size_t most = 2);
+/// Returns the codes of an action for the player: "Space", "A or Left", "none". `of_pad`: those of the gamepad, else
+/// those of keyboard and mouse. At most `max_codes` of them.
+std::string codes_in_words(const Bindings& bindings, Action action, bool of_pad, std::size_t max_codes = 2);
 
 }  // namespace game

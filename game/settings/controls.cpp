@@ -10,9 +10,8 @@ namespace {
 using engine::InputCode;
 using engine::WindowInput;
 
-constexpr unsigned at_a_press =
-    button_jump | button_throw | button_retry | button_restart;  // what they do they do then
-constexpr double aiming = 0.5;  // share of a stick's way, from where it points somewhere
+constexpr unsigned edge_triggered = button_jump | button_throw | button_retry | button_restart;
+constexpr double aim_threshold = 0.5;  // deflection of a stick from which it aims
 
 std::uint16_t with(std::uint16_t buttons, unsigned more) { return static_cast<std::uint16_t>(buttons | more); }
 std::uint16_t without(std::uint16_t buttons, unsigned less) { return static_cast<std::uint16_t>(buttons & ~less); }
@@ -34,15 +33,15 @@ void Controls::take(const WindowInput& input, const Settings& settings, ribbon::
   }
   if (dragging && input.held(engine::MouseButton::left)) held_ = with(held_, button_drag);
   if (dragging && input.pressed(engine::MouseButton::left)) tapped_ = with(tapped_, button_drag);
-  stale_ =
-      forgot_ ? static_cast<std::uint16_t>(held_ & ~tapped_ & at_a_press) : static_cast<std::uint16_t>(stale_ & held_);
-  forgot_ = false;
+  stale_ = discarded_ ? static_cast<std::uint16_t>(held_ & ~tapped_ & edge_triggered)
+                      : static_cast<std::uint16_t>(stale_ & held_);
+  discarded_ = false;
   held_ = without(held_, stale_);
   toggle_grab(settings.toggle_grab);
   take_aim(input, mouse);
 }
 
-/// Where a press holds on, the next one lets go, and so does a jump.
+/// With the option, a press grabs, and the next press or a jump releases.
 void Controls::toggle_grab(bool wanted) {
   const bool pressed = (tapped_ & button_grab) != 0;
   if (!wanted) {
@@ -57,8 +56,8 @@ void Controls::toggle_grab(bool wanted) {
 
 void Controls::take_aim(const WindowInput& input, ribbon::Vec2 mouse) {
   mouse_ = mouse;
-  const double far = length(input.right_stick);
-  if (far > aiming) stick_ = (1.0 / far) * input.right_stick;
+  const double deflection = length(input.right_stick);
+  if (deflection > aim_threshold) stick_ = (1.0 / deflection) * input.right_stick;
   if (input.mouse_moved || input.buttons_pressed.any() || input.pad_lost) stick_.reset();
 }
 
@@ -76,13 +75,13 @@ engine::TickInput Controls::next(ribbon::Vec2 hand) {
   return tick;
 }
 
-void Controls::forget() {
-  forget_presses();
-  forgot_ = true;
+void Controls::discard() {
+  discard_presses();
+  discarded_ = true;
   grabs_ = false;
 }
 
-void Controls::forget_presses() {
+void Controls::discard_presses() {
   tapped_ = 0;
   wheel_left_.fill(0);
 }

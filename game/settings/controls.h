@@ -10,22 +10,21 @@
 
 namespace game {
 
-/// Makes ticks' inputs of frames' inputs: what was pressed counts in the next tick, however short it was.
+/// Converts the inputs of frames to those of ticks. Each press counts in the next tick, however short it was.
 class Controls {
  public:
-  static constexpr int wheel_ticks = 8;   ///< that a notch of the wheel holds its button
-  static constexpr double pad_aim = 8.0;  ///< m, from the player to where a stick points
+  static constexpr int wheel_ticks = 8;   ///< ticks for which a notch of the wheel holds its button
+  static constexpr double pad_aim = 8.0;  ///< m, from the player to the point at which a stick aims
 
-  /// A frame's input. `mouse` is its place in the world, m. `dragging`: the left button drags cords and does nothing
-  /// else.
+  /// Adds the input of a frame. `mouse`: its position in the world, m. `dragging`: the left button only drags.
   void take(const engine::WindowInput& input, const Settings& settings, ribbon::Vec2 mouse, bool dragging);
-  /// The next tick's, for a player whose hand is there, m.
+  /// Returns the input of the next tick. `hand`: the position of the player's hand, m.
   engine::TickInput next(ribbon::Vec2 hand);
-  /// What was pressed and not yet used is not meant for later, what is still down from a menu is not meant for the
-  /// player until it was up, and a grab by a press is over.
-  void forget();
-  /// Only what was pressed is forgotten: who goes tick by tick holds down what the next one is to have.
-  void forget_presses();
+  /// Discards unused presses, ignores buttons that are still down from a menu until they are up, and ends a toggled
+  /// grab.
+  void discard();
+  /// Discards unused presses only. For single steps, in which a button that is held counts.
+  void discard_presses();
 
  private:
   void take_aim(const engine::WindowInput& input, ribbon::Vec2 mouse);
@@ -33,12 +32,12 @@ class Controls {
 
   std::uint16_t held_ = 0;
   std::uint16_t tapped_ = 0;
-  std::uint16_t stale_ = 0;                     // down since a menu
-  bool forgot_ = false;                         // and was not asked since
-  bool grabs_ = false;                          // where a press holds on until the next
+  std::uint16_t stale_ = 0;                     // held since before discard(), ignored
+  bool discarded_ = false;                      // since the last take()
+  bool grabs_ = false;                          // toggled on
   std::array<int, action_count> wheel_left_{};  // ticks
   ribbon::Vec2 mouse_{};                        // m
-  std::optional<ribbon::Vec2> stick_;           // where it last pointed, 1 long; none: the mouse aims
+  std::optional<ribbon::Vec2> stick_;           // its last direction, a unit vector; none: the mouse aims
 };
 
 }  // namespace game

@@ -20,8 +20,8 @@ constexpr std::size_t hash_digits = 16;
 
 std::uint64_t read_hash(const JsonObject& object) {
   const std::string digits = object.text("hash");
-  const bool right = digits.size() == hash_digits && digits.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!right) object.refuse("hash", "16 hexadecimal digits");
+  const bool valid = digits.size() == hash_digits && digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!valid) object.refuse("hash", "16 hexadecimal digits");
   return std::stoull(digits, nullptr, 16);
 }
 
@@ -57,7 +57,7 @@ void Records::load(std::string& notice) {
     if (const auto text = read_user_file(file())) entries_ = parse(*text, file());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    keep_aside(file());
+    rename_broken(file());
     notice = "The best times cannot be read; the file is kept as best.json.broken";
   }
 }
@@ -80,7 +80,7 @@ bool Records::offer(const LevelKey& level, const Best& run, const std::string& r
 void Records::write(const LevelKey& level, const std::string& recording, std::string& notice) {
   if (folder_.empty()) return;
   try {
-    // The recording of an earlier run is not the one that the file speaks of.
+    // Removed first: if writing fails, the recording of an earlier run must not stay with the new record.
     std::error_code ignored;
     std::filesystem::remove(replay_path(level), ignored);
     write_user_file(file(), text());

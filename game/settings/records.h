@@ -7,7 +7,7 @@
 
 namespace game {
 
-/// A level as records know it: one whose file changes is another one.
+/// The key of a level in the records. A level whose file changes has another key.
 struct LevelKey {
   std::string name;
   std::uint64_t hash = 0;
@@ -20,24 +20,24 @@ struct Best {
   bool assisted = false;
 
   bool operator==(const Best&) const = default;
-  /// A run without assists counts more than one with them.
+  /// A run without assists is better than any with assists.
   bool is_better_than(const Best& other) const { return assisted == other.assisted ? ticks < other.ticks : !assisted; }
 };
 
-/// The best runs, by level: best.json, and best/NAME-HASH.replay for each.
+/// The best run of each level: best.json, and a recording best/NAME-HASH.replay for each.
 class Records {
  public:
-  /// An empty folder: they last until the game ends.
+  /// An empty folder: records are lost at the end of the game.
   explicit Records(std::string folder) : folder_(std::move(folder)) {}
 
-  /// Reads the file. If it cannot be used there are no records, it is kept aside, and `notice` says so.
+  /// Reads the file. If it is invalid, there are no records, the file is renamed, and `notice` reports it.
   void load(std::string& notice);
 
   std::optional<Best> best(const LevelKey& level) const;
-  /// Takes a run if it is the best one so far, with its recording (empty: there is none). True if it is. If that
-  /// cannot be written `notice` says so the first time.
+  /// Stores a run and its recording (empty: none) if it is the best so far. Returns whether it is. `notice` reports the
+  /// first time that writing fails.
   bool offer(const LevelKey& level, const Best& run, const std::string& recording, std::string& notice);
-  /// Where the recording of the best run is; it may not be there. Empty without a folder.
+  /// Returns the path of the recording of the best run, which may not exist. Empty without a folder.
   std::string replay_path(const LevelKey& level) const;
 
  private:

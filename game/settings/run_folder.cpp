@@ -11,9 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t digits = 6;
-constexpr int largest = 999'999;
+constexpr int max_number = 999'999;
 
-/// The number that a recording's name begins with; 0: it is none of ours.
+/// Returns the number at the start of a recording's name; 0 for other files.
 int number_of(const fs::path& path) {
   const std::string name = path.filename().string();
   if (path.extension() != ".replay" || name.size() <= digits || name[digits] != '-') return 0;
@@ -38,8 +38,8 @@ std::string RunFolder::next_path(const std::string& level) {
   fs::create_directories(folder_, error);
   if (error) return "";
   std::multimap<int, fs::path> found = recordings(folder_);
-  const int next = found.empty() ? 1 : std::min(found.rbegin()->first + 1, largest);
-  while (found.size() >= kept) {
+  const int next = found.empty() ? 1 : std::min(found.rbegin()->first + 1, max_number);
+  while (found.size() >= max_runs) {
     fs::remove(found.begin()->second, error);
     found.erase(found.begin());
   }

@@ -4,16 +4,15 @@
 
 namespace game {
 
-/// Where every run is recorded, under the next number: 000017-first_swing.replay. The newest are kept.
+/// The folder of the recordings of all runs, numbered: 000017-first_swing.replay. Only the newest max_runs are stored.
 class RunFolder {
  public:
-  static constexpr int kept = 50;
+  static constexpr int max_runs = 50;
 
   /// An empty folder: runs are not recorded.
   explicit RunFolder(std::string folder) : folder_(std::move(folder)) {}
 
-  /// A name for a new recording. The oldest ones go until there is room for it. Empty if there is no folder and none
-  /// can be made.
+  /// Returns the path for a new recording and removes the oldest ones. Empty if the folder cannot be made.
   std::string next_path(const std::string& level);
 
  private:

@@ -12,25 +12,25 @@ struct SoundSettings {
   bool operator==(const SoundSettings&) const = default;
 };
 
-/// What a player can choose, and what is remembered.
+/// The options of a player, which are saved.
 struct Settings {
-  static constexpr int slowest = 50;  // %
+  static constexpr int min_speed = 50;  // %
 
   Bindings bindings = Bindings::defaults();
-  bool toggle_grab = false;     ///< one press holds on, the next lets go
-  int speed = 100;              ///< % of real time, `slowest` … 100
-  bool long_reach = false;      ///< the hand catches cords from further away
-  bool no_fall = false;         ///< who falls goes on where he last stood
-  bool reduced_motion = false;  ///< less shake and movement of the picture
-  bool colour_safe = false;     ///< colours that differ in brightness too
-  bool strain_tint = false;     ///< cords are tinted by how much they are stretched
-  bool ghost = true;            ///< the best run is shown beside the present one
-  bool help = true;             ///< the keys are shown
+  bool toggle_grab = false;     ///< a press grabs, the next one releases
+  int speed = 100;              ///< % of real time, `min_speed` … 100
+  bool long_reach = false;      ///< a larger grab range
+  bool no_fall = false;         ///< after a fall the player returns to its last foothold
+  bool reduced_motion = false;  ///< less shake and motion of the picture
+  bool colour_safe = false;     ///< colours that also differ in brightness
+  bool strain_tint = false;     ///< cords are coloured by their strain
+  bool ghost = true;            ///< the best run is shown beside the current one
+  bool help = true;             ///< the list of keys is shown
   bool fullscreen = false;
   SoundSettings sound;
 
-  /// Of runs that begin from now on.
-  Assists assists() const { return {long_reach ? std::optional(Assists::long_reach) : std::nullopt, no_fall}; }
+  /// Returns the assists for new runs.
+  Assists assists() const { return {long_reach ? std::optional(Assists::long_grab_range) : std::nullopt, no_fall}; }
 
   bool operator==(const Settings&) const = default;
 };

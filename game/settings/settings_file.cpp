@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 constexpr int depth = 4;
 
-/// Every switch with its name.
+/// Calls visit(name, value) for each boolean setting.
 template <typename AnySettings, typename Visit>
 void each_switch(AnySettings& settings, Visit visit) {
   visit("toggle_grab", settings.toggle_grab);
@@ -39,7 +39,7 @@ ordered_json bindings_json(const Bindings& bindings) {
   return json;
 }
 
-/// An action that the file does not know has those of its usual keys that nothing else has.
+/// Reads the bindings. Actions that are not in the file get their default codes, unless these are bound to others.
 Bindings read_bindings(const JsonObject& object) {
   Bindings bindings;
   for (const Action action : all_actions()) {
@@ -51,10 +51,10 @@ Bindings read_bindings(const JsonObject& object) {
       bindings.bind(action, *code);
     }
   }
-  const Bindings usual = Bindings::defaults();
+  const Bindings defaults = Bindings::defaults();
   for (const Action action : all_actions()) {
     if (object.has(std::string(action_name(action)))) continue;
-    for (const engine::InputCode& code : usual.codes(action)) {
+    for (const engine::InputCode& code : defaults.codes(action)) {
       if (!bindings.action_of(code)) bindings.bind(action, code);
     }
   }
@@ -80,7 +80,7 @@ Settings parse_settings(const std::string& text, const std::string& where) {
   const nlohmann::json json = engine::parse_json(text, where, depth);
   const JsonObject object(json, where);
   Settings settings;
-  settings.speed = integer_or(object, "speed", settings.speed, {Settings::slowest, 100});
+  settings.speed = integer_or(object, "speed", settings.speed, {Settings::min_speed, 100});
   settings.sound.volume = integer_or(object, "volume", settings.sound.volume, {0, 100});
   each_switch(settings, [&object](const char* name, bool& on) { on = object.boolean_or(name, on); });
   if (object.has("bindings")) settings.bindings = read_bindings(object.object("bindings"));
@@ -88,21 +88,21 @@ Settings parse_settings(const std::string& text, const std::string& where) {
 }
 
 Settings SettingsFile::load(std::string& notice) {
-  kept_ = {};
-  if (path_.empty()) return kept_;
+  saved_ = {};
+  if (path_.empty()) return saved_;
   try {
-    if (const auto text = read_user_file(path_)) kept_ = parse_settings(*text, path_);
+    if (const auto text = read_user_file(path_)) saved_ = parse_settings(*text, path_);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    keep_aside(path_);
+    rename_broken(path_);
     notice = "The settings cannot be read, so the defaults are used; the file is kept as settings.json.broken";
   }
-  return kept_;
+  return saved_;
 }
 
-void SettingsFile::keep(const Settings& settings, std::string& notice) {
-  if (path_.empty() || settings == kept_) return;
-  kept_ = settings;
+void SettingsFile::save(const Settings& settings, std::string& notice) {
+  if (path_.empty() || settings == saved_) return;
+  saved_ = settings;
   try {
     write_user_file(path_, settings_text(settings));
   } catch (const std::exception& error) {

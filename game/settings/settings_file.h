@@ -6,28 +6,26 @@
 
 namespace game {
 
-/// Settings as JSON.
+/// Returns the settings as JSON.
 std::string settings_text(const Settings& settings);
-/// The other way round; what is not in it is as by default. Throws a std::runtime_error, beginning with `where`, that
-/// names the field which is wrong and what is accepted.
+/// Reads settings; missing fields have their defaults. Throws a std::runtime_error whose message begins with `where`
+/// and names the invalid field and what is accepted.
 Settings parse_settings(const std::string& text, const std::string& where);
 
-/// A player's settings between two games.
+/// The file of a player's settings.
 class SettingsFile {
  public:
-  /// An empty path: nothing is remembered.
+  /// An empty path: nothing is saved.
   explicit SettingsFile(std::string path) : path_(std::move(path)) {}
 
-  /// What the file holds. If it cannot be used the settings are those by default, the file is kept aside, and `notice`
-  /// says so.
+  /// Reads the file. If it is invalid, returns the defaults, renames the file, and reports it in `notice`.
   Settings load(std::string& notice);
-  /// Writes them if they differ from those that were last read or written. The first time that this fails `notice`
-  /// says so.
-  void keep(const Settings& settings, std::string& notice);
+  /// Writes the settings if they have changed since the last load or save. `notice` reports the first failure.
+  void save(const Settings& settings, std::string& notice);
 
  private:
   std::string path_;
-  Settings kept_;
+  Settings saved_;
   bool failed_ = false;
 };
 

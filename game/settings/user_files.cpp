@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest = 1U << 20U;  // bytes
+constexpr std::uintmax_t max_bytes = 1U << 20U;
 
 std::string folder(const char* variable, const char* below_home) {
   const char* const chosen = std::getenv(variable);
@@ -29,7 +29,7 @@ std::string folder(const char* variable, const char* below_home) {
   throw std::runtime_error(path + ": cannot be written: " + reason);
 }
 
-/// Has `write` make a file beside the one at `path`, and puts it in its place.
+/// Replaces the file at `path` by one that `write` makes beside it.
 template <typename Write>
 void replace(const std::string& path, Write write) {
   const std::string part = path + ".part";
@@ -51,7 +51,7 @@ std::optional<std::string> read_user_file(const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   std::ifstream in = engine::open_regular_file(path);
-  if (fs::file_size(path, ignored) > largest) throw std::runtime_error(path + ": is too large");
+  if (fs::file_size(path, ignored) > max_bytes) throw std::runtime_error(path + ": is too large");
   std::ostringstream text;
   text << in.rdbuf();
   if (in.bad()) throw std::runtime_error(path + ": cannot be read");
@@ -76,7 +76,7 @@ void copy_user_file(const std::string& from, const std::string& to) {
   });
 }
 
-void keep_aside(const std::string& path) {
+void rename_broken(const std::string& path) {
   std::error_code ignored;
   fs::rename(path, path + ".broken", ignored);
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-/// The one door to the player's own files.
+/// Access to the player's own files. The only place that reads and writes them.
 namespace game {
 
 /// $XDG_CONFIG_HOME/ropeswing, or ~/.config/ropeswing; empty if there is no home.
@@ -11,14 +11,14 @@ std::string config_folder();
 /// $XDG_DATA_HOME/ropeswing, or ~/.local/share/ropeswing; empty if there is no home.
 std::string data_folder();
 
-/// The text of a regular file of at most 1 MiB; none if there is no such file. Throws a std::runtime_error naming it if
-/// it is something else or cannot be read.
+/// Reads a regular file of at most 1 MiB. Returns nothing if it does not exist. Throws a std::runtime_error with the
+/// path if it cannot be read or is not a regular file.
 std::optional<std::string> read_user_file(const std::string& path);
-/// Replaces the file at once or not at all, and makes its folder if need be. Throws a std::runtime_error naming it.
+/// Replaces a file atomically and makes its folder if necessary. Throws a std::runtime_error with the path.
 void write_user_file(const std::string& path, const std::string& text);
-/// Copies a file in the same way.
+/// Copies a file atomically and makes the folder if necessary. Throws a std::runtime_error with the path.
 void copy_user_file(const std::string& from, const std::string& to);
-/// Renames a file that cannot be used, so that it is not overwritten: NAME.broken, in the place of an earlier one.
-void keep_aside(const std::string& path);
+/// Renames an invalid file to NAME.broken, so that it is not overwritten. Replaces an earlier NAME.broken.
+void rename_broken(const std::string& path);
 
 }  // namespace game

@@ -4,14 +4,14 @@
 
 namespace game {
 
-/// What makes a run easier by making it another one. Not of the map: replays declare it.
+/// Settings that make a run easier. They change the run, so replays record them; maps do not have them.
 struct Assists {
-  static constexpr double long_reach = 1.6;  ///< m, of longer arms
+  static constexpr double long_grab_range = 1.6;  ///< m, of the option "Longer reach"
 
-  std::optional<double> player_reach{};  ///< m, from which the hand catches; none: that of PlayerTuning
-  bool no_fall = false;                  ///< a fall ends where the player last stood, and does not count
+  std::optional<double> grab_range{};  ///< m, replaces PlayerTuning::grab_range
+  bool no_fall = false;                ///< after a fall the player returns to the last foothold; it is not counted
 
-  bool any() const { return player_reach || no_fall; }
+  bool any() const { return grab_range || no_fall; }
 };
 
 }  // namespace game

@@ -10,19 +10,19 @@
 
 namespace game {
 
-/// What the pointer has taken hold of, and takes along until it lets go: a body, or the point of a cord. Ground stays.
+/// Drags the body or cord point nearest to the pointer. Ground cannot be dragged.
 class Drag {
  public:
-  static constexpr double cord_reach = 1.0;  ///< m, from the pointer to a cord point that it can take
-  static constexpr double body_reach = 0.3;  ///< m, to the rim of a body
-  static constexpr double speed = 15.0;      ///< m/s, at which it takes something along at the most
-  static constexpr double pin_speed = 5.0;   ///< m/s, what a cord is fixed to, and all that hangs there with it
-  static constexpr double strength = 60.0;   ///< m/s², with which it moves a body of any mass at the most
+  static constexpr double cord_range = 1.0;         ///< m, from the pointer to a cord point
+  static constexpr double body_range = 0.3;         ///< m, from the pointer to the rim of a body
+  static constexpr double max_speed = 15.0;         ///< m/s
+  static constexpr double max_pin_speed = 5.0;      ///< m/s, of pins and of static and kinematic bodies
+  static constexpr double max_acceleration = 60.0;  ///< m/s², of dynamic bodies of any mass
 
-  /// A tick of dt seconds, before the scene's: takes what is nearest where button_drag goes down, lets go where it is
-  /// up. `player` is a body that the scene does not know of.
+  /// Runs one tick of `dt` s, before that of the scene: picks the nearest object when button_drag goes down, releases
+  /// it when it goes up. `player`: a body that is not in the scene's list.
   void apply(const engine::TickInput& input, engine::Scene& scene, b2Body& player, double dt);
-  /// There is nothing any more of what it held.
+  /// Drops all references, for a scene that no longer exists.
   void forget() { *this = {}; }
 
   const std::optional<ribbon::box2d::CordPoint>& cord_point() const { return cord_point_; }
@@ -33,22 +33,22 @@ class Drag {
  private:
   struct Body {
     b2Body* body = nullptr;
-    int number = 0;  // among those of the scene; the player comes after them
+    int number = 0;  // index among the bodies of the scene; the player is the last
     double distance = 0.0;
-    b2Vec2 at{};                       // where it is held, in its own frame
-    b2BodyType type = b2_dynamicBody;  // before it was taken
-    b2Vec2 velocity{};                 // m/s, then
+    b2Vec2 at{};                       // the dragged point, in the frame of the body
+    b2BodyType type = b2_dynamicBody;  // before the drag
+    b2Vec2 velocity{};                 // m/s, before the drag
   };
 
-  void take(ribbon::Vec2 pointer, engine::Scene& scene, b2Body& player);
-  void let_go(ribbon::box2d::Coupling& coupling);
+  void pick(ribbon::Vec2 pointer, engine::Scene& scene, b2Body& player);
+  void release(ribbon::box2d::Coupling& coupling);
   static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene, b2Body& player);
   void move_body(ribbon::Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const;
   void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const;
 
   std::optional<Body> body_;
   std::optional<ribbon::box2d::CordPoint> cord_point_;
-  bool is_pin_ = false;  // that point
+  bool is_pin_ = false;  // the cord point was constrained
 };
 
 }  // namespace game

@@ -17,14 +17,14 @@ std::unique_ptr<Ghost> Ghost::load(const std::string& path, const Level& level) 
     Simulation::take_assists(same, replay.header);
     engine::check_header(replay.header, Simulation::replay_header(same));
     return std::unique_ptr<Ghost>(new Ghost(std::move(replay), std::move(same)));
-  } catch (const engine::ReplayError&) {  // it is only a ghost
+  } catch (const engine::ReplayError&) {  // a run without a ghost is not an error
     return nullptr;
   }
 }
 
 bool Ghost::advance(int run_tick) {
   const std::size_t done = track_.size() - 1;
-  if (done >= replay_.ticks.size() || static_cast<int>(done) >= run_tick + ahead) return false;
+  if (done >= replay_.ticks.size() || static_cast<int>(done) >= run_tick + max_lead) return false;
   const engine::RecordedTick& recorded = replay_.ticks[done];
   simulation_.tick(recorded.input);
   if (simulation_.hash().combined() != recorded.state.combined()) {

@@ -10,28 +10,28 @@
 
 namespace game {
 
-/// Somebody who ran here before, at this moment of the run.
+/// The player of an earlier run at one tick.
 struct GhostPose {
-  ribbon::Vec2 at;        ///< m, the middle of the body
+  ribbon::Vec2 at;        ///< m, the centre of the body
   ribbon::Vec2 velocity;  ///< m/s
   bool faces_left = false;
   bool on_ground = true;
-  std::optional<ribbon::Vec2> held{};  ///< m, the place of a cord that the hands hold
+  std::optional<ribbon::Vec2> held{};  ///< m, the held position on a cord
 };
 
-/// Where the player of an earlier run was in each of its ticks: the run is simulated again, a little in every frame.
+/// The track of the player of an earlier run. The run is simulated again, some ticks in each frame.
 class Ghost {
  public:
-  /// How far it goes ahead, so that a frame that takes long finds it there, ticks.
-  static constexpr int ahead = 120;
+  /// Ticks that it is simulated ahead, to have poses for frames that take long.
+  static constexpr int max_lead = 120;
 
-  /// Of a recording of that level, with whatever assists. None if there is no recording, or it is of something else.
+  /// Loads a recording of that level, with any assists. Returns null if there is no recording or it does not fit.
   static std::unique_ptr<Ghost> load(const std::string& path, const Level& level);
 
-  /// One tick further, unless it is `ahead` of the run's tick already, has come to the end, or is no longer what was
-  /// recorded. True if it went on.
+  /// Simulates one more tick, unless it is max_lead ticks ahead of `run_tick`, at the end, or differs from the
+  /// recording. Returns whether it did.
   bool advance(int run_tick);
-  /// None where there is none (any more), or not yet.
+  /// Returns the pose at a tick; nothing after the end or before it is simulated.
   std::optional<GhostPose> at(int run_tick) const;
 
  private:
@@ -41,7 +41,7 @@ class Ghost {
   engine::Replay replay_;
   Level level_;
   Simulation simulation_;
-  std::vector<GhostPose> track_;  // after so many ticks
+  std::vector<GhostPose> track_;  // by tick, from 0
 };
 
 }  // namespace game

@@ -15,7 +15,7 @@ using engine::MapObject;
 const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
 const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
-constexpr std::size_t longest_text = 120;  // bytes
+constexpr std::size_t max_text_bytes = 120;
 
 void check_shape(const MapObject& object, engine::MapShape shape) {
   if (object.shape == shape) return;
@@ -39,9 +39,9 @@ const MapObject& only_object(const engine::TiledMap& map, const std::string& kin
 
 std::string short_text(const engine::Properties& properties, const char* key) {
   std::string text = properties.text_or(key, "");
-  if (text.size() <= longest_text) return text;
+  if (text.size() <= max_text_bytes) return text;
   throw properties.error("property " + engine::in_quotes(key) + " has " + std::to_string(text.size()) +
-                         " bytes; accepted are at most " + std::to_string(longest_text));
+                         " bytes; accepted are at most " + std::to_string(max_text_bytes));
 }
 
 void read_map_properties(Level& level) {
@@ -60,7 +60,7 @@ void read_map_properties(Level& level) {
                                    " s; accepted are gold, silver and bronze in rising order, or none");
 }
 
-void read_places(Level& level) {
+void read_markers(Level& level) {
   for (const MapObject& object : level.map.objects) {
     if (object.kind == "checkpoint") {
       check_shape(object, engine::MapShape::rectangle);
@@ -78,7 +78,7 @@ void read_places(Level& level) {
   }
 }
 
-/// The names that are accepted, or why there are none.
+/// Returns the accepted names for a message, or why there are none.
 std::string known_levels() {
   std::string names;
   for (const std::string& known : level_names()) names += (names.empty() ? "" : ", ") + known;
@@ -125,8 +125,8 @@ Level level_of(engine::TiledMap map) {
   const MapObject& goal = only_object(level.map, "goal", engine::MapShape::rectangle, {});
   level.goal = {goal.position, goal.size};
   read_map_properties(level);
-  read_places(level);
-  level.make_scene();  // so that what cannot be built is refused here
+  read_markers(level);
+  level.make_scene();  // throws if the scene cannot be built
   return level;
 }
 

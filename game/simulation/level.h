@@ -12,35 +12,35 @@
 
 namespace game {
 
-/// A part of the level where something happens to who enters it.
+/// A rectangle of the level that triggers something when the player enters it.
 struct Area {
   ribbon::Vec2 center;  ///< m
   ribbon::Vec2 size;    ///< m
-  bool holds(ribbon::Vec2 point) const {
+  bool contains(ribbon::Vec2 point) const {
     return std::abs(point.x - center.x) <= 0.5 * size.x && std::abs(point.y - center.y) <= 0.5 * size.y;
   }
 };
 
-/// Words that stand in the world.
+/// A sign with text in the world.
 struct Sign {
   ribbon::Vec2 at;  ///< m, the middle of its foot
   std::string text;
 };
 
-/// s, in which a run is worth a medal; 0 where there is none.
+/// The time limits of the medals in s; 0 if there is no such medal.
 struct Medals {
   double gold = 0.0;
   double silver = 0.0;
   double bronze = 0.0;
 };
 
-/// A level as read from its map: what the scene does not know of, and the map to build the scene from.
+/// A level as read from its map: the objects that are not in the scene, and the map to build the scene from.
 struct Level {
   std::string name;
-  std::string title;     ///< as players read it; the name unless given
+  std::string title;     ///< for the player; by default the name
   std::string hint;      ///< one sentence, may be empty
-  int number = 0;        ///< its place among the levels, from 1; 0 comes last
-  bool sandbox = false;  ///< the pointer drags what it can get hold of, without being asked for
+  int number = 0;        ///< position in the list of levels, from 1; 0: last
+  bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
   Medals medals;
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
@@ -48,32 +48,32 @@ struct Level {
   Assists assists;
   Area goal;
   std::vector<Area> checkpoints;
-  std::vector<ribbon::Vec2> hooks;  ///< m, where a thrown line catches
+  std::vector<ribbon::Vec2> hooks;  ///< m, targets for a thrown line
   std::vector<Sign> signs;
 
-  /// A new world with everything where the map has it.
+  /// Builds a new scene in its initial state.
   std::unique_ptr<engine::Scene> make_scene() const;
 };
 
-/// The folder of levels and replays: the environment's ROPESWING_ASSETS, or the source tree's.
+/// Returns the folder of levels and replays: the environment variable ROPESWING_ASSETS, or that of the source tree.
 std::string assets_folder();
 
-/// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. Beside what engine/scene/scene.h says a
-/// map has
-/// - one `player`: point, the middle of its feet; mass [kg], that of PlayerTuning unless given
+/// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. In addition to the objects of
+/// engine/scene/scene.h a map has
+/// - one `player`: point, the middle of its feet; mass [kg], by default that of PlayerTuning
 /// - one `goal`: rectangle
-/// - `checkpoint`: rectangle; who falls comes back to the foot of the last one that he entered
+/// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
-/// - `text`: point, the foot of a sign; text, what it says
-/// and properties of its own: title, hint (which may name keys, see hint_in_words), number, sandbox, gold, silver,
-/// bronze [s]. Throws engine::MapError if there is no such file, if the map has anything else or these otherwise, or if
-/// the scene cannot be built.
+/// - `text`: point, the foot of a sign; text
+/// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, gold, silver, bronze
+/// [s]. Throws engine::MapError if the file does not exist, if the map has other or invalid objects or properties, or
+/// if the scene cannot be built.
 Level load_level(const std::string& name);
 
-/// The level that a map is. Throws as load_level does.
+/// Returns the level of a map. Throws like load_level.
 Level level_of(engine::TiledMap map);
 
-/// The names of the levels in the assets folder, sorted.
+/// Returns the names of the levels in the assets folder, sorted.
 std::vector<std::string> level_names();
 
 }  // namespace game

@@ -32,7 +32,7 @@ ribbon::CordDef line_def(const LineTuning& tuning, double length) {
   return def;
 }
 
-/// Straight from the hook to the hand, and as fast as the hand where that is.
+/// Returns a straight line from the hook to the hand. Its velocities rise linearly to that of the hand.
 ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, double length, Vec2 velocity) {
   ribbon::CordDef def = line_def(tuning, length);
   const double last = tuning.points - 1.0;
@@ -42,15 +42,15 @@ ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, doubl
   return cord;
 }
 
-/// As it is, but that its links push too. Nobody feels that of a line that nobody holds; it flings back slack at a
-/// hundred metres a second, and where links neither push nor bend there is no telling how they fold.
-ribbon::Cord left_cord(const LineTuning& tuning, double length, const ribbon::Cord& held) {
+/// Returns the same line with links that resist compression, for a line that was released. It recoils at 100 m/s, and
+/// without resistance to compression and bending the solution for its folds is not unique.
+ribbon::Cord released_cord(const LineTuning& tuning, double length, const ribbon::Cord& held) {
   ribbon::CordDef def = line_def(tuning, length);
   def.tension_only = false;
   def.positions.assign(held.positions().begin(), held.positions().end());
-  ribbon::Cord left(def);
-  for (int p = 1; p < tuning.points; ++p) left.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
-  return left;
+  ribbon::Cord released(def);
+  for (int p = 1; p < tuning.points; ++p) released.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
+  return released;
 }
 
 b2Filter line_filter() {
@@ -77,12 +77,12 @@ bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
   is_new_ = false;
   if (state_ != State::flying || --ticks_left_ > 0) return false;
   const Vec2 end = to_double(body.GetPosition()) + hand;
-  const double way = ribbon::length(hook_ - end);
-  if (way > tuning_.longest) {  // the player has gone too far meanwhile
-    state_ = cord_ ? State::left : State::stowed;
+  const double distance = ribbon::length(hook_ - end);
+  if (distance > tuning_.max_length) {  // the player moved too far during the flight
+    state_ = cord_ ? State::released : State::stowed;
     return false;
   }
-  length_ = std::max(way, tuning_.shortest);
+  length_ = std::max(distance, tuning_.min_length);
   ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.velocity(body));
   if (cord_) {
     coupling.cord(*cord_).replace(std::move(made), line_filter());
@@ -102,25 +102,27 @@ bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
 void Line::reel(int direction, ribbon::box2d::Coupling& coupling, double dt) {
   if (state_ != State::held || direction == 0) return;
   const double speed = direction < 0 ? tuning_.reel_in_speed : tuning_.reel_out_speed;
-  length_ = std::clamp(length_ + direction * speed * dt, tuning_.shortest, tuning_.longest);
+  length_ = std::clamp(length_ + direction * speed * dt, tuning_.min_length, tuning_.max_length);
   coupling.cord(*cord_).direct().reel(0, tuning_.points - 1, length_, speed);
 }
 
-bool Line::let_go(ribbon::box2d::Coupling& coupling) {
+bool Line::release(ribbon::box2d::Coupling& coupling) {
   if (state_ != State::held && state_ != State::flying) return false;
   if (grip_) coupling.grip(*grip_).release();
-  leave(coupling);
+  set_released(coupling);
   return true;
 }
 
 void Line::follow(ribbon::box2d::Coupling& coupling) {
-  if (state_ == State::held && !coupling.grip(*grip_).is_valid()) leave(coupling);
+  if (state_ == State::held && !coupling.grip(*grip_).is_valid()) set_released(coupling);
 }
 
-void Line::leave(ribbon::box2d::Coupling& coupling) {
-  if (grip_) coupling.cord(*cord_).replace(left_cord(tuning_, length_, coupling.cord(*cord_).direct()), line_filter());
+void Line::set_released(ribbon::box2d::Coupling& coupling) {
+  if (grip_) {
+    coupling.cord(*cord_).replace(released_cord(tuning_, length_, coupling.cord(*cord_).direct()), line_filter());
+  }
   grip_.reset();
-  state_ = cord_ ? State::left : State::stowed;
+  state_ = cord_ ? State::released : State::stowed;
 }
 
 void Line::add_to(ribbon::box2d::Hasher& hasher) const {

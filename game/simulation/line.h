@@ -10,12 +10,12 @@
 
 namespace game {
 
-/// What the player's own line is like. It stretches, so that a fall into it is stored and given back.
+/// The parameters of the player's line. It is elastic, so that it stores the energy of a fall and returns it.
 struct LineTuning {
-  double reach = 10.0;                ///< m, from the hand to a hook that it can be thrown at
-  double flight_speed = 40.0;         ///< m/s, of its end on the way there
-  double shortest = 1.0;              ///< m, to which it can be reeled in
-  double longest = 14.0;              ///< m, and out
+  double throw_range = 10.0;          ///< m, from the hand to a hook
+  double flight_speed = 40.0;         ///< m/s, of its end when it is thrown
+  double min_length = 1.0;            ///< m, by reeling in
+  double max_length = 14.0;           ///< m, by reeling out
   double reel_in_speed = 2.5;         ///< m/s
   double reel_out_speed = 4.0;        ///< m/s
   double stretch_stiffness = 6000.0;  ///< N: a player of 60 kg stretches it by a tenth
@@ -25,43 +25,44 @@ struct LineTuning {
   int points = 21;
 };
 
-/// A line of the player's own: thrown at a hook, held, reeled in and out, let go. Then it stays where it hangs until
+/// The player's line: it is thrown at a hook, held, reeled in and out, and released. Then it hangs at the hook until
 /// the next throw.
 class Line {
  public:
-  enum class State : unsigned char { stowed, flying, held, left };
+  enum class State : unsigned char { stowed, flying, held, released };
 
   explicit Line(const LineTuning& tuning = {}) : tuning_(tuning) {}
 
   State state() const { return state_; }
-  /// m, where the end of a line in flight is on its way from `hand`.
+  /// The position of the end of a flying line in m. `hand`: the position of the hand, m.
   ribbon::Vec2 tip(ribbon::Vec2 hand) const;
   ribbon::Vec2 hook() const { return hook_; }  ///< m, of the last throw
-  /// Its place among the cords, from the first throw on.
+  /// The cord of the line; nothing before the first throw.
   std::optional<ribbon::box2d::CordId> cord() const { return cord_; }
-  /// Whether it was made in the last tick.
+  /// Whether the cord was made in the last tick.
   bool is_new() const { return is_new_; }
-  /// m at rest, of one that is held or left.
+  /// The rest length in m of a line that is held or released.
   double length() const { return length_; }
   const LineTuning& tuning() const { return tuning_; }
 
-  /// Throws it, whatever it was doing, at a hook within reach of `hand`.
+  /// Throws the line, in any state, at a hook within the throw range of `hand`.
   void throw_at(ribbon::Vec2 hook, ribbon::Vec2 hand, double dt);
-  /// True of one in flight that arrives in this tick.
+  /// Returns whether a flying line arrives in this tick.
   bool arrives() const { return state_ == State::flying && ticks_left_ <= 1; }
-  /// A tick: one in flight flies on, and where it arrives `body` holds it at `hand`, m, in its own frame. True then.
+  /// Advances a flying line by one tick. When it arrives, `body` holds it at `hand` (m, in the frame of the body).
+  /// Returns whether it arrived.
   bool fly(ribbon::box2d::Coupling& coupling, b2Body& body, ribbon::Vec2 hand);
-  /// Reels one that is held in (−1), out (1), or not at all (0).
+  /// Reels a held line: −1 in, 1 out, 0 not.
   void reel(int direction, ribbon::box2d::Coupling& coupling, double dt);
-  /// Lets go of it, or calls it back; false if it was out of hand already.
-  bool let_go(ribbon::box2d::Coupling& coupling);
-  /// Notices where the line has been taken from the hand. Before all else in a tick.
+  /// Releases a held line or cancels a throw. Returns false if there is neither.
+  bool release(ribbon::box2d::Coupling& coupling);
+  /// Updates the state after something else removed the grip. Call it first in each tick.
   void follow(ribbon::box2d::Coupling& coupling);
 
   void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
-  void leave(ribbon::box2d::Coupling& coupling);
+  void set_released(ribbon::box2d::Coupling& coupling);
 
   LineTuning tuning_;
   State state_ = State::stowed;

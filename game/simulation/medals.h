@@ -8,25 +8,23 @@ namespace game {
 
 enum class Medal { none, bronze, silver, gold };
 
-/// What a level's medals are for, as shares of the time of its recorded winning run: who plays as well as the script
-/// has a quarter to spare for gold, and who just gets there earns bronze. Rounded up to half a second, as players read
-/// them.
+/// The medal limits of a level as factors of the time of its recorded winning run, rounded up to `step`.
 struct MedalRule {
   double gold = 1.25;
   double silver = 2.0;
   double bronze = 4.0;
   double step = 0.5;  ///< s
 };
-/// By that rule, of a run that reached the goal after so many ticks.
+/// Returns the limits for a winning run that reached the goal after `winning_ticks`.
 Medals medals_by_rule(int winning_ticks, const MedalRule& rule = {});
 
-/// For a run of so many ticks.
+/// Returns the medal of a run of `ticks` ticks.
 Medal medal_for(int ticks, const Medals& medals);
 
-/// The most ticks that a run within so many seconds has.
+/// Returns the number of whole ticks in `seconds`.
 int ticks_in(double seconds);
 
-/// "Gold"; empty for none.
+/// Returns "Gold", "Silver", "Bronze" or an empty text.
 std::string medal_title(Medal medal);
 
 }  // namespace game

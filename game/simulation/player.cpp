@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/player_body.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -14,43 +15,9 @@ using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
 constexpr int long_ago = 1'000'000;  // ticks
-constexpr double firm_slope = 0.95;  // least upward part of the normal of what one does not slide off
+constexpr double firm_slope = 0.95;  // min. upward component of the normal of ground on which the player does not slide
 
-b2Body* make_body(b2World& world, Vec2 feet, const PlayerTuning& tuning) {
-  const auto radius = static_cast<float>(tuning.radius);
-  const auto straight =
-      static_cast<float>(0.5 * tuning.height - tuning.radius);  // half of the part between the circles
-
-  b2BodyDef definition;
-  definition.type = b2_dynamicBody;
-  definition.fixedRotation = true;
-  definition.allowSleep = false;
-  definition.position = to_float(feet + Vec2{0.0, 0.5 * tuning.height});
-  b2Body* body = world.CreateBody(&definition);
-
-  b2FixtureDef fixture;
-  fixture.friction = 0.0F;  // running is the player's own affair; walls must not hold him up
-  fixture.filter.categoryBits = player_category;
-  b2CircleShape circle;
-  circle.m_radius = radius;
-  b2PolygonShape box;
-  box.SetAsBox(radius, straight);
-  fixture.shape = &box;
-  body->CreateFixture(&fixture);
-  fixture.shape = &circle;
-  for (const float y : {-straight, straight}) {
-    circle.m_p = {0.0F, y};
-    body->CreateFixture(&fixture);
-  }
-  b2MassData mass;
-  mass.mass = static_cast<float>(tuning.mass);
-  mass.center.SetZero();
-  mass.I = 0.0F;
-  body->SetMassData(&mass);
-  return body;
-}
-
-/// The constrained point nearest to a place along its cord, or −1.
+/// Returns the constrained point nearest to a held position along its cord, or −1.
 int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
   int pin = -1;
   for (int p = 0; p < static_cast<int>(coupling.cord(held.cord).positions().size()); ++p) {
@@ -60,16 +27,16 @@ int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::Co
   return pin;
 }
 
-/// What the held place hangs from: the nearest constrained point, else the cord's first.
+/// Returns the position from which the held position hangs: the nearest constrained point, else the cord's first point.
 Vec2 anchor_of(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
   return coupling.cord(held.cord).positions()[static_cast<std::size_t>(std::max(nearest_pin(coupling, held), 0))];
 }
 
 }  // namespace
 
-/// What the buttons of a tick ask for.
-struct Player::Wish {
-  Wish(std::uint16_t buttons, std::uint16_t before)
+/// The meaning of the buttons of a tick.
+struct Player::Command {
+  Command(std::uint16_t buttons, std::uint16_t before)
       : direction(axis(buttons, button_right, button_left)),
         climb(axis(buttons, button_up, button_down)),
         reel(axis(buttons, button_reel_out, button_reel_in)),
@@ -91,10 +58,10 @@ struct Player::Wish {
 
 Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, const LineTuning& line_tuning)
     : tuning_(tuning),
-      body_(make_body(world, feet, tuning)),
+      body_(make_player_body(world, feet, tuning)),
       line_(line_tuning),
-      ticks_since_jump_wanted_(long_ago),
-      ticks_since_let_go_(long_ago),
+      ticks_since_jump_pressed_(long_ago),
+      ticks_since_release_(long_ago),
       ticks_since_jump_(long_ago) {}
 
 Vec2 Player::position() const { return to_double(body_->GetPosition()); }
@@ -102,65 +69,66 @@ Vec2 Player::position() const { return to_double(body_->GetPosition()); }
 Vec2 Player::hand() const { return position() + Vec2{0.0, tuning_.hand_height}; }
 
 void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
-  const Wish wish(buttons, buttons_before_);
+  const Command command(buttons, buttons_before_);
   buttons_before_ = buttons;
-  if (!wish.grab) wants_to_catch_ = true;
-  if (wish.direction != 0) faces_left_ = wish.direction < 0;
-  feel_feet(coupling);
-  ticks_since_jump_wanted_ = wish.jump ? 0 : std::min(ticks_since_jump_wanted_ + 1, long_ago);
-  ticks_since_let_go_ = std::min(ticks_since_let_go_ + 1, long_ago);
+  if (!command.grab) may_catch_ = true;
+  if (command.direction != 0) faces_left_ = command.direction < 0;
+  update_ground(coupling);
+  ticks_since_jump_pressed_ = command.jump ? 0 : std::min(ticks_since_jump_pressed_ + 1, long_ago);
+  ticks_since_release_ = std::min(ticks_since_release_ + 1, long_ago);
   climbs_ = false;
 
-  handle_line(wish, aim, coupling, dt);
+  handle_line(command, aim, coupling, dt);
   if (holds_cord(coupling)) {
-    if (wish.jump || !wish.grab) {
-      let_go(coupling);
-      if (wish.jump) hop();
+    if (command.jump || !command.grab) {
+      release_cord(coupling);
+      if (command.jump) hop();
     } else {
-      hang(wish, coupling, dt);
+      hang(command, coupling, dt);
     }
     return;
   }
   if (line_.state() == Line::State::held && !is_on_ground()) {
-    pump(wish.direction, line_.hook(), dt);
-    if (wish.jump && line_.let_go(coupling)) hop();
+    pump(command.direction, line_.hook(), dt);
+    if (command.jump && line_.release(coupling)) hop();
   } else {
-    run(wish.direction, dt);
-    jump_if_wanted();
+    run(command.direction, dt);
+    jump_if_possible();
   }
-  if (wish.grab && wants_to_catch_) catch_cord(coupling);
+  if (command.grab && may_catch_) catch_cord(coupling);
 }
 
 void Player::put(Vec2 feet, ribbon::box2d::Coupling& coupling) {
-  line_.let_go(coupling);
+  line_.release(coupling);
   coupling.release(*body_);
   grip_id_.reset();
-  wants_to_catch_ = false;
+  may_catch_ = false;
   body_->SetTransform(to_float(feet + Vec2{0.0, 0.5 * tuning_.height}), 0.0F);
   body_->SetLinearVelocity({0.0F, 0.0F});
 }
 
-/// Not counting the line, which has a grip of its own.
+/// Returns whether the player holds a cord other than the line, which has a grip of its own.
 bool Player::holds_cord(const ribbon::box2d::Coupling& coupling) const {
   return grip_id_ && coupling.grip(*grip_id_).is_valid();
 }
 
-void Player::feel_feet(const ribbon::box2d::Coupling& coupling) {
-  if (!feels_ground_) feel_ground(coupling);
-  ticks_off_ground_ = *feels_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
-  feels_ground_.reset();
+void Player::update_ground(const ribbon::box2d::Coupling& coupling) {
+  if (!detected_ground_) detect_ground(coupling);
+  ticks_off_ground_ = *detected_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
+  detected_ground_.reset();
 }
 
-/// Throws the line or lets it go, has it fly on, and reels. Who takes it in hand has no hand for another cord.
-void Player::handle_line(const Wish& wish, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
+/// Throws, releases, flies and reels the line. A player that holds another cord releases it when the line arrives.
+void Player::handle_line(const Command& command, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling,
+                         double dt) {
   line_.follow(coupling);
-  if (wish.throws && !line_.let_go(coupling) && aim) line_.throw_at(*aim, hand(), dt);
-  if (line_.arrives() && holds_cord(coupling)) let_go(coupling);
+  if (command.throws && !line_.release(coupling) && aim) line_.throw_at(*aim, hand(), dt);
+  if (line_.arrives() && holds_cord(coupling)) release_cord(coupling);
   line_.fly(coupling, *body_, {0.0, tuning_.hand_height});
-  line_.reel(wish.reel, coupling, dt);
+  line_.reel(command.reel, coupling, dt);
 }
 
-void Player::feel_ground(const ribbon::box2d::Coupling& coupling) {
+void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
   bool on_ground = false;
   on_firm_ground_ = false;
   for (const b2ContactEdge* edge = body_->GetContactList(); edge != nullptr; edge = edge->next) {
@@ -176,10 +144,11 @@ void Player::feel_ground(const ribbon::box2d::Coupling& coupling) {
     const b2Body* other = (is_b ? edge->contact->GetFixtureA() : edge->contact->GetFixtureB())->GetBody();
     on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
   }
-  feels_ground_ = on_ground || stands_on_cord(coupling);
+  detected_ground_ = on_ground || stands_on_cord(coupling);
 }
 
-/// A solid cord below the feet carries, once it has stopped the fall: a jump before that would waste what it stores.
+/// Returns whether a solid cord below the feet has stopped the fall. A jump before that would waste the energy that the
+/// cord stores.
 bool Player::stands_on_cord(const ribbon::box2d::Coupling& coupling) const {
   if (coupling.velocity(*body_).y < tuning_.sinking_speed) return false;
   for (const ribbon::box2d::CordId c : coupling.cords()) {
@@ -196,33 +165,33 @@ void Player::run(int direction, double dt) {
   b2Vec2 velocity = body_->GetLinearVelocity();
   const double speed = static_cast<double>(velocity.x);
   const double target = direction * tuning_.run_speed;
-  double most = (is_on_ground() ? tuning_.ground_gain : tuning_.air_gain) * dt;
+  double max_change = (is_on_ground() ? tuning_.ground_acceleration : tuning_.air_acceleration) * dt;
   const bool would_lose_speed = direction == 0 || speed * direction > tuning_.run_speed;
-  if (!is_on_ground() && would_lose_speed) most = 0.0;
-  velocity.x = static_cast<float>(speed + std::clamp(target - speed, -most, most));
+  if (!is_on_ground() && would_lose_speed) max_change = 0.0;
+  velocity.x = static_cast<float>(speed + std::clamp(target - speed, -max_change, max_change));
   body_->SetLinearVelocity(velocity);
 }
 
-void Player::jump_if_wanted() {
-  if (ticks_since_jump_wanted_ == 0 && ticks_since_let_go_ <= tuning_.hop_ticks && !is_on_ground()) return hop();
+void Player::jump_if_possible() {
+  if (ticks_since_jump_pressed_ == 0 && ticks_since_release_ <= tuning_.hop_ticks && !is_on_ground()) return hop();
   ticks_since_jump_ = std::min(ticks_since_jump_ + 1, long_ago);
-  if (ticks_since_jump_wanted_ > tuning_.jump_buffer_ticks || ticks_off_ground_ > tuning_.coyote_ticks) return;
+  if (ticks_since_jump_pressed_ > tuning_.jump_buffer_ticks || ticks_off_ground_ > tuning_.coyote_ticks) return;
   if (ticks_since_jump_ < tuning_.jump_pause_ticks) return;
   const b2Vec2 velocity = body_->GetLinearVelocity();
-  // Off what throws one up already, a jump adds its share.
+  // A jump off a bouncing surface adds a fraction of its speed.
   const double up =
-      std::max(tuning_.jump_speed, static_cast<double>(velocity.y) + tuning_.spring_share * tuning_.jump_speed);
+      std::max(tuning_.jump_speed, static_cast<double>(velocity.y) + tuning_.bounce_fraction * tuning_.jump_speed);
   body_->SetLinearVelocity({velocity.x, static_cast<float>(up)});
-  ticks_since_jump_wanted_ = long_ago;
+  ticks_since_jump_pressed_ = long_ago;
   ticks_since_jump_ = 0;
   ticks_off_ground_ = tuning_.coyote_ticks + 1;
 }
 
 void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   const bool on_line = line_.state() == Line::State::held;
-  const auto nearest = coupling.nearest_place(hand(), tuning_.reach, on_line ? line_.cord() : std::nullopt);
+  const auto nearest = coupling.nearest_place(hand(), tuning_.grab_range, on_line ? line_.cord() : std::nullopt);
   if (!nearest) return;
-  line_.let_go(coupling);
+  line_.release(coupling);
   grip_ = coupling.position(*nearest) - position();
   can_climb_ = coupling.cord(nearest->cord).solver() == ribbon::box2d::Solver::direct;
   if (!can_climb_) {
@@ -237,21 +206,22 @@ void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   grip_id_ = coupling.hold(*body_, grip);
 }
 
-/// Hanging: the held place comes to the hand little by little; up and down climb, and left and right push across the
-/// cord, the only direction in which a push is not lost to it.
-void Player::hang(const Wish& wish, ribbon::box2d::Coupling& coupling, double dt) {
+/// One tick of hanging: the held position moves towards the hand, up and down climb, and left and right push across the
+/// cord, since the cord would take a push along it.
+void Player::hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
   const ribbon::box2d::CordPoint held = *coupling.held_by(*body_);
-  if (length(coupling.position(held) - position() - grip_) > tuning_.longest_arm) {
-    return let_go(coupling);  // torn out of the hand
+  if (length(coupling.position(held) - position() - grip_) > tuning_.max_arm_length) {
+    return release_cord(coupling);  // pulled out of the hand
   }
   coupling.grip(*grip_id_).move_anchor(to_float(grip_));
-  if (can_climb_) climb(wish.climb, held, coupling);
-  pump(wish.direction, anchor_of(coupling, held), dt);
+  if (can_climb_) climb(command.climb, held, coupling);
+  pump(command.direction, anchor_of(coupling, held), dt);
 }
 
-/// Up is towards the nearest constrained point, where the cord has one, and else where it is higher.
+/// Climbs (1), slides (−1) or stops (0). Up is towards the nearest constrained point, or, without one, towards the
+/// higher end.
 void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling) {
   const double here = coupling.arc(held);
   if (direction == 0) return coupling.grip(*grip_id_).climb(here, tuning_.climb_speed);  // stops
@@ -261,47 +231,47 @@ void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::
   const bool up_is_first = pin >= 0 ? pin <= held.point : x.front().y >= x.back().y;
   const double whole = coupling.arc({held.cord, (shape.columns - 1) * shape.rows});
   const double top = pin < 0 ? (up_is_first ? 0.0 : whole) : coupling.arc({held.cord, pin});
-  const double highest =
+  const double upper_end =
       up_is_first ? std::min(here, top + tuning_.top_margin) : std::max(here, top - tuning_.top_margin);
-  const double lowest = up_is_first ? whole : 0.0;
+  const double lower_end = up_is_first ? whole : 0.0;
   climbs_ = true;
-  coupling.grip(*grip_id_).climb(direction > 0 ? highest : lowest,
+  coupling.grip(*grip_id_).climb(direction > 0 ? upper_end : lower_end,
                                  direction > 0 ? tuning_.climb_speed : tuning_.slide_speed);
 }
 
-/// Pushes across what leads from the body to `from`.
+/// Pushes the body perpendicular to the direction from it to `from`.
 void Player::pump(int direction, Vec2 from, double dt) {
   const Vec2 along = from - position();
   const double distance = length(along);
   if (direction == 0 || distance == 0.0) return;
   const Vec2 across = (1.0 / distance) * Vec2{along.y, -along.x};  // to the right for a cord that hangs
-  const double impulse = direction * tuning_.pump_gain * tuning_.mass * dt;
+  const double impulse = direction * tuning_.pump_acceleration * tuning_.mass * dt;
   body_->ApplyLinearImpulseToCenter(to_float(impulse * across), true);
 }
 
-void Player::let_go(ribbon::box2d::Coupling& coupling) {
+void Player::release_cord(ribbon::box2d::Coupling& coupling) {
   coupling.release(*body_);
   grip_id_.reset();
-  wants_to_catch_ = false;
-  ticks_since_jump_wanted_ = long_ago;
-  ticks_since_let_go_ = 0;
+  may_catch_ = false;
+  ticks_since_jump_pressed_ = long_ago;
+  ticks_since_release_ = 0;
 }
 
-/// Off the cord: what the swing gave is kept, and a little is added.
+/// Jumps off a cord: adds hop_speed to the velocity of the swing.
 void Player::hop() {
   const b2Vec2 velocity = body_->GetLinearVelocity();
   body_->SetLinearVelocity({velocity.x, velocity.y + static_cast<float>(tuning_.hop_speed)});
-  ticks_since_jump_wanted_ = long_ago;
-  ticks_since_let_go_ = long_ago;
+  ticks_since_jump_pressed_ = long_ago;
+  ticks_since_release_ = long_ago;
 }
 
 void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(ticks_off_ground_);
-  hasher.add(ticks_since_jump_wanted_);
-  hasher.add(ticks_since_let_go_);
+  hasher.add(ticks_since_jump_pressed_);
+  hasher.add(ticks_since_release_);
   hasher.add(ticks_since_jump_);
   hasher.add(buttons_before_);
-  hasher.add(static_cast<int>(wants_to_catch_));
+  hasher.add(static_cast<int>(may_catch_));
   hasher.add(static_cast<int>(faces_left_));
   hasher.add(can_climb_ ? grip_id_.value_or(-1) : -1);  // recordings have −1 for cords of the thesis's solver
   hasher.add(grip_);

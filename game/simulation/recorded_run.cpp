@@ -10,7 +10,7 @@ std::optional<engine::Replay> replay_for(const RunOptions& options) {
   return engine::load_replay(options.replay);
 }
 
-/// A replay knows its level; one asked for by name has to be that one.
+/// Loads the level of the replay, or the one given by name, which must be the same.
 Level level_for(const RunOptions& options, const std::optional<engine::Replay>& replay) {
   const std::string from_replay = replay ? replay->header.level : default_level;
   Level level;

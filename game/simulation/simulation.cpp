@@ -12,15 +12,15 @@ using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
-constexpr double longest_reach = 10.0;              // m, that a replay may declare
-constexpr const char* reach_setting = "player_reach";
+constexpr double max_grab_range = 10.0;             // m, accepted in a replay
+constexpr const char* grab_range_setting = "player_reach";
 constexpr const char* no_fall_setting = "no_fall";
-constexpr double no_fall_value = 1.0;  // where a replay declares it
-constexpr int firm_ticks = 15;         // of standing, after which a place is one to come back to
-constexpr double abyss = 3.0;          // m below the level, where the player is put back
-constexpr double pointer_reach = 1.5;  // m, from the pointer to a hook that it is at
-constexpr double look_ahead = 3.0;     // m, from the hand to where a hook is looked for without pointing
-constexpr double look_up = 5.0;        // m
+constexpr double no_fall_value = 1.0;  // of no_fall_setting
+constexpr int foothold_ticks = 15;     // of standing, after which a position becomes the foothold
+constexpr double fall_depth = 3.0;     // m below the level, at which the player is put back
+constexpr double pointer_range = 1.5;  // m, from the pointer to a hook that it selects
+constexpr double look_ahead = 3.0;     // m, horizontally from the hand to the preferred position of a hook
+constexpr double look_up = 5.0;        // m, vertically
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -51,7 +51,7 @@ void Simulation::tick(const engine::TickInput& input) {
   if (make_mover_) return;
 
   take_snapshot(current_);
-  if (player_->line().is_new()) {  // was nowhere before, or elsewhere
+  if (player_->line().is_new()) {  // the line did not exist before or was elsewhere: do not interpolate it
     previous_.cords.resize(current_.cords.size());
     previous_.cords[at(*player_->line().cord())] = current_.cords[at(*player_->line().cord())];
   }
@@ -73,7 +73,7 @@ void Simulation::skip(const engine::TickInput& input) {
   move_(tick_dt);
   ++ticks_;
   ++run_ticks_;
-  watch_the_player();
+  check_player();
 }
 
 void Simulation::watch(ribbon::box2d::StepWatcher* watcher) {
@@ -94,13 +94,13 @@ void Simulation::restart() {
   scene_->coupling().use(parallel_for_);
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
-  tuning.reach = level_->assists.player_reach.value_or(tuning.reach);
+  tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   drag_.forget();
   checkpoint_.reset();
   aimed_hook_.reset();
-  stood_at_ = level_->player_start;
+  foothold_ = level_->player_start;
   standing_ticks_ = 0;
   run_ticks_ = 0;
   falls_ = 0;
@@ -109,7 +109,8 @@ void Simulation::restart() {
   take_snapshot(current_);
 }
 
-/// The hook that the pointer is at; if it is at none within reach, the one that is best ahead and above.
+/// Selects the hook near the pointer; if there is none within the throw range, the one nearest to a position ahead of
+/// and above the hand.
 void Simulation::aim(Vec2 pointer) {
   aimed_hook_.reset();
   const Vec2 hand = player_->hand();
@@ -117,16 +118,16 @@ void Simulation::aim(Vec2 pointer) {
   double best = 0.0;
   for (std::size_t k = 0; k < level_->hooks.size(); ++k) {
     const Vec2 hook = level_->hooks[k];
-    if (length(hook - hand) > player_->line().tuning().reach) continue;
+    if (length(hook - hand) > player_->line().tuning().throw_range) continue;
     const double from_pointer = length(hook - pointer);
-    const double cost = from_pointer <= pointer_reach ? from_pointer - pointer_reach : length(hook - ahead);
+    const double cost = from_pointer <= pointer_range ? from_pointer - pointer_range : length(hook - ahead);
     if (aimed_hook_ && cost >= best) continue;
     aimed_hook_ = k;
     best = cost;
   }
 }
 
-/// What hangs from the cord that the player holds; false if nothing does.
+/// Releases the loads that hang from the cord that the player holds. Returns false if there are none.
 bool Simulation::drop_load() {
   ribbon::box2d::Coupling& coupling = scene_->coupling();
   const auto held = coupling.held_by(player_->body());
@@ -140,6 +141,7 @@ bool Simulation::drop_load() {
   return dropped;
 }
 
+/// Puts the player at the last checkpoint, or at the start.
 void Simulation::put_player_back() {
   Vec2 feet = level_->player_start;
   if (checkpoint_) {
@@ -149,28 +151,30 @@ void Simulation::put_player_back() {
   player_->put(feet, scene_->coupling());
 }
 
-void Simulation::watch_the_player() {
+/// Updates goal, checkpoint and falls after the player has moved.
+void Simulation::check_player() {
   const Vec2 at = player_->position();
-  if (level_->goal.holds(at) && !goal_ticks_) goal_ticks_ = run_ticks_;
+  if (level_->goal.contains(at) && !goal_ticks_) goal_ticks_ = run_ticks_;
   for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
-    if (level_->checkpoints[k].holds(at)) checkpoint_ = k;
+    if (level_->checkpoints[k].contains(at)) checkpoint_ = k;
   }
-  if (level_->assists.no_fall) remember_where_he_stands();
-  if (at.y > -abyss) return;
-  if (level_->assists.no_fall) return player_->put(stood_at_, scene_->coupling());
+  if (level_->assists.no_fall) update_foothold();
+  if (at.y > -fall_depth) return;
+  if (level_->assists.no_fall) return player_->put(foothold_, scene_->coupling());
   ++falls_;
   put_player_back();
 }
 
-/// Not the last place itself, which is the edge that he fell from: he has stood on for some time since.
-void Simulation::remember_where_he_stands() {
+/// Sets the foothold to a position at which the player stood at least foothold_ticks earlier, since the last position
+/// is often the edge of a fall.
+void Simulation::update_foothold() {
   if (!player_->is_on_firm_ground()) {
     standing_ticks_ = 0;
     return;
   }
-  if (standing_ticks_ % firm_ticks == 0) {
-    if (standing_ticks_ > 0) stood_at_ = stands_at_;
-    stands_at_ = player_->position() - Vec2{0.0, 0.5 * player_->tuning().height};
+  if (standing_ticks_ % foothold_ticks == 0) {
+    if (standing_ticks_ > 0) foothold_ = next_foothold_;
+    next_foothold_ = player_->position() - Vec2{0.0, 0.5 * player_->tuning().height};
   }
   ++standing_ticks_;
 }
@@ -204,7 +208,7 @@ void Simulation::compute_hash() {
   game.add(scene_->coupling().velocity(player_->body()));
   player_->add_to(game);
   if (level_->assists.no_fall) {
-    game.add(stood_at_);
+    game.add(foothold_);
     game.add(standing_ticks_);
   }
 
@@ -221,7 +225,7 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
   header.settings["cord_method"] = std::string(ribbon::box2d::solver_name(engine::Scene::default_solver));
-  if (level.assists.player_reach) header.settings[reach_setting] = *level.assists.player_reach;
+  if (level.assists.grab_range) header.settings[grab_range_setting] = *level.assists.grab_range;
   if (level.assists.no_fall) header.settings[no_fall_setting] = no_fall_value;
   return header;
 }
@@ -232,8 +236,8 @@ void Simulation::take_assists(Level& level, const engine::ReplayHeader& header) 
     const double* value = found == header.settings.end() ? nullptr : std::get_if<double>(&found->second);
     return value != nullptr ? std::optional(*value) : std::nullopt;
   };
-  const auto reach = declared(reach_setting);
-  level.assists.player_reach = reach && *reach > 0.0 && *reach <= longest_reach ? reach : std::nullopt;
+  const auto range = declared(grab_range_setting);
+  level.assists.grab_range = range && *range > 0.0 && *range <= max_grab_range ? range : std::nullopt;
   level.assists.no_fall = declared(no_fall_setting) == no_fall_value;
 }
 

@@ -17,65 +17,64 @@ namespace game {
 
 inline constexpr int ticks_per_second = 60;
 
-/// Where everything is after a tick, for drawing between two of them.
+/// The positions after a tick, for interpolated drawing.
 struct Snapshot {
   struct Body {
     ribbon::Vec2 position;  ///< m
     double angle = 0.0;     ///< rad
   };
   std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by cord and point
-  std::vector<Body> bodies;                      ///< in the order they were made
+  std::vector<Body> bodies;                      ///< in the order of creation
 };
 
-/// The moment `alpha` (0 … 1) of the way from one tick to the next. They must be of the same world.
+/// Interpolates linearly; `alpha` is 0 … 1 for `from` … `to`, which must be of the same world.
 Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha);
 
-/// Moves a scene for a tick of dt seconds.
+/// Advances a scene by a tick of `dt` s.
 using Mover = std::function<void(double dt)>;
 /// Makes the mover of a new scene and its player, which outlive it.
 using MakeMover = std::function<Mover(engine::Scene& scene, Player& player)>;
 
-/// A run of a level: a function of the level and of the ticks' inputs, and of nothing else.
+/// A run of a level: a function of the level and the inputs of the ticks only.
 class Simulation {
  public:
-  /// Keeps a reference to the level. `make_mover`, if there is one, says who moves its scenes instead of Scene::tick:
-  /// another method that is compared with the cords. Such a run is neither recorded nor drawn: its hash and snapshots
-  /// stay those of the start.
+  /// Stores a reference to the level. `make_mover` replaces Scene::tick, to compare another method with the cords. Such
+  /// a run cannot be recorded or drawn: its hash and snapshots stay those of the start.
   explicit Simulation(const Level& level, MakeMover make_mover = {});
   explicit Simulation(Level&& level, MakeMover make_mover = {}) = delete;
 
-  /// One tick of 1/60 s.
+  /// Runs one tick of 1/60 s.
   void tick(const engine::TickInput& input);
-  /// The same without what is to be seen of it: hash(), previous() and current() stay those of before. For who goes on
-  /// to a later tick, and takes that one and the one before it by tick().
+  /// Runs one tick without an update of hash(), previous() and current(), for a seek; run the last two ticks of it with
+  /// tick().
   void skip(const engine::TickInput& input);
 
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }
-  /// What is changed in it is in no recording.
+  /// Recordings do not include changes of the scene.
   engine::Scene& scene() { return *scene_; }
-  /// Is called around each step of the scene's cords, and of those of scenes to come: ribbon::box2d::Coupling::watch.
+  /// Calls the watcher around each step of the cords of this scene and of later ones: ribbon::box2d::Coupling::watch.
   void watch(ribbon::box2d::StepWatcher* watcher);
-  /// Moves the cords of this scene, and of those to come, side by side: ribbon::box2d::Coupling::use.
+  /// Steps the cords of this scene and of later ones in parallel: ribbon::box2d::Coupling::use.
   void use(const ribbon::ParallelFor& parallel_for);
   const Player& player() const { return *player_; }
-  Player& player() { return *player_; }                           ///< as for the scene
+  Player& player() { return *player_; }                           ///< recordings do not include changes of it
   const ribbon::box2d::StateHash& hash() const { return hash_; }  ///< after the last tick
   const Snapshot& previous() const { return previous_; }          ///< before the last tick
-  const Snapshot& current() const { return current_; }            ///< after it
-  int ticks() const { return ticks_; }                            ///< since the beginning
+  const Snapshot& current() const { return current_; }            ///< after the last tick
+  int ticks() const { return ticks_; }                            ///< since the start
   int run_ticks() const { return run_ticks_; }                    ///< since the last restart
   int falls() const { return falls_; }                            ///< out of the level, since the last restart
-  std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< of this run when the goal was reached
-  /// Of the level's, the last one entered; a fall ends there.
+  std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< run_ticks() when the goal was reached
+  /// The last checkpoint of the level that the player entered; it returns there after a fall.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
   const Drag& drag() const { return drag_; }
-  /// Of the level's hooks, the one that a line thrown now goes for.
+  /// The hook of the level at which a line would be thrown now.
   std::optional<std::size_t> aimed_hook() const { return aimed_hook_; }
 
-  /// What a replay of this level has to agree with.
+  /// Returns the header of a replay of this level.
   static engine::ReplayHeader replay_header(const Level& level);
-  /// Gives a level the assists, and no others, that a replay of it declares.
+  /// Sets the assists of the level to those that the replay declares.
   static void take_assists(Level& level, const engine::ReplayHeader& header);
 
  private:
@@ -83,8 +82,8 @@ class Simulation {
   void aim(ribbon::Vec2 pointer);
   bool drop_load();
   void put_player_back();
-  void watch_the_player();
-  void remember_where_he_stands();
+  void check_player();
+  void update_foothold();
   void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
 
@@ -101,9 +100,9 @@ class Simulation {
   Drag drag_;
   std::optional<std::size_t> checkpoint_;
   std::optional<std::size_t> aimed_hook_;
-  ribbon::Vec2 stood_at_;   // m, feet: where a fall ends, with that assist
-  ribbon::Vec2 stands_at_;  // m, feet: where it will, if he stands on
-  int standing_ticks_ = 0;  // on firm ground
+  ribbon::Vec2 foothold_;       // m, feet: the position after a fall with the assist no_fall
+  ribbon::Vec2 next_foothold_;  // m, feet: becomes foothold_ if the player keeps standing
+  int standing_ticks_ = 0;      // on firm ground
   std::uint16_t buttons_before_ = 0;
   int ticks_ = 0;
   int run_ticks_ = 0;

@@ -5,13 +5,13 @@
 namespace game {
 namespace {
 
-constexpr std::int64_t patience_ns = 3'000'000'000;  // from one try to open a lost device to the next
-constexpr std::int64_t pause_ns = 200'000'000;       // without a tick: longer than slow motion leaves between two
+constexpr std::int64_t retry_ns = 3'000'000'000;  // between two attempts to open a lost device
+constexpr std::int64_t pause_ns = 200'000'000;    // without a tick; longer than a tick of slow motion
 constexpr engine::SoundId none = -1;
 
 }  // namespace
 
-Sounds::Sounds() : was_heard_(audio_.is_heard()) {
+Sounds::Sounds() : had_device_(audio_.has_device()) {
   load(Noise::thud, {"thud"});
   load(Noise::slap, {"slap"});
   load(Noise::creak, {"creak_1", "creak_2", "creak_3"});
@@ -32,7 +32,7 @@ engine::SoundId Sounds::load(const std::string& name) {
   try {
     return audio_.add(engine::load_wav(assets_folder() + "/sounds/" + name + ".wav"));
   } catch (const engine::SoundError& error) {
-    if (trouble_.empty()) trouble_ = error.what();
+    if (load_error_.empty()) load_error_ = error.what();
     return none;
   }
 }
@@ -55,22 +55,22 @@ void Sounds::play(const Cue& cue) {
   if (take.count > 0) audio_.play(take.sounds[take.next++ % take.count], cue.how);
 }
 
-void Sounds::hear(const Simulation& simulation) {
-  unheard_ns_ = 0;
-  ear_.hear(simulation);
-  for (const Cue& cue : ear_.cues()) play(cue);
-  audio_.set_loop(wind_, ear_.wind());
-  audio_.set_loop(reel_, ear_.reel());
+void Sounds::tick(const Simulation& simulation) {
+  idle_ns_ = 0;
+  cues_.update(simulation);
+  for (const Cue& cue : cues_.cues()) play(cue);
+  audio_.set_loop(wind_, cues_.wind());
+  audio_.set_loop(reel_, cues_.reel());
 }
 
-void Sounds::pass(std::int64_t elapsed_ns, double volume, bool muted) {
+void Sounds::frame(std::int64_t elapsed_ns, double volume, bool muted) {
   audio_.set_volume(muted ? 0.0 : volume);
-  unheard_ns_ += elapsed_ns;
-  if (unheard_ns_ > pause_ns) {
+  idle_ns_ += elapsed_ns;
+  if (idle_ns_ > pause_ns) {
     for (const engine::LoopId loop : {wind_, reel_}) audio_.set_loop(loop, {0.0, 0.0, 1.0});
   }
-  lost_ns_ = audio_.is_heard() ? 0 : lost_ns_ + elapsed_ns;
-  if (!was_heard_ || lost_ns_ < patience_ns) return;
+  lost_ns_ = audio_.has_device() ? 0 : lost_ns_ + elapsed_ns;
+  if (!had_device_ || lost_ns_ < retry_ns) return;
   lost_ns_ = 0;
   audio_.reopen_if_lost();
 }

@@ -6,31 +6,30 @@
 #include <vector>
 
 #include "engine/window/sdl_audio.h"
-#include "game/sound/ear.h"
+#include "game/sound/cue_detector.h"
 
 namespace game {
 
-/// The game's sounds, played as its runs are heard.
+/// Plays the sounds of runs.
 class Sounds {
  public:
-  /// Reads them from assets/sounds. One that cannot be read is silent.
+  /// Reads the sounds from assets/sounds. Sounds that cannot be read are silent.
   Sounds();
 
-  /// Which sound could not be read, as a sentence for the user; empty if all were.
-  const std::string& trouble() const { return trouble_; }
-  /// Why nothing is heard, as a sentence; empty if there is a device that plays.
+  /// The message of the first sound that could not be read; empty if there is none.
+  const std::string& load_error() const { return load_error_; }
+  /// The reason why no device plays; empty if one does.
   std::string why_silent() const { return audio_.why_silent(); }
 
-  /// After each tick of the run that is seen and heard.
-  void hear(const Simulation& simulation);
-  /// Every frame, so long after the one before: the loops end where nothing has been heard for a moment, as in a pause,
-  /// and a device that was lost is looked for. Volume 0 … 1.
-  void pass(std::int64_t elapsed_ns, double volume, bool muted);
+  /// Plays the sounds of a tick. Call it after each tick of the visible run.
+  void tick(const Simulation& simulation);
+  /// Call it in each frame: ends the loops during a pause and reopens a lost device. `volume`: 0 … 1.
+  void frame(std::int64_t elapsed_ns, double volume, bool muted);
 
  private:
-  static constexpr std::size_t most_takes = 3;
+  static constexpr std::size_t max_takes = 3;
   struct Take {
-    std::array<engine::SoundId, most_takes> sounds{};
+    std::array<engine::SoundId, max_takes> sounds{};
     std::size_t count = 0;  // 0: silent
     std::size_t next = 0;
   };
@@ -41,14 +40,14 @@ class Sounds {
   void play(const Cue& cue);
 
   engine::Audio audio_;
-  std::string trouble_;
+  std::string load_error_;
   std::array<Take, noise_count> takes_;
   engine::LoopId wind_ = 0;
   engine::LoopId reel_ = 0;
-  Ear ear_;
-  std::int64_t unheard_ns_ = 0;  // since the last tick
-  std::int64_t lost_ns_ = 0;     // since the device was last looked for
-  bool was_heard_;
+  CueDetector cues_;
+  std::int64_t idle_ns_ = 0;  // since the last tick
+  std::int64_t lost_ns_ = 0;  // since the last attempt to open the device
+  bool had_device_;
 };
 
 }  // namespace game

@@ -49,7 +49,7 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 void cell(int count) { cell(std::to_string(count)); }
-/// To three significant digits.
+/// Writes three significant digits.
 void cell(double value, const char* unit) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
@@ -74,7 +74,7 @@ void show_thesis_row(const Coupling& coupling, ribbon::box2d::CordId c, const Me
   cell(last.self_contacts + last.circle_contacts);
   cell("");
   cell(inverted_cells(coupling, c));
-  for (int empty = 0; empty < 4; ++empty) cell("");  // it has no Newton steps, and none of what may go wrong in them
+  for (int empty = 0; empty < 4; ++empty) cell("");  // it has no Newton steps
   cell(100.0 * meter.peak_stretch(c), " %");
 }
 
@@ -88,7 +88,7 @@ int inverted_cells(const Coupling& coupling, ribbon::box2d::CordId cord) {
   for (std::size_t column = 0; column + rows < x.size(); column += rows) {
     for (std::size_t point = column; point + 1 < column + rows; ++point) {
       const std::size_t next = point + rows;
-      count += cross(x[next + 1] - x[point], x[point + 1] - x[next]) < 0.0;  // its diagonals
+      count += cross(x[next + 1] - x[point], x[point + 1] - x[next]) < 0.0;  // the diagonals
     }
   }
   return count;

@@ -5,13 +5,13 @@
 
 namespace game {
 
-/// How many cells of a cord of two rows and more are inside out.
+/// Returns the number of inverted cells of a cord.
 int inverted_cells(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
-/// N, the greatest of a rope's links; 0 of what has none.
+/// Returns the largest tension of a rope's links in N; 0 for ribbons and cords of the thesis's solver.
 double greatest_tension(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
-/// Adds to the ImGui window that is open what a tick costs, what the points' colours mean, and the figures of all cords
-/// and of what they are solved with.
+/// Adds the cost of a tick, a legend of the points' colours, and figures of all cords and of Box2D to the current ImGui
+/// window.
 void show_tables(const Simulation& simulation, const Meter& meter);
 
 }  // namespace game

@@ -21,7 +21,7 @@ std::string text_of(const std::string& path) {
   }
 }
 
-/// -1: none.
+/// Returns the cord of an object, or −1.
 ribbon::box2d::CordId cord_of(const engine::Scene& scene, int object) {
   for (const ribbon::box2d::CordId cord : scene.coupling().cords()) {
     if (scene.cord_object(cord) == object) return cord;

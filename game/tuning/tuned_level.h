@@ -12,22 +12,23 @@ namespace game {
 /// A level whose cords and gravity are changed while it runs, and the text of its file with these changes.
 class TunedLevel {
  public:
-  /// Reads the level's file. Throws engine::MapError if it cannot be read or is not the one the level was loaded from.
+  /// Reads the file of the level. Throws engine::MapError if it cannot be read or has changed since the level was
+  /// loaded.
   explicit TunedLevel(const Level& level);
 
-  /// Sets a property of an object (engine::map_itself: the gravity), for good and in the running scene at once. Throws
-  /// engine::MapError, and changes nothing, if it cannot be.
+  /// Sets a property of an object (engine::map_itself: gravity) in the level and in the running scene. Throws
+  /// engine::MapError, without a change, if the value is not accepted.
   void set(int object, std::string_view property, const engine::Properties::Value& value, engine::Scene& scene);
-  /// The same without the property.
+  /// Removes a property in the same way.
   void remove(int object, std::string_view property, engine::Scene& scene);
 
-  /// Whether it differs from the file.
+  /// Returns whether the level differs from the file.
   bool is_changed() const { return text_ != file_text_; }
 
-  /// The level to begin anew with.
+  /// The changed level, for a restart.
   const Level& level() const { return level_; }
-  /// Puts the changes into the file, which keeps every other byte. Throws engine::MapError if the file has changed
-  /// since it was read, and std::runtime_error if it cannot be written; it then stays as it is.
+  /// Writes the changes to the file, without a change of any other byte. Throws engine::MapError if the file has
+  /// changed since it was read, and std::runtime_error if it cannot be written; the file then stays as it is.
   void write();
 
  private:

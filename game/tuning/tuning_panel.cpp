@@ -8,16 +8,16 @@
 #include <utility>
 
 #include "engine/window/sdl_canvas.h"
-#include "game/tuning/dials.h"
+#include "game/tuning/parameters.h"
 #include "game/tuning/tables.h"
 
 namespace game {
 namespace {
 
-/// A slider of a double. True when it was moved.
-bool slide(const char* label, double& value, double least, double most, bool logarithmic) {
+/// Adds a slider. Returns true when it was moved.
+bool slide(const char* label, double& value, double min, double max, bool logarithmic) {
   const ImGuiSliderFlags flags = logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, "%.4g", flags);
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &min, &max, "%.4g", flags);
 }
 
 std::string title_of(const engine::Scene& scene, const Level& level, ribbon::box2d::CordId cord) {
@@ -41,8 +41,8 @@ engine::WindowInput TuningPanel::update(const engine::WindowInput& input, const 
   panel_.begin(input, canvas.width(), canvas.height(), scale, seconds);
   show(run, meter, scale);
   panel_.end();
-  obey(run);
-  return left_by(panel_, input);
+  apply_change(run);
+  return without_captured(panel_, input);
 }
 
 void TuningPanel::draw(engine::Canvas& canvas) const {
@@ -57,7 +57,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
   if (ImGui::Begin("Ropes and parameters (F2)", &is_shown_)) {
     show_tables(run.simulation(), meter);
     ImGui::Separator();
-    ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // room for the names
+    ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // space for the names
     if (run.has_replay()) {
       ImGui::TextWrapped("This is a replay: parameters cannot be changed.");
     } else {
@@ -105,19 +105,19 @@ void TuningPanel::show_file(const RecordedRun& run) {
 void TuningPanel::show_world(const RecordedRun& run) {
   if (!ImGui::CollapsingHeader("World")) return;
   const b2Vec2 gravity = run.simulation().scene().world().GetGravity();
-  double value = std::round(1e4 * static_cast<double>(gravity.y)) / 1e4;  // as it was typed, not as single precision
-  if (slide("gravity_y [m/s²]", value, -30.0, 5.0, false)) wish_ = Wish{engine::map_itself, "gravity_y", value};
+  double value = std::round(1e4 * static_cast<double>(gravity.y)) / 1e4;  // removes the digits of single precision
+  if (slide("gravity_y [m/s²]", value, -30.0, 5.0, false)) change_ = Change{engine::map_itself, "gravity_y", value};
 }
 
 void TuningPanel::show_player(const RecordedRun& run) {
   if (!ImGui::CollapsingHeader("Player")) return;
   PlayerTuning tuning = run.simulation().player().tuning();
   bool moved = slide("run speed [m/s]", tuning.run_speed, 1.0, 20.0, false);
-  moved |= slide("gain on the ground [m/s²]", tuning.ground_gain, 1.0, 100.0, false);
-  moved |= slide("gain in the air [m/s²]", tuning.air_gain, 0.0, 40.0, false);
+  moved |= slide("gain on the ground [m/s²]", tuning.ground_acceleration, 1.0, 100.0, false);
+  moved |= slide("gain in the air [m/s²]", tuning.air_acceleration, 0.0, 40.0, false);
   moved |= slide("jump speed [m/s]", tuning.jump_speed, 1.0, 20.0, false);
-  moved |= slide("pump [m/s²]", tuning.pump_gain, 0.0, 20.0, false);
-  moved |= slide("reach [m]", tuning.reach, 0.3, 3.0, false);
+  moved |= slide("pump [m/s²]", tuning.pump_acceleration, 0.0, 20.0, false);
+  moved |= slide("reach [m]", tuning.grab_range, 0.3, 3.0, false);
   moved |= slide("climb speed [m/s]", tuning.climb_speed, 0.1, 10.0, false);
   moved |= slide("hop speed [m/s]", tuning.hop_speed, 0.0, 10.0, false);
   if (moved) player_ = tuning;
@@ -131,52 +131,52 @@ void TuningPanel::show_cord(const engine::Scene& scene, ribbon::box2d::CordId co
   }
   for (const Switch& option : switches_of(scene.coupling(), cord)) {
     bool on = option.value(scene.coupling(), cord);
-    if (ImGui::Checkbox(option.property, &on)) wish_ = Wish{object, option.property, on};
+    if (ImGui::Checkbox(option.property, &on)) change_ = Change{object, option.property, on};
   }
   if (scene.coupling().cord(cord).solver() == ribbon::box2d::Solver::direct) {
     constexpr std::array names = {"tr_bdf2", "implicit_euler"};
     int chosen = static_cast<int>(scene.coupling().cord(cord).direct().def().accuracy.integrator);
     if (ImGui::Combo("integrator", &chosen, names.data(), static_cast<int>(names.size()))) {
-      wish_ = Wish{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
+      change_ = Change{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
     }
   }
-  show_dials(scene.coupling(), cord, object);
-}
-
-void TuningPanel::show_dials(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int object) {
-  for (const Dial& dial : dials_of(coupling, cord)) {
-    double value = dial.value(coupling, cord);
-    const bool is_on = !dial.term || (value != 0.0 && std::isfinite(value));
-    ImGui::PushID(dial.property);
-    bool wanted = is_on;
-    if (dial.term) {
-      if (ImGui::Checkbox("##on", &wanted)) {
-        wish_ = Wish{object, dial.property, wanted ? engine::Properties::Value(dial.on) : off_value(dial)};
-      }
-      ImGui::SameLine();
-    }
-    std::string label = dial.property;
-    if (*dial.unit != '\0') label.append(" [").append(dial.unit).append("]");
-    if (is_on && dial.whole) {
-      auto whole = static_cast<int>(value);
-      if (ImGui::SliderInt(label.c_str(), &whole, static_cast<int>(dial.least), static_cast<int>(dial.most))) {
-        wish_ = Wish{object, dial.property, std::int64_t{whole}};
-      }
-    } else if (is_on) {
-      if (slide(label.c_str(), value, dial.least, dial.most, dial.logarithmic)) {
-        wish_ = Wish{object, dial.property, value};
-      }
-    } else {
-      ImGui::TextDisabled("%s: off", dial.property);
-    }
-    ImGui::PopID();
+  for (const Parameter& parameter : parameters_of(scene.coupling(), cord)) {
+    show_parameter(parameter, parameter.value(scene.coupling(), cord), object);
   }
 }
 
-/// Of what the user asked for in this frame; what cannot be is told and changes nothing.
-void TuningPanel::obey(RecordedRun& run) {
+void TuningPanel::show_parameter(const Parameter& parameter, double value, int object) {
+  const bool is_on = !parameter.is_term || (value != 0.0 && std::isfinite(value));
+  ImGui::PushID(parameter.property);
+  bool wanted = is_on;
+  if (parameter.is_term) {
+    if (ImGui::Checkbox("##on", &wanted)) {
+      change_ = Change{object, parameter.property,
+                       wanted ? engine::Properties::Value(parameter.on_value) : off_value(parameter)};
+    }
+    ImGui::SameLine();
+  }
+  std::string label = parameter.property;
+  if (*parameter.unit != '\0') label.append(" [").append(parameter.unit).append("]");
+  if (is_on && parameter.whole) {
+    auto whole = static_cast<int>(value);
+    if (ImGui::SliderInt(label.c_str(), &whole, static_cast<int>(parameter.min), static_cast<int>(parameter.max))) {
+      change_ = Change{object, parameter.property, std::int64_t{whole}};
+    }
+  } else if (is_on) {
+    if (slide(label.c_str(), value, parameter.min, parameter.max, parameter.logarithmic)) {
+      change_ = Change{object, parameter.property, value};
+    }
+  } else {
+    ImGui::TextDisabled("%s: off", parameter.property);
+  }
+  ImGui::PopID();
+}
+
+/// Applies the change of this frame. If it is not accepted, reports it and changes nothing.
+void TuningPanel::apply_change(RecordedRun& run) {
   if (run.has_replay()) return;
-  if (tuned_ && run.level().map.content_hash != tuned_->level().map.content_hash) tuned_.reset();  // loaded anew
+  if (tuned_ && run.level().map.content_hash != tuned_->level().map.content_hash) tuned_.reset();  // reloaded
   try {
     if (std::exchange(wants_file_, false)) {
       tuned_.reset();
@@ -184,18 +184,18 @@ void TuningPanel::obey(RecordedRun& run) {
       run.set_level(load_level(run.level().map.file), false);
       wants_restart_ = true;
     }
-    if (const auto wish = std::exchange(wish_, std::nullopt)) {
+    if (const auto change = std::exchange(change_, std::nullopt)) {
       message_.clear();
       if (!tuned_) tuned_.emplace(run.level());
       engine::Scene& scene = run.tune().scene();
-      if (wish->value) {
-        tuned_->set(wish->object, wish->property, *wish->value, scene);
+      if (change->value) {
+        tuned_->set(change->object, change->property, *change->value, scene);
       } else {
-        tuned_->remove(wish->object, wish->property, scene);
+        tuned_->remove(change->object, change->property, scene);
       }
       run.set_level(tuned_->level(), tuned_->is_changed());
     }
-    if (player_) run.tune().player().set_tuning(*player_);  // also after a restart, which makes another player
+    if (player_) run.tune().player().set_tuning(*player_);  // in each frame, since a restart makes a new player
   } catch (const std::runtime_error& error) {
     message_ = error.what();
   }

@@ -6,11 +6,12 @@
 #include "engine/panel/debug_panel.h"
 #include "game/simulation/meter.h"
 #include "game/simulation/recorded_run.h"
+#include "game/tuning/parameters.h"
 #include "game/tuning/tuned_level.h"
 
 namespace game {
 
-/// The panel that shows what the cords of a run cost and do, and where all of them can be tuned while they move.
+/// The panel with figures of the cords of a run and sliders for their parameters.
 class TuningPanel {
  public:
   TuningPanel();
@@ -18,37 +19,37 @@ class TuningPanel {
   void toggle() { is_shown_ = !is_shown_; }
   bool is_shown() const { return is_shown_; }
 
-  /// A frame, `seconds` after the one before, on a canvas of that size and scale; before the frame's ticks. What is
-  /// left of the input is for the game. While it is not shown, all of it.
+  /// Runs a frame `seconds` after the last one, before its ticks, and applies changes to the run. Returns the input
+  /// that the panel does not use.
   engine::WindowInput update(const engine::WindowInput& input, const engine::Canvas& canvas, double scale,
                              double seconds, RecordedRun& run, const Meter& meter);
   void draw(engine::Canvas& canvas) const;
 
-  /// True once after it was asked for.
+  /// Returns true once after the user requested a restart.
   bool takes_restart();
 
  private:
-  /// What the user asked for in a frame.
-  struct Wish {
+  /// A change that the user made in a frame.
+  struct Change {
     int object;
     std::string property;
-    std::optional<engine::Properties::Value> value;  ///< none: to be taken away
+    std::optional<engine::Properties::Value> value;  ///< none: remove the property
   };
 
   void show(const RecordedRun& run, const Meter& meter, double scale);
   void show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord);
-  void show_dials(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, int object);
+  void show_parameter(const Parameter& parameter, double value, int object);
   void show_world(const RecordedRun& run);
   void show_player(const RecordedRun& run);
   void show_file(const RecordedRun& run);
-  void obey(RecordedRun& run);
+  void apply_change(RecordedRun& run);
   void write();
 
   engine::DebugPanel panel_;
   bool is_shown_ = false;
   bool wants_restart_ = false;
-  bool wants_file_ = false;  // its values
-  std::optional<Wish> wish_;
+  bool wants_file_ = false;  // reset to the values of the file
+  std::optional<Change> change_;
   std::optional<TunedLevel> tuned_;
   std::optional<PlayerTuning> player_;
   std::string message_;

@@ -13,41 +13,41 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-/// A range of hills. Sizes are shares of the picture's height, so that it looks alike at any resolution and zoom.
+/// A range of hills. Lengths are in heights of the canvas, so that it looks the same at any resolution and zoom.
 struct Range {
-  double follow;  ///< of the camera's way that it goes along: 1 stands still on the screen
-  double height;  ///< of its middle line above the bottom of the picture, at the level's lower edge
-  double swell;   ///< of its hills
+  double follow;  ///< fraction of the camera's motion that it follows: 1 is fixed on the screen
+  double height;  ///< of its mean outline above the bottom of the canvas, with the camera at the bottom of the level
+  double swell;   ///< amplitude of the hills
   double length;  ///< of one hill
-  double jag;     ///< of what is on them
+  double jag;     ///< amplitude of the fine detail
   int seed;
 };
 constexpr std::array<Range, 4> ranges = {{{0.93, 0.44, 0.20, 0.60, 0.030, 401},
                                           {0.86, 0.34, 0.14, 0.50, 0.008, 402},
                                           {0.76, 0.24, 0.11, 0.42, 0.006, 403},
                                           {0.62, 0.12, 0.08, 0.34, 0.004, 404}}};
-constexpr int period = 4096;     // hills, after which they come again
-constexpr double column = 20.0;  // px, between two points of a hill's outline
+constexpr int period = 4096;     // hills, after which the outline repeats
+constexpr double column = 20.0;  // px, between two points of an outline
 
 double outline(const Range& range, double x) {
   return range.swell * (tiled_noise(x / range.length, 0.0, period, range.seed) - 0.5) +
          range.jag * (tiled_noise(8.0 * x / range.length, 0.0, period, range.seed + 50) - 0.5);
 }
 
-/// Where the camera has come, in heights of the picture.
-Vec2 camera_way(const Pen& pen) {
+/// Returns the position of the camera in heights of the canvas.
+Vec2 camera_offset(const Pen& pen) {
   const double high = pen.canvas.height() / pen.scale();
   const Vec2 at = pen.canvas.view().center;
   return (1.0 / high) * Vec2{at.x, at.y - 0.5 * high};
 }
 
-/// The outline on the screen at pixel column x.
+/// Returns the y of the outline at pixel column x.
 double top_of(const Pen& pen, const Range& range, double x) {
-  const Vec2 way = camera_way(pen);
+  const Vec2 offset = camera_offset(pen);
   const double high = pen.canvas.height();
-  const double share =
-      range.height + outline(range, x / high + (1.0 - range.follow) * way.x) - (1.0 - range.follow) * way.y;
-  return high * (1.0 - share);
+  const double height =
+      range.height + outline(range, x / high + (1.0 - range.follow) * offset.x) - (1.0 - range.follow) * offset.y;
+  return high * (1.0 - height);
 }
 
 void add_hill(engine::TexturedMesh& mesh, double x, double y, double bottom, Color top_color, Color color) {
@@ -60,7 +60,7 @@ void add_hill(engine::TexturedMesh& mesh, double x, double y, double bottom, Col
     mesh.indices.insert(mesh.indices.end(), {v - 3 + k, v + k, v + k + 1, v - 3 + k, v + k + 1, v - 2 + k});
 }
 
-/// As bright as the mist makes it: lighter towards the bottom.
+/// Draws a range of hills with mist, which makes it lighter towards the bottom.
 void draw_range(Pen& pen, const Range& range, Color color, Color mist) {
   const double width = pen.canvas.width();
   const double high = pen.canvas.height();
@@ -86,11 +86,11 @@ void draw_range(Pen& pen, const Range& range, Color color, Color mist) {
 
 void draw_trees(Pen& pen, const Range& range, const engine::Image& image, double spacing, double size) {
   const double high = pen.canvas.height();
-  const double shift = (1.0 - range.follow) * camera_way(pen).x;
+  const double shift = (1.0 - range.follow) * camera_offset(pen).x;
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / spacing)) + 1;
   for (int k = first; k <= last; ++k) {
-    if (tiled_noise(0.21 * k, 0.5, period, range.seed + 7) < 0.48) continue;  // they stand in woods
+    if (tiled_noise(0.21 * k, 0.5, period, range.seed + 7) < 0.48) continue;  // groups trees into woods
     const double x = high * (spacing * (k + 0.7 * scatter(k, 1, range.seed)) - shift);
     const double tall = high * size * (0.6 + 0.8 * scatter(k, 2, range.seed));
     const double y = top_of(pen, range, x) + 0.06 * tall;
@@ -108,7 +108,7 @@ void draw_sun(Pen& pen) {
   pen.canvas.mesh(pen.shape, pen.colors.sun);
 }
 
-/// What stands still on the screen.
+/// Draws the part of the backdrop that is fixed on the screen.
 void draw_sky(Pen& pen) {
   const Palette& colors = pen.colors;
   const double width = pen.canvas.width();
@@ -122,16 +122,16 @@ void draw_sky(Pen& pen) {
 void draw_clouds(Pen& pen) {
   const double high = pen.canvas.height();
   const double wide = pen.canvas.width() / high;
-  constexpr double spacing = 0.42;  // heights of the picture
-  const double drift = pen.calm ? 0.0 : 0.004 * pen.time;
-  const double shift = 0.05 * camera_way(pen).x - drift;
+  constexpr double spacing = 0.42;  // heights of the canvas
+  const double drift = pen.reduced_motion ? 0.0 : 0.004 * pen.time;
+  const double shift = 0.05 * camera_offset(pen).x - drift;
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + wide) / spacing)) + 1;
   for (int k = first; k <= last; ++k) {
     if (scatter(k, 5, 77) < 0.25) continue;
     const double size = 0.20 + 0.26 * scatter(k, 1, 77);
     const double x = spacing * (k + 0.6 * scatter(k, 2, 77)) - shift;
-    const double y = 0.08 + 0.30 * scatter(k, 3, 77) + 0.05 * camera_way(pen).y;
+    const double y = 0.08 + 0.30 * scatter(k, 3, 77) + 0.05 * camera_offset(pen).y;
     const auto& image = pen.images.clouds.at(static_cast<std::size_t>(3.0 * scatter(k, 4, 77)));
     const int opacity = static_cast<int>(150 + 105 * scatter(k, 6, 77));
     pen.sprite(image, high * Vec2{x, y}, high * Vec2{size, 0.5 * size}, with_alpha(pen.colors.cloud, opacity));

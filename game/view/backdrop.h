@@ -4,7 +4,7 @@
 
 namespace game {
 
-/// Draws the sky, its sun and clouds, and hills that move the less the further away they are, over the whole canvas.
+/// Fills the canvas with the sky, the sun, clouds, and hills with parallax.
 void draw_backdrop(Pen& pen);
 
 }  // namespace game

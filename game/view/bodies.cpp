@@ -17,13 +17,13 @@ using engine::Color;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
-constexpr double beam = 1.45;          // m; thinner ground is of wood
-constexpr double image_size = 4.0;     // m of the world on an image of earth
-constexpr double grass_high = 0.62;    // m, of the fringe, roots included
-constexpr double grass_long = 5.0;     // m, of one image
-constexpr double darkest_below = 5.0;  // m
+constexpr double beam = 1.45;          // m; ground thinner than this is a wooden beam
+constexpr double image_size = 4.0;     // m, the size of the image of earth
+constexpr double grass_high = 0.62;    // m, including the roots
+constexpr double grass_long = 5.0;     // m, the length of the image
+constexpr double darkest_depth = 5.0;  // m
 
-/// Counter-clockwise.
+/// Returns the corners in the world, counter-clockwise.
 std::vector<Vec2> corners_of(const b2PolygonShape& shape, const Snapshot::Body& pose) {
   std::vector<Vec2> corners;
   corners.reserve(static_cast<std::size_t>(shape.m_count));
@@ -70,7 +70,7 @@ void draw_outline(Pen& pen, const std::vector<Vec2>& corners, double width, Colo
 void draw_beam(Pen& pen, const std::vector<Vec2>& corners, const Extent& extent) {
   const Vec2 along = extent.along.x < -0.1 ? -extent.along : extent.along;
   const Vec2 across = perp(along);
-  Vec2 corner = corners.front();  // where the image begins: the first along it, and the upper one across
+  Vec2 corner = corners.front();  // the origin of the image: minimum along the beam, maximum across it
   for (const Vec2 p : corners) {
     corner += std::min(dot(p - corner, along), 0.0) * along;
     corner += std::max(dot(p - corner, across), 0.0) * across;
@@ -82,21 +82,21 @@ void draw_beam(Pen& pen, const std::vector<Vec2>& corners, const Extent& extent)
   pen.canvas.textured(pen.mesh, {&pen.images.wood});
 }
 
-/// Along the edges that face up, from left to right.
+/// Draws grass along the edges that face up, from left to right.
 void draw_grass(Pen& pen, const std::vector<Vec2>& corners) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 right = corners[k];
     const Vec2 left = corners[(k + 1) % corners.size()];
-    const Vec2 way = right - left;
-    if (way.x < 0.8 * length(way)) continue;
-    // One strip of a size that is never blurred, on whole images of the world's, so that neighbours match.
+    const Vec2 edge = right - left;
+    if (edge.x < 0.8 * length(edge)) continue;
+    // The position in the image is that in the world, so that neighbours match.
     engine::StripLook look;
     look.image = &pen.images.grass;
     look.width = grass_high;
     look.image_length = grass_long;
     look.start = left.x;
     look.color = pen.colors.grass;
-    const Vec2 lifted{0.0, 0.05};  // over the outline
+    const Vec2 lifted{0.0, 0.05};  // above the outline
     pen.canvas.strip(std::array{left + lifted, right + lifted}, look);
   }
 }
@@ -112,11 +112,11 @@ void draw_earth(Pen& pen, const std::vector<Vec2>& corners) {
   const Vec2 origin = pen.canvas.to_pixels({0.0, 0.0});
   const double top = top_of(corners);
   add_polygon(pen, corners, {origin, {texel, 0.0}, {0.0, texel}}, {255, 255, 255});
-  // It gets darker downwards, and stays so.
+  // The earth gets darker with depth, down to darkest_depth.
   constexpr Color white{255, 255, 255};
   const auto deep = static_cast<std::uint8_t>(pen.colors.deep_light);
   for (engine::TexturedVertex& v : pen.mesh.vertices)
-    v.color = mix(white, {deep, deep, deep}, (top - pen.canvas.to_world(v.at).y) / darkest_below);
+    v.color = mix(white, {deep, deep, deep}, (top - pen.canvas.to_world(v.at).y) / darkest_depth);
   pen.canvas.textured(pen.mesh, {&pen.images.soil});
 }
 
@@ -125,12 +125,12 @@ bool is_beam(const std::vector<Vec2>& corners) { return corners.size() == 4 && e
 bool is_seen(const Pen& pen, const std::vector<Vec2>& corners) {
   Vec2 middle;
   for (const Vec2 p : corners) middle += (1.0 / static_cast<double>(corners.size())) * p;
-  double reach = 0.0;
-  for (const Vec2 p : corners) reach = std::max(reach, length(p - middle));
-  return pen.sees(middle, reach + 0.5);
+  double radius = 0.0;
+  for (const Vec2 p : corners) radius = std::max(radius, length(p - middle));
+  return pen.sees(middle, radius + 0.5);
 }
 
-/// A shank from a weight to where it hangs, with a ring. What is in the weight is covered by it.
+/// Draws a shank from a weight to its cord, with a ring. The weight is drawn over it.
 void draw_eye(Pen& pen, Vec2 at, Vec2 body) {
   const std::array shank = {at, body};
   pen.canvas.polyline(shank, 0.16, pen.colors.ink);
@@ -139,7 +139,7 @@ void draw_eye(Pen& pen, Vec2 at, Vec2 body) {
   pen.canvas.ring(at, 0.11, 0.05, pen.colors.iron);
 }
 
-/// A weight with corners.
+/// Draws a polygonal weight.
 void draw_block(Pen& pen, const DrawnBody& drawn, const std::vector<Vec2>& corners) {
   const Extent extent = extent_of(corners);
   draw_outline(pen, corners, 0.08, pen.colors.ink);
@@ -153,7 +153,7 @@ void draw_block(Pen& pen, const DrawnBody& drawn, const std::vector<Vec2>& corne
             static_cast<double>(drawn.body.GetMass()));
 }
 
-/// A peg that a cord winds round: the end of a trunk.
+/// Draws a static circle as the end of a trunk.
 void draw_peg(Pen& pen, Vec2 center, double radius) {
   pen.canvas.circle(center, radius, pen.colors.ink);
   pen.disc(pen.images.wood, center, radius - 0.04, mix(pen.colors.wood, pen.colors.ink, 0.25));
@@ -179,7 +179,7 @@ void draw_circle(Pen& pen, const DrawnBody& drawn, const b2CircleShape& shape) {
   draw_ball(pen, center, radius, drawn.pose.angle, pen.colors.balls[kind]);
 }
 
-/// `use(drawn, shape)` for each shape of this type.
+/// Calls use(drawn, shape) for each shape of this type.
 template <typename Shape, typename Use>
 void each_shape(std::span<const DrawnBody> bodies, b2Shape::Type type, Use use) {
   for (const DrawnBody& drawn : bodies)
@@ -208,7 +208,7 @@ void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
     }
   });
   std::stable_sort(grounds.begin(), grounds.end(), [](const auto& a, const auto& b) { return top_of(a) > top_of(b); });
-  // First all outlines, so that pieces that adjoin become one; last the grass, which grows over its neighbours.
+  // All outlines first, so that adjacent pieces merge; grass last, since it overlaps its neighbours.
   for (const auto& corners : grounds) draw_outline(pen, corners, 0.09, pen.colors.ink);
   for (const auto& corners : grounds)
     if (!is_beam(corners)) draw_earth(pen, corners);

@@ -10,21 +10,20 @@
 
 namespace game {
 
-/// A body of the level at a moment between two ticks.
+/// A body of the level between two ticks.
 struct DrawnBody {
   const b2Body& body;
   Snapshot::Body pose;
-  int number;            ///< tells alike ones apart
-  bool is_load = false;  ///< a weight, with its mass written on it
-  /// m, where a cord that it holds is: it has an eye there.
+  int number;            ///< selects one of several colours
+  bool is_load = false;  ///< drawn with its mass
+  /// m, the position of the cord that it holds, where an eye is drawn.
   std::optional<ribbon::Vec2> eye{};
 };
 
-/// Draws ground, with grass on what faces up, beams and posts of wood where it is thin, pegs, what rolls, and
-/// weights.
+/// Draws ground with grass on top, wooden beams where it is thin, pegs, balls and weights.
 void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies);
 
-/// Where a body's own place is in the world.
+/// Transforms a point from the frame of a body to the world.
 ribbon::Vec2 placed(const Snapshot::Body& pose, ribbon::Vec2 local);
 
 }  // namespace game

@@ -4,34 +4,35 @@
 
 namespace game {
 
-/// What the camera looks at after a tick.
+/// The state of the player after a tick, for the camera.
 struct CameraSubject {
   ribbon::Vec2 at;        ///< m, the player
   ribbon::Vec2 velocity;  ///< m/s
   bool faces_left = false;
   bool lands = false;   ///< in this tick
-  double impact = 0.0;  ///< m/s, how hard
+  double impact = 0.0;  ///< m/s, the speed of the landing
 };
 
-/// Follows the player, ahead of where he goes, by ticks and not by frames. It stays within the level, and shows more of
-/// it when he is fast.
+/// Follows the player with a lead in its direction of motion. It moves by ticks, not by frames, stays within the level,
+/// and shows more of it at high speed.
 class Camera {
  public:
-  /// `level` is the level's size in m, from (0, 0).
+  /// `level`: the size of the level in m, from (0, 0).
   explicit Camera(ribbon::Vec2 level) : level_(level) {}
 
-  /// At once where it would come to rest.
+  /// Jumps to the position at which it would come to rest.
   void jump_to(const CameraSubject& subject);
-  /// A tick of 1/60 s on.
+  /// Advances by a tick of 1/60 s.
   void tick(const CameraSubject& subject);
 
-  /// The view of a moment, `alpha` (0 … 1) of the way between the last two ticks, on a picture of this many pixels.
-  engine::View view(double alpha, int width, int height, bool calm) const;
+  /// Returns the view for a canvas of width × height pixels, interpolated between the last two ticks with `alpha`,
+  /// 0 … 1. `reduced_motion`: without shake and zoom.
+  engine::View view(double alpha, int width, int height, bool reduced_motion) const;
 
  private:
   struct Place {
     ribbon::Vec2 at{};
-    double metres_high = 13.0;
+    double height = 13.0;  // m, of the view
     ribbon::Vec2 shake{};
   };
   static Place wanted(const CameraSubject& subject);
@@ -39,7 +40,7 @@ class Camera {
   ribbon::Vec2 level_;
   Place now_, before_;
   ribbon::Vec2 ahead_velocity_{};  // m/s, smoothed
-  double shaking_ = 0.0;           // m
+  double shaking_ = 0.0;           // m, amplitude
   int ticks_ = 0;
 };
 

@@ -12,7 +12,7 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-/// The rows of points as smooth curves in pixels, one after the other.
+/// The rows of points as smooth curves in pixels.
 struct Rails {
   std::vector<std::vector<Vec2>> rows;
   int columns() const { return static_cast<int>(rows.front().size()); }
@@ -34,7 +34,7 @@ Rails rails_of(const Pen& pen, const DrawnCord& cord, int steps) {
 
 Vec2 unit(Vec2 v) { return length(v) > 1e-9 ? (1.0 / length(v)) * v : Vec2{}; }
 
-/// Moves the outer rows outwards, and the ends, by so many pixels.
+/// Moves the outer rows and the ends outwards by `pixels`.
 void grow(Rails& rails, double pixels) {
   const std::size_t last = rails.rows.size() - 1;
   for (std::size_t i = 0; i < rails.rows.front().size(); ++i) {
@@ -49,8 +49,8 @@ void grow(Rails& rails, double pixels) {
   }
 }
 
-/// A grid of vertices with a border along which the cover falls to 0, u along it in widths and v across from the last
-/// row, the upper one at first, to the first.
+/// A grid of vertices with a border in which the cover falls to 0. u runs along the cloth, in widths; v runs across it
+/// from 0 at the last row to 1 at the first.
 class ClothMesh {
  public:
   ClothMesh(engine::TexturedMesh& mesh, const Rails& inner, const Rails& outer)
@@ -107,8 +107,8 @@ void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const s
   pen.mesh.clear();
   ClothMesh(pen.mesh, inner, outer).build(spacing / (steps * cord.shape.thickness), color_of);
   pen.canvas.textured(pen.mesh, {&pen.images.cloth, engine::Filter::linear, engine::Wrap::repeat, engine::Wrap::clamp});
-  // The edge, so that the silhouette is clear against what is behind. It covers: where the cloth bends more tightly
-  // than the edge is wide it lies on itself, and what shines through would show that.
+  // A dark edge for a clear silhouette. It is opaque, since it overlaps itself where the cloth bends more tightly than
+  // the edge is wide.
   for (const auto* row : {&outer.rows.front(), &outer.rows.back()}) {
     pen.mesh.clear();
     engine::BandLook look;

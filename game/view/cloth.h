@@ -7,8 +7,8 @@
 
 namespace game {
 
-/// A cord of several rows as a piece of cloth, as thick as it collides, drawn smooth in `steps` pieces between two
-/// columns, with a dark edge. `colors`, one a column, count instead of `color` if there are any.
+/// Draws a cord of several rows as cloth with its collision thickness, as a smooth curve of `steps` pieces between two
+/// columns, with a dark edge. `colors`: one per column; replaces `color` unless empty.
 void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, engine::Color color,
                 const std::vector<engine::Color>& colors);
 

@@ -14,9 +14,9 @@ using engine::Color;
 using ribbon::PointKind;
 using ribbon::Vec2;
 
-constexpr double least_width = 0.07;  // m; a thinner rope could not be seen
-constexpr double outline = 0.05;      // m, of which half shows on either side
-constexpr double piece = 5.0;         // px, of a curve that is drawn straight
+constexpr double min_width = 0.07;  // m, so that thin ropes are visible
+constexpr double outline = 0.05;    // m, half of it on each side
+constexpr double piece = 5.0;       // px, the length of straight pieces of a curve
 
 const Color& own_color(const Pen& pen, const DrawnCord& cord) {
   if (cord.is_line) return pen.colors.line;
@@ -25,12 +25,12 @@ const Color& own_color(const Pen& pen, const DrawnCord& cord) {
                              : pen.colors.ropes[number % pen.colors.ropes.size()];
 }
 
-/// Of the spline between two columns.
+/// Returns the number of pieces of the spline between two columns.
 int steps_between(const Pen& pen, const DrawnCord& cord) {
-  double longest = 0.0;
+  double max_length = 0.0;
   for (int i = 1; i < cord.shape.columns; ++i)
-    longest = std::max(longest, length(cord.at(cord.point(i, 0)) - cord.at(cord.point(i - 1, 0))));
-  return static_cast<int>(std::clamp(std::ceil(longest * pen.scale() / piece), 1.0, 16.0));
+    max_length = std::max(max_length, length(cord.at(cord.point(i, 0)) - cord.at(cord.point(i - 1, 0))));
+  return static_cast<int>(std::clamp(std::ceil(max_length * pen.scale() / piece), 1.0, 16.0));
 }
 
 std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
@@ -42,7 +42,7 @@ std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
   return all;
 }
 
-double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness, least_width); }
+double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness, min_width); }
 
 void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
   const double width = drawn_width(cord);
@@ -63,13 +63,13 @@ void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors
   pen.canvas.strip(curve, look);
 }
 
-/// A turn of thread round a loose end.
+/// Draws thread wound round a free end.
 void draw_whipping(Pen& pen, const DrawnCord& cord, int end, int inner) {
   if (cord.kind(end) == PointKind::constrained || cord.is_line) return;
-  const Vec2 way = cord.at(inner) - cord.at(end);
-  if (length(way) <= 0.0) return;
+  const Vec2 inwards = cord.at(inner) - cord.at(end);
+  if (length(inwards) <= 0.0) return;
   const double width = drawn_width(cord);
-  const Vec2 in = (1.3 * width / length(way)) * way;
+  const Vec2 in = (1.3 * width / length(inwards)) * inwards;
   const Vec2 tip = cord.at(end) - 0.25 * in;
   pen.canvas.polyline(std::array{tip, tip + 0.2 * in}, 1.15 * width, own_color(pen, cord));
   pen.canvas.strip(std::array{cord.at(end) + 0.25 * in, cord.at(end) + in},
@@ -78,7 +78,7 @@ void draw_whipping(Pen& pen, const DrawnCord& cord, int end, int inner) {
                    {nullptr, 1.3 * width, 1.0, 0.0, pen.colors.ribbons[0]});
 }
 
-/// An iron ring with a bolt.
+/// Draws an iron ring with a bolt.
 void draw_pin(Pen& pen, Vec2 at, double radius) {
   pen.canvas.circle(at, radius + 0.035, pen.colors.ink);
   pen.disc(pen.images.iron, at, radius, pen.colors.iron);
@@ -87,7 +87,7 @@ void draw_pin(Pen& pen, Vec2 at, double radius) {
   pen.canvas.circle(at + Vec2{-0.02, 0.02}, 0.2 * radius, mix(pen.colors.iron, {255, 255, 255}, 0.5));
 }
 
-/// A rod along the fixed points of a column, or a ring where there is one alone.
+/// Draws a rod along the pins of a column, or a ring if there is only one.
 void draw_fixing(Pen& pen, const DrawnCord& cord, int column) {
   std::vector<Vec2> fixed;
   for (int j = 0; j < cord.shape.rows; ++j)
@@ -128,8 +128,8 @@ double strain(const DrawnCord& cord, int column) {
 }
 
 Color strain_color(double strain) {
-  // Lighter than the ramp, for the rope's own shading makes it darker again.
-  const Color color = ramp_color(std::sqrt(std::clamp(strain / most_strain, 0.0, 1.0)));
+  // Lighter than the ramp, since the shading of the rope makes it darker.
+  const Color color = ramp_color(std::sqrt(std::clamp(strain / max_strain, 0.0, 1.0)));
   return mix(color, {255, 255, 255}, 0.25);
 }
 
@@ -142,7 +142,7 @@ void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors
     draw_whipping(pen, cord, 0, std::min(1, cord.shape.columns - 1));
     draw_whipping(pen, cord, cord.shape.columns - 1, std::max(cord.shape.columns - 2, 0));
   }
-  if (cord.is_line) return;  // it is hooked, and the hook is drawn
+  if (cord.is_line) return;  // its pin is at a hook, which is drawn separately
   for (int i = 0; i < cord.shape.columns; ++i) draw_fixing(pen, cord, i);
 }
 

@@ -8,13 +8,13 @@
 
 namespace game {
 
-/// A cord at a moment between two ticks.
+/// A cord between two ticks.
 struct DrawnCord {
   const ribbon::box2d::Coupling& coupling;
   ribbon::box2d::CordId index;
   ribbon::box2d::CordShape shape;
   const std::vector<ribbon::Vec2>& points;  ///< m
-  bool is_line = false;                     ///< the player's own
+  bool is_line = false;                     ///< the player's line
 
   int size() const { return static_cast<int>(points.size()); }
   int point(int i, int j) const { return i * shape.rows + j; }
@@ -22,15 +22,15 @@ struct DrawnCord {
   ribbon::PointKind kind(int p) const { return coupling.cord(index).kind(p); }
 };
 
-/// By how much the cord is longer between two columns than at rest, as a share, in the middle of its rows.
+/// Returns the strain between two columns, length / rest length − 1, as a mean of all rows.
 double strain(const DrawnCord& cord, int column);
 
-/// The strain that has the brightest colour, as a share; colours go by its square root, so that a per mille is seen.
-inline constexpr double most_strain = 0.1;
+/// The strain with the brightest colour. Colours are a function of its square root, so that 0.1 % is visible.
+inline constexpr double max_strain = 0.1;
 engine::Color strain_color(double strain);
 
-/// A rope, if the cord has one row of points, and else a cloth; what holds it, and whipping on its loose ends.
-/// `colors`, one a column, if it is not to have its own.
+/// Draws a cord as a rope if it has one row, else as cloth, with its pins and with whipping on free ends. `colors`: one
+/// per column; replaces its own colour unless empty.
 void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<engine::Color>& colors);
 
 }  // namespace game

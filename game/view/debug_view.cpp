@@ -12,7 +12,7 @@ using engine::Color;
 using ribbon::PointKind;
 using ribbon::Vec2;
 
-// Goto 2017, Fig. 4.1.
+// As in Goto 2017, Fig. 4.1.
 constexpr Color free_point{40, 90, 230};
 constexpr Color sleeping_point{150, 150, 165};
 constexpr Color operated_point{250, 220, 40};
@@ -23,7 +23,7 @@ bool is_direct(const DrawnCord& cord) {
   return cord.coupling.cord(cord.index).solver() == ribbon::box2d::Solver::direct;
 }
 
-/// White where there is no telling.
+/// Returns the colour of the tension; white if it is unknown.
 Color bar_color(const DrawnCord& cord, int column) {
   if (cord.shape.rows > 1 || !is_direct(cord)) return {255, 255, 255, 200};
   return tension_color(cord.coupling.cord(cord.index).direct().tensions()[static_cast<std::size_t>(column)]);
@@ -59,7 +59,7 @@ void draw_points(Pen& pen, const DrawnCord& cord) {
   }
 }
 
-/// Rows count upwards to the left of the way along the cord, so that a cell's corners go round counter-clockwise.
+/// Rows are numbered to the left of the direction along the cord, so the corners of a cell are counter-clockwise.
 void draw_inverted_cells(Pen& pen, const DrawnCord& cord) {
   for (int i = 0; i + 1 < cord.shape.columns; ++i) {
     for (int j = 0; j + 1 < cord.shape.rows; ++j) {
@@ -71,18 +71,18 @@ void draw_inverted_cells(Pen& pen, const DrawnCord& cord) {
   }
 }
 
-void draw_reach(Pen& pen, const DrawnCord& cord) {
+void draw_swept_aabb(Pen& pen, const DrawnCord& cord) {
   const ribbon::Box& box = cord.coupling.cord(cord.index).swept_aabb();
   const std::array corners = {box.low, Vec2{box.high.x, box.low.y}, box.high, Vec2{box.low.x, box.high.y}, box.low};
   pen.canvas.polyline(corners, 0.02, {255, 255, 255, 150});
 }
 
-/// As long as the impulse is large, by its root.
+/// Draws each contact with its normal, whose length grows with the square root of the impulse.
 void draw_contacts(Pen& pen, const DrawnCord& cord) {
   if (!is_direct(cord)) return;
   for (const ribbon::Touch& touch : cord.coupling.cord(cord.index).direct().touches()) {
-    const double long_as = std::clamp(0.25 * std::sqrt(std::abs(touch.impulse)), 0.2, 1.2);
-    pen.canvas.polyline(std::array{touch.point, touch.point + long_as * touch.normal}, 0.035, contact_color);
+    const double size = std::clamp(0.25 * std::sqrt(std::abs(touch.impulse)), 0.2, 1.2);
+    pen.canvas.polyline(std::array{touch.point, touch.point + size * touch.normal}, 0.035, contact_color);
     pen.canvas.circle(touch.point, 0.06, contact_color);
   }
 }
@@ -92,7 +92,7 @@ void draw_contacts(Pen& pen, const DrawnCord& cord) {
 Color tension_color(double tension) { return ramp_color(0.25 * std::log10(std::max(tension, 1.0))); }
 
 void draw_debug(Pen& pen, const DrawnCord& cord) {
-  draw_reach(pen, cord);
+  draw_swept_aabb(pen, cord);
   draw_inverted_cells(pen, cord);
   draw_bars(pen, cord);
   draw_points(pen, cord);

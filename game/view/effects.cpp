@@ -12,11 +12,11 @@ using engine::Color;
 using ribbon::Vec2;
 
 constexpr double tick_dt = 1.0 / ticks_per_second;  // s
-constexpr int longest_gap = 30;                     // ticks
-constexpr int leaf_ticks = 45;
-constexpr int step_ticks = 9;
-constexpr double least_thud = 2.5;  // m/s
-constexpr Vec2 breeze{1.3, 0.0};    // m/s
+constexpr int max_gap = 30;                         // ticks
+constexpr int leaf_ticks = 45;                      // between two leaves
+constexpr int step_ticks = 9;                       // between two footsteps
+constexpr double min_dust_speed = 2.5;              // m/s, of a landing
+constexpr Vec2 breeze{1.3, 0.0};                    // m/s
 
 }  // namespace
 
@@ -31,11 +31,11 @@ CameraSubject Effects::subject() const {
   return now;
 }
 
-void Effects::follow(const Palette& palette, bool calm) {
+void Effects::follow(const Palette& palette, bool reduced_motion) {
   const int gap = simulation_->ticks() - seen_ticks_;
   CameraSubject now = subject();
   const bool set_back = simulation_->run_ticks() < seen_run_ticks_;
-  if (seen_ticks_ < 0 || gap < 0 || gap > longest_gap || set_back) {
+  if (seen_ticks_ < 0 || gap < 0 || gap > max_gap || set_back) {
     camera_.jump_to(now);
     particles_.clear();
     was_on_ground_ = true;
@@ -52,7 +52,7 @@ void Effects::follow(const Palette& palette, bool calm) {
       camera_.tick(between);
       particles_.tick(tick_dt, breeze);
     }
-    if (!calm) watch(now, palette);
+    if (!reduced_motion) add_particles(now, palette);
     was_on_ground_ = on_ground;
   }
   before_ = now;
@@ -60,11 +60,11 @@ void Effects::follow(const Palette& palette, bool calm) {
   seen_run_ticks_ = simulation_->run_ticks();
 }
 
-void Effects::watch(const CameraSubject& now, const Palette& palette) {
+void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
   const Player& player = simulation_->player();
   const Vec2 feet = now.at - Vec2{0.0, 0.5 * player.tuning().height};
   const Color dust = mix(palette.soil, {255, 255, 255}, 0.45);
-  if (now.lands && now.impact > least_thud) add_dust(particles_, feet, now.impact / 10.0, dust);
+  if (now.lands && now.impact > min_dust_speed) add_dust(particles_, feet, now.impact / 10.0, dust);
   const bool runs = player.is_on_ground() && std::abs(now.velocity.x) > 3.0;
   if (runs && simulation_->ticks() / step_ticks != seen_ticks_ / step_ticks) add_dust(particles_, feet, 0.0, dust);
   if (simulation_->ticks() / leaf_ticks != seen_ticks_ / leaf_ticks) {

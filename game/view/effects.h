@@ -10,23 +10,22 @@
 
 namespace game {
 
-/// What the eye is given besides the world: the camera's way, and dust, leaves and sparks. It watches a run, tick by
-/// tick, and never changes it. Two views that are shown the same moments show the same.
+/// Visual effects that are not part of the simulation: the motion of the camera, dust, leaves and sparks. They follow a
+/// run by ticks and never change it. Views of the same ticks are equal.
 class Effects {
  public:
   explicit Effects(const Simulation& simulation);
 
-  /// Goes on to the run's last tick. A run that was set back, or has gone on for more than half a second, is seen as if
-  /// nothing had been before.
-  void follow(const Palette& palette, bool calm);
-  engine::View view(double alpha, int width, int height, bool calm) const {
-    return camera_.view(alpha, width, height, calm);
+  /// Advances to the run's last tick. Starts again if the run was restarted or more than 0.5 s were skipped.
+  void follow(const Palette& palette, bool reduced_motion);
+  engine::View view(double alpha, int width, int height, bool reduced_motion) const {
+    return camera_.view(alpha, width, height, reduced_motion);
   }
   void draw(Pen& pen, double alpha) const;
 
  private:
   CameraSubject subject() const;
-  void watch(const CameraSubject& now, const Palette& palette);
+  void add_particles(const CameraSubject& now, const Palette& palette);
 
   const Simulation* simulation_;
   Camera camera_;

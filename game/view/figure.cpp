@@ -20,7 +20,7 @@ constexpr Color trousers_far{82, 62, 62};
 constexpr Color boots{58, 42, 44};
 constexpr Color scarf{250, 104, 66};
 constexpr Color scarf_shade{204, 66, 52};
-constexpr double outline = 0.055;  // m, of which half shows on either side
+constexpr double outline = 0.055;  // m, half of it on each side
 constexpr double head_radius = 0.19;
 
 struct Limb {
@@ -29,7 +29,7 @@ struct Limb {
   Color color;
 };
 
-/// From far to near.
+/// Returns the limbs from far to near.
 std::vector<Limb> limbs_of(const Pose& pose) {
   const Vec2 shoulder = pose.neck - Vec2{0.0, 0.06};
   const Vec2 chest = 0.5 * (pose.hip + pose.neck);
@@ -58,7 +58,7 @@ void add_ball(Pen& pen, Vec2 center, double radius) {
   engine::add_disc(pen.shape, pen.canvas.to_pixels(center), radius * pen.scale());
 }
 
-/// Everything in one shape, wider than it is by so much.
+/// Sets pen.shape to the whole figure, wider by `wider` m.
 void add_silhouette(Pen& pen, const Pose& pose, const std::vector<Limb>& limbs, double wider) {
   pen.shape.clear();
   for (const Limb& limb : limbs) add_limb(pen, limb.joints, limb.width + wider);
@@ -94,7 +94,7 @@ void draw_figure(Pen& pen, const Pose& pose) {
   for (std::size_t k = 0; k < limbs.size(); ++k) {
     pen.canvas.polyline(limbs[k].joints, limbs[k].width, limbs[k].color);
     if (k == 0) pen.canvas.circle(pose.hand[0], 0.065, mix(skin, pen.colors.ink, 0.15));
-    if (k == 5) {  // over the chest
+    if (k == 5) {  // after the chest
       const Vec2 collar = pose.neck - Vec2{0.0, 0.02};
       pen.canvas.polyline(std::array{collar - Vec2{0.09, 0.0}, collar + Vec2{0.09, 0.0}}, 0.12, scarf);
       draw_head(pen, pose);

@@ -5,10 +5,10 @@
 
 namespace game {
 
-/// The player.
+/// Draws the player.
 void draw_figure(Pen& pen, const Pose& pose);
 
-/// Another one who is not really there: translucent, of one colour.
+/// Draws the ghost: translucent, of one colour.
 void draw_ghost(Pen& pen, const Pose& pose);
 
 }  // namespace game

@@ -28,7 +28,7 @@ struct Lines {
   Color color;
 };
 
-/// A panel just large enough for its lines, with its top left corner at `at`.
+/// Draws lines on a panel of their size with its top left corner at `at`.
 void draw_box(Canvas& canvas, Vec2 at, const Lines& lines) {
   double width = 0.0;
   for (const std::string& line : lines.text) width = std::max(width, canvas.text_width(line, lines.size));
@@ -42,7 +42,7 @@ void draw_box(Canvas& canvas, Vec2 at, const Lines& lines) {
   }
 }
 
-/// A headline with a line below it, in the middle of the screen.
+/// Draws a headline with a line below it at the top of the screen.
 void draw_banner(Canvas& canvas, const std::string& headline, const std::string& below, double scale) {
   const Vec2 middle{0.5 * canvas.width(), 0.10 * canvas.height()};
   const double large = 44.0 * scale;
@@ -54,7 +54,7 @@ void draw_banner(Canvas& canvas, const std::string& headline, const std::string&
   canvas.text(middle + Vec2{0.0, 14.0 * scale + canvas.line_height(large)}, below, small, white, Align::center);
 }
 
-/// A table whose cells end at the right edges of their columns, below its titles.
+/// A table with right-aligned columns; the first row has the titles.
 using Table = std::vector<std::vector<std::string>>;
 
 std::vector<std::string> in_words(std::initializer_list<int> counts) {
@@ -80,21 +80,21 @@ Table thesis_counts(const ribbon::box2d::Coupling& coupling) {
   return table;
 }
 
-/// A share as per cent, to two significant digits.
-std::string per_cent(double share) {
+/// Returns a fraction in per cent with two significant digits.
+std::string per_cent(double fraction) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * share);
+  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * fraction);
   return text.data();
 }
 
-/// To two significant digits if it is small, without the unit.
+/// Returns a length in millimetres without the unit, with two significant digits below 1 cm.
 std::string millimetres(double metres) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), metres < 1e-2 ? "%.2g" : "%.0f", 1e3 * metres);
   return text.data();
 }
 
-/// What a tick costs, against the sixtieth of a second that it may.
+/// Returns the cost of a tick and the budget of 1/60 s.
 std::string cost_in_words(const Meter& meter) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "a tick: %.0f µs, at most %.0f µs in the last second (of 16667)",
@@ -115,12 +115,12 @@ Table direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter)
     if (coupling.cord(c).direct().is_asleep()) table.back()[3] = "asleep";
     if (meter == nullptr) continue;
     table.back().push_back(per_cent(meter->peak_stretch(c)));
-    table.back().push_back(millimetres(meter->error_a_second(c)));
+    table.back().push_back(millimetres(meter->error_per_second(c)));
   }
   return table;
 }
 
-/// The right edge of each column, px from the panel's left.
+/// Returns the right edge of each column in px from the left edge of the panel.
 std::vector<double> column_edges(const Canvas& canvas, const Table& table, double size, double margin) {
   std::vector<double> right;
   for (const std::string& title : table.front()) {
@@ -129,7 +129,7 @@ std::vector<double> column_edges(const Canvas& canvas, const Table& table, doubl
   return right;
 }
 
-/// At the bottom left, the counts of each cord's last step, those of one solver above those of the other.
+/// Draws the figures of all cords at the bottom left, in one table per solver, with a legend.
 void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* meter, double scale) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<std::string> legend = {
@@ -143,7 +143,7 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* mete
   for (const std::string& line : legend) box.x = std::max(box.x, canvas.text_width(line, size) + 2.0 * margin);
   std::vector<Table> tables;
   for (Table& table : std::array{thesis_counts(coupling), direct_counts(coupling, meter)}) {
-    if (table.size() == 1) continue;  // titles alone
+    if (table.size() == 1) continue;  // titles only
     box.x = std::max(box.x, column_edges(canvas, table, size, margin).back() + margin);
     box.y += step * static_cast<double>(table.size());
     tables.push_back(std::move(table));
@@ -166,7 +166,7 @@ void draw_counts(Canvas& canvas, const Simulation& simulation, const Meter* mete
   }
 }
 
-/// In the middle at the bottom; where the debug view's figures are, below the time.
+/// Draws a line at the bottom in the middle, or below the time, to leave space for the figures of the debug view.
 void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_top) {
   if (line.empty()) return;
   const double size = 21.0 * scale;
@@ -177,8 +177,8 @@ void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_to
   canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
 }
 
-/// At the edge beyond which the goal is, how far there it is.
-void draw_way_to_goal(Canvas& canvas, const Simulation& simulation, double scale) {
+/// Draws the distance to the goal at the edge of the screen, if the goal is outside.
+void draw_goal_distance(Canvas& canvas, const Simulation& simulation, double scale) {
   const Vec2 goal = simulation.level().goal.center;
   const Vec2 there = canvas.to_pixels(goal);
   const double width = canvas.width();
@@ -224,7 +224,7 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
 
-  if (!goal) draw_way_to_goal(canvas, simulation, scale);
+  if (!goal) draw_goal_distance(canvas, simulation, scale);
   if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
   if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);
   if (options.debug) draw_counts(canvas, simulation, options.meter, scale);

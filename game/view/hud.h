@@ -8,13 +8,13 @@
 
 namespace game {
 
-/// Draws what stands on the screen and not in the world: time, keys, messages, and the debug view's counts.
+/// Draws time, keys, messages, and the figures of the debug view.
 void draw_hud(engine::Canvas& canvas, const Simulation& simulation, const ViewOptions& options);
 
-/// Draws a sentence at the bottom right.
+/// Draws a message at the bottom right.
 void draw_notice(engine::Canvas& canvas, const std::string& notice, double text_scale);
 
-/// Ticks as seconds: "12.35 s".
+/// Returns ticks as seconds: "12.35 s".
 std::string seconds_in_words(int ticks);
 
 }  // namespace game

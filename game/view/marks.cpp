@@ -21,13 +21,12 @@ void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
   pen.canvas.circle(top, 0.8 * width - 0.03, pen.colors.goal);
 }
 
-/// A piece of cloth that flies from a pole: `size` along and across, waving by `swing` (m) at its free end, and hanging
-/// down by `droop` (m) there.
+/// A flag on a pole. Lengths in m.
 struct Flag {
   Vec2 top;
   Vec2 size;
-  double swing;
-  double droop;
+  double swing;      // amplitude of the waves at the free end
+  double droop;      // of the free end
   double narrowing;  // of the free end, 0 … 1
 };
 
@@ -38,7 +37,7 @@ void draw_flag(Pen& pen, const Flag& flag, Color color) {
   std::vector<double> light;
   for (int i = 0; i <= columns; ++i) {
     const double s = static_cast<double>(i) / columns;
-    const double phase = 5.5 * s - 5.0 * (pen.calm ? 0.0 : pen.time);
+    const double phase = 5.5 * s - 5.0 * (pen.reduced_motion ? 0.0 : pen.time);
     const Vec2 middle =
         flag.top + Vec2{flag.size.x * s, -0.5 * flag.size.y - flag.droop * s * s + flag.swing * s * std::sin(phase)};
     const double half = 0.5 * flag.size.y * (1.0 - flag.narrowing * s);
@@ -87,15 +86,15 @@ void draw_checkpoint(Pen& pen, Vec2 center, Vec2 size, bool reached) {
   draw_pole(pen, foot, top, 0.09);
 }
 
-void draw_hook(Pen& pen, Vec2 at, bool in_reach) {
+void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   if (!pen.sees(at, 1.0)) return;
-  const double beat = pen.calm ? 0.5 : 0.5 + 0.5 * std::sin(5.0 * pen.time);
-  if (in_reach) {
+  const double beat = pen.reduced_motion ? 0.5 : 0.5 + 0.5 * std::sin(5.0 * pen.time);
+  if (in_range) {
     pen.sprite(pen.images.glow, pen.canvas.to_pixels(at), pen.scale() * Vec2{1.7 + 0.3 * beat, 1.7 + 0.3 * beat},
-               with_alpha(pen.colors.hook_in_reach, 200));
-    pen.canvas.ring(at, 0.42 + 0.05 * beat, 0.04, with_alpha(pen.colors.hook_in_reach, 220));
+               with_alpha(pen.colors.hook_in_range, 200));
+    pen.canvas.ring(at, 0.42 + 0.05 * beat, 0.04, with_alpha(pen.colors.hook_in_range, 220));
   }
-  const Color color = in_reach ? pen.colors.hook_in_reach : mix(pen.colors.hook, white, 0.35);
+  const Color color = in_range ? pen.colors.hook_in_range : mix(pen.colors.hook, white, 0.35);
   pen.canvas.ring(at, 0.21, 0.15, pen.colors.ink);
   pen.canvas.ring(at, 0.21, 0.085, color);
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.11, pen.colors.ink);
@@ -125,7 +124,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
   pen.shape.clear();
   pen.mesh.clear();
   engine::add_rounded_rectangle(pen.shape, corner, board, 0.2 * size);
-  const double plank = board.y;  // one, for a seam would strike the words through
+  const double plank = board.y;  // a single plank: a seam would cross the text
   add_shape(pen.mesh, pen.shape, {corner, {0.25 / plank, 0.0}, {0.0, 1.0 / plank}}, pen.colors.wood);
   pen.canvas.textured(pen.mesh, {&pen.images.wood});
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -168,7 +167,7 @@ void draw_thrown_line(Pen& pen, Vec2 hand, Vec2 tip, double slack) {
   pen.canvas.strip(curve, {nullptr, 0.09, 1.0, 0.0, pen.colors.ink});
   pen.canvas.strip(curve, {&pen.images.cord, 0.055, 0.2, 0.0, pen.colors.line});
   pen.canvas.circle(tip, 0.1, pen.colors.ink);
-  pen.canvas.circle(tip, 0.065, pen.colors.hook_in_reach);
+  pen.canvas.circle(tip, 0.065, pen.colors.hook_in_range);
 }
 
 }  // namespace game

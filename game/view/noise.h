@@ -4,13 +4,13 @@
 
 namespace game {
 
-/// A number 0 … 1 that looks random, the same for the same arguments everywhere.
+/// Returns a pseudo-random number 0 … 1, a function of the arguments on all machines.
 double scatter(int x, int y, int seed);
 
-/// Smooth noise 0 … 1 that comes again after `period` (whole numbers) in x and y; about one hill a unit.
+/// Returns smooth noise 0 … 1 with the period `period` in x and y and about one hill per unit.
 double tiled_noise(double x, double y, int period, int seed);
 
-/// The same with finer and finer detail, four octaves, 0 … 1.
+/// Returns the sum of four octaves of tiled_noise, 0 … 1.
 double tiled_cloudiness(double x, double y, int period, int seed);
 
 }  // namespace game

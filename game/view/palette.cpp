@@ -9,7 +9,7 @@ namespace {
 
 using engine::Color;
 
-constexpr Palette usual{
+constexpr Palette standard{
     .sky_top = {70, 134, 190},
     .sky_middle = {150, 202, 220},
     .horizon = {255, 232, 196},
@@ -28,7 +28,7 @@ constexpr Palette usual{
     .iron = {136, 140, 158},
     .line = {252, 242, 214},
     .hook = {96, 90, 110},
-    .hook_in_reach = {255, 208, 74},
+    .hook_in_range = {255, 208, 74},
     .banner_down = {150, 150, 164},
     .banner_up = {72, 178, 112},
     .goal = {255, 204, 62},
@@ -54,7 +54,7 @@ constexpr Palette safe{
     .iron = {60, 62, 74},
     .line = {255, 255, 255},
     .hook = {40, 42, 60},
-    .hook_in_reach = {240, 228, 66},
+    .hook_in_range = {240, 228, 66},
     .banner_down = {120, 120, 132},
     .banner_up = {0, 114, 178},
     .goal = {230, 159, 0},
@@ -63,11 +63,11 @@ constexpr Palette safe{
 
 }  // namespace
 
-const Palette& palette(bool colour_safe) { return colour_safe ? safe : usual; }
+const Palette& palette(bool colour_safe) { return colour_safe ? safe : standard; }
 
-Color mix(Color a, Color b, double share) {
-  const auto channel = [share](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>(std::lround(from + std::clamp(share, 0.0, 1.0) * (to - from)));
+Color mix(Color a, Color b, double t) {
+  const auto channel = [t](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::lround(from + std::clamp(t, 0.0, 1.0) * (to - from)));
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }
@@ -77,10 +77,10 @@ Color with_alpha(Color color, int alpha) {
   return color;
 }
 
-Color ramp_color(double share) {
+Color ramp_color(double value) {
   constexpr std::array<Color, 6> stops = {
       {{68, 1, 84}, {65, 68, 135}, {42, 120, 142}, {34, 168, 132}, {122, 209, 81}, {253, 231, 37}}};
-  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
+  const double place = std::clamp(value, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
   return mix(stops[below], stops[below + 1], place - static_cast<double>(below));
 }

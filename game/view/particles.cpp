@@ -13,7 +13,7 @@ using ribbon::Vec2;
 }  // namespace
 
 void Particles::add(const Particle& particle) {
-  if (count_ < most) {
+  if (count_ < max_count) {
     pool_[count_++] = particle;
     return;
   }

@@ -10,7 +10,7 @@
 
 namespace game {
 
-/// Something small that flies for a while: for the eye only, the simulation knows nothing of it.
+/// A visual effect that flies for some time. Not part of the simulation.
 struct Particle {
   enum class Kind : unsigned char { dust, leaf, spark };
   ribbon::Vec2 at;        ///< m
@@ -23,32 +23,32 @@ struct Particle {
   Kind kind = Kind::dust;
 };
 
-/// At most so many at once; when there is no room the oldest gives way. It takes no memory after it was made, and its
-/// random numbers are its own.
+/// A pool of particles with its own random numbers. It never allocates.
 class Particles {
  public:
-  static constexpr std::size_t most = 256;
+  static constexpr std::size_t max_count = 256;
 
   void clear() { count_ = 0; }
+  /// Adds a particle. In a full pool it replaces the one with the shortest remaining life.
   void add(const Particle& particle);
-  /// Moves them on by dt seconds, in a breeze [m/s].
+  /// Advances all by `dt` s in a breeze (m/s).
   void tick(double dt, ribbon::Vec2 breeze);
   std::span<const Particle> all() const { return {pool_.data(), count_}; }
 
-  /// −1 … 1.
+  /// Returns a pseudo-random number in −1 … 1.
   double random();
 
  private:
-  std::array<Particle, most> pool_{};
+  std::array<Particle, max_count> pool_{};
   std::size_t count_ = 0;
   std::uint32_t state_ = 0x2545f491U;
 };
 
-/// Dust where somebody's feet are: `strength` 0 … 1 is how much of it.
+/// Adds dust at the feet; `strength`, 0 … 1, is its amount.
 void add_dust(Particles& particles, ribbon::Vec2 feet, double strength, engine::Color color);
-/// A leaf that the wind brings.
+/// Adds a leaf.
 void add_leaf(Particles& particles, ribbon::Vec2 at, engine::Color color);
-/// A burst of sparks in all directions.
+/// Adds a burst of sparks in all directions.
 void add_sparkle(Particles& particles, ribbon::Vec2 at, engine::Color color);
 
 }  // namespace game

@@ -8,29 +8,29 @@
 
 namespace game {
 
-/// What everything is drawn with.
+/// The context of all drawing functions.
 struct Pen {
   engine::Canvas& canvas;
   const Palette& colors;
   const Textures& images;
-  double time = 0.0;            ///< s since the beginning
-  bool calm = false;            ///< reduced motion
-  engine::TexturedMesh mesh{};  // kept between shapes for its memory
-  engine::Mesh shape{};
+  double time = 0.0;            ///< s, since the start of the run
+  bool reduced_motion = false;  ///< no waving, drifting or pulsing
+  engine::TexturedMesh mesh{};  // scratch memory
+  engine::Mesh shape{};         // scratch memory
 
   double scale() const { return canvas.view().pixels_per_metre; }
-  /// How much of the world is seen, m.
+  /// The corners of the visible rectangle of the world, m.
   ribbon::Vec2 left_bottom() const { return canvas.to_world({0.0, 1.0 * canvas.height()}); }
   ribbon::Vec2 right_top() const { return canvas.to_world({1.0 * canvas.width(), 0.0}); }
-  /// Whether a disc (m) may be seen.
+  /// Returns whether a disc (m) may be visible.
   bool sees(ribbon::Vec2 center, double radius) const;
 
-  /// An image on a rectangle, in pixels, turned by `angle` (rad, clockwise on the screen).
+  /// Draws an image on a rectangle in pixels, rotated by `angle` (rad, clockwise on the screen).
   void sprite(const engine::Image& image, ribbon::Vec2 center, ribbon::Vec2 size, engine::Color color,
               double angle = 0.0);
-  /// An image on a disc, in metres, turned counter-clockwise.
+  /// Draws an image on a disc in metres, rotated by `angle` (rad, counter-clockwise).
   void disc(const engine::Image& image, ribbon::Vec2 center, double radius, engine::Color color, double angle = 0.0);
-  /// A plain image-less quad in pixels whose upper edge has one colour and lower edge another.
+  /// Draws a rectangle in pixels with a vertical gradient.
   void fade(ribbon::Vec2 top_left, ribbon::Vec2 size, engine::Color top, engine::Color bottom);
 };
 

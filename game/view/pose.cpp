@@ -10,19 +10,19 @@ namespace {
 using ribbon::Vec2;
 
 constexpr double half_height = 0.75;
-constexpr double hip_height = -0.045;  // above the middle of who stands
+constexpr double hip_height = -0.045;  // above the centre of a standing figure
 constexpr double torso = 0.44;
 constexpr double neck_to_head = 0.22;
 constexpr double upper_arm = 0.27;
 constexpr double forearm = 0.27;
 constexpr double thigh = 0.34;
 constexpr double shin = 0.34;
-constexpr double stride = 2.7;    // rad of the run's cycle for a metre
+constexpr double stride = 2.7;    // rad/m, phase of the run
 constexpr double full_run = 6.0;  // m/s
 
-Vec2 unit(Vec2 v, Vec2 otherwise) {
+Vec2 unit(Vec2 v, Vec2 fallback) {
   const double l = length(v);
-  return l > 1e-6 ? (1.0 / l) * v : otherwise;
+  return l > 1e-6 ? (1.0 / l) * v : fallback;
 }
 
 Vec2 turned(Vec2 v, double angle) {
@@ -36,28 +36,30 @@ struct Bone {
   Vec2 end;
 };
 
-/// Two bones from `root` to `target`, or as far towards it as they reach, bent to the side of `bend` (±1).
-Bone reach(Vec2 root, Vec2 target, double upper, double lower, double bend) {
-  const Vec2 way = unit(target - root, {0.0, -1.0});
+/// Inverse kinematics of two bones from `root` to `target`, or towards it if it is too far. `bend`: ±1, the side of the
+/// joint.
+Bone solve_limb(Vec2 root, Vec2 target, double upper, double lower, double bend) {
+  const Vec2 direction = unit(target - root, {0.0, -1.0});
   const double distance = std::clamp(length(target - root), std::abs(upper - lower) + 0.01, upper + lower - 1e-3);
   const double along = (distance * distance + upper * upper - lower * lower) / (2.0 * distance);
   const double out = std::sqrt(std::max(upper * upper - along * along, 0.0));
-  return {root + along * way + bend * out * perp(way), root + distance * way};
+  return {root + along * direction + bend * out * perp(direction), root + distance * direction};
 }
 
 void set_leg(Pose& pose, std::size_t k, Vec2 foot) {
-  const Bone leg = reach(pose.hip, foot, thigh, shin, pose.side);
+  const Bone leg = solve_limb(pose.hip, foot, thigh, shin, pose.side);
   pose.knee[k] = leg.joint;
   pose.foot[k] = leg.end;
 }
 
 void set_arm(Pose& pose, std::size_t k, Vec2 hand, double bend) {
-  const Bone arm = reach(pose.neck - Vec2{0.0, 0.06}, hand, upper_arm, forearm, bend);
+  const Bone arm = solve_limb(pose.neck - Vec2{0.0, 0.06}, hand, upper_arm, forearm, bend);
   pose.elbow[k] = arm.joint;
   pose.hand[k] = arm.end;
 }
 
-void stack_up(Pose& pose, Vec2 hip, Vec2 up) {
+/// Sets hip, neck and head. `up`: the direction of the torso.
+void set_torso(Pose& pose, Vec2 hip, Vec2 up) {
   pose.hip = hip;
   pose.neck = hip + torso * up;
   pose.head = pose.neck + neck_to_head * unit(up + Vec2{0.25 * pose.side, 0.6}, up);
@@ -69,7 +71,7 @@ void stand_or_run(Pose& pose, const FigureState& state) {
   const double breath = 0.012 * std::sin(2.4 * state.time) * (1.0 - run);
   const double bob = 0.05 * run * std::abs(std::sin(phase));
   const Vec2 lean = turned({0.0, 1.0}, -0.26 * run * pose.side);
-  stack_up(pose, state.at + Vec2{0.0, hip_height + bob + breath - 0.02 * run}, lean);
+  set_torso(pose, state.at + Vec2{0.0, hip_height + bob + breath - 0.02 * run}, lean);
   const double ground = state.at.y - half_height + 0.06;
   for (const std::size_t k : {0U, 1U}) {
     const double leg = phase + (k == 0 ? std::numbers::pi : 0.0);
@@ -87,8 +89,8 @@ void stand_or_run(Pose& pose, const FigureState& state) {
 void fly(Pose& pose, const FigureState& state) {
   const double rise = std::clamp(state.velocity.y / 6.0, -1.0, 1.0);
   const double forward = std::clamp(state.velocity.x / 8.0, -1.0, 1.0);
-  stack_up(pose, state.at + Vec2{0.0, hip_height}, turned({0.0, 1.0}, -0.22 * forward));
-  // One knee drawn up while it rises; both feet reach for the ground as it falls.
+  set_torso(pose, state.at + Vec2{0.0, hip_height}, turned({0.0, 1.0}, -0.22 * forward));
+  // One knee is up while the figure rises; both feet point to the ground while it falls.
   const double fall = 0.5 - 0.5 * rise;
   set_leg(pose, 0, pose.hip + Vec2{pose.side * (-0.34 + 0.18 * fall), -0.50 - 0.06 * fall});
   set_leg(pose, 1, pose.hip + Vec2{pose.side * (0.30 - 0.10 * fall), -0.34 - 0.22 * fall});
@@ -101,12 +103,12 @@ void hang(Pose& pose, const FigureState& state) {
   const Vec2 held = *state.held;
   const Vec2 down = unit(state.at - held, {0.0, -1.0});
   const Vec2 up = unit(-0.75 * down + Vec2{0.0, 0.45}, {0.0, 1.0});
-  stack_up(pose, state.at - 0.16 * up, up);
+  set_torso(pose, state.at - 0.16 * up, up);
   const double pull = 0.12 * std::sin(9.0 * state.time) * std::clamp(state.climbing, -1.0, 1.0);
   const Vec2 rope = -down;
   set_arm(pose, 0, held + (0.06 + pull) * rope, pose.side);
   set_arm(pose, 1, held - (0.08 + pull) * rope, -pose.side);
-  // The legs come after: against the way across the cord.
+  // The legs trail behind the motion across the cord.
   const double across = dot(state.velocity, perp(down));
   const double trail = std::clamp(-0.16 * across, -1.05, 1.05);
   const double sway = 0.05 * std::sin(2.0 * state.time);
@@ -117,7 +119,7 @@ void hang(Pose& pose, const FigureState& state) {
 }
 
 void wave_scarf(Pose& pose, const FigureState& state) {
-  // The wind of one's own way, a breeze from the left, and what the cloth weighs.
+  // The relative wind, a breeze from the left, and the weight of the scarf.
   const Vec2 air = Vec2{0.7, 0.0} - 0.34 * state.velocity + Vec2{-1.0 * pose.side, -0.9};
   const Vec2 along = unit(air, {0.0, -1.0});
   const double wind = std::min(length(state.velocity) / 8.0, 1.0);

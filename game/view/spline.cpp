@@ -9,15 +9,15 @@ namespace {
 
 using ribbon::Vec2;
 
-/// The root of a distance, between two knots. Points in one place still need some.
+/// Returns the knot interval between two points: the square root of their distance, but not 0.
 double knots_between(Vec2 a, Vec2 b) { return std::max(std::sqrt(length(b - a)), 1e-4); }
 
-/// Barry and Goldman's pyramid from p1 to p2, with the knots a root of the distance apart.
-Vec2 between(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3, double share) {
+/// Evaluates the spline between p1 (s = 0) and p2 (s = 1) with Barry and Goldman's pyramid.
+Vec2 between(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3, double s) {
   const double t0 = knots_between(p0, p1);
   const double t1 = knots_between(p1, p2);
   const double t2 = knots_between(p2, p3);
-  const double t = share * t1;  // from p1
+  const double t = s * t1;  // from p1
   const auto line = [t](Vec2 a, Vec2 b, double at_a, double at_b) {
     return a + ((t - at_a) / (at_b - at_a)) * (b - a);
   };
@@ -38,7 +38,7 @@ void smooth_curve(std::span<const Vec2> points, int steps, std::vector<Vec2>& cu
   for (std::size_t i = 0; i < last; ++i) {
     const Vec2 p1 = points[i];
     const Vec2 p2 = points[i + 1];
-    // Beyond its ends the curve goes on as the reflection of its first and last piece.
+    // Beyond its ends the curve continues as the reflection of its first and last piece.
     const Vec2 p0 = i > 0 ? points[i - 1] : p1 - (p2 - p1);
     const Vec2 p3 = i + 1 < last ? points[i + 2] : p2 + (p2 - p1);
     for (int k = 1; k < steps; ++k) curve.push_back(between(p0, p1, p2, p3, static_cast<double>(k) / steps));

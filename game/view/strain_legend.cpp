@@ -14,7 +14,7 @@ using engine::Color;
 using ribbon::Vec2;
 
 constexpr std::array<std::pair<double, std::string_view>, 5> marks = {
-    {{0.0, "0"}, {0.001, "0.1 %"}, {0.01, "1 %"}, {0.04, "4 %"}, {most_strain, "10 %"}}};
+    {{0.0, "0"}, {0.001, "0.1 %"}, {0.01, "1 %"}, {0.04, "4 %"}, {max_strain, "10 %"}}};
 
 }  // namespace
 
@@ -29,15 +29,15 @@ void draw_strain_legend(engine::Canvas& canvas, double text_scale) {
   constexpr int steps = 32;
   engine::TexturedMesh mesh;
   for (int k = 0; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / steps;  // from the top
-    const Color color = strain_color(most_strain * (1.0 - share) * (1.0 - share));
-    mesh.vertices.push_back({bar + Vec2{0.0, share * high}, {}, color});
-    mesh.vertices.push_back({bar + Vec2{16.0 * text_scale, share * high}, {}, color});
+    const double t = static_cast<double>(k) / steps;  // from the top
+    const Color color = strain_color(max_strain * (1.0 - t) * (1.0 - t));
+    mesh.vertices.push_back({bar + Vec2{0.0, t * high}, {}, color});
+    mesh.vertices.push_back({bar + Vec2{16.0 * text_scale, t * high}, {}, color});
     if (k > 0) mesh.indices.insert(mesh.indices.end(), {2 * k - 2, 2 * k - 1, 2 * k + 1, 2 * k - 2, 2 * k + 1, 2 * k});
   }
   canvas.textured(mesh, {});
   for (const auto& [strain, words] : marks) {
-    const double y = (1.0 - std::sqrt(strain / most_strain)) * high;
+    const double y = (1.0 - std::sqrt(strain / max_strain)) * high;
     canvas.text(bar + Vec2{24.0 * text_scale, y - 0.6 * size}, words, size, {230, 236, 242});
   }
 }

@@ -4,7 +4,7 @@
 
 namespace game {
 
-/// What the colours of stretched cords mean: a scale at the right of the screen. `text_scale` as in ViewOptions.
+/// Draws the scale of strain colours at the right edge of the canvas. `text_scale` as in ViewOptions.
 void draw_strain_legend(engine::Canvas& canvas, double text_scale);
 
 }  // namespace game

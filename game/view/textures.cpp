@@ -31,7 +31,7 @@ double fraction(double x) { return x - std::floor(x); }
 std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }
 Color grey(double light, double opacity = 1.0) { return {byte(light), byte(light), byte(light), byte(opacity)}; }
 
-/// `shade(u, v)` for the middle of each texel, u and v 0 … 1.
+/// Makes an image with the colours shade(u, v) at the middles of the texels; u and v are 0 … 1.
 template <typename Shade>
 Image drawn(int width, int height, Shade shade) {
   std::vector<Color> pixels;
@@ -40,14 +40,14 @@ Image drawn(int width, int height, Shade shade) {
   return {width, height, pixels};
 }
 
-/// How bright a round bar is across, −1 … 1, lit from in front.
+/// Returns the brightness of a round bar at −1 … 1 across it, lit from the front.
 double roundness(double across) { return std::sqrt(std::max(1.0 - across * across, 0.0)); }
 
-/// Strands that wind round: each is a bar of its own, on a bar.
+/// A rope of twisted strands, each shaded as a round bar.
 Image rope_image(int strands, double slant, double fibres) {
   return drawn(128, 32, [=](double u, double v) {
     const double across = 2.0 * v - 1.0;
-    // On the round rope a strand's slope grows towards the edge, where it goes behind.
+    // The slope of a strand grows towards the edge of the round rope.
     const double wound = std::asin(std::clamp(across, -1.0, 1.0)) / pi;
     const double strand = fraction(strands * u + slant * wound);
     const double bulge = roundness(2.0 * strand - 1.0);
@@ -69,9 +69,9 @@ Image cloth_image() {
   });
 }
 
-/// Stones: a point for each cell of a grid, and a pebble round it.
+/// Returns the brightness of the pebbles at (u, v), 0 where there is none. Some cells of a grid have a pebble.
 double pebble(double u, double v, int cells, int seed) {
-  double most = 0.0;
+  double brightest = 0.0;
   const int column = static_cast<int>(std::floor(cells * u));
   const int row = static_cast<int>(std::floor(cells * v));
   for (int j = row - 1; j <= row + 1; ++j) {
@@ -83,10 +83,10 @@ double pebble(double u, double v, int cells, int seed) {
       const double y = cells * v - j - 0.2 - 0.6 * scatter(wi, wj, seed + 2);
       const double size = 0.16 + 0.26 * scatter(wi, wj, seed + 3);
       const double away = std::sqrt(x * x + 1.7 * y * y) / size;
-      most = std::max(most, smoothstep(1.0, 0.8, away) * (0.75 - 0.4 * y / size));
+      brightest = std::max(brightest, smoothstep(1.0, 0.8, away) * (0.75 - 0.4 * y / size));
     }
   }
-  return most;
+  return brightest;
 }
 
 Image soil_image(Color color) {
@@ -102,7 +102,7 @@ Image soil_image(Color color) {
   });
 }
 
-/// How high the blade at a place stands, and how bright it is: the highest of those around it.
+/// Returns the colour of the grass at (u, v): the brightest of the blades there, or the roots below the surface.
 Color grass_at(double u, double v) {
   constexpr int blades = 110;
   constexpr double ground = 0.5;  // v of the surface
@@ -200,7 +200,7 @@ Image tree_image(Color color) {
   });
 }
 
-/// Puffs in a row, the larger in the middle, flat below and lit from above.
+/// A row of puffs, the larger ones in the middle, flat below and lit from above.
 Image cloud_image(int seed) {
   return drawn(256, 128, [seed](double u, double v) {
     const double ragged = 0.10 * (tiled_cloudiness(8.0 * u, 4.0 * v, 8, seed) - 0.5);
@@ -245,8 +245,8 @@ const Textures& textures(const Palette& colors) {
     static const Textures safe = make(colors);
     return safe;
   }
-  static const Textures usual = make(colors);
-  return usual;
+  static const Textures standard = make(colors);
+  return standard;
 }
 
 }  // namespace game

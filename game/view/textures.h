@@ -7,25 +7,25 @@
 
 namespace game {
 
-/// The images of everything. Those of which there is much have their palette's colours; the others are grey, and get
-/// theirs from what they are laid on.
+/// The images of the game. Soil and trees have the colours of the palette; the others are grey, to be multiplied with a
+/// colour.
 struct Textures {
-  engine::Image rope;   ///< three strands; as long as four times the rope's width
-  engine::Image cord;   ///< a thin braided one, likewise
-  engine::Image cloth;  ///< woven, with a hem along both edges; as long as wide
-  engine::Image soil;   ///< earth with stones, the same beyond all its edges
-  engine::Image grass;  ///< a fringe of blades above, roots below, clear beyond; comes again to its right
-  engine::Image wood;   ///< grain along it
-  engine::Image stone;  ///< blocks in rows
-  engine::Image shade;  ///< a ball's light and shadow, to be laid over it
-  engine::Image ball;   ///< a ball's stripes, grey, to be turned with it
-  engine::Image iron;   ///< a round weight
-  engine::Image glow;   ///< white, fading from the middle
-  std::array<engine::Image, 2> trees;  ///< firs, of the nearer hills
+  engine::Image rope;                  ///< three strands; its length is four widths of the rope
+  engine::Image cord;                  ///< thin and braided; its length is four widths
+  engine::Image cloth;                 ///< woven, with a hem along both edges; as long as wide
+  engine::Image soil;                  ///< earth with stones; repeats in both directions
+  engine::Image grass;                 ///< blades above, roots below, transparent elsewhere; repeats horizontally
+  engine::Image wood;                  ///< grain along u
+  engine::Image stone;                 ///< blocks in rows
+  engine::Image shade;                 ///< light and shadow of a ball, drawn over it
+  engine::Image ball;                  ///< stripes of a ball, rotated with it
+  engine::Image iron;                  ///< a round weight
+  engine::Image glow;                  ///< white, fading from the middle
+  std::array<engine::Image, 2> trees;  ///< firs on the nearer hills
   std::array<engine::Image, 3> clouds;
 };
 
-/// Computed when they are first asked for.
+/// Returns the images, which are computed on the first call.
 const Textures& textures(const Palette& palette);
 
 }  // namespace game

@@ -25,8 +25,8 @@ using engine::Color;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
-/// m, where a body holds a cord, if it holds one.
-std::optional<Vec2> held_place(const ribbon::box2d::Coupling& coupling, const Snapshot& now, const b2Body& body) {
+/// Returns the position on a cord that a body holds in m, or nothing.
+std::optional<Vec2> held_position(const ribbon::box2d::Coupling& coupling, const Snapshot& now, const b2Body& body) {
   const auto held = coupling.held_by(body);
   if (!held) return std::nullopt;
   const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
@@ -41,13 +41,13 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
   const std::span<const engine::SceneBody> made = simulation.scene().bodies();
   std::size_t index = now.bodies.size();
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    --index;  // the list begins with the one made last
+    --index;  // the newest body is first in the list
     if (body == &simulation.player().body()) continue;
     const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
       return b.body == body && b.kind == engine::BodyKind::load;
     });
     bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load,
-                      is_load ? held_place(simulation.scene().coupling(), now, *body) : std::nullopt});
+                      is_load ? held_position(simulation.scene().coupling(), now, *body) : std::nullopt});
   }
   return bodies;
 }
@@ -79,7 +79,7 @@ void draw_marks(Pen& pen, const Simulation& simulation) {
   for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
 }
 
-/// The player's own line on its way; later it is a cord.
+/// Draws the player's line during a throw. A held or released line is drawn as a cord.
 void draw_flight(Pen& pen, const Simulation& simulation, Vec2 player_at) {
   const Player& player = simulation.player();
   if (player.line().state() != Line::State::flying) return;
@@ -90,13 +90,13 @@ void draw_flight(Pen& pen, const Simulation& simulation, Vec2 player_at) {
 FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time) {
   const Player& player = simulation.player();
   FigureState state;
-  state.at = now.bodies.back().position;  // the player was made last
+  state.at = now.bodies.back().position;  // the player is the newest body
   state.velocity = to_double(player.body().GetLinearVelocity());
   state.faces_left = player.faces_left();
   state.on_ground = player.is_on_ground();
   state.time = time;
   if (player.is_climbing()) state.climbing = state.velocity.y;
-  state.held = held_place(simulation.scene().coupling(), now, player.body());
+  state.held = held_position(simulation.scene().coupling(), now, player.body());
   return state;
 }
 
@@ -118,8 +118,8 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
   const Palette& colors = palette(options.colour_safe);
   Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
-  effects_.follow(pen.colors, pen.calm);
-  canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.calm));
+  effects_.follow(pen.colors, pen.reduced_motion);
+  canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
 
   draw_backdrop(pen);
   draw_marks(pen, *simulation_);

@@ -12,19 +12,19 @@
 
 namespace game {
 
-/// What is shown besides the world itself.
+/// The options of a view.
 struct ViewOptions {
-  bool debug = false;           ///< the cords as in view/debug_view.h, and the step's counts
+  bool debug = false;           ///< the debug view of cords (view/debug_view.h) and figures of the last step
   bool hud = true;              ///< time, keys, messages
-  bool strain_tint = false;     ///< cords coloured by how much they are stretched, and what the colours mean
-  bool colour_safe = false;     ///< colours that stay apart for who sees red and green alike
-  bool reduced_motion = false;  ///< no shaking, zooming, drifting clouds or bursts
+  bool strain_tint = false;     ///< cords coloured by strain, with a legend
+  bool colour_safe = false;     ///< colours for red-green colour blindness
+  bool reduced_motion = false;  ///< no shaking, zooming, drifting clouds or particles
   std::optional<GhostPose> ghost{};
-  const std::vector<std::string>* keys = nullptr;  ///< what keys do, if it is to be shown
+  const std::vector<std::string>* keys = nullptr;  ///< lines that explain the keys, or null
   std::string headline{}, below{};                 ///< a message in the middle; empty: none
-  const char* notice = nullptr;                    ///< what has gone wrong, until the end
-  double text_scale = 1.0;                         ///< pixels a desktop unit
-  const Meter* meter = nullptr;                    ///< of what the debug view tells of cost and stretch, if it is to
+  const char* notice = nullptr;                    ///< an error message, or null
+  double text_scale = 1.0;                         ///< pixels per desktop unit
+  const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
 };
 
 /// Draws a run of a level. The camera follows the player within the level.
@@ -32,7 +32,7 @@ class View {
  public:
   explicit View(const Simulation& simulation) : simulation_(&simulation), effects_(simulation) {}
 
-  /// Draws the moment `alpha` (0 … 1) of the way from the tick before the last to the last.
+  /// Draws the run, interpolated between the last two ticks with `alpha`, 0 … 1.
   void draw(engine::Canvas& canvas, double alpha, const ViewOptions& options);
 
  private:

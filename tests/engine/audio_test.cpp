@@ -45,7 +45,7 @@ TEST(Audio, WhatIsPlayedComesOutAsLoudAsItIsToBe) {
     const Recorded recorded;
     {
       Audio audio;
-      ASSERT_TRUE(audio.is_heard()) << audio.why_silent();
+      ASSERT_TRUE(audio.has_device()) << audio.why_silent();
       EXPECT_EQ(audio.why_silent(), "");
       audio.play(audio.add(half_a_second(0.6F)), {volume, -1.0, 1.0});
       recorded.wait_for(second);
@@ -75,13 +75,13 @@ void use(Audio& audio) {
   for (int k = 0; k < 100; ++k) audio.play(sound);
   audio.set_loop(loop, {0.5, 0.0, 1.0});
   audio.set_volume(0.3);
-  audio.hush();
+  audio.fade_out();
 }
 
 TEST(Audio, WithoutADeviceItSaysWhyAndGoesOn) {
   const Environment driver("SDL_AUDIODRIVER", "none_of_that_name");
   Audio audio;
-  EXPECT_FALSE(audio.is_heard());
+  EXPECT_FALSE(audio.has_device());
   EXPECT_EQ(audio.why_silent().rfind("there is no sound: ", 0), 0U) << audio.why_silent();
   EXPECT_GT(audio.why_silent().size(), 25U);
   use(audio);
@@ -97,7 +97,7 @@ TEST(Audio, ADeviceLostWhilePlayingIsTakenUpAgainWhenThereIsOne) {
   ASSERT_EQ(audio.why_silent().find("there is no sound"), std::string::npos)
       << "it was there, if it is not lost by now";
   use(audio);
-  while (audio.is_heard()) usleep(1000);
+  while (audio.has_device()) usleep(1000);
   EXPECT_EQ(audio.why_silent(), "the sound device was lost");
   use(audio);
   file.reset();

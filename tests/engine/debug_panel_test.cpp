@@ -100,14 +100,14 @@ TEST(DebugPanel, AClickPressesAndIsKeptFromTheGame) {
   WindowInput input;
   input.buttons_held.set(0);
   input.keys_held.set(static_cast<std::size_t>(Key::a));
-  const WindowInput left = left_by(shown.panel, input);
+  const WindowInput left = without_captured(shown.panel, input);
   EXPECT_FALSE(left.held(MouseButton::left));
   EXPECT_TRUE(left.held(Key::a)) << "nothing is being typed";
 
   shown.click({300.0, 190.0});
   EXPECT_EQ(shown.clicks, 1);
   EXPECT_FALSE(shown.panel.wants_mouse());
-  EXPECT_TRUE(left_by(shown.panel, input).held(MouseButton::left));
+  EXPECT_TRUE(without_captured(shown.panel, input).held(MouseButton::left));
 }
 
 TEST(DebugPanel, AClickBetweenTwoFramesCounts) {
@@ -135,7 +135,7 @@ TEST(DebugPanel, WhatIsTypedGoesToItsFieldAndNotToTheGame) {
   shown.frame(input);
   EXPECT_STREQ(shown.text.data(), "1.5µ");
   EXPECT_TRUE(shown.panel.wants_keyboard());
-  EXPECT_FALSE(left_by(shown.panel, input).held(Key::r));
+  EXPECT_FALSE(without_captured(shown.panel, input).held(Key::r));
   WindowInput back;
   back.mouse = shown.field;
   back.keys_held.set(static_cast<std::size_t>(Key::backspace));

@@ -27,39 +27,39 @@ struct Told {
 
 TEST(FileWatch, AChangeIsToldOnceAndWhenItHasSettled) {
   Told file;
-  EXPECT_FALSE(file.watch.pass(period));
+  EXPECT_FALSE(file.watch.poll(period));
   file.now = Stamp{20, 100};
-  EXPECT_FALSE(file.watch.pass(period)) << "it may be half written";
-  EXPECT_TRUE(file.watch.pass(period));
-  for (int k = 0; k < 5; ++k) EXPECT_FALSE(file.watch.pass(period));
+  EXPECT_FALSE(file.watch.poll(period)) << "it may be half written";
+  EXPECT_TRUE(file.watch.poll(period));
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(file.watch.poll(period));
 }
 
 TEST(FileWatch, WhatIsStillBeingWrittenIsWaitedFor) {
   Told file;
   for (std::uintmax_t size = 0; size < 10; ++size) {
     file.now = Stamp{20, size};
-    EXPECT_FALSE(file.watch.pass(period)) << size;
+    EXPECT_FALSE(file.watch.poll(period)) << size;
   }
-  EXPECT_TRUE(file.watch.pass(period));
+  EXPECT_TRUE(file.watch.poll(period));
 }
 
 TEST(FileWatch, AFileThatIsAwayForAMomentHasNotChanged) {
   Told file;
   file.now.reset();
-  for (int k = 0; k < 4; ++k) EXPECT_FALSE(file.watch.pass(period));
+  for (int k = 0; k < 4; ++k) EXPECT_FALSE(file.watch.poll(period));
   file.now = Stamp{10, 100};
-  for (int k = 0; k < 4; ++k) EXPECT_FALSE(file.watch.pass(period));
+  for (int k = 0; k < 4; ++k) EXPECT_FALSE(file.watch.poll(period));
   file.now.reset();
-  EXPECT_FALSE(file.watch.pass(period));
+  EXPECT_FALSE(file.watch.poll(period));
   file.now = Stamp{11, 100};
-  EXPECT_FALSE(file.watch.pass(period));
-  EXPECT_TRUE(file.watch.pass(period));
+  EXPECT_FALSE(file.watch.poll(period));
+  EXPECT_TRUE(file.watch.poll(period));
 }
 
 TEST(FileWatch, ItLooksTwiceASecondAndNoMore) {
   Told file;
   const int before = file.looks;
-  for (int frame = 0; frame < 600; ++frame) file.watch.pass(1'000'000'000 / 60);
+  for (int frame = 0; frame < 600; ++frame) file.watch.poll(1'000'000'000 / 60);
   EXPECT_LE(file.looks - before, 20);
   EXPECT_GE(file.looks - before, 18);
 }

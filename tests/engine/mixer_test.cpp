@@ -143,7 +143,7 @@ TEST(Mixer, HushEndsWhatPlaysWithoutAClick) {
   Mixer mixer(rate);
   mixer.play(mixer.add({rate, std::vector<float>(rate, 0.5F)}));
   mix(mixer, 0.1);
-  mixer.hush();
+  mixer.fade_out();
   EXPECT_LT(greatest_step(mix(mixer, 0.2).left), 1e-3);
   EXPECT_EQ(mixer.voices(), 0);
 }
@@ -171,8 +171,8 @@ TEST(Mixer, WhatIsNotTooLoudIsNotBent) {
 TEST(Mixer, OneTooManyEndsTheOldest) {
   Mixer mixer(rate);
   const engine::SoundId sound = mixer.add(tone(300.0, 1.0));
-  for (int k = 0; k < 3 * Mixer::most_voices; ++k) mixer.play(sound, {0.01});
-  EXPECT_EQ(mixer.voices(), Mixer::most_voices);
+  for (int k = 0; k < 3 * Mixer::max_voices; ++k) mixer.play(sound, {0.01});
+  EXPECT_EQ(mixer.voices(), Mixer::max_voices);
   mix(mixer, 0.1);
 }
 

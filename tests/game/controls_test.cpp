@@ -120,7 +120,7 @@ TEST(Controls, WhatWasPressedBeforeAPauseIsForgotten) {
   hands.events.key_up(Key::space);
   hands.events.wheel({0.0, 1.0});
   hands.frame();
-  hands.controls.forget();
+  hands.controls.discard();
   EXPECT_EQ(hands.tick(), 0);
 }
 
@@ -175,7 +175,7 @@ TEST(Controls, WhatIsStillDownFromAMenuDoesNothingUntilItWasUp) {
   hands.events.key_down(Key::space);
   hands.events.key_down(Key::e);
   hands.events.take();  // the menu's
-  hands.controls.forget();
+  hands.controls.discard();
   hands.frame();
   EXPECT_EQ(hands.tick(), button_grab) << "who hangs on goes on to";
   hands.frame();

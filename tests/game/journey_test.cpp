@@ -395,7 +395,7 @@ TEST_F(Journey, LongerArmsAndNoFallsAreDeclaredInTheRecordingWhichVerifies) {
   for (int k = 0; k < 240; ++k) frame();
   EXPECT_TRUE(play().is_assisted());
   EXPECT_TRUE(play().run().level().assists.no_fall);
-  EXPECT_EQ(play().simulation().player().tuning().reach, Assists::long_reach);
+  EXPECT_EQ(play().simulation().player().tuning().grab_range, Assists::long_grab_range);
   test_support::push_quit();
   frame();
   app->finish();

@@ -71,8 +71,8 @@ TEST(Meter, EstimatesErrorsTenTimesASecondAndNoTimeByThose) {
   }
   EXPECT_EQ(estimates, 10);
   EXPECT_GT(sum, 1e-6);  // the bridge swings from the start
-  EXPECT_NEAR(meter.error_a_second(3), 6.0 * sum, 1e-15);
-  EXPECT_EQ(meter.error_a_second(99), 0.0);
+  EXPECT_NEAR(meter.error_per_second(3), 6.0 * sum, 1e-15);
+  EXPECT_EQ(meter.error_per_second(99), 0.0);
   EXPECT_EQ(meter.worst_us(), 10.0);
   EXPECT_TRUE(simulation.hash() == alone.hash());
 }

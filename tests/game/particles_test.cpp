@@ -20,9 +20,9 @@ TEST(Particles, AreNeverMoreThanThereIsRoomForAndGoAway) {
     add_dust(particles, {1.0, 2.0}, 1.0, {});
     add_leaf(particles, {1.0, 2.0}, {});
     particles.tick(dt, breeze);
-    ASSERT_LE(particles.all().size(), Particles::most);
+    ASSERT_LE(particles.all().size(), Particles::max_count);
   }
-  EXPECT_GT(particles.all().size(), Particles::most / 2);
+  EXPECT_GT(particles.all().size(), Particles::max_count / 2);
   for (int k = 0; k < 60 * 12; ++k) particles.tick(dt, breeze);
   EXPECT_TRUE(particles.all().empty());
 }
@@ -57,7 +57,7 @@ TEST(Particles, AFullPoolGivesUpWhatIsAboutToGo) {
   particles.add(old);
   Particle young;
   young.life = 5.0;
-  for (std::size_t k = 0; k < Particles::most; ++k) particles.add(young);
+  for (std::size_t k = 0; k < Particles::max_count; ++k) particles.add(young);
   for (const Particle& p : particles.all()) EXPECT_EQ(p.life, 5.0);
 }
 

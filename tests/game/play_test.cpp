@@ -134,7 +134,7 @@ TEST_F(ThrownLine, ReelsItsPlayerUp) {
   EXPECT_FALSE(simulation.player().is_on_ground());
   EXPECT_NEAR(simulation.player().line().length(), thrown - 150.0 / 60.0 * 2.5, 1e-6);
   tick(simulation, button_reel_in, 600);
-  EXPECT_EQ(simulation.player().line().length(), simulation.player().line().tuning().shortest);
+  EXPECT_EQ(simulation.player().line().length(), simulation.player().line().tuning().min_length);
   EXPECT_LT(length(ring - simulation.player().hand()), 1.5);
 }
 
@@ -159,7 +159,7 @@ TEST_F(ThrownLine, StretchesUnderItsPlayerWhoBobs) {
 
 TEST_F(ThrownLine, IsLetGoByThrowingAndHangsWhereItWas) {
   tick(simulation, button_throw);
-  EXPECT_EQ(simulation.player().line().state(), Line::State::left);
+  EXPECT_EQ(simulation.player().line().state(), Line::State::released);
   EXPECT_FALSE(simulation.scene().coupling().held_by(simulation.player().body()));
   const int cords = simulation.scene().coupling().size();
   tick(simulation, 0);
@@ -183,7 +183,7 @@ TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
   ScriptedPlayer player(test_support::winning_script(level.name));
-  while (simulation.player().line().state() != Line::State::left) {
+  while (simulation.player().line().state() != Line::State::released) {
     ASSERT_LT(simulation.ticks(), 600);
     simulation.tick(player.input(simulation));
   }

@@ -152,7 +152,7 @@ TEST(SettingsText, ABrokenFileIsRefusedBySentence) {
 TEST(SettingsFile, IsRememberedAndKeptAsideIfBroken) {
   const std::string path = scratch("config/settings.json");
   std::string notice;
-  SettingsFile(path).keep(some_settings(), notice);
+  SettingsFile(path).save(some_settings(), notice);
   EXPECT_TRUE(SettingsFile(path).load(notice) == some_settings());
   EXPECT_EQ(notice, "");
   write_bytes(path, "{\"speed\": ");
@@ -168,10 +168,10 @@ TEST(SettingsFile, SaysOnceThatItCannotBeWritten) {
   for (const std::string& path : {file + "/settings.json", std::string("/proc/nowhere/settings.json")}) {
     SettingsFile settings_file(path);
     std::string notice;
-    settings_file.keep(some_settings(), notice);
+    settings_file.save(some_settings(), notice);
     EXPECT_NE(notice.find("cannot be written"), std::string::npos);
     notice.clear();
-    settings_file.keep({}, notice);
+    settings_file.save({}, notice);
     EXPECT_EQ(notice, "");
   }
 }
@@ -249,7 +249,7 @@ TEST(RunFolder, KeepsTheNewest) {
   RunFolder runs(folder);
   EXPECT_EQ(runs.next_path("swing"), folder + "/000001-swing.replay");
   write_bytes(folder + "/somebody else's.replay", "");
-  for (int k = 0; k < RunFolder::kept + 5; ++k) write_bytes(runs.next_path("swing"), "");
+  for (int k = 0; k < RunFolder::max_runs + 5; ++k) write_bytes(runs.next_path("swing"), "");
   EXPECT_FALSE(std::filesystem::exists(folder + "/000005-swing.replay"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/000006-swing.replay"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/000055-swing.replay"));
@@ -273,7 +273,7 @@ TEST(Session, WhatCannotBeReadIsToldAndTheGameGoesOn) {
   Session session(config, "");
   EXPECT_TRUE(session.settings == Settings{});
   EXPECT_NE(session.notice.text().find("settings"), std::string::npos);
-  session.notice.pass(7'000'000'000);
+  session.notice.advance(7'000'000'000);
   EXPECT_EQ(session.notice.text(), "");
 }
 

@@ -7,7 +7,7 @@
 
 #include "engine/replay/replay.h"
 #include "engine/window/sdl_canvas.h"
-#include "game/tuning/dials.h"
+#include "game/tuning/parameters.h"
 #include "game/tuning/tables.h"
 #include "game/tuning/tuned_level.h"
 #include "game/tuning/tuning_panel.h"
@@ -35,30 +35,32 @@ RunOptions play(const std::string& level, const std::string& record = "") {
   return options;
 }
 
-TEST(Dials, EachChangesWhatItShows) {
+TEST(Parameters, EachChangesWhatItShows) {
   const Level level = load_level(own_level());
   Simulation simulation(level);
   TunedLevel tuned(level);
   engine::Scene& scene = simulation.scene();
   int tried = 0;
   for (ribbon::box2d::CordId cord = 0; cord < scene.coupling().size(); ++cord) {
-    for (const Dial& dial : dials_of(scene.coupling(), cord)) {
-      const double wanted = dial.whole ? 3.0 : dial.on > 0.0 ? dial.on : 0.5 * (dial.least + dial.most);
+    for (const Parameter& parameter : parameters_of(scene.coupling(), cord)) {
+      const double wanted = parameter.whole            ? 3.0
+                            : parameter.on_value > 0.0 ? parameter.on_value
+                                                       : 0.5 * (parameter.min + parameter.max);
       engine::Properties::Value value = wanted;
-      if (dial.whole) value = std::int64_t{3};
-      const engine::Properties::Value before = dial.value(scene.coupling(), cord);
-      tuned.set(scene.cord_object(cord), dial.property, value, scene);
-      EXPECT_NEAR(dial.value(scene.coupling(), cord), wanted, 1e-9 * wanted) << dial.property;
+      if (parameter.whole) value = std::int64_t{3};
+      const engine::Properties::Value before = parameter.value(scene.coupling(), cord);
+      tuned.set(scene.cord_object(cord), parameter.property, value, scene);
+      EXPECT_NEAR(parameter.value(scene.coupling(), cord), wanted, 1e-9 * wanted) << parameter.property;
       simulation.tick({});
-      if (!dial.term) continue;
-      const auto off = off_value(dial);
+      if (!parameter.is_term) continue;
+      const auto off = off_value(parameter);
       if (off) {
-        tuned.set(scene.cord_object(cord), dial.property, *off, scene);
+        tuned.set(scene.cord_object(cord), parameter.property, *off, scene);
       } else {
-        tuned.remove(scene.cord_object(cord), dial.property, scene);
+        tuned.remove(scene.cord_object(cord), parameter.property, scene);
       }
-      const double now = dial.value(scene.coupling(), cord);
-      EXPECT_TRUE(now == 0.0 || std::isinf(now)) << dial.property;
+      const double now = parameter.value(scene.coupling(), cord);
+      EXPECT_TRUE(now == 0.0 || std::isinf(now)) << parameter.property;
       simulation.tick({});
       ++tried;
     }

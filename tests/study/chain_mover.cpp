@@ -57,7 +57,7 @@ class ChainMover {
     for (int k = 1; k <= dials_.substeps; ++k) {
       move_hand(from + (static_cast<double>(k) / dials_.substeps) * (to - from));
       scene_->world().Step(static_cast<float>(dt / dials_.substeps), dials_.iterations, 3 * dials_.iterations / 8);
-      if (k == 1) player_->feel_ground(scene_->coupling());
+      if (k == 1) player_->detect_ground(scene_->coupling());
     }
   }
 

@@ -57,7 +57,7 @@ std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
   if (player.is_on_ground() && (at_edge || at_step)) buttons |= game::button_jump;
   if (!player.is_on_ground()) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-    const auto near = coupling.nearest_point(player.hand(), player.tuning().reach);
+    const auto near = coupling.nearest_point(player.hand(), player.tuning().grab_range);
     // Not the cord it has just left, which is the one within reach; and only cords that hang free.
     if (near && near->cord != last_cord_ && hangs_free(coupling, near->cord)) buttons |= game::button_grab;
   }

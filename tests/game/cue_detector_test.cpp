@@ -1,4 +1,4 @@
-#include "game/sound/ear.h"
+#include "game/sound/cue_detector.h"
 
 #include <gtest/gtest.h>
 
@@ -56,27 +56,27 @@ struct Heard {
   }
 };
 
-Heard listen(Ear& ear, Simulation& simulation, int ticks, int buttons = 0) {
+Heard listen(CueDetector& detector, Simulation& simulation, int ticks, int buttons = 0) {
   Heard heard;
   engine::TickInput input;
   input.buttons = static_cast<std::uint16_t>(buttons);
   for (int k = 0; k < ticks; ++k) {
     simulation.tick(input);
-    ear.hear(simulation);
-    heard.cues.insert(heard.cues.end(), ear.cues().begin(), ear.cues().end());
-    heard.most_wind = std::max(heard.most_wind, ear.wind().volume);
-    heard.most_reel = std::max(heard.most_reel, ear.reel().volume);
+    detector.update(simulation);
+    heard.cues.insert(heard.cues.end(), detector.cues().begin(), detector.cues().end());
+    heard.most_wind = std::max(heard.most_wind, detector.wind().volume);
+    heard.most_reel = std::max(heard.most_reel, detector.reel().volume);
   }
   return heard;
 }
 
 Heard heard_of(const Level& level, int ticks, int buttons = 0) {
-  Ear ear;
+  CueDetector detector;
   Simulation simulation(level);
-  return listen(ear, simulation, ticks, buttons);
+  return listen(detector, simulation, ticks, buttons);
 }
 
-Heard winning_run(Ear& ear, Simulation& simulation) {
+Heard winning_run(CueDetector& detector, Simulation& simulation) {
   Heard heard;
   Simulation unheard(simulation.level());
   test_support::Autopilot autopilot;
@@ -84,9 +84,9 @@ Heard winning_run(Ear& ear, Simulation& simulation) {
     engine::TickInput input;
     input.buttons = autopilot.buttons(simulation);
     simulation.tick(input);
-    ear.hear(simulation);
-    heard.cues.insert(heard.cues.end(), ear.cues().begin(), ear.cues().end());
-    heard.most_wind = std::max(heard.most_wind, ear.wind().volume);
+    detector.update(simulation);
+    heard.cues.insert(heard.cues.end(), detector.cues().begin(), detector.cues().end());
+    heard.most_wind = std::max(heard.most_wind, detector.wind().volume);
     unheard.tick(input);
     if (simulation.hash() == unheard.hash()) continue;
     ADD_FAILURE() << "listening changed the run in tick " << simulation.ticks();
@@ -95,10 +95,10 @@ Heard winning_run(Ear& ear, Simulation& simulation) {
   return heard;
 }
 
-TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
-  Ear ear;
+TEST(CueDetector, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
+  CueDetector detector;
   Simulation simulation(first_swing());
-  const Heard heard = winning_run(ear, simulation);
+  const Heard heard = winning_run(detector, simulation);
   EXPECT_EQ(heard.count(Noise::goal), 1);
   EXPECT_GE(heard.count(Noise::catches), 2);
   EXPECT_EQ(heard.count(Noise::catches), heard.count(Noise::lets_go));
@@ -115,7 +115,7 @@ TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
   }
 }
 
-TEST(Ear, WhoLandsFromHigherIsHeardLouder) {
+TEST(CueDetector, WhoLandsFromHigherIsHeardLouder) {
   double last = 0.0;
   for (const double height : {0.2, 0.6, 1.8}) {
     const Heard heard = heard_of(drop(height), 90);
@@ -129,7 +129,7 @@ TEST(Ear, WhoLandsFromHigherIsHeardLouder) {
   }
 }
 
-TEST(Ear, WhatIsFurtherIsQuieterAndOnItsSide) {
+TEST(CueDetector, WhatIsFurtherIsQuieterAndOnItsSide) {
   const auto thud_of_ball = [](double x) {
     for (const Cue& cue : heard_of(drop(0.0, 1.0, x), 60).cues) {
       if (cue.noise == Noise::thud && cue.how.pan != 0.0) return cue.how;
@@ -145,60 +145,62 @@ TEST(Ear, WhatIsFurtherIsQuieterAndOnItsSide) {
   EXPECT_LT(left.pan, 0.0);
 }
 
-TEST(Ear, WhoStandsOrLiesIsSilent) {
-  Ear ear;
+TEST(CueDetector, WhoStandsOrLiesIsSilent) {
+  CueDetector detector;
   const Level level = drop(0.0, 0.0);
   Simulation simulation(level);
-  listen(ear, simulation, 30);
-  const Heard heard = listen(ear, simulation, 200);
+  listen(detector, simulation, 30);
+  const Heard heard = listen(detector, simulation, 200);
   EXPECT_TRUE(heard.cues.empty());
   EXPECT_EQ(heard.most_wind, 0.0);
 }
 
-TEST(Ear, RunningIsHeardInStepsThatComeWithTheSpeed) {
+TEST(CueDetector, RunningIsHeardInStepsThatComeWithTheSpeed) {
   const Heard heard = heard_of(drop(0.0), 120, button_right);
   EXPECT_NEAR(heard.count(Noise::footstep), 2.0 * 6.0 / 1.05, 2.0);
 }
 
-TEST(Ear, ALineIsHeardThrownTakingHoldAndReeled) {
-  Ear ear;
+TEST(CueDetector, ALineIsHeardThrownTakingHoldAndReeled) {
+  CueDetector detector;
   const Level level = drop(0.0);
   Simulation simulation(level);
-  listen(ear, simulation, 20);
-  const Heard thrown = listen(ear, simulation, 30, button_throw);
+  listen(detector, simulation, 20);
+  const Heard thrown = listen(detector, simulation, 30, button_throw);
   EXPECT_EQ(thrown.count(Noise::throws), 1);
   EXPECT_EQ(thrown.count(Noise::hook), 1);
   EXPECT_EQ(thrown.count(Noise::catches), 0) << "a line is no cord that is caught";
   ASSERT_EQ(simulation.player().line().state(), Line::State::held);
   EXPECT_EQ(thrown.most_reel, 0.0) << "nobody reels";
-  EXPECT_GT(listen(ear, simulation, 30, button_reel_in).most_reel, 0.3);
-  EXPECT_EQ(listen(ear, simulation, 1, button_throw).count(Noise::lets_go), 1);
+  EXPECT_GT(listen(detector, simulation, 30, button_reel_in).most_reel, 0.3);
+  EXPECT_EQ(listen(detector, simulation, 1, button_throw).count(Noise::lets_go), 1);
 }
 
-TEST(Ear, ACheckpointIsHeardOnce) { EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1); }
+TEST(CueDetector, ACheckpointIsHeardOnce) {
+  EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1);
+}
 
-TEST(Ear, ARestartIsNotHeardAsAFallAThudOrALettingGo) {
+TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrALettingGo) {
   Simulation simulation(first_swing());
-  Ear ear;
+  CueDetector detector;
   const engine::Replay golden = engine::load_replay(test_support::golden());
   for (const auto& tick : golden.ticks) {
     simulation.tick(tick.input);
-    ear.hear(simulation);
+    detector.update(simulation);
     if (simulation.scene().coupling().held_by(simulation.player().body())) break;
   }
   engine::TickInput restart;
   restart.buttons = button_restart;
   simulation.tick(restart);
-  ear.hear(simulation);
-  EXPECT_TRUE(ear.cues().empty());
+  detector.update(simulation);
+  EXPECT_TRUE(detector.cues().empty());
 }
 
-TEST(Ear, TheSameRunIsHeardTheSameAgain) {
-  Ear ear;
+TEST(CueDetector, TheSameRunIsHeardTheSameAgain) {
+  CueDetector detector;
   Simulation first(first_swing());
   Simulation second(first_swing());
-  const Heard once = winning_run(ear, first);
-  Ear other;
+  const Heard once = winning_run(detector, first);
+  CueDetector other;
   const Heard again = winning_run(other, second);
   ASSERT_EQ(once.cues.size(), again.cues.size());
   for (std::size_t k = 0; k < once.cues.size(); ++k) {

@@ -1,4 +1,4 @@
-#include "game/tuning/dials.h"
+#include "game/tuning/parameters.h"
 
 #include <string_view>
 
@@ -8,17 +8,18 @@ namespace {
 using ribbon::box2d::CordId;
 using ribbon::box2d::Coupling;
 
-/// What reads a field of a cord of the direct solver.
+/// Returns a function that reads a field of a cord of the direct solver.
 auto direct(auto read) {
   return [read](const Coupling& coupling, CordId cord) { return read(coupling.cord(cord).direct().def()); };
 }
+/// The same for a cord of the thesis's solver.
 auto thesis(auto read) {
   return [read](const Coupling& coupling, CordId cord) { return read(coupling.cord(cord).thesis().def()); };
 }
 
-std::vector<Dial> direct_dials(bool is_ribbon) {
+std::vector<Parameter> material_parameters(bool is_ribbon) {
   using ribbon::CordDef;
-  std::vector<Dial> dials = {
+  std::vector<Parameter> parameters = {
       {"mass", "kg", 1e-2, 1e3, true, false, false, 0.0,
        direct([](const CordDef& d) { return d.mass_per_length * d.length; })},
       {"drag", "1/s", 1e-3, 10.0, true, false, true, 0.1, direct([](const CordDef& d) { return d.drag; })},
@@ -28,12 +29,17 @@ std::vector<Dial> direct_dials(bool is_ribbon) {
        direct([](const CordDef& d) { return d.bending_stiffness; })},
       {"damping", "s", 1e-5, 1.0, true, false, true, 0.01, direct([](const CordDef& d) { return d.damping; })}};
   if (is_ribbon) {
-    dials.push_back({"poisson_ratio", "", -0.9, 0.9, false, false, true, 0.3,
-                     direct([](const CordDef& d) { return d.poisson_ratio; })});
-    dials.push_back({"area_stiffness", "", 1e-2, 10.0, true, false, true, 1.0,
-                     direct([](const CordDef& d) { return d.area_stiffness; })});
+    parameters.push_back({"poisson_ratio", "", -0.9, 0.9, false, false, true, 0.3,
+                          direct([](const CordDef& d) { return d.poisson_ratio; })});
+    parameters.push_back({"area_stiffness", "", 1e-2, 10.0, true, false, true, 1.0,
+                          direct([](const CordDef& d) { return d.area_stiffness; })});
   }
-  const std::vector<Dial> rest = {
+  return parameters;
+}
+
+std::vector<Parameter> contact_and_accuracy_parameters() {
+  using ribbon::CordDef;
+  return {
       {"friction", "", 1e-2, 2.0, false, false, true, 0.5, direct([](const CordDef& d) { return d.friction; })},
       {"restitution", "", 1e-2, 1.0, false, false, true, 0.3, direct([](const CordDef& d) { return d.restitution; })},
       {"radius", "m", 1e-3, 0.2, true, false, false, 0.0, direct([](const CordDef& d) { return d.radius; })},
@@ -45,11 +51,16 @@ std::vector<Dial> direct_dials(bool is_ribbon) {
        direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_iterations); })},
       {"max_work", "", 10.0, 10000.0, false, true, false, 0.0,
        direct([](const CordDef& d) { return static_cast<double>(d.accuracy.max_work); })}};
-  dials.insert(dials.end(), rest.begin(), rest.end());
-  return dials;
 }
 
-std::vector<Dial> thesis_dials() {
+std::vector<Parameter> direct_parameters(bool is_ribbon) {
+  std::vector<Parameter> parameters = material_parameters(is_ribbon);
+  const std::vector<Parameter> rest = contact_and_accuracy_parameters();
+  parameters.insert(parameters.end(), rest.begin(), rest.end());
+  return parameters;
+}
+
+std::vector<Parameter> thesis_parameters() {
   using ribbon::ThesisDef;
   return {{"mass", "kg", 1e-2, 1e3, true, false, false, 0.0,
            thesis([](const ThesisDef& d) { return d.point_mass * d.w * d.h; })},
@@ -66,9 +77,9 @@ std::vector<Dial> thesis_dials() {
 
 }  // namespace
 
-std::vector<Dial> dials_of(const Coupling& coupling, CordId cord) {
-  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis) return thesis_dials();
-  return direct_dials(coupling.cord(cord).shape().rows > 1);
+std::vector<Parameter> parameters_of(const Coupling& coupling, CordId cord) {
+  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis) return thesis_parameters();
+  return direct_parameters(coupling.cord(cord).shape().rows > 1);
 }
 
 std::vector<Switch> switches_of(const Coupling& coupling, CordId cord) {
@@ -85,8 +96,8 @@ std::vector<Switch> switches_of(const Coupling& coupling, CordId cord) {
   return switches;
 }
 
-std::optional<engine::Properties::Value> off_value(const Dial& dial) {
-  if (std::string_view(dial.property) == "stretch_stiffness") return std::nullopt;
+std::optional<engine::Properties::Value> off_value(const Parameter& parameter) {
+  if (std::string_view(parameter.property) == "stretch_stiffness") return std::nullopt;
   return 0.0;
 }
 
