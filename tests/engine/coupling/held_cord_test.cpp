@@ -1,0 +1,264 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
+#include "tests/support/allocations.h"
+#include "tests/support/exact_chain.h"
+#include "tests/support/heavy_swing.h"
+#include "tests/support/points.h"
+#include "tests/support/shape_world.h"
+
+// A Box2D body held by a cord of the direct solver.
+
+namespace engine {
+namespace {
+
+using ribbon::Vec2;
+using test_support::path_length;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct World {
+  b2World world{{0.0F, -9.81F}};
+  ribbon::box2d::Coupling coupling;
+  b2Body* body = nullptr;
+
+  void make_body(Vec2 position, double mass, double inertia) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = ribbon::box2d::to_float(position);
+    definition.allowSleep = false;
+    body = world.CreateBody(&definition);
+    b2MassData data;
+    data.mass = static_cast<float>(mass);
+    data.center.SetZero();
+    data.I = static_cast<float>(inertia);
+    body->SetMassData(&data);
+  }
+  void tick() { coupling.tick(world, dt); }
+};
+
+/// A holder gets the whole impulse per tick or force, whether it is applied before or after the coupling's part of the
+/// tick.
+TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
+  ribbon::CordDef def;
+  def.points = 31;
+  def.length = 6.0;
+  def.mass_per_length = 0.5;
+  def.pins = {0};
+  def.positions = test_support::equally_spaced(31, {0.0, 0.0}, {0.0, -0.2});
+  constexpr double mass = 60.0;
+  constexpr double push = 270.0;  // N
+  ribbon::CordDef fine = def;
+  fine.accuracy.substeps = 64;
+  ribbon::Cord exact(fine);
+  exact.attach_mass(30, mass);
+  exact.set_load(30, {push, 0.0});
+  for (int k = 0; k < 60; ++k) exact.step(dt, {0.0, -9.81});
+  for (const bool impulse : {true, false}) {
+    for (const bool before : {true, false}) {
+      World scene;
+      scene.coupling.add(ribbon::Cord(def));
+      scene.make_body({0.0, -6.0}, mass, 0.0);
+      scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
+      const auto give = [&] {
+        if (impulse) scene.body->ApplyLinearImpulseToCenter({static_cast<float>(push * dt), 0.0F}, true);
+        if (!impulse) scene.body->ApplyForceToCenter({static_cast<float>(push), 0.0F}, true);
+      };
+      for (int k = 0; k < 60; ++k) {
+        if (before) give();
+        test_support::step_cords(scene.coupling, scene.world, dt);
+        if (!before) give();
+        scene.world.Step(static_cast<float>(dt), 8, 3);
+      }
+      // An impulse acts half a tick before or after the force of the same size: 1.7 % of the distance in a second.
+      const Vec2 way = ribbon::box2d::to_double(scene.body->GetPosition()) - Vec2{0.0, -6.0};
+      EXPECT_NEAR(way.x, exact.positions()[30].x, 0.02 * exact.positions()[30].x) << impulse << before;
+      EXPECT_NEAR(scene.coupling.velocity(*scene.body).x, exact.velocities()[30].x, 0.05) << impulse << before;
+    }
+  }
+}
+
+/// heavy_swing with a body of Box2D as its load, held at its centre. Accepted errors: 2 cm and 0.05 %.
+TEST(HeldCord, HeavySwingThroughBox2D) {
+  const std::vector<Vec2> exact = test_support::exact_heavy_load();
+  for (const double inertia : {0.0, 7.0}) {
+    World scene;
+    ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
+    cord.attach_mass(50, 0.0);
+    scene.coupling.add(std::move(cord));
+    scene.make_body({10.0, 0.0}, 70.0, inertia);
+    scene.coupling.hold(0, 50, *scene.body, {0.0F, 0.0F});
+    std::vector<Vec2> path;
+    double stretch = 0.0;
+    for (int k = 0; k < 300; ++k) {
+      scene.tick();
+      path.push_back(ribbon::box2d::to_double(scene.body->GetPosition()));
+      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct().positions()) / 10.0 - 1.0);
+    }
+    EXPECT_LE(test_support::rms_distance(path, exact), 0.02);
+    EXPECT_LE(stretch, 5e-4);
+    RecordProperty("rms_mm", std::to_string(1e3 * test_support::rms_distance(path, exact)));
+    RecordProperty("stretch_percent", std::to_string(100.0 * stretch));
+  }
+}
+
+class HeldMassRatio : public testing::TestWithParam<double> {};
+
+/// After a drop with a slightly slack cord, the stretch is that of the elasticity, and the body rests without jitter.
+TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
+  const double ratio = GetParam();
+  for (const double stiffness : {infinity, 1e3}) {  // EA / Mg
+    ribbon::CordDef def;
+    def.points = 31;
+    def.length = 3.0;
+    def.mass_per_length = 1.0 / 3.0;
+    def.stretch_stiffness = stiffness * (1.0 + ratio) * 9.81;
+    def.damping = 0.02;
+    def.pins = {0};
+    for (int p = 0; p <= 30; ++p) def.positions.push_back({0.0, -0.1 * p});
+    World scene;
+    scene.coupling.add(ribbon::Cord(def));
+    scene.make_body({0.0, -3.0}, ratio, 0.1 * ratio);
+    scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
+    double stretch = 0.0;
+    for (int k = 0; k < 600; ++k) {
+      scene.tick();
+      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct().positions()) / 3.0 - 1.0);
+    }
+    const double elastic = 2.0 / stiffness;  // released at rest length it falls twice as far as its static stretch
+    EXPECT_LE(stretch, 1.05 * elastic + 5e-4);
+    double jitter = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      const Vec2 before = ribbon::box2d::to_double(scene.body->GetPosition());
+      scene.tick();
+      jitter = std::max(jitter, length(ribbon::box2d::to_double(scene.body->GetPosition()) - before));
+    }
+    EXPECT_LE(jitter, 1e-6 * 3.0);
+    const double pull = scene.coupling.cord(0).direct().tensions()[29];
+    EXPECT_NEAR(pull, (ratio + scene.coupling.cord(0).direct().mass(30)) * 9.81, 1e-3 * ratio * 9.81);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6));
+
+/// Returns the kinetic energy of a body from its momentary velocities, J.
+double energy(const World& scene, double turning) {
+  const Vec2 v = scene.coupling.velocity(*scene.body);
+  return 0.5 * static_cast<double>(scene.body->GetMass()) * dot(v, v) +
+         0.5 * static_cast<double>(scene.body->GetInertia()) * turning * turning +
+         9.81 * static_cast<double>(scene.body->GetMass() * scene.body->GetPosition().y);
+}
+
+/// A bar that is held at its end swings as a pendulum; the angular velocity in Box2D is the mean of a tick.
+TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
+  World scene;
+  ribbon::CordDef def;
+  def.points = 2;
+  def.length = 0.1;
+  def.mass_per_length = 1e-3;
+  def.positions = {{0.0, 0.0}, {0.1, 0.0}};
+  def.pins = {0};
+  def.accuracy = ribbon::Accuracy::accurate();
+  scene.coupling.add(ribbon::Cord(def));
+  scene.make_body({0.6, 0.0}, 2.0, 2.0 / 12.0);
+  scene.coupling.hold(0, 1, *scene.body, {-0.5F, 0.0F});
+  const double start = energy(scene, 0.0);
+  double off = 0.0;
+  double off_of_means = 0.0;
+  for (int k = 0; k < 120; ++k) {
+    scene.tick();
+    const double now = energy(scene, scene.coupling.angular_velocity(*scene.body)) +
+                       scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
+    const double by_means = energy(scene, static_cast<double>(scene.body->GetAngularVelocity())) +
+                            scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
+    off = std::max(off, std::abs(now - start));
+    off_of_means = std::max(off_of_means, std::abs(by_means - start));
+  }
+  EXPECT_LT(off, 0.03 * 2.0 * 9.81 * 0.6);
+  EXPECT_GT(off_of_means, 3.0 * off);
+}
+
+/// A cord holds a box on the ground. The carry of its angular velocity ends if Box2D has pushed against the box, and
+/// continues if not.
+TEST(HeldCord, ATurnThatBox2DStopsIsOver) {
+  World scene;
+  ribbon::CordDef def;
+  def.points = 11;
+  def.length = 1.0;
+  def.pins = {0};
+  scene.coupling.add(ribbon::Cord(def));
+  scene.make_body({1.0, 0.0}, 2.0, 0.2);
+  b2PolygonShape box;
+  box.SetAsBox(0.2F, 0.2F);
+  scene.body->CreateFixture(&box, 10.0F);
+  b2BodyDef ground;
+  ground.position = {0.0F, -0.7F};
+  b2PolygonShape flat;
+  flat.SetAsBox(5.0F, 0.5F);
+  scene.world.CreateBody(&ground)->CreateFixture(&flat, 0.0F);
+  scene.coupling.hold(0, 10, *scene.body, {0.0F, 0.0F});
+  for (int k = 0; k < 10; ++k) scene.tick();
+  ASSERT_TRUE(scene.body->GetContactList() != nullptr && scene.body->GetContactList()->contact->IsTouching());
+  const double by_box2d = static_cast<double>(scene.body->GetAngularVelocity());
+  const auto turning = [&](double ahead, double pushed) {
+    ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);
+    state.carries.at(0).memory.angular_carry = ahead;
+    state.carries.at(0).memory.angular_velocity = by_box2d - pushed;
+    scene.coupling.restore(state, scene.world);
+    return scene.coupling.angular_velocity(*scene.body) - by_box2d;
+  };
+  EXPECT_EQ(turning(5.0, -1.0), 0.0);
+  EXPECT_EQ(turning(-5.0, 1.0), 0.0);
+  EXPECT_NEAR(turning(5.0, 1.0), 5.0, 1e-12);
+  EXPECT_NEAR(turning(5.0, 0.0), 5.0, 1e-12);
+}
+
+TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
+  World scene;
+  ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
+  cord.attach_mass(50, 0.0);
+  scene.coupling.add(std::move(cord));
+  scene.make_body({10.0, 0.0}, 70.0, 0.0);
+  scene.coupling.hold(0, 50, *scene.body, {0.0F, 0.0F});
+  for (int k = 0; k < 80; ++k) scene.tick();
+  const Vec2 velocity = scene.coupling.velocity(*scene.body);
+  EXPECT_TRUE(scene.coupling.release(*scene.body));
+  scene.tick();
+  const Vec2 after = ribbon::box2d::to_double(scene.body->GetLinearVelocity());
+  EXPECT_NEAR(length(after - (velocity + dt * Vec2{0.0, -9.81})), 0.0, 1e-4);
+  for (int k = 0; k < 60; ++k) scene.tick();
+  EXPECT_GT(length(ribbon::box2d::to_double(scene.body->GetPosition())), 10.1);
+  EXPECT_EQ(scene.coupling.cord(0).island_report().unconverged, 0);
+}
+
+TEST(HeldCord, OneOfEachSolverLiveSideBySide) {
+  World scene;
+  scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
+  scene.coupling.add(test_support::heavy_swing(infinity, ribbon::Accuracy::fast()));
+  EXPECT_EQ(scene.coupling.cord(0).positions().size(), 50U);
+  EXPECT_EQ(scene.coupling.cord(1).positions().size(), 51U);
+  EXPECT_THROW(scene.coupling.cord(1).thesis(), ribbon::CallError);
+  EXPECT_THROW(scene.coupling.cord(0).direct(), ribbon::CallError);
+  scene.make_body({10.0, 0.0}, 5.0, 1.0);
+  EXPECT_THROW(scene.coupling.hold(1, 51, *scene.body, b2Vec2_zero), ribbon::DefinitionError);
+  const auto nearest = scene.coupling.nearest_point({10.0, 0.1}, 0.5);
+  ASSERT_TRUE(nearest.has_value());
+  EXPECT_EQ(nearest->cord, 1);
+  EXPECT_EQ(nearest->point, 50);
+  scene.coupling.hold(1, 50, *scene.body, {0.0F, 0.0F});
+  scene.tick();
+  const test_support::AllocationCount count;
+  test_support::step_cords(scene.coupling, scene.world, dt);
+  EXPECT_EQ(count.so_far(), 0);
+}
+
+}  // namespace
+}  // namespace engine

@@ -1,0 +1,54 @@
+#include "engine/tick/workers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+#include "tests/support/allocations.h"
+#include "tests/support/contact_scenes.h"
+
+namespace engine {
+namespace {
+
+using test_support::CoupledWorld;
+
+TEST(Workers, EachThingIsDoneOnce) {
+  for (const int count : {1, 2, 5}) {
+    Workers workers(count);
+    const ribbon::ParallelFor parallel_for = workers.parallel_for();
+    for (const int things : {0, 1, 2, 100}) {
+      std::vector<std::atomic<int>> done(static_cast<std::size_t>(things));
+      parallel_for.run(
+          parallel_for.context, things,
+          [](void* all, int k) { ++(*static_cast<std::vector<std::atomic<int>>*>(all))[static_cast<std::size_t>(k)]; },
+          &done);
+      EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](const std::atomic<int>& times) { return times == 1; }))
+          << count << " workers, " << things << " things";
+    }
+  }
+}
+
+/// Hanging cords, with balls at rest on half of them. There are enough of them for several workers.
+TEST(Workers, ASteadyTickTakesNoHeapMemory) {
+  for (const int count : {2, 3}) {
+    Workers workers(count);
+    CoupledWorld world{test_support::CordMethod{}};
+    test_support::hang_hall(world);
+    world.coupling.use(workers.parallel_for());
+    world.settle(300);
+    int touched = 0;
+    for (int tick = 0; tick < 60; ++tick) {
+      const test_support::AllocationCount allocations;
+      world.step_cords();
+      ASSERT_EQ(allocations.so_far(), 0) << count << " workers, tick " << tick;
+      world.step_world();
+      for (int c = 0; c < world.cords(); ++c) touched += world.coupling.cord(c).direct().touches().empty() ? 0 : 1;
+    }
+    EXPECT_GT(touched, 600);
+  }
+}
+
+}  // namespace
+}  // namespace engine

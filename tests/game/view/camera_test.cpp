@@ -1,0 +1,148 @@
+#include "game/view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace game {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr Vec2 level{48.0, 18.0};
+constexpr int width = 1280;
+constexpr int height = 720;
+
+CameraSubject at(Vec2 place, Vec2 velocity = {}) {
+  CameraSubject subject;
+  subject.at = place;
+  subject.velocity = velocity;
+  return subject;
+}
+
+void expect_within_level(const engine::View& view, int pixels_wide, int pixels_high) {
+  const double half_width = 0.5 * pixels_wide / view.pixels_per_metre;
+  const double half_height = 0.5 * pixels_high / view.pixels_per_metre;
+  EXPECT_GE(view.center.x - half_width, -1e-9);
+  EXPECT_LE(view.center.x + half_width, level.x + 1e-9);
+  EXPECT_GE(view.center.y - half_height, -1e-9);
+  EXPECT_LE(view.center.y + half_height, level.y + 1e-9);
+}
+
+TEST(Camera, NeverShowsWhatIsOutsideTheLevel) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-30.0, 80.0);
+  std::uniform_real_distribution<double> speed(-40.0, 40.0);
+  Camera camera(level);
+  for (int k = 0; k < 2000; ++k) {
+    CameraSubject subject = at({place(random), place(random)}, {speed(random), speed(random)});
+    subject.lands = k % 7 == 0;
+    subject.impact = 40.0;
+    camera.tick(subject);
+    for (const auto& [w, h] : {std::pair{1280, 720}, std::pair{400, 900}, std::pair{3000, 500}})
+      expect_within_level(camera.view(0.3, w, h, k % 2 == 0), w, h);
+  }
+}
+
+TEST(Camera, LooksAheadInTheDirectionOfMotion) {
+  for (const double side : {-1.0, 1.0}) {
+    Camera camera(level);
+    CameraSubject subject = at({24.0, 9.0}, {side * 6.0, 0.0});
+    subject.faces_left = side < 0.0;
+    camera.jump_to(subject);
+    for (int k = 0; k < 60; ++k) {
+      subject.at.x += subject.velocity.x / 60.0;
+      camera.tick(subject);
+    }
+    EXPECT_GT(side * (camera.view(1.0, width, height, false).center.x - subject.at.x), 2.0);
+  }
+}
+
+TEST(Camera, LooksUpASwing) {
+  const auto height_above = [](double speed) {
+    Camera camera(level);
+    camera.jump_to(at({24.0, 9.0}, {0.0, speed}));
+    return camera.view(1.0, width, height, true).center.y - 9.0;
+  };
+  EXPECT_GT(height_above(6.0), height_above(0.0) + 1.0);
+  EXPECT_LT(height_above(-6.0), height_above(0.0) - 1.0);
+}
+
+TEST(Camera, ComesToRestWhereItWouldJump) {
+  Camera jumped(level);
+  jumped.jump_to(at({20.0, 8.0}));
+  Camera followed(level);
+  followed.jump_to(at({35.0, 12.0}, {9.0, 3.0}));
+  double before = 1e9;
+  for (int k = 0; k < 600; ++k) {
+    followed.tick(at({20.0, 8.0}));
+    const double away =
+        length(followed.view(1.0, width, height, false).center - jumped.view(1.0, width, height, false).center);
+    if (k > 60) {
+      EXPECT_LE(away, before + 1e-9) << k;
+    }
+    before = away;
+  }
+  EXPECT_LT(before, 1e-3);
+  EXPECT_NEAR(followed.view(1.0, width, height, false).pixels_per_metre,
+              jumped.view(1.0, width, height, false).pixels_per_metre, 1e-3);
+}
+
+TEST(Camera, MovesSmoothly) {
+  Camera camera(level);
+  CameraSubject subject = at({10.0, 9.0}, {6.0, 0.0});
+  camera.jump_to(subject);
+  Vec2 before = camera.view(1.0, width, height, true).center;
+  Vec2 step_before{0.1, 0.0};
+  for (int k = 0; k < 200; ++k) {
+    if (k == 60) subject.velocity = {-6.0, 8.0};  // a sudden reversal
+    if (k == 60) subject.faces_left = true;
+    subject.at += (1.0 / 60.0) * subject.velocity;
+    if (k > 100) subject.velocity.y = 0.0;
+    camera.tick(subject);
+    const Vec2 now = camera.view(1.0, width, height, true).center;
+    EXPECT_LT(length(now - before - step_before), 0.45) << k;
+    step_before = now - before;
+    before = now;
+  }
+}
+
+TEST(Camera, ShakesOnAHardLandingOnly) {
+  const auto shaken = [](double impact, bool reduced) {
+    Camera still(level);
+    Camera camera(level);
+    CameraSubject subject = at({24.0, 9.0});
+    still.jump_to(subject);
+    camera.jump_to(subject);
+    double most = 0.0;
+    for (int k = 0; k < 30; ++k) {
+      subject.lands = k == 0;
+      subject.impact = impact;
+      camera.tick(subject);
+      still.tick(at({24.0, 9.0}));
+      most = std::max(most, length(camera.view(1.0, width, height, reduced).center -
+                                   still.view(1.0, width, height, reduced).center));
+    }
+    EXPECT_LT(length(camera.view(1.0, width, height, reduced).center - still.view(1.0, width, height, reduced).center),
+              0.01);
+    return most;
+  };
+  EXPECT_GT(shaken(14.0, false), 0.03);
+  EXPECT_LT(shaken(40.0, false), 0.4);
+  EXPECT_EQ(shaken(4.0, false), 0.0);
+  EXPECT_EQ(shaken(14.0, true), 0.0);
+}
+
+TEST(Camera, ShowsMoreOfTheLevelAtHighSpeed) {
+  Camera slow(level);
+  Camera fast(level);
+  slow.jump_to(at({24.0, 9.0}));
+  fast.jump_to(at({24.0, 9.0}, {12.0, 0.0}));
+  EXPECT_LT(fast.view(1.0, width, height, false).pixels_per_metre,
+            0.9 * slow.view(1.0, width, height, false).pixels_per_metre);
+  EXPECT_EQ(fast.view(1.0, width, height, true).pixels_per_metre, slow.view(1.0, width, height, true).pixels_per_metre);
+}
+
+}  // namespace
+}  // namespace game

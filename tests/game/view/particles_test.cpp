@@ -1,0 +1,81 @@
+#include "game/view/particles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace game {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double dt = 1.0 / 60.0;
+constexpr Vec2 breeze{1.3, 0.0};
+
+TEST(Particles, AreNeverMoreThanTheCapacityAndDisappear) {
+  Particles particles;
+  for (int k = 0; k < 200; ++k) {
+    add_sparkle(particles, {1.0, 2.0}, {});
+    add_dust(particles, {1.0, 2.0}, 1.0, {});
+    add_leaf(particles, {1.0, 2.0}, {});
+    particles.tick(dt, breeze);
+    ASSERT_LE(particles.all().size(), Particles::max_count);
+  }
+  EXPECT_GT(particles.all().size(), Particles::max_count / 2);
+  for (int k = 0; k < 60 * 12; ++k) particles.tick(dt, breeze);
+  EXPECT_TRUE(particles.all().empty());
+}
+
+TEST(Particles, OfTwoThatAreTreatedAlikeAreAlike) {
+  Particles a;
+  Particles b;
+  for (int k = 0; k < 100; ++k) {
+    for (Particles* particles : {&a, &b}) {
+      if (k % 10 == 0) add_dust(*particles, {0.0, 0.0}, 0.5, {});
+      particles->tick(dt, breeze);
+    }
+  }
+  ASSERT_EQ(a.all().size(), b.all().size());
+  for (std::size_t k = 0; k < a.all().size(); ++k) EXPECT_EQ(a.all()[k].at, b.all()[k].at);
+}
+
+TEST(Particles, StayNearWhereTheyBegan) {
+  Particles particles;
+  add_sparkle(particles, {0.0, 0.0}, {});
+  add_dust(particles, {0.0, 0.0}, 1.0, {});
+  while (!particles.all().empty()) {
+    for (const Particle& p : particles.all()) ASSERT_LT(length(p.at), 8.0);
+    particles.tick(dt, breeze);
+  }
+}
+
+TEST(Particles, AFullPoolReplacesTheOldest) {
+  Particles particles;
+  Particle old;
+  old.life = 0.1;
+  particles.add(old);
+  Particle young;
+  young.life = 5.0;
+  for (std::size_t k = 0; k < Particles::max_count; ++k) particles.add(young);
+  for (const Particle& p : particles.all()) EXPECT_EQ(p.life, 5.0);
+}
+
+TEST(Particles, RandomNumbersFillTheirRange) {
+  Particles particles;
+  double low = 1.0;
+  double high = -1.0;
+  double sum = 0.0;
+  for (int k = 0; k < 10000; ++k) {
+    const double x = particles.random();
+    low = std::min(low, x);
+    high = std::max(high, x);
+    sum += x;
+  }
+  EXPECT_NEAR(low, -1.0, 0.01);
+  EXPECT_NEAR(high, 1.0, 0.01);
+  EXPECT_NEAR(sum / 10000.0, 0.0, 0.03);
+}
+
+}  // namespace
+}  // namespace game

@@ -1,0 +1,217 @@
+#include "game/view/view.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/window/sdl_canvas.h"
+#include "game/simulation/buttons.h"
+#include "tests/support/mixed_level.h"
+
+namespace game {
+namespace {
+
+/// Records the texts and the number of shapes.
+class RecordingCanvas : public engine::Canvas {
+ public:
+  int width() const override { return 1280; }
+  int height() const override { return 720; }
+  double text_width(std::string_view utf8, double size) const override {
+    return 0.5 * size * static_cast<double>(utf8.size());
+  }
+  double line_height(double size) const override { return size; }
+
+  bool shows(const std::string& text) const { return std::find(texts.begin(), texts.end(), text) != texts.end(); }
+
+  std::vector<std::string> texts;
+  int shapes = 0;
+
+ protected:
+  void paint_background(engine::Color, engine::Color) override {}
+  void paint_mesh(const engine::Mesh&, engine::Color) override { ++shapes; }
+  void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
+  void paint_text(ribbon::Vec2, std::string_view utf8, double, engine::Color) override { texts.emplace_back(utf8); }
+};
+
+int contacts_of(const Simulation& simulation) {
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+  int count = 0;
+  for (int c = 0; c < coupling.size(); ++c)
+    if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct)
+      count += static_cast<int>(coupling.cord(c).direct().touches().size());
+  return count;
+}
+
+void draw(RecordingCanvas& canvas, const Level& level, bool debug) {
+  Simulation simulation(level);
+  for (int k = 0; k < 3; ++k) simulation.tick({});
+  ViewOptions options;
+  options.debug = debug;
+  View(simulation).draw(canvas, 0.5, options);
+}
+
+TEST(View, ShowsTheCountsOfEachSolverThatIsThere) {
+  RecordingCanvas mixed;
+  draw(mixed, test_support::mixed_swing(), true);
+  EXPECT_TRUE(mixed.shows("tangled"));
+  EXPECT_TRUE(mixed.shows("iterations"));
+  EXPECT_TRUE(mixed.shows("unconverged in all"));
+  EXPECT_TRUE(mixed.shows("82"));  // points of a cord of the thesis's
+  EXPECT_TRUE(mixed.shows("41"));  // and of the hammock
+  RecordingCanvas direct;
+  draw(direct, load_level("first_swing"), true);
+  EXPECT_TRUE(direct.shows("iterations"));
+  EXPECT_TRUE(direct.shows("impacts in all"));
+  EXPECT_FALSE(direct.shows("tangled"));
+  RecordingCanvas playing;
+  draw(playing, test_support::mixed_swing(), false);
+  EXPECT_FALSE(playing.shows("iterations"));
+}
+
+TEST(View, ShowsWhichCordsAreAsleep) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  ViewOptions options;
+  options.debug = true;
+  for (const bool expected : {false, true}) {
+    RecordingCanvas canvas;
+    View(simulation).draw(canvas, 1.0, options);
+    EXPECT_EQ(canvas.shows("asleep"), expected);
+    for (int k = 0; k < 90; ++k) simulation.tick({});
+  }
+}
+
+TEST(View, ShowsANotice) {
+  const Level level = load_level("first_swing");
+  const Simulation simulation(level);
+  RecordingCanvas canvas;
+  ViewOptions options;
+  options.notice = "The recording has ended";
+  View(simulation).draw(canvas, 1.0, options);
+  EXPECT_TRUE(canvas.shows("The recording has ended"));
+}
+
+/// All points, all bars between them, the box of each cord, and a line and a dot for each contact.
+TEST(View, TheDebugViewDrawsThePointsAndBarsOfEitherSolver) {
+  const auto more_in_debug = [](const Level& level) {
+    RecordingCanvas playing;
+    RecordingCanvas debug;
+    draw(playing, level, false);
+    draw(debug, level, true);
+    Simulation simulation(level);
+    for (int k = 0; k < 3; ++k) simulation.tick({});
+    return debug.shapes - playing.shapes - 2 * contacts_of(simulation);
+  };
+  constexpr int counts_panel = 1;
+  constexpr int boxes = 4;
+  const int thesis_cord = 41 * 2 + (41 + 40 * 2 + 40 * 2);  // points; bars across, along and the other way
+  const int rope = 41 + 40;
+  EXPECT_EQ(more_in_debug(load_level("first_swing")), counts_panel + boxes + 4 * rope);
+  EXPECT_EQ(more_in_debug(test_support::mixed_swing()), counts_panel + boxes + rope + 3 * thesis_cord);
+}
+
+TEST(View, TheDebugViewShowsContacts) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  while (contacts_of(simulation) == 0 && simulation.ticks() < 600) simulation.tick({});
+  const int contacts = contacts_of(simulation);
+  ASSERT_GT(contacts, 0);
+  RecordingCanvas playing;
+  RecordingCanvas debug;
+  ViewOptions options;
+  View(simulation).draw(playing, 1.0, options);
+  options.debug = true;
+  View(simulation).draw(debug, 1.0, options);
+  EXPECT_EQ(debug.shapes - playing.shapes, 1 + 4 + 4 * (41 + 40) + 2 * contacts);
+}
+
+std::vector<std::uint32_t> picture(const ViewOptions& options, int ticks, int frames_apart) {
+  const Level level = load_level("first_swing");
+  Simulation simulation(level);
+  View view(simulation);
+  engine::HeadlessCanvas canvas(320, 180);
+  for (int k = 0; k < ticks; ++k) {
+    engine::TickInput input;
+    input.buttons = button_right;
+    simulation.tick(input);
+    if (simulation.ticks() % frames_apart == 0) view.draw(canvas, 1.0, options);
+  }
+  view.draw(canvas, 1.0, options);
+  return canvas.raster().pixels();
+}
+
+TEST(View, TwoRunsGiveTheSamePictures) {
+  for (const bool reduced : {false, true}) {
+    ViewOptions options;
+    options.reduced_motion = reduced;
+    options.strain_tint = reduced;
+    EXPECT_EQ(picture(options, 120, 2), picture(options, 120, 2));
+  }
+}
+
+TEST(View, EachOptionChangesThePicture) {
+  const ViewOptions usual;
+  const auto plain = picture(usual, 60, 1);
+  ViewOptions options;
+  options.strain_tint = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.colour_safe = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.ghost = GhostPose{{3.0, 6.0}, {}};
+  EXPECT_NE(picture(options, 60, 1), plain);
+  options = usual;
+  options.reduced_motion = true;
+  EXPECT_NE(picture(options, 60, 1), plain);
+}
+
+TEST(View, LookingChangesNothingOfARun) {
+  const Level level = load_level("first_swing");
+  Simulation seen(level);
+  Simulation unseen(level);
+  View view(seen);
+  engine::HeadlessCanvas canvas(160, 90);
+  ViewOptions options;
+  options.debug = true;
+  for (int k = 0; k < 200; ++k) {
+    engine::TickInput input;
+    input.buttons = k % 50 < 30 ? button_right : button_grab | button_jump;
+    seen.tick(input);
+    unseen.tick(input);
+    view.draw(canvas, 0.5, options);
+    ASSERT_EQ(seen.hash(), unseen.hash()) << k;
+  }
+}
+
+/// A shank with a ring, each twice because of the outline.
+TEST(View, AWeightThatHangsHasAnEye) {
+  const Level level = load_level("sandbox");
+  Simulation simulation(level);
+  RecordingCanvas hanging;
+  View(simulation).draw(hanging, 1.0, {});
+  for (const engine::SceneBody& made : simulation.scene().bodies()) {
+    if (made.kind == engine::BodyKind::load) simulation.scene().coupling().release(*made.body);
+  }
+  RecordingCanvas let_go;
+  View(simulation).draw(let_go, 1.0, {});
+  EXPECT_EQ(hanging.shapes, let_go.shapes + 4);
+}
+
+TEST(View, TheStrainLegendIsThereOnRequest) {
+  const Level level = load_level("first_swing");
+  const Simulation simulation(level);
+  for (const bool wanted : {false, true}) {
+    RecordingCanvas canvas;
+    ViewOptions options;
+    options.strain_tint = wanted;
+    View(simulation).draw(canvas, 1.0, options);
+    EXPECT_EQ(canvas.shows("stretched by"), wanted);
+  }
+}
+
+}  // namespace
+}  // namespace game
