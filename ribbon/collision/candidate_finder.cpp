@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ribbon/collision/add_pair.h"
 #include "ribbon/collision/outline.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/linear/index.h"
@@ -12,12 +13,7 @@
 namespace ribbon {
 namespace {
 
-constexpr std::size_t block = 8;       // neighbouring points or links of an outline that are looked for at once
-constexpr double large_circle = 10.0;  // links: a circle with such a contact distance touches points instead of links
-// Of the contact distance, or of ten links if that is less: a larger depth is no equilibrium of a contact.
-constexpr double deep_share = 0.01;
-constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
-constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
+constexpr std::size_t block = 8;  // neighbouring points or links of an outline that are looked for at once
 
 bool may_touch(const Member& member) {
   const CordDef& def = member.cord->def;
@@ -47,70 +43,6 @@ bool is_fixed_in(const IslandState& state, const ContactPair& link, Vec2 center,
     return state.constrained[at(end)] != 0 && length(state.positions[at(end)] - center) < reach;
   };
   return is_in(link.a) || is_in(link.b);
-}
-
-int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
-  const RigidBody& rigid = state.rigid[at(body)];
-  BodyAnchor anchor;
-  anchor.arm = arm;
-  anchor.current = rigid.position + arm;
-  if (rigid.inverse_mass > 0.0) {
-    anchor.center = static_cast<int>(state.center(state.solved_body(body)));
-  } else {
-    anchor.body_position = rigid.position;
-    anchor.velocity = rigid.velocity;
-    anchor.angular_velocity = rigid.angular_velocity;
-    state.driven = state.driven || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
-  }
-  return contacts.scene.add(anchor);
-}
-
-/// m, where an anchor is at the start of the step.
-Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anchor) {
-  if (at(anchor) < state.points) return state.positions[at(anchor)];
-  return contacts.scene.anchors.body(anchor).current;
-}
-
-/// Restores what the cord stored of the contact in the last step.
-void restore_touch(const Member& member, ContactPair& pair) {
-  const auto& touches = member.cord->state.touches;
-  const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
-                                       [](const Touch& a, const Touch& b) { return a.place_before(b); });
-  if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
-  pair.touch.impulse = 0.0;
-}
-
-/// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
-/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
-void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
-  const double depth = pair.contact_distance - distance;
-  if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
-  pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  const double max_in = state.dt * max_depenetration_speed;
-  if (pair.initial_penetration > max_in) {
-    pair.contact_distance -= pair.initial_penetration - max_in;
-    pair.initial_penetration = max_in;
-  }
-}
-
-/// Adds a pair whose touch the member stores. `mass` [kg] is what may press; friction and restitution are those of the
-/// other surface.
-void add_pair(const IslandState& state, Contacts& contacts, const Member& member, ContactPair& pair, double mass,
-              double friction, double restitution) {
-  const CordDef& def = member.cord->def;
-  pair.cord = static_cast<std::size_t>(&member - state.members.data());
-  pair.stiffness =
-      (state.accuracy.soft_contacts ? CompliantContacts::soft_stiffness_factor : CompliantContacts::stiffness_factor) *
-      mass / (state.dt * state.dt);
-  pair.friction = std::sqrt(def.friction * friction);
-  pair.restitution = std::max(def.restitution, restitution);
-  restore_touch(member, pair);
-  const double distance =
-      find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
-                      anchor_position(state, contacts, pair.b))
-          .distance;
-  limit_penetration(state, distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]), pair);
-  contacts.scene.add(pair);
 }
 
 /// Returns the mean displacement of all points in free motion, m: cords that move together do not touch for it.

@@ -5,7 +5,7 @@
 
 #include "ribbon/contact/contact_anchors.h"
 #include "ribbon/contact/contact_pairs.h"
-#include "ribbon/contact/slot_row.h"
+#include "ribbon/convex/slot_row.h"
 
 namespace ribbon {
 

@@ -8,8 +8,8 @@
 #include "ribbon/contact/contact_scene.h"
 #include "ribbon/contact/contact_sweep.h"
 #include "ribbon/contact/impacts.h"
-#include "ribbon/contact/limited_rows.h"
 #include "ribbon/contact/linearised_contacts.h"
+#include "ribbon/convex/limited_rows.h"
 
 namespace ribbon {
 

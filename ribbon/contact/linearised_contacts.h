@@ -6,7 +6,7 @@
 
 #include "ribbon/contact/compliant_contacts.h"
 #include "ribbon/contact/contact_sweep.h"
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 
 namespace ribbon {
 

@@ -4,7 +4,8 @@
 #include <cassert>
 
 #include "ribbon/island/sleep.h"
-#include "ribbon/system/cord_transfer.h"
+#include "ribbon/system/load_cords.h"
+#include "ribbon/system/store_cords.h"
 
 namespace ribbon {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "ribbon/contact/active_set.h"
-#include "ribbon/contact/interior_point.h"
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/active_set.h"
+#include "ribbon/convex/interior_point.h"
+#include "ribbon/convex/limited_rows.h"
 #include "ribbon/stage/newton_solver.h"
 
 namespace ribbon {

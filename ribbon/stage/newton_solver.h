@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "ribbon/contact/contacts.h"
-#include "ribbon/contact/held_body.h"
 #include "ribbon/stage/step_work.h"
 #include "ribbon/system/block_system.h"
+#include "ribbon/system/held_body.h"
 #include "ribbon/system/island_state.h"
 
 namespace ribbon {

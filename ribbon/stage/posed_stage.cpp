@@ -72,7 +72,7 @@ PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& b
 void PosedStage::begin(const StageContext& context, const StageRequest& request) const {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
-  for (HeldBody& held : state.held) held.slides = held.along_pull = 0.0;
+  for (HeldBody& held : state.held) held.slip_sign = held.slip_force = 0.0;
   if (!contacts.empty()) {
     contacts.compliant.begin_stage(contacts.scene.pairs);
     contacts.scene.anchors.set_kinematic_targets(request.time);

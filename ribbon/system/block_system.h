@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ribbon/contact/contacts.h"
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 #include "ribbon/linear/block_ldlt.h"
 #include "ribbon/linear/fill_order.h"
 #include "ribbon/system/island_state.h"

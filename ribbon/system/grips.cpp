@@ -37,8 +37,8 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   const Vec2 off = grip.offset - held.arm;
   const double max_off = max_draw * link;
   held.travel = grip.travel + (length(off) > max_off ? (max_off / length(off)) * off : off);
-  const double way = length(held.travel) + std::abs(held.climb) * link;
-  held.way = way > min_travel * link ? way : 0.0;
+  const double displacement = length(held.travel) + std::abs(held.climb) * link;
+  held.displacement = displacement > min_travel * link ? displacement : 0.0;
   return held;
 }
 
@@ -56,7 +56,7 @@ Vec2 grip_tangent(const IslandState& state, const HeldBody& held, std::span<cons
   return size > 0.0 ? (1.0 / size) * ab : Vec2{1.0, 0.0};
 }
 
-bool yields_along(const HeldBody& held) { return held.slides != 0.0 || held.limited; }
+bool yields_along(const HeldBody& held) { return held.slip_sign != 0.0 || held.limited; }
 
 /// Returns where between its points a grip acts on the cord, as a share of the link. An anchor that has slipped by w
 /// along t, the direction of a link of length L, stays on the line of the link as the link turns. With n = perp(t) and
@@ -92,7 +92,7 @@ void load_grip(const IslandState& state, std::size_t k, std::span<const double> 
   const double acting = acting_share(state, held);
   const std::array<double, 3> acts = {1.0 - acting, acting, -1.0};
   const std::array<double, 3> pulls = {1.0 - held.along, held.along, -1.0};
-  const Vec2 friction = (held.slides * (slips ? held.strength : 0.0)) * t;
+  const Vec2 friction = (held.slip_sign * (slips ? held.strength : 0.0)) * t;
   for (std::size_t i = 0; i < 3; ++i) {
     right_side[at(slots[i])] -= pulls[i] * friction;
     const double w = acts[i];
@@ -183,12 +183,12 @@ bool update_grips(IslandState& state, std::span<const Vec2> solution, std::span<
     const Vec2 t = grip_tangent(state, held, state.positions);
     Vec2 pull = solution[at(state.grip_dual(k))];
     if (held.limited) {
-      pull += (held.along_pull - dot(pull, t)) * t;
-    } else if (held.slides == 0.0 && std::abs(dot(pull, t)) > held.strength) {
-      held.slides = std::copysign(1.0, dot(pull, t));
+      pull += (held.slip_force - dot(pull, t)) * t;
+    } else if (held.slip_sign == 0.0 && std::abs(dot(pull, t)) > held.strength) {
+      held.slip_sign = std::copysign(1.0, dot(pull, t));
       slip_began = true;
     }
-    if (held.slides != 0.0 && !held.limited) pull += (held.slides * held.strength - dot(pull, t)) * t;
+    if (held.slip_sign != 0.0 && !held.limited) pull += (held.slip_sign * held.strength - dot(pull, t)) * t;
     const std::size_t first = next.size() - 2 * (state.held.size() - k);
     next[first] = pull.x;
     next[first + 1] = pull.y;
@@ -204,11 +204,11 @@ double grip_potential(const IslandState& state, std::span<const double> max_tens
     const double slope = length(grip_pull(state, max_tensions, k));
     if (held.limited) {
       sum += slope * std::abs(cross(grip_tangent(state, held, x), separation));
-    } else if (held.slides == 0.0) {
+    } else if (held.slip_sign == 0.0) {
       sum += slope * length(separation);
     } else {
       const Vec2 t = grip_tangent(state, held, x);
-      sum += slope * std::abs(cross(t, separation)) + held.slides * held.strength * dot(t, separation);
+      sum += slope * std::abs(cross(t, separation)) + held.slip_sign * held.strength * dot(t, separation);
     }
   }
   return sum;
@@ -226,7 +226,7 @@ void append_slip_rows(const IslandState& state, std::span<const double> inertia,
     row.add(static_cast<int>(state.angle(held.body)), {dot(u, t), 0.0});
     const double compliance = grip_share / std::max(inertia[held.point], inertia[held.next]);
     const double separation = dot(t, grip_separation(state, held, state.positions));
-    rows.add({row, separation, compliance, -held.strength, held.strength, -held.along_pull});
+    rows.add({row, separation, compliance, -held.strength, held.strength, -held.slip_force});
   }
 }
 
@@ -235,14 +235,14 @@ void take_slip_rows(IslandState& state, const LimitedRows& rows) {
   for (std::size_t k = state.held.size(); k-- > 0;) {
     HeldBody& held = state.held[k];
     if (!held.limited) continue;
-    held.along_pull = -rows.rows()[--row].force;
-    held.slides = std::abs(held.along_pull) < held.strength ? 0.0 : std::copysign(1.0, held.along_pull);
+    held.slip_force = -rows.rows()[--row].force;
+    held.slip_sign = std::abs(held.slip_force) < held.strength ? 0.0 : std::copysign(1.0, held.slip_force);
   }
 }
 
 void find_slips(IslandState& state) {
   for (HeldBody& held : state.held) {
-    if (held.slides == 0.0) continue;
+    if (held.slip_sign == 0.0) continue;
     const double along =
         -dot(grip_separation(state, held, state.positions), grip_tangent(state, held, state.positions));
     for (const Member& member : state.members) {
@@ -257,13 +257,13 @@ double grip_work(const IslandState& state) {
   double sum = 0.0;
   for (std::size_t k = 0; k < state.held.size(); ++k) {
     const HeldBody& held = state.held[k];
-    if (held.way == 0.0) continue;
+    if (held.displacement == 0.0) continue;
     const std::size_t c = state.center(held.body);
     const double dt = state.start.dt;
     const Vec2 acceleration = (1.0 / dt) * (state.velocities[c] - state.start.velocities[c]);
     const Vec2 pull = state.coupled ? grip_pull(state, state.tensions, k)
                                     : state.masses[c] * (acceleration - state.bodies[held.body].acceleration);
-    sum += 2.0 * length(pull) * held.way * dt / state.dt;
+    sum += 2.0 * length(pull) * held.displacement * dt / state.dt;
   }
   return sum;
 }

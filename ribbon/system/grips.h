@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 #include "ribbon/system/island_state.h"
 
 // The bodies that hold cords, IslandState::held: where they hold them, and their part in the linear system.

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "ribbon/contact/held_body.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/held_body.h"
 
 namespace ribbon {
 

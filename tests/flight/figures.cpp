@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/replay/cord_extremes.h"
-#include "ribbon/contact/held_body.h"
+#include "ribbon/system/held_body.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ribbon/contact/held_body.h"
+#include "ribbon/system/held_body.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 

@@ -1,4 +1,4 @@
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "ribbon/contact/active_set.h"
-#include "ribbon/contact/interior_point.h"
+#include "ribbon/convex/active_set.h"
+#include "ribbon/convex/interior_point.h"
 #include "tests/support/dice.h"
 
 namespace ribbon {

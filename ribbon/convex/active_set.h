@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 
 namespace ribbon {
 

@@ -19,24 +19,24 @@ namespace ribbon {
 ///
 /// A body that does not turn has D = ∞.
 struct HeldBody {
-  std::size_t point = 0;
-  std::size_t next = 0;  ///< between this point and `point` it is held,
-  double along = 0.0;    ///< at this share of the way
-  std::size_t grip = 0;  ///< index into the cord's grips
-  int rigid = 0;         ///< index into the step's bodies,
-  std::size_t body = 0;  ///< and among those solved with the cord
-  bool turns = true;     ///< its moment of inertia is finite
-  Vec2 arm;              ///< s at the start of the step, m
-  Vec2 travel;           ///< of the hand on the body during the step, m, in the directions of its start
-  double share = 0.0;    ///< of the step that has gone by at the end of the stage, 0 … 1
-  double column = 0.0;   ///< where along the cord, in columns, when the step began,
-  double climb = 0.0;    ///< and how far it moves in the step
-  double way = 0.0;      ///< m, that the hand moves in it on the body and along the cord
+  std::size_t point = 0;      ///< slot; the grip is between this point
+  std::size_t next = 0;       ///< and this one,
+  double along = 0.0;         ///< at this share of the link
+  std::size_t grip = 0;       ///< index into the grips of the cord
+  int rigid = 0;              ///< index into the bodies of the step
+  std::size_t body = 0;       ///< index into the bodies that are solved with the cord
+  bool turns = true;          ///< its moment of inertia is finite
+  Vec2 arm;                   ///< m, s at the start of the step
+  Vec2 travel;                ///< m, displacement of the anchor on the body in the step, in the directions of its start
+  double share = 0.0;         ///< of the step that has gone by at the end of the stage, 0 … 1
+  double column = 0.0;        ///< position along the cord at the start of the step
+  double climb = 0.0;         ///< columns, displacement along the cord in the step
+  double displacement = 0.0;  ///< m, of the anchor in the step, on the body and along the cord
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
-  double slides = 0.0;      ///< 0, or the sign of the force along the cord with which it does
-  bool limited = false;     ///< a limited row holds it along the cord, for contacts are posed once
-  double along_pull = 0.0;  ///< N, on the body along the cord, where contacts are posed once
-  double slid = 0.0;        ///< columns, along the cord in the step
+  double slip_sign = 0.0;   ///< sign of the force along the cord with which it slips; 0 if it sticks
+  bool limited = false;     ///< a limited row holds it along the cord, because contacts are linearised once
+  double slip_force = 0.0;  ///< N, on the body along the cord, by that row
+  double slid = 0.0;        ///< columns, slip along the cord in the step
 
   Vec2 arm_at(double angle) const;
   bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }

@@ -1,4 +1,4 @@
-#include "ribbon/contact/interior_point.h"
+#include "ribbon/convex/interior_point.h"
 
 #include <algorithm>
 #include <cmath>

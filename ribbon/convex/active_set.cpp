@@ -1,4 +1,4 @@
-#include "ribbon/contact/active_set.h"
+#include "ribbon/convex/active_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ribbon/contact/slot_row.h"
+#include "ribbon/convex/slot_row.h"
 #include "ribbon/linear/block_ldlt.h"
 
 namespace ribbon {

@@ -1,4 +1,4 @@
-#include "ribbon/contact/held_body.h"
+#include "ribbon/system/held_body.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "ribbon/contact/active_set.h"
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/active_set.h"
+#include "ribbon/convex/limited_rows.h"
 
 namespace ribbon {
 

@@ -1,4 +1,4 @@
-#include "ribbon/contact/limited_rows.h"
+#include "ribbon/convex/limited_rows.h"
 
 #include <algorithm>
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "ribbon/island_cord.h"
+#include "ribbon/system/island_state.h"
+
+namespace ribbon {
+
+/// Reads the cords at the start of an island's step: their points, tensions, targets, reels and grips. Whatever looks
+/// for contacts reads their environment.
+void load_cords(IslandState& state, std::span<const IslandCord> cords);
+/// Reads the bodies that hold or may touch the cords, after all of them were added and the state was resized.
+void load_bodies(IslandState& state);
+/// Returns reels to where the step began.
+void reset_reels(const IslandState& state);
+
+}  // namespace ribbon
