@@ -76,6 +76,33 @@ struct CoupledCord {
   void clear_environment();
 };
 
+/// Goes through cords in the order of adding; `Base` goes through pointers to them.
+template <typename Base, typename Value>
+struct CordIterator {
+  Base at;
+  Value& operator*() const { return **at; }
+  CordIterator& operator++() {
+    ++at;
+    return *this;
+  }
+  bool operator==(const CordIterator&) const = default;
+};
+
+/// A range of cords.
+template <typename Base, typename Value>
+struct CordRange {
+  Base first, last;
+  std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  CordIterator<Base, Value> begin() const { return {first}; }
+  CordIterator<Base, Value> end() const { return {last}; }
+};
+
+/// Returns the range of the cords that a vector of pointers refers to.
+template <typename Value, typename Pointers>
+auto cord_range(Pointers& cords) {
+  return CordRange<decltype(cords.begin()), Value>{cords.begin(), cords.end()};
+}
+
 /// The cords of a coupling, by id. References to a cord are valid until it is removed.
 ///
 /// Each cord is active or resting. A resting cord is asleep with nothing near it: a tick only looks whether it was
@@ -118,40 +145,18 @@ class CordTable {
   /// Returns a number that changes with the set of resting cords.
   std::uint64_t resting_version() const { return resting_version_; }
 
-  /// A range of cords in the order of adding.
-  template <typename Base, typename Value>
-  struct Iterator {
-    Base at;
-    Value& operator*() const { return **at; }
-    Iterator& operator++() {
-      ++at;
-      return *this;
-    }
-    bool operator==(const Iterator&) const = default;
-  };
-  template <typename Base, typename Value>
-  struct Range {
-    Base first, last;
-    std::size_t size() const { return static_cast<std::size_t>(last - first); }
-    Iterator<Base, Value> begin() const { return {first}; }
-    Iterator<Base, Value> end() const { return {last}; }
-  };
   // All cords:
-  auto begin() { return range<CoupledCord>(cords_).begin(); }
-  auto end() { return range<CoupledCord>(cords_).end(); }
-  auto begin() const { return range<const CoupledCord>(cords_).begin(); }
-  auto end() const { return range<const CoupledCord>(cords_).end(); }
-  auto active() { return range<CoupledCord>(active_); }
-  auto active() const { return range<const CoupledCord>(active_); }
-  auto resting() { return range<CoupledCord>(resting_); }
-  auto resting() const { return range<const CoupledCord>(resting_); }
+  auto begin() { return cord_range<CoupledCord>(cords_).begin(); }
+  auto end() { return cord_range<CoupledCord>(cords_).end(); }
+  auto begin() const { return cord_range<const CoupledCord>(cords_).begin(); }
+  auto end() const { return cord_range<const CoupledCord>(cords_).end(); }
+  auto active() { return cord_range<CoupledCord>(active_); }
+  auto active() const { return cord_range<const CoupledCord>(active_); }
+  auto resting() { return cord_range<CoupledCord>(resting_); }
+  auto resting() const { return cord_range<const CoupledCord>(resting_); }
 
  private:
   using Pointers = std::vector<CoupledCord*>;
-  template <typename Value, typename Vector>
-  static auto range(Vector& cords) {
-    return Range<decltype(cords.begin()), Value>{cords.begin(), cords.end()};
-  }
   template <typename Condition>
   void move_if(Pointers& from, Pointers& to, bool resting, Condition& condition) {
     const std::size_t before = to.size();

@@ -18,8 +18,8 @@ constexpr double spare = 1.5;
 constexpr double min_enlargement = 2.0;
 constexpr double max_enlargement = 8.0;
 constexpr double max_total_enlargement = 500.0;
-constexpr double posed_enlargement = 2.0;
-constexpr double posed_near_enlargement = 8.0;
+constexpr double linearised_enlargement = 2.0;
+constexpr double linearised_near_enlargement = 8.0;
 constexpr double surely_within = 0.9;  // of a bound: whatever is so near the end of its free motion has not left it
 constexpr int halvings = 10;           // to find where something leaves its bound
 
@@ -52,10 +52,10 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
 
 void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }
 
-void MotionBounds::enlarge_for_posed() {
+void MotionBounds::enlarge_for_linearised() {
   for (Bound& bound : bounds_) {
-    bound.enlargement = std::max(bound.enlargement, posed_enlargement);
-    bound.near_enlargement = std::max(bound.near_enlargement, posed_near_enlargement);
+    bound.enlargement = std::max(bound.enlargement, linearised_enlargement);
+    bound.near_enlargement = std::max(bound.near_enlargement, linearised_near_enlargement);
   }
 }
 

@@ -19,8 +19,8 @@ class MotionBounds {
 
   /// Begins the first attempt at a step.
   void begin_step(std::size_t members);
-  /// Enlarges all bounds for a step whose contacts are posed once, because that is expensive to redo.
-  void enlarge_for_posed();
+  /// Enlarges all bounds for a step whose contacts are linearised once, because that is expensive to redo.
+  void enlarge_for_linearised();
   /// Finds the bounds and the ends of the free motion at the start of an attempt.
   void find(const IslandState& state);
   /// Without contacts there is nothing to bound.

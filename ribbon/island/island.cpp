@@ -15,7 +15,7 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 }  // namespace
 
 /// A step in which something leaves its motion bound is redone with a larger one. A step in which a substep does not
-/// converge is redone with contacts that are posed once.
+/// converge is redone with contacts that are linearised once.
 CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
   if (try_sleep(cords, bodies, gravity)) return {};
@@ -24,13 +24,13 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   state_.rigid = bodies;
   work_ = {};
   bounds_.begin_step(cords.size());
-  for (bool posed = false;;) {
+  for (bool linearised = false;;) {
     begin_attempt(cords);
-    state_.driven = state_.driven || (state_.unlocking && !posed);
-    if (!take_substeps(posed)) {
-      posed = true;
-      bounds_.enlarge_for_posed();
-    } else if (posed || !bounds_.enlarge(state_)) {
+    state_.driven = state_.driven || (state_.unlocking && !linearised);
+    if (!take_substeps(linearised)) {
+      linearised = true;
+      bounds_.enlarge_for_linearised();
+    } else if (linearised || !bounds_.enlarge(state_)) {
       break;
     }
     reset_reels(state_);
@@ -50,15 +50,15 @@ void Island::begin_attempt(std::span<const IslandCord> cords) {
   resize(state_.points + 2 * state_.bodies.size(), state_.tensions.size() + 2 * state_.held.size());
   load_bodies(state_);
   if (bounds_.enabled()) bounds_.store_start(state_);
-  if (bounds_.enabled() || state_.coupled) stages_.reserve_posed(state_, contacts_);
+  if (bounds_.enabled() || state_.coupled) stages_.reserve_linearised(state_, contacts_);
   guard_.find_scale(state_);
   work_.begin_attempt(state_);
 }
 
 /// Returns false if a substep did not converge.
-bool Island::take_substeps(bool posed) {
-  if (posed) {
-    posed_step_.take(context(), restitution_);
+bool Island::take_substeps(bool linearised) {
+  if (linearised) {
+    linearised_step_.take(context(), restitution_);
     return true;
   }
   const double dt = state_.dt / state_.accuracy.substeps;

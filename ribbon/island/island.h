@@ -8,7 +8,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/island/energy_guard.h"
 #include "ribbon/island/integrators.h"
-#include "ribbon/island/posed_step.h"
+#include "ribbon/island/linearised_step.h"
 #include "ribbon/island/restitution.h"
 #include "ribbon/island/step_context.h"
 #include "ribbon/island/substeps.h"
@@ -31,7 +31,7 @@ class Island {
  private:
   StepContext context() { return {state_, contacts_, bounds_, stages_, guard_, work_}; }
   void begin_attempt(std::span<const IslandCord> cords);
-  bool take_substeps(bool posed);
+  bool take_substeps(bool linearised);
   void end_step();
   void store_touches();
   void resize(std::size_t slots, std::size_t tensions);
@@ -44,7 +44,7 @@ class Island {
   EnergyGuard guard_;
   StepWork work_;
   Substeps substeps_;
-  PosedStep posed_step_;
+  LinearisedStep linearised_step_;
   Restitution restitution_;
 };
 

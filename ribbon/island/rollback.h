@@ -6,8 +6,8 @@
 
 namespace ribbon {
 
-/// The last resort for a posed piece with energy from nowhere that is not in velocities: it goes back the way that it
-/// came.
+/// The last resort for a linearised piece with energy from nowhere that is not in velocities: it goes back the way that
+/// it came.
 class Rollback {
  public:
   /// Goes back by halves, and in the end to the start of the piece, until neither energy was gained since `before` nor

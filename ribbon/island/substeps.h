@@ -12,7 +12,7 @@ class Substeps {
  public:
   void resize(std::size_t slots, std::size_t tensions);
   /// Takes the substep that begins `time` seconds after the step. Returns false if it did not converge and the contacts
-  /// of the step have to be posed once.
+  /// of the step have to be linearised once.
   bool take(const StepContext& context, double time, double dt, Restitution& restitution);
 
  private:

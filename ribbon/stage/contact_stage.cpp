@@ -6,7 +6,7 @@ namespace ribbon {
 namespace {
 
 // Newton steps of a stage near contacts. In random scenes all but one in a hundred of the stages that converge within
-// 40 do within 14. The others are cheaper to end here and to pose once.
+// 40 do within 14. The others are cheaper to end here and to linearise once.
 constexpr int max_iterations = 20;
 constexpr int max_patient_iterations = 40;  // where there is work to spend
 constexpr std::size_t stored_values = 3;    // of the energy: a step has to get below the largest of them

@@ -11,7 +11,7 @@ void StageSolver::resize(std::size_t slots, std::size_t tensions, std::size_t gr
   force_.resize(slots);
   newton_.resize(slots, tensions, grips);
   free_stage_.resize(slots, tensions);
-  posed_stage_.resize(slots, tensions);
+  linearised_stage_.resize(slots, tensions);
 }
 
 void StageSolver::set_contact_solve(ContactSolve solve) {
@@ -45,9 +45,9 @@ bool StageSolver::solve_contacts(const StageContext& context, const MotionBounds
   if (contact_solve_ == ContactSolve::newton) {
     return context.contacts.empty() ? free_stage_.solve(context, stage) : contact_stage_.solve(context, request, stage);
   }
-  const bool impact = contact_solve_ == ContactSolve::posed_impact;
-  posed_result_ = posed_stage_.solve(context, bounds, request, stage, impact);
-  return posed_result_.converged;
+  const bool impact = contact_solve_ == ContactSolve::linearised_impact;
+  linearised_result_ = linearised_stage_.solve(context, bounds, request, stage, impact);
+  return linearised_result_.converged;
 }
 
 void StageSolver::load_forces(IslandState& state, const StageRequest& request) {

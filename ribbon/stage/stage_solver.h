@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "ribbon/stage/contact_stage.h"
+#include "ribbon/stage/linearised_stage.h"
 #include "ribbon/stage/newton_solver.h"
-#include "ribbon/stage/posed_stage.h"
 
 namespace ribbon {
 
 /// How the contacts of a stage are solved.
 enum class ContactSolve {
-  newton,        ///< as terms of the Newton steps
-  posed,         ///< posed once, see PosedStage
-  posed_impact,  ///< the same, in a piece of a step that takes an impact
+  newton,             ///< as terms of the Newton steps
+  linearised,         ///< linearised once, see LinearisedStage
+  linearised_impact,  ///< the same, in a piece of a step that takes an impact
 };
 
 /// Solves one implicit stage of a substep: its forces, where what is driven ends, the Newton steps, and the velocities
@@ -31,7 +31,9 @@ class StageSolver {
   void reserve(std::size_t grips) { newton_.reserve(grips); }
   void begin_step() { newton_.system().begin_step(); }
   /// Reserves memory for a step of an island that may touch something or is coupled.
-  void reserve_posed(const IslandState& state, const Contacts& contacts) { posed_stage_.reserve(state, contacts); }
+  void reserve_linearised(const IslandState& state, const Contacts& contacts) {
+    linearised_stage_.reserve(state, contacts);
+  }
 
   /// Solves a stage. Returns false if it did not converge. The state is finite in either case.
   bool solve(IslandState& state, Contacts& contacts, const MotionBounds& bounds, StepWork& work,
@@ -42,8 +44,8 @@ class StageSolver {
 
   /// Selects how the contacts of the next stages are solved.
   void set_contact_solve(ContactSolve solve);
-  /// Returns how the last posed stage ended.
-  const PosedResult& posed_result() const { return posed_result_; }
+  /// Returns how the last linearised stage ended.
+  const LinearisedResult& linearised_result() const { return linearised_result_; }
   /// Returns memory for positions that are tried.
   std::vector<Vec2>& trial() { return newton_.trial(); }
 
@@ -57,9 +59,9 @@ class StageSolver {
   NewtonSolver newton_;
   FreeStage free_stage_;
   ContactStage contact_stage_;
-  PosedStage posed_stage_;
+  LinearisedStage linearised_stage_;
   ContactSolve contact_solve_ = ContactSolve::newton;
-  PosedResult posed_result_;
+  LinearisedResult linearised_result_;
   std::vector<double> inertia_;  // N/m, by slot
   std::vector<Vec2> force_;      // N, by slot
 };

@@ -12,10 +12,10 @@ constexpr double total_tried_share = 0.5;
 // Halved substeps:
 constexpr double halving_share = 0.5;
 constexpr int max_halving_systems = 180;
-// A posed step: linear systems, or the share of the work, after which no piece is redone; and so many more, after which
-// none is linearised again.
-constexpr int max_posed_systems = 70;
-constexpr double posed_share = 0.5;
+// A linearised step: linear systems, or the share of the work, after which no piece is redone; and so many more, after
+// which none is linearised again.
+constexpr int max_linearised_systems = 70;
+constexpr double linearised_share = 0.5;
 constexpr int max_last_systems = 45;
 
 }  // namespace
@@ -29,7 +29,7 @@ void StepWork::begin_attempt(const IslandState& state) {
       static_cast<double>(blocks_per_point) * static_cast<double>(points_ + state.bodies.size()) * max_work_factor_;
 }
 
-void StepWork::begin_posed() { posed_iterations_ = report.iterations; }
+void StepWork::begin_linearised() { linearised_iterations_ = report.iterations; }
 
 void StepWork::count_system(std::size_t blocks, std::int64_t tested_pairs) {
   ++report.iterations;
@@ -51,12 +51,12 @@ bool StepWork::is_halved_out(bool unlocking) const {
   return is_spent(halving_share) || (!is_patient() && !unlocking && report.iterations >= max_halving_systems);
 }
 
-bool StepWork::is_posed_enough() const {
-  return report.iterations >= posed_iterations_ + max_posed_systems || is_spent(posed_share);
+bool StepWork::is_enough() const {
+  return report.iterations >= linearised_iterations_ + max_linearised_systems || is_spent(linearised_share);
 }
 
-bool StepWork::is_posed_out() const {
-  return report.iterations >= posed_iterations_ + max_posed_systems + max_last_systems || is_spent();
+bool StepWork::is_exhausted() const {
+  return report.iterations >= linearised_iterations_ + max_linearised_systems + max_last_systems || is_spent();
 }
 
 }  // namespace ribbon

@@ -15,24 +15,24 @@ class StepWork {
 
   /// Begins an attempt at the step; its cords and bodies are known.
   void begin_attempt(const IslandState& state);
-  /// Begins to solve the step with contacts that are posed once.
-  void begin_posed();
+  /// Begins to solve the step with contacts that are linearised once.
+  void begin_linearised();
 
   /// Counts a linear system of `blocks` blocks, 0 for the band matrix of a single cord, and pairs tested for contact.
   void count_system(std::size_t blocks, std::int64_t tested_pairs);
   /// Returns whether this share of the work that a step may take has been done.
   bool is_spent(double share = 1.0) const;
   /// Returns whether there is so much work to spend that a substep that does not converge is halved before its contacts
-  /// are posed once.
+  /// are linearised once.
   bool is_patient() const;
-  /// Returns whether as much work has been done in the attempt as is worth doing before contacts are posed once.
+  /// Returns whether as much work has been done in the attempt as is worth doing before contacts are linearised once.
   bool is_tried() const;
   /// Returns whether the work that may be done by halving substeps is spent. Cells that are being turned back take all.
   bool is_halved_out(bool unlocking) const;
-  /// Returns whether no piece of a posed step is redone any more.
-  bool is_posed_enough() const;
-  /// Returns whether a posed step is linearised no more.
-  bool is_posed_out() const;
+  /// Returns whether no piece of a linearised step is redone any more.
+  bool is_enough() const;
+  /// Returns whether a linearised step takes no more linearisations.
+  bool is_exhausted() const;
 
  private:
   std::size_t points_ = 0;
@@ -40,7 +40,7 @@ class StepWork {
   double max_work_ = 0.0;         // in the unit of CordReport::work
   int attempt_iterations_ = 0;    // of the report when the attempt began
   std::int64_t attempt_work_ = 0;
-  int posed_iterations_ = 0;  // of the report when posing began
+  int linearised_iterations_ = 0;  // of the report when linearising began
 };
 
 }  // namespace ribbon

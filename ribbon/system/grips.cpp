@@ -75,7 +75,8 @@ double acting_share(const IslandState& state, const HeldBody& held) {
 
 /// Adds one grip to the system. With c = x − X − s the separation, which is to close, and φ the body's angle,
 /// ∂c/∂φ = −perp(s) and ∂²c/∂φ² = s. A grip that slips along the cord closes across it only, and pulls along it with
-/// its strength. So does one that may slip where contacts are posed once: there a limited row holds it along the cord.
+/// its strength. So does one that may slip where contacts are linearised once: there a limited row holds it along the
+/// cord.
 void load_grip(const IslandState& state, std::size_t k, std::span<const double> inertia, BlockLdlt& blocks,
                std::span<Vec2> right_side) {
   const HeldBody& held = state.held[k];

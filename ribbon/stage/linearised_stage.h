@@ -10,34 +10,34 @@
 
 namespace ribbon {
 
-/// How a posed stage ended.
-struct PosedResult {
+/// How a linearised stage ended.
+struct LinearisedResult {
   bool converged = false;
   bool cut = false;                                                 ///< something was stopped to prevent penetration
   double position_error = std::numeric_limits<double>::infinity();  ///< m, correction by the last linear solve
   double force_error = 0.0;                                         ///< N, inertia force of that correction
 };
 
-/// Solves a stage of implicit Euler whose contacts are posed at most a few times and then kept. Each linearisation of
-/// the cords then leaves a convex problem, which has a solution and is solved in bounded work. Whatever iterate the
+/// Solves a stage of implicit Euler whose contacts are linearised at most a few times and then kept. Each linearisation
+/// of the cords then leaves a convex problem, which has a solution and is solved in bounded work. Whatever iterate the
 /// stage ends with is one that may be kept: nothing has passed through anything.
-class PosedStage {
+class LinearisedStage {
  public:
   void resize(std::size_t slots, std::size_t tensions);
   /// Reserves memory for a step of an island with so many contacts.
   void reserve(const IslandState& state, const Contacts& contacts);
   /// Solves the stage. With `impact` the piece takes an impact: it is so short that nothing moves far, and a few
   /// linearisations do.
-  PosedResult solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request, Stage& stage,
-                    bool impact);
+  LinearisedResult solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
+                         Stage& stage, bool impact);
 
  private:
   /// The course of one solve.
   struct Course {
-    PosedResult result;
+    LinearisedResult result;
     bool has_best = false;
     bool is_near = false;  // it is solved, except for bars that may be slack or taut
-    int misses = 0;        // times that contacts were posed that the solution would have missed
+    int misses = 0;        // times that contacts were linearised that the solution would have missed
   };
   enum class Iteration { next, ended };
 

@@ -1,4 +1,4 @@
-#include "ribbon/stage/posed_stage.h"
+#include "ribbon/stage/linearised_stage.h"
 
 #include <algorithm>
 
@@ -9,11 +9,11 @@
 namespace ribbon {
 namespace {
 
-constexpr int posings = 3;  // times that contacts are looked for
+constexpr int contact_searches = 3;  // times that contacts are looked for
 constexpr int max_linearisations = 24;
 constexpr int impact_linearisations = 2;  // of a piece that takes an impact: no direction changes much
 constexpr int miss_linearisations = 3;    // more, for each time of
-constexpr int max_misses = 4;             // times that contacts are posed which the solution would have missed
+constexpr int max_misses = 4;             // times that contacts are linearised which the solution would have missed
 constexpr double far_share = 10.0;        // tolerances: a larger correction is far from the solution
 constexpr int full_linearisations = 5;    // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
@@ -29,14 +29,14 @@ double inertia_force(const StageContext& context, const Stage& stage) {
 
 }  // namespace
 
-void PosedStage::resize(std::size_t slots, std::size_t tensions) {
+void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
   best_.resize(slots);
   groups_.resize(slots);
   group_shares_.resize(slots);
   best_tensions_.resize(tensions);
 }
 
-void PosedStage::reserve(const IslandState& state, const Contacts& contacts) {
+void LinearisedStage::reserve(const IslandState& state, const Contacts& contacts) {
   solver_.reserve(2 * contacts.scene.pairs.capacity() + state.held.capacity(),
                   state.positions.capacity() + state.duals + state.held.capacity());
   solved_positions_.reserve(state.positions.capacity());
@@ -44,8 +44,8 @@ void PosedStage::reserve(const IslandState& state, const Contacts& contacts) {
   solved_held_.reserve(state.held.capacity());
 }
 
-PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
-                              Stage& stage, bool impact) {
+LinearisedResult LinearisedStage::solve(const StageContext& context, const MotionBounds& bounds,
+                                        const StageRequest& request, Stage& stage, bool impact) {
   IslandState& state = context.state;
   for (HeldBody& held : state.held) held.limited = held.may_slip();
   begin(context, request);
@@ -53,12 +53,12 @@ PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& b
   Course course;
   const int max = impact ? impact_linearisations : max_linearisations;
   for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {
-    if (k > 0 && context.work.is_posed_out()) break;
+    if (k > 0 && context.work.is_exhausted()) break;
     if (iterate(context, request, stage, k, course) == Iteration::ended) break;
   }
   end(context, stage, course);
   for (HeldBody& held : state.held) held.limited = false;
-  PosedResult& result = course.result;
+  LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !keep_apart(context, bounds, request.from);
     context.contacts.record_impacts(request.time_weight);
@@ -69,7 +69,7 @@ PosedResult PosedStage::solve(const StageContext& context, const MotionBounds& b
 
 /// Cords begin where they were, what is driven where it ends. Contacts are first looked for along the displacement
 /// without any.
-void PosedStage::begin(const StageContext& context, const StageRequest& request) const {
+void LinearisedStage::begin(const StageContext& context, const StageRequest& request) const {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   for (HeldBody& held : state.held) held.slip_sign = held.slip_force = 0.0;
@@ -87,19 +87,20 @@ void PosedStage::begin(const StageContext& context, const StageRequest& request)
 }
 
 /// One linearisation.
-PosedStage::Iteration PosedStage::iterate(const StageContext& context, const StageRequest& request, const Stage& stage,
-                                          int k, Course& course) {
+LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context, const StageRequest& request,
+                                                    const Stage& stage, int k, Course& course) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   NewtonSolver& newton = context.newton;
-  PosedResult& result = course.result;
-  const bool others = !contacts.empty() && k > 0 && k < posings && contacts.linearise(request.from, state.positions);
+  LinearisedResult& result = course.result;
+  const bool others =
+      !contacts.empty() && k > 0 && k < contact_searches && contacts.linearise(request.from, state.positions);
   append_rows(context, stage);
-  if (k >= posings) {
+  if (k >= contact_searches) {
     store_best(context, stage, course);
     if (k == full_linearisations && return_to_best(context, stage)) append_rows(context, stage);
   }
-  const bool far = k < posings && result.position_error > far_share * state.tolerance;
+  const bool far = k < contact_searches && result.position_error > far_share * state.tolerance;
   const ConvexSolver::Result solved = solver_.solve(context, stage, far);
   if (solved == ConvexSolver::Result::failed) {
     // The tensions of what was torn apart make a matrix that is definite in no precision: once without them.
@@ -118,15 +119,15 @@ PosedStage::Iteration PosedStage::iterate(const StageContext& context, const Sta
   newton.move(state, newton.trial(), fraction);
   state.positions.swap(newton.trial());
   newton.take_tensions(state);
-  if (!contacts.empty()) contacts.take_forces(solver_.rows(), k < posings);
+  if (!contacts.empty()) contacts.take_forces(solver_.rows(), k < contact_searches);
   take_slip_rows(state, solver_.rows());
   settle(context, request, stage, k, course);
   return Iteration::next;
 }
 
-/// Judges whether the iterate is the solution. If contacts are missed in it, they are posed and the solve goes on.
-void PosedStage::settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
-                        Course& course) {
+/// Judges whether the iterate is the solution. If contacts are missed in it, they are linearised and the solve goes on.
+void LinearisedStage::settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
+                             Course& course) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   course.is_near = course.is_near && !became_stretched(state);
@@ -139,7 +140,7 @@ void PosedStage::settle(const StageContext& context, const StageRequest& request
 }
 
 /// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate.
-void PosedStage::end(const StageContext& context, const Stage& stage, Course& course) {
+void LinearisedStage::end(const StageContext& context, const Stage& stage, Course& course) {
   bool& converged = course.result.converged;
   converged = converged || course.is_near;
   if (converged) return;
@@ -153,7 +154,7 @@ void PosedStage::end(const StageContext& context, const Stage& stage, Course& co
 }
 
 /// Writes all limited rows about the current positions.
-void PosedStage::append_rows(const StageContext& context, const Stage& stage) {
+void LinearisedStage::append_rows(const StageContext& context, const Stage& stage) {
   LimitedRows& rows = solver_.rows();
   rows.clear();
   if (!context.contacts.empty()) {
@@ -162,18 +163,18 @@ void PosedStage::append_rows(const StageContext& context, const Stage& stage) {
   append_slip_rows(context.state, stage.inertia, rows);
 }
 
-/// Returns what the posed problem minimises at x, J, with its rows linear about the current positions.
-double PosedStage::energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x) {
+/// Returns what the linearised problem minimises at x, J, with its rows linear about the current positions.
+double LinearisedStage::energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x) {
   std::vector<Vec2>& direction = context.newton.direction();
   for (std::size_t p = 0; p < x.size(); ++p) direction[p] = x[p] - context.state.positions[p];
   return context.newton.potential(context.state, stage, x, true) + solver_.rows().potential(direction, 1.0);
 }
 
-bool PosedStage::is_worse_than_best(const StageContext& context, const Stage& stage) {
+bool LinearisedStage::is_worse_than_best(const StageContext& context, const Stage& stage) {
   return !(energy(context, stage, context.state.positions) < energy(context, stage, best_));
 }
 
-void PosedStage::store_best(const StageContext& context, const Stage& stage, Course& course) {
+void LinearisedStage::store_best(const StageContext& context, const Stage& stage, Course& course) {
   if (!course.has_best || !is_worse_than_best(context, stage)) {
     best_ = context.state.positions;
     best_tensions_ = context.state.tensions;
@@ -182,7 +183,7 @@ void PosedStage::store_best(const StageContext& context, const Stage& stage, Cou
 }
 
 /// Returns to the best positions, unless the current ones are better. Returns whether it did.
-bool PosedStage::return_to_best(const StageContext& context, const Stage& stage) {
+bool LinearisedStage::return_to_best(const StageContext& context, const Stage& stage) {
   if (!is_worse_than_best(context, stage)) return false;
   context.state.positions = best_;
   context.state.tensions = best_tensions_;
@@ -191,7 +192,7 @@ bool PosedStage::return_to_best(const StageContext& context, const Stage& stage)
 
 /// Returns the first of 1, ½, ¼ … of the direction that reduces the energy, or 2 if that reduces it further: what is
 /// crushed gets nearer to its solution by half of the distance each time. Returns 0 if none does.
-double PosedStage::step_fraction(const StageContext& context, const Stage& stage) {
+double LinearisedStage::step_fraction(const StageContext& context, const Stage& stage) {
   NewtonSolver& newton = context.newton;
   const auto value = [&](double fraction) {
     newton.move(context.state, newton.trial(), fraction);
@@ -207,14 +208,14 @@ double PosedStage::step_fraction(const StageContext& context, const Stage& stage
   return 0.0;
 }
 
-void PosedStage::store_solved(const StageContext& context) {
+void LinearisedStage::store_solved(const StageContext& context) {
   solved_positions_ = context.state.positions;
   solved_tensions_ = context.state.tensions;
   solved_held_ = context.state.held;
   context.contacts.linearised.store(context.contacts.forces);
 }
 
-void PosedStage::return_to_solved(const StageContext& context) const {
+void LinearisedStage::return_to_solved(const StageContext& context) const {
   context.state.positions = solved_positions_;
   context.state.tensions = solved_tensions_;
   context.state.held = solved_held_;
@@ -222,7 +223,7 @@ void PosedStage::return_to_solved(const StageContext& context) const {
 }
 
 /// A cord is a group, and what holds it moves with it.
-void PosedStage::find_groups(const IslandState& state) {
+void LinearisedStage::find_groups(const IslandState& state) {
   groups_.assign(state.slots(), -1);
   const auto root = [&](std::size_t slot) {
     while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
@@ -249,7 +250,7 @@ void PosedStage::find_groups(const IslandState& state) {
 
 /// Shortens the displacements of groups that would take them through each other, or out of their motion bounds. Returns
 /// false if one was shortened.
-bool PosedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from) {
+bool LinearisedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from) {
   IslandState& state = context.state;
   find_groups(state);
   group_shares_.assign(state.slots(), 1.0);

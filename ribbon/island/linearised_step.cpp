@@ -1,4 +1,4 @@
-#include "ribbon/island/posed_step.h"
+#include "ribbon/island/linearised_step.h"
 
 #include <algorithm>
 #include <utility>
@@ -46,11 +46,11 @@ double impact_time(const StepContext& context, double max) {
 
 }  // namespace
 
-void PosedStep::take(const StepContext& context, Restitution& restitution) {
+void LinearisedStep::take(const StepContext& context, Restitution& restitution) {
   IslandState& state = context.state;
   StepWork& work = context.work;
   ++work.report.posed;
-  work.begin_posed();
+  work.begin_linearised();
   context.begin_substep(0.0, state.dt);
   const Cord::Energy before = context.energy_before();
   contact_energy_ = context.contacts.energy_of_forces();
@@ -59,12 +59,12 @@ void PosedStep::take(const StepContext& context, Restitution& restitution) {
   double max = state.dt;
   for (int piece = 1; time < state.dt; ++piece) {
     const double left = state.dt - time;
-    const bool last = piece >= max_pieces || work.is_posed_enough();
+    const bool last = piece >= max_pieces || work.is_enough();
     const double dt = last ? left : std::min(max, next_piece(context, time, left));
     if (last) is_impact_ = impact_is_due_ = false;
     const Piece taken = take_piece(context, time, dt);
     const bool good = taken.solved && !taken.result.cut;
-    const bool is_repeat = dt == left && (piece >= max_pieces || work.is_posed_enough());
+    const bool is_repeat = dt == left && (piece >= max_pieces || work.is_enough());
     if (!good && !last && !is_repeat) {
       context.return_to_start();
       max = 0.5 * dt;
@@ -87,7 +87,7 @@ void PosedStep::take(const StepContext& context, Restitution& restitution) {
 
 /// Returns the length of the next piece, s: up to an impact, through it, or all that is left if there is none or it has
 /// just been taken.
-double PosedStep::next_piece(const StepContext& context, double time, double left) {
+double LinearisedStep::next_piece(const StepContext& context, double time, double left) {
   if (std::exchange(is_impact_, false)) return left;
   if (!std::exchange(impact_is_due_, false)) {
     const double free = time_to_impact(context, time, left);
@@ -100,7 +100,7 @@ double PosedStep::next_piece(const StepContext& context, double time, double lef
 }
 
 /// The tolerance of a piece is that of the step times its share of the step.
-PosedStep::Piece PosedStep::take_piece(const StepContext& context, double time, double dt) const {
+LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, double time, double dt) const {
   IslandState& state = context.state;
   context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
@@ -109,19 +109,19 @@ PosedStep::Piece PosedStep::take_piece(const StepContext& context, double time, 
     piece.before = EnergyGuard::total_energy(state, context.contacts);
     piece.before.elastic += contact_energy_ - context.contacts.energy();
   }
-  context.stages.set_contact_solve(is_impact_ ? ContactSolve::posed_impact : ContactSolve::posed);
+  context.stages.set_contact_solve(is_impact_ ? ContactSolve::linearised_impact : ContactSolve::linearised);
   const double tolerance = state.tolerance;
   state.tolerance = std::max(dt / state.dt * tolerance, std::min(state.min_tolerance, tolerance));
   piece.solved = Integrators::implicit_euler(context, time, dt);
   state.tolerance = tolerance;
   context.stages.set_contact_solve(ContactSolve::newton);
-  piece.result = context.stages.posed_result();
+  piece.result = context.stages.linearised_result();
   return piece;
 }
 
-/// The energy of posed contacts follows from their forces. Their depths do not tell, because normals and places are
-/// kept. Returns whether some of the motion was taken back.
-bool PosedStep::end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
+/// The energy of linearised contacts follows from their forces. Their depths do not tell, because normals and places
+/// are kept. Returns whether some of the motion was taken back.
+bool LinearisedStep::end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   context.guard.remove_spurious_energy(state, contacts, piece.before);

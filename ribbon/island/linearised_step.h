@@ -7,11 +7,11 @@
 
 namespace ribbon {
 
-/// The step that always ends: implicit Euler with contacts that are posed once. It is taken in pieces. Where the free
-/// motion would take something into something, a piece ends, and a very short one takes the impact, in which nothing
-/// moves far. A piece that is not solved, or in which something was stopped, is redone by half. After a number of
-/// pieces, or of linear systems, the rest of the step is taken as it comes.
-class PosedStep {
+/// The step that always ends: implicit Euler with contacts that are linearised once. It is taken in pieces. Where the
+/// free motion would take something into something, a piece ends, and a very short one takes the impact, in which
+/// nothing moves far. A piece that is not solved, or in which something was stopped, is redone by half. After a number
+/// of pieces, or of linear systems, the rest of the step is taken as it comes.
+class LinearisedStep {
  public:
   void take(const StepContext& context, Restitution& restitution);
 
@@ -19,7 +19,7 @@ class PosedStep {
   /// How a piece ended.
   struct Piece {
     bool solved;
-    PosedResult result;
+    LinearisedResult result;
     Cord::Energy before;
   };
   double next_piece(const StepContext& context, double time, double left);
