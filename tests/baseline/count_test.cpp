@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/replay/replay.h"
+#include "tests/support/refusal.h"
 
 namespace baseline {
 namespace {
@@ -91,12 +92,8 @@ TEST(BaselineCount, ARunThatGoesOtherwiseThanRecordedIsRefused) {
   engine::ReplayWriter writer(path, replay.header);
   for (const engine::RecordedTick& tick : replay.ticks) writer.write(tick.input, replay.ticks[7].state);
   writer.finish();
-  try {
-    count_run(path);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind(path + ": tick 1: ", 0), 0U) << error.what();
-  }
+  EXPECT_TRUE(test_support::starts_with(test_support::refusal<std::runtime_error>([&] { count_run(path); }),
+                                        path + ": tick 1: "));
 }
 
 }  // namespace

@@ -1,39 +1,19 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <system_error>
 
-#include <gtest/gtest.h>
+#include "tests/support/files.h"
 
 /// The program run by a test, and the files that the two hand each other.
 namespace test_support {
 
 namespace fs = std::filesystem;
-
-/// A file of this process's own, so that test runs side by side do not meet; gone when it ends.
-inline std::string scratch(const std::string& name) {
-  struct Folder {
-    std::string path = testing::TempDir() + "ropeswing_" + std::to_string(getpid()) + "/";
-    Folder() { fs::create_directories(path); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  };
-  static const Folder folder;
-  return folder.path + name;
-}
 
 /// What a program printed and ended with; the status is −1 if a signal ended it.
 struct Ended {
@@ -61,16 +41,6 @@ inline Ended ropeswing(const std::string& arguments, const std::string& environm
 }
 
 inline std::string golden() { return TEST_ASSETS "/replays/first_swing.replay"; }
-
-inline std::string bytes_of(const std::string& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
-
-inline void write_bytes(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
 
 inline std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of('\n');

@@ -7,6 +7,7 @@
 
 #include "ribbon/cord.h"
 #include "tests/support/heavy_swing.h"
+#include "tests/support/points.h"
 #include "tests/support/reference_scenes.h"
 
 namespace ribbon {
@@ -133,7 +134,7 @@ double error_at(Integrator integrator, const OrderCase& chain, int steps) {
     def.bending_stiffness = chain.bending;
     def.accuracy = {with, 1, 50, 1e-12};
     def.pins = {0};
-    for (int p = 0; p < 6; ++p) def.positions.push_back({0.0, -0.2 * p});
+    def.positions = test_support::equally_spaced(6, {0.0, 0.0}, {0.0, -0.2});
     Cord cord(def);
     for (int p = 0; p < 6; ++p) cord.set_velocity(p, {0.4 * p, 0.0});
     for (int k = 0; k < n; ++k) cord.step(0.5 / n, gravity);

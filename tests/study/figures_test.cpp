@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/coupled_world.h"
+#include "tests/support/points.h"
 
 namespace study {
 namespace {
@@ -22,7 +23,7 @@ ribbon::CordDef rope(double y) {
   def.length = 2.0;
   def.mass_per_length = 1.0;
   def.radius = 0.1;
-  for (int i = 0; i < def.points; ++i) def.positions.push_back({0.5 * i, y});
+  def.positions = test_support::equally_spaced(def.points, {0.0, y}, {0.5, 0.0});
   def.pins = {0};
   return def;
 }

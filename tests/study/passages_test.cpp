@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/coupled_world.h"
+#include "tests/support/points.h"
 
 namespace study {
 namespace {
@@ -14,7 +15,7 @@ ribbon::CordDef rope(double y = 0.0) {
   ribbon::CordDef def;
   def.points = 5;
   def.length = 2.0;
-  for (int i = 0; i < def.points; ++i) def.positions.push_back({0.5 * i, y});
+  def.positions = test_support::equally_spaced(def.points, {0.0, y}, {0.5, 0.0});
   return def;
 }
 

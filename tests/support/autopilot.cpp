@@ -1,6 +1,7 @@
 #include "tests/support/autopilot.h"
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/level.h"
 #include "ribbon/box2d/convert.h"
 
 namespace test_support {
@@ -26,6 +27,11 @@ bool hangs_free(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId c
 }
 
 }  // namespace
+
+const game::Level& first_swing() {
+  static const game::Level level = game::load_level("first_swing");
+  return level;
+}
 
 std::uint16_t Autopilot::buttons(const game::Simulation& simulation) {
   const auto held = simulation.scene().coupling().held_by(simulation.player().body());

@@ -2,9 +2,13 @@
 
 #include <cstdint>
 
+#include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 
 namespace test_support {
+
+/// Returns the level first_swing, loaded once.
+const game::Level& first_swing();
 
 /// Plays first_swing as a person would, from what is on screen: runs, jumps to the first cord, pumps, lets go on the
 /// way up, catches the next, lands before the hammock, and walks to the goal. It keeps recorded runs renewable when the

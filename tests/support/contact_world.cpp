@@ -179,4 +179,16 @@ std::vector<Vec2> arc(Vec2 a, Vec2 b, int links, double l, bool up) {
   return points;
 }
 
+ribbon::CordDef bridge_def() {
+  ribbon::CordDef def;
+  def.points = 41;
+  def.length = 4.2;
+  def.radius = 0.02;
+  def.mass_per_length = 0.1;
+  def.friction = 0.5;
+  def.positions = arc({0.0, 0.0}, {4.0, 0.0}, 40, 0.105);
+  def.pins = {0, 40};
+  return def;
+}
+
 }  // namespace test_support

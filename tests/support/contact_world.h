@@ -56,4 +56,8 @@ struct ContactWorld {
 /// turned by the same angle from the one before. The distance is less than links·l.
 std::vector<ribbon::Vec2> arc(ribbon::Vec2 a, ribbon::Vec2 b, int links, double l, bool up = false);
 
+constexpr double bridge_mass = 0.42;  // kg
+/// A cord of 4.2 m and bridge_mass, 4 cm thick, with friction 0.5, that hangs between pins 4 m apart.
+ribbon::CordDef bridge_def();
+
 }  // namespace test_support

@@ -172,9 +172,7 @@ void CoupledWorld::pull(int cord, int point, Vec2 force) {
 void CoupledWorld::our_share() {
   if (coupling.size() == 0) return;
   if (method_.thesis) pull_thesis_cords();
-  coupling.gather(world, dt);
-  coupling.step();
-  coupling.apply();
+  step_cords(coupling, world, dt);
 }
 
 void CoupledWorld::pull_thesis_cords() {

@@ -9,6 +9,8 @@ using ribbon::box2d::to_float;
 
 void ShapeWorld::tick() { coupling.tick(world, dt); }
 
+void ShapeWorld::step_cords() { test_support::step_cords(coupling, world, dt); }
+
 b2Body* ShapeWorld::add_body(Vec2 position, b2BodyType type) {
   b2BodyDef definition;
   definition.type = type;
@@ -51,6 +53,20 @@ b2EdgeShape edge(Vec2 a, Vec2 b) {
   return shape;
 }
 
+b2Filter filter(std::uint16_t category, std::uint16_t mask, std::int16_t group) {
+  b2Filter result;
+  result.categoryBits = category;
+  result.maskBits = mask;
+  result.groupIndex = group;
+  return result;
+}
+
 Vec2 position(const b2Body* body) { return ribbon::box2d::to_double(body->GetWorldCenter()); }
+
+void step_cords(ribbon::box2d::Coupling& coupling, b2World& world, double dt) {
+  coupling.gather(world, dt);
+  coupling.step();
+  coupling.apply();
+}
 
 }  // namespace test_support

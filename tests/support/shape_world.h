@@ -2,6 +2,8 @@
 
 #include <box2d/box2d.h>
 
+#include <cstdint>
+
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/vec2.h"
@@ -22,6 +24,8 @@ struct ShapeWorld {
   b2Body* add_body(ribbon::Vec2 position, b2BodyType type = b2_dynamicBody);
   /// A ball of this mass [kg].
   b2Body* add_ball(ribbon::Vec2 position, double radius, double mass, double friction = 0.5);
+  /// All of a tick but world.Step: gather, step and apply.
+  void step_cords();
   const ribbon::Cord& cord() const { return coupling.cord(0).direct(); }
 
   b2World world;
@@ -34,7 +38,12 @@ b2CircleShape circle(double radius, ribbon::Vec2 middle = {});
 b2PolygonShape box(double half_width, double half_height);
 b2EdgeShape edge(ribbon::Vec2 a, ribbon::Vec2 b);
 
-/// m, of the centre of mass.
+b2Filter filter(std::uint16_t category, std::uint16_t mask, std::int16_t group = 0);
+
+/// Returns the position of the centre of mass, m.
 ribbon::Vec2 position(const b2Body* body);
+
+/// All of a tick but world.Step: gather, step and apply.
+void step_cords(ribbon::box2d::Coupling& coupling, b2World& world, double dt);
 
 }  // namespace test_support

@@ -2,53 +2,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ribbon/box2d/box2d.h"
 #include "ribbon/ribbon.h"
+#include "tests/engine/coupling/handle_cords.h"
 #include "tests/support/allocations.h"
-#include "tests/support/shape_world.h"
+#include "tests/support/refusal.h"
 
 // Ids and handles of cords and grips: what they refer to, and what happens once it is gone.
 
 namespace ribbon::box2d {
 namespace {
 
+using test_support::refusal;
+
 constexpr double dt = 1.0 / 60.0;
-
-/// A rope of 2 m at height y, fixed at both ends.
-Cord rope(double y = 0.0) {
-  CordDef def;
-  def.points = 21;
-  def.length = 2.0;
-  for (int p = 0; p < def.points; ++p) def.positions.push_back({0.1 * p, y});
-  def.pins = {0, 20};
-  return Cord(def);
-}
-
-ThesisCord curtain() {
-  ThesisDef def;
-  def.pins = {0, 1};
-  return ThesisCord(def);
-}
-
-struct World : test_support::ShapeWorld {
-  b2Body& ball(Vec2 position) { return *add_ball(position, 0.1, 0.3); }
-};
-
-/// Returns the message of the CallError that a call throws, or "accepted".
-template <typename Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const CallError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(CordIds, AreNeverReused) {
   Coupling coupling;
@@ -65,40 +36,40 @@ TEST(CordIds, AreNeverReused) {
 }
 
 TEST(CordIds, OfARemovedCordAreRefusedByEveryCall) {
-  World there;
+  RopeWorld there;
   b2Body& ball = there.ball({1.0, -1.0});
   there.coupling.add(rope());
   there.coupling.add(rope(5.0));
   there.coupling.remove(0);
   const CordRef gone = there.coupling.cord(0);
   const std::string said = "cord is 0; accepted is the id of a cord that was added and not removed";
-  EXPECT_EQ(refusal([&] { (void)gone.solver(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.shape(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.direct(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.thesis(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.positions(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.kind(0); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.is_enabled(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.user_data(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.touching(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.near(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.near_count(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.swept_aabb(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.island_report(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.island_total(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.error(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.thesis_report(); }), said);
-  EXPECT_EQ(refusal([&] { (void)gone.thesis_total(); }), said);
-  EXPECT_EQ(refusal([&] { gone.drag(0, {}); }), said);
-  EXPECT_EQ(refusal([&] { gone.pin(0, {}); }), said);
-  EXPECT_EQ(refusal([&] { gone.free(0); }), said);
-  EXPECT_EQ(refusal([&] { gone.set_enabled(true); }), said);
-  EXPECT_EQ(refusal([&] { gone.set_user_data(1); }), said);
-  EXPECT_EQ(refusal([&] { gone.replace(rope()); }), said);
-  EXPECT_EQ(refusal([&] { there.coupling.remove(0); }), said);
-  EXPECT_EQ(refusal([&] { (void)there.coupling.position({0, 3}); }), said);
-  EXPECT_EQ(refusal([&] { (void)there.coupling.arc({0, 3}); }), said);
-  EXPECT_EQ(refusal([&] { there.coupling.hold(0, 3, ball, b2Vec2_zero); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.solver(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.shape(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.direct(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.thesis(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.positions(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.kind(0); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.is_enabled(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.user_data(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.touching(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.near(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.near_count(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.swept_aabb(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.island_report(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.island_total(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.error(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.thesis_report(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.thesis_total(); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.drag(0, {}); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.pin(0, {}); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.free(0); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.set_enabled(true); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.set_user_data(1); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { gone.replace(rope()); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.remove(0); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)there.coupling.position({0, 3}); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)there.coupling.arc({0, 3}); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.hold(0, 3, ball, b2Vec2_zero); }), said);
 }
 
 TEST(CordRef, StaysUsableWhileCordsComeAndGoAndTheCouplingMoves) {
@@ -119,11 +90,11 @@ TEST(CordRef, RefusesTheOtherSolverAndPointsThatDoNotExist) {
   Coupling coupling;
   coupling.add(rope());
   coupling.add(curtain());
-  EXPECT_EQ(refusal([&] { (void)coupling.cord(0).thesis(); }),
+  EXPECT_EQ(refusal<CallError>([&] { (void)coupling.cord(0).thesis(); }),
             "cord 0 is of the direct solver; accepted is one of the thesis solver");
-  EXPECT_EQ(refusal([&] { (void)coupling.cord(1).direct(); }),
+  EXPECT_EQ(refusal<CallError>([&] { (void)coupling.cord(1).direct(); }),
             "cord 1 is of the thesis solver; accepted is one of the direct solver");
-  EXPECT_EQ(refusal([&] { coupling.cord(1).replace(rope()); }),
+  EXPECT_EQ(refusal<CallError>([&] { coupling.cord(1).replace(rope()); }),
             "cord 1 is of the thesis solver; accepted is one of the direct solver");
   EXPECT_THROW((void)coupling.cord(0).kind(21), DefinitionError);
   EXPECT_THROW((void)coupling.cord(1).kind(-1), DefinitionError);
@@ -138,170 +109,9 @@ TEST(CordRef, KeepsUserDataWhenTheCordIsReplaced) {
   EXPECT_EQ(std::as_const(coupling).cord(id).user_data(), 77U);
 }
 
-TEST(RemovingACord, ReleasesItsHoldersAndEndsItsContactsInTheNextStep) {
-  World there;
-  b2Body& resting = there.ball({1.0, 0.12});
-  b2Body& holder = there.ball({0.5, -1.0});
-  there.coupling.add(rope(-8.0));
-  const CordId id = there.coupling.add(rope());
-  there.coupling.hold(id, 5, holder, b2Vec2_zero);
-  bool touches = false;
-  for (int k = 0; k < 60 && !touches; ++k) {
-    there.tick(1);
-    touches = !there.coupling.cord(id).touching().empty();
-  }
-  ASSERT_TRUE(touches);
-  const Vec2 velocity = there.coupling.velocity(holder);
-  there.coupling.remove(id);
-  EXPECT_FALSE(there.coupling.held_by(holder));
-  EXPECT_NEAR(length(to_double(holder.GetLinearVelocity()) - velocity), 0.0, 1e-5) << "it keeps its velocity";
-  there.tick(1);
-  ASSERT_EQ(there.coupling.touch_events().size(), 1U);
-  const TouchEvent& end = there.coupling.touch_events()[0];
-  EXPECT_EQ(end.cord, id);
-  EXPECT_FALSE(end.begins);
-  EXPECT_EQ(end.fixture, resting.GetFixtureList());
-  there.tick(1);
-  EXPECT_TRUE(there.coupling.touch_events().empty());
-  there.tick(60);
-  EXPECT_LT(resting.GetPosition().y, -2.0F) << "it falls through";
-}
-
-TEST(RemovingACord, WakesTheBodyThatSleptOnIt) {
-  World there;
-  CordDef def = rope().def();
-  def.allow_sleep = true;
-  def.drag = 5.0;
-  const CordId id = there.coupling.add(Cord(def));
-  b2Body& ball = there.ball({1.0, 0.12});
-  ball.SetSleepingAllowed(true);
-  ball.SetLinearDamping(5.0F);
-  for (int k = 0; k < 2000 && ball.IsAwake(); ++k) there.tick(1);
-  ASSERT_FALSE(ball.IsAwake());
-  there.coupling.remove(id);
-  there.tick(60);
-  EXPECT_LT(ball.GetPosition().y, -1.0F) << "it falls";
-}
-
-TEST(RemovingACord, IsPartOfTheStateThatIsSaved) {
-  World there;
-  there.ball({1.0, 0.12});
-  there.coupling.add(rope(-8.0));
-  const CordId id = there.coupling.add(rope());
-  for (int k = 0; k < 60 && there.coupling.cord(id).touching().empty(); ++k) there.tick(1);
-  const Coupling::State before = there.coupling.save(there.world);
-  there.coupling.remove(id);
-  EXPECT_THROW(there.coupling.restore(before, there.world), DefinitionError) << "the state is of two cords";
-  const Coupling::State after = there.coupling.save(there.world);
-  ASSERT_EQ(after.ending.size(), 1U);
-  EXPECT_EQ(after.next_cord, 2);
-  there.tick(1);
-  EXPECT_EQ(there.coupling.touch_events().size(), 1U);
-  there.coupling.restore(after, there.world);
-  EXPECT_EQ(there.coupling.save(there.world), after);
-  there.tick(1);
-  EXPECT_EQ(there.coupling.touch_events().size(), 1U) << "again";
-}
-
-TEST(RemovingACord, InAnyOrderGivesAStateThatCanBeRestored) {
-  World there;
-  std::vector<CordId> cords;
-  for (const double y : {0.0, -1.0, -2.0}) {
-    there.ball({1.0, y + 0.12});
-    cords.push_back(there.coupling.add(rope(y)));
-  }
-  there.tick(20);
-  for (const CordId cord : cords) ASSERT_FALSE(there.coupling.cord(cord).touching().empty());
-  for (const CordId cord : {cords[1], cords[2], cords[0]}) there.coupling.remove(cord);
-  const Coupling::State state = there.coupling.save(there.world);
-  ASSERT_EQ(state.ending.size(), 3U);
-  there.coupling.restore(state, there.world);
-  there.tick(1);
-  ASSERT_EQ(there.coupling.touch_events().size(), 3U);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(there.coupling.touch_events()[k].cord, cords[k]);
-}
-
-/// A ball sleeps on one of two ropes and is near the other. It must not go on sleeping in the air.
-TEST(RemovingACord, WakesABodyThatIsNearAnotherCord) {
-  for (const bool removed : {false, true}) {
-    World there;
-    CordDef def = rope().def();
-    def.allow_sleep = true;
-    def.drag = 5.0;
-    const CordId upper = there.coupling.add(Cord(def));
-    for (Vec2& x : def.positions) x.y -= 0.1;
-    const CordId lower = there.coupling.add(Cord(def));
-    b2Body& ball = there.ball({0.05, 0.11});
-    ball.SetSleepingAllowed(true);
-    ball.SetLinearDamping(5.0F);
-    ball.SetAngularDamping(5.0F);
-    const auto all_sleep = [&] { return !ball.IsAwake() && there.coupling.cord(lower).direct().is_asleep(); };
-    for (int k = 0; k < 2000 && !all_sleep(); ++k) there.tick(1);
-    ASSERT_TRUE(all_sleep());
-    ASSERT_GT(there.coupling.cord(lower).near_count(), 0);
-    const float height = ball.GetPosition().y;
-    if (removed) {
-      there.coupling.remove(upper);
-    } else {
-      there.coupling.cord(upper).set_enabled(false);
-    }
-    there.tick(20);
-    EXPECT_LT(ball.GetPosition().y, height - 0.02F);
-  }
-}
-
-TEST(RemovingACord, WakesACordThatSleepsOnIt) {
-  World there;
-  CordDef def = rope().def();
-  def.allow_sleep = true;
-  def.cord_contact = true;
-  def.drag = 5.0;
-  def.radius = 0.02;
-  const CordId lower = there.coupling.add(Cord(def));
-  def.pins = {};
-  def.positions.clear();
-  def.points = 11;
-  def.length = 1.0;
-  for (int p = 0; p < def.points; ++p) def.positions.push_back({0.5 + 0.1 * p, 0.05});
-  const CordId upper = there.coupling.add(Cord(def));
-  const auto sleeps = [&] { return there.coupling.cord(upper).direct().is_asleep(); };
-  for (int k = 0; k < 3000 && !sleeps(); ++k) there.tick(1);
-  ASSERT_TRUE(sleeps());
-  const double height = there.coupling.cord(upper).positions()[5].y;
-  there.coupling.remove(lower);
-  there.tick(20);
-  EXPECT_FALSE(sleeps());
-  EXPECT_LT(there.coupling.cord(upper).positions()[5].y, height - 0.1);
-}
-
-TEST(RemovingACord, BetweenGatherAndApplyIsSafe) {
-  for (const bool after_step : {false, true}) {
-    World there;
-    there.ball({1.0, 0.12});
-    b2Body& holder = there.ball({0.5, -1.0});
-    const CordId direct = there.coupling.add(rope());
-    const CordId thesis = there.coupling.add(curtain());
-    there.coupling.hold(direct, 5, holder, b2Vec2_zero);
-    there.coupling.hold(thesis, 5, holder, b2Vec2_zero);
-    there.tick(5);
-    there.coupling.gather(there.world, dt);
-    if (after_step) there.coupling.step();
-    there.coupling.remove(direct);
-    there.coupling.remove(thesis);
-    if (!after_step) there.coupling.step();
-    there.coupling.apply();
-    there.world.Step(static_cast<float>(dt), 8, 3);
-    EXPECT_FALSE(there.coupling.held_by(holder));
-    const float speed = holder.GetLinearVelocity().y;
-    there.tick(5);
-    EXPECT_NEAR(holder.GetLinearVelocity().y, speed - 5.0F * 9.81F / 60.0F, 0.05F) << "it falls";
-    EXPECT_EQ(there.coupling.size(), 0);
-  }
-}
-
 TEST(Tick, IsGatherStepApplyAndTheWorldsStep) {
-  World one;
-  World other;
+  RopeWorld one;
+  RopeWorld other;
   for (World* world : {&one, &other}) {
     world->coupling.add(rope());
     world->ball({1.0, 0.3});
@@ -318,30 +128,30 @@ TEST(Tick, IsGatherStepApplyAndTheWorldsStep) {
 }
 
 TEST(Tick, PartsOutOfOrderAreRefusedAndChangeNothing) {
-  World there;
+  RopeWorld there;
   there.coupling.add(rope());
   const Coupling::State before = there.coupling.save(there.world);
   const std::string no_gather = "step does not follow gather; accepted is gather, step, apply";
   const std::string no_step = "apply does not follow step; accepted is gather, step, apply";
-  EXPECT_EQ(refusal([&] { there.coupling.step(); }), no_gather);
-  EXPECT_EQ(refusal([&] { there.coupling.apply(); }), no_step);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.step(); }), no_gather);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.apply(); }), no_step);
   there.coupling.gather(there.world, dt);
-  EXPECT_EQ(refusal([&] { there.coupling.apply(); }), no_step);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.apply(); }), no_step);
   EXPECT_EQ(there.coupling.save(there.world), before);
   there.coupling.gather(there.world, dt);  // a second gather discards the first
   there.coupling.step();
   const Coupling::State stepped = there.coupling.save(there.world);
-  EXPECT_EQ(refusal([&] { there.coupling.step(); }), no_gather);
-  EXPECT_EQ(refusal([&] { there.coupling.gather(there.world, dt); }),
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.step(); }), no_gather);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.gather(there.world, dt); }),
             "gather follows step; accepted is gather, step, apply");
   EXPECT_EQ(there.coupling.save(there.world), stepped);
   there.coupling.apply();
-  EXPECT_EQ(refusal([&] { there.coupling.apply(); }), no_step);
+  EXPECT_EQ(refusal<CallError>([&] { there.coupling.apply(); }), no_step);
   there.coupling.tick(there.world, dt);
 }
 
 TEST(Holding, RefusedInAnotherWorldChangesNothing) {
-  World there;
+  RopeWorld there;
   const CordId cord = there.coupling.add(rope());
   there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero);
   there.tick(10);
@@ -366,11 +176,11 @@ TEST(Places, ThatACordDoesNotHaveAreRefused) {
 }
 
 TEST(Holding, AgainIsASecondGripAndNeverMovesTheFirst) {
-  World there;
+  RopeWorld there;
   for (const CordId cord : {there.coupling.add(rope()), there.coupling.add(curtain())}) {
     b2Body& body = there.ball({0.5, -2.0});
     const GripId first = there.coupling.hold(cord, 4, body, {0.0F, 0.1F});
-    EXPECT_EQ(refusal([&] {
+    EXPECT_EQ(refusal<CallError>([&] {
                 there.coupling.hold(cord, 4, body, {0.3F, 0.0F});
               }),
               "the body holds cord " + std::to_string(cord) + " at point 4 already, by grip " + std::to_string(first) +
@@ -416,7 +226,7 @@ CordId hang_ribbon(Coupling& coupling, Solver solver) {
 /// One above the other at the end of a ribbon: only both together keep the body from turning.
 TEST(Holding, TwoRowsOfARibbonCarryTheBodyAtBoth) {
   for (const Solver solver : {Solver::thesis, Solver::direct}) {
-    World there;
+    RopeWorld there;
     const CordId cord = hang_ribbon(there.coupling, solver);
     const auto positions = there.coupling.cord(cord).positions();
     const int last = static_cast<int>(positions.size()) - 1;
@@ -435,18 +245,18 @@ TEST(Holding, TwoRowsOfARibbonCarryTheBodyAtBoth) {
 }
 
 TEST(GripRef, OfARemovedCordIsNotValid) {
-  World there;
+  RopeWorld there;
   const CordId cord = there.coupling.add(rope());
   const GripRef grip = there.coupling.grip(there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero));
   EXPECT_TRUE(grip.is_valid());
   there.coupling.remove(cord);
   EXPECT_FALSE(grip.is_valid());
-  EXPECT_EQ(refusal([&] { (void)grip.state(); }),
+  EXPECT_EQ(refusal<CallError>([&] { (void)grip.state(); }),
             "grip is " + std::to_string(grip.id()) + "; accepted is the id of one that has not been released");
 }
 
 TEST(Handles, AllocateNothing) {
-  World there;
+  RopeWorld there;
   const CordId cord = there.coupling.add(rope());
   const GripId grip = there.coupling.hold(cord, 4, there.ball({0.4, -1.0}), b2Vec2_zero);
   there.tick(2);
@@ -464,7 +274,7 @@ TEST(Handles, AllocateNothing) {
 /// and by 1/100 with soft contacts, whatever the integrator.
 TEST(SoftContacts, AreAFieldOfTheAccuracyAndNotOfTheIntegrator) {
   const auto penetration = [](Integrator integrator, bool soft) {
-    World there;
+    RopeWorld there;
     CordDef def;
     def.points = 2;
     def.length = 0.4;

@@ -7,6 +7,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
 // Cords that fall asleep, and the bodies that do so with them: CordDef::allow_sleep.
@@ -51,7 +52,7 @@ CordDef rope_def(bool allow_sleep) {
 struct Lamp : World {
   explicit Lamp(bool allow_sleep = true) {
     CordDef def = rope_def(allow_sleep);
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.0, -0.1 * p});
+    def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.0, -0.1});
     def.pins = {0};
     coupling.add(ribbon::Cord(def));
     lamp = &ball_of(1.0, {0.0, -2.1});
@@ -65,7 +66,7 @@ struct Lamp : World {
 struct Hammock : World {
   explicit Hammock(bool allow_sleep = true) {
     CordDef def = rope_def(allow_sleep);
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.095 * p, 0.0});
+    def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.095, 0.0});
     def.pins = {0, 20};
     coupling.add(ribbon::Cord(def));
     ball = &ball_of(0.3, {0.95, 0.1});
@@ -138,7 +139,7 @@ TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
   const auto lowest_gap = [](bool allow_sleep) {
     World there;
     CordDef def = rope_def(allow_sleep);
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.095 * p, 0.0});
+    def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.095, 0.0});
     def.pins = {0, 20};
     there.coupling.add(ribbon::Cord(def));
     there.tick(long_enough);
@@ -163,7 +164,7 @@ TEST(CouplingSleep, ABodyThatLosesItsCordWakes) {
       [](World& there) { there.coupling.cord(0).set_enabled(false); },
       [](World& there) {
         CordDef def = rope_def(true);
-        for (int p = 0; p < def.points; ++p) def.positions.push_back({100.0 + 0.1 * p, 0.0});
+        def.positions = test_support::equally_spaced(def.points, {100.0, 0.0}, {0.1, 0.0});
         there.coupling.cord(0).replace(ribbon::Cord(def));
       },
   };

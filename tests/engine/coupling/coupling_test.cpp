@@ -2,65 +2,22 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <vector>
 
 #include "ribbon/box2d/convert.h"
+#include "tests/engine/coupling/thesis_coupling.h"
 #include "tests/support/allocations.h"
-#include "tests/support/dice.h"
+#include "tests/support/points.h"
+#include "tests/support/shape_world.h"
 #include "tests/support/thesis_scenes.h"
 
 namespace engine {
 namespace {
 
 using ribbon::ThesisCord;
-using ribbon::ThesisDef;
-using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;
-
-/// A cord of 4 m along +x, its middle line through `left`, 0.2 m wide, 1 kg.
-ThesisDef cord_def(Vec2 left = {0.0, 0.0}) {
-  ThesisDef def;
-  def.w = 21;
-  def.spacing = 0.2;
-  def.point_mass = 1.0 / 42.0;
-  def.spring_stiffness = 2e4;
-  def.bar_damping = 20.0;
-  def.positions = ribbon::lay_along(std::array{left, left + Vec2{1.0, 0.0}}, def.w, def.h, def.spacing);
-  return def;
-}
-
-ThesisDef pinned_at_both_ends(Vec2 left = {0.0, 0.0}) {
-  ThesisDef def = cord_def(left);
-  def.pins = {0, 1, 40, 41};
-  return def;
-}
-
-b2Body* add_circle(b2World& world, Vec2 center, double radius, b2BodyType type = b2_dynamicBody, double density = 1.0,
-                   b2Filter filter = {}, bool sensor = false) {
-  b2BodyDef definition;
-  definition.type = type;
-  definition.position = ribbon::box2d::to_float(center);
-  b2Body* body = world.CreateBody(&definition);
-  b2CircleShape shape;
-  shape.m_radius = static_cast<float>(radius);
-  b2FixtureDef fixture;
-  fixture.shape = &shape;
-  fixture.density = static_cast<float>(density);
-  fixture.filter = filter;
-  fixture.isSensor = sensor;
-  body->CreateFixture(&fixture);
-  return body;
-}
-
-void tick(ribbon::box2d::Coupling& coupling, b2World& world) { coupling.tick(world, dt); }
-
-double y_of(const b2Body* body) { return static_cast<double>(body->GetPosition().y); }
+using test_support::filter;
+using test_support::step_cords;
 
 Vec2 momentum(const b2Body* body) {
   return static_cast<double>(body->GetMass()) * ribbon::box2d::to_double(body->GetLinearVelocity());
@@ -174,14 +131,6 @@ struct FilterCase {
   bool meet;
 };
 
-b2Filter filter(std::uint16_t category, std::uint16_t mask, std::int16_t group = 0) {
-  b2Filter result;
-  result.categoryBits = category;
-  result.maskBits = mask;
-  result.groupIndex = group;
-  return result;
-}
-
 TEST(Coupling, FilterBitsDecideAsBetweenTwoFixtures) {
   const FilterCase cases[] = {
       {"both want", filter(2, 0xFFFF), filter(1, 0xFFFF), true},
@@ -235,9 +184,7 @@ TEST(Coupling, ASleepingCircleIsWokenOnlyWhenPushed) {
   b2Body* touching = add_circle(world, {3.0, 0.35}, 0.3);
   near->SetAwake(false);
   touching->SetAwake(false);
-  coupling.gather(world, dt);
-  coupling.step();
-  coupling.apply();
+  step_cords(coupling, world, dt);
   EXPECT_FALSE(near->IsAwake());
   EXPECT_TRUE(touching->IsAwake());
 }
@@ -257,8 +204,6 @@ TEST(Coupling, BodiesComeAndGoBetweenTicks) {
   for (int k = 0; k < 10; ++k) tick(coupling, world);
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).thesis()));
 }
-
-// --- holding ---------------------------------------------------------------------------------------------------------
 
 TEST(Coupling, TwoCordsAndABallBetweenThemKeepTheirMomentum) {
   b2World world({0.0F, 0.0F});
@@ -324,9 +269,7 @@ TEST(Coupling, TakesNoHeapMemoryWhenTheFirstCircleComesNear) {
   long taken = 0;
   for (int k = 0; k < 120; ++k) {
     const test_support::AllocationCount count;
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
+    step_cords(coupling, world, dt);
     taken += count.so_far();
     world.Step(static_cast<float>(dt), 8, 3);
   }
@@ -352,9 +295,7 @@ TEST(Coupling, ABodysOriginMakesNoDifference) {
     }
     body->SetLinearVelocity({0.0F, -2.0F});
     body->SetAngularVelocity(0.0F);
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
+    step_cords(coupling, world, dt);
     return std::pair{ribbon::box2d::to_double(body->GetLinearVelocity()),
                      static_cast<double>(body->GetAngularVelocity())};
   };
@@ -363,201 +304,6 @@ TEST(Coupling, ABodysOriginMakesNoDifference) {
   EXPECT_LT(turning, -0.1);
   EXPECT_NEAR(length(far_velocity - velocity), 0.0, 1e-4 * length(velocity));
   EXPECT_NEAR(far_turning, turning, 1e-4 * std::abs(turning));
-}
-
-/// A cord that hangs from (0, 0) and a body of `mass` at its end, which holds the end's first point.
-struct Hanging {
-  b2World world{{0.0F, -9.81F}};
-  ribbon::box2d::Coupling coupling;
-  b2Body* body = nullptr;
-  ribbon::box2d::CordId held = 0;
-  ribbon::box2d::GripId grip = 0;
-
-  /// With `others`, there are cords far away, one added before it and one after.
-  explicit Hanging(double mass, double drag = 0.5, bool others = false) {
-    if (others) coupling.add(ThesisCord(pinned_at_both_ends({-50.0, 0.0})));
-    ThesisDef def = cord_def();
-    def.drag = drag;
-    def.substeps = 16;
-    def.positions = ribbon::lay_along(std::array{Vec2{0.0, 0.0}, Vec2{0.0, -1.0}}, def.w, def.h, def.spacing);
-    def.pins = {0, 1};
-    b2Filter nothing;
-    nothing.maskBits = 0;
-    held = coupling.add(ThesisCord(def), nothing);
-    if (others) coupling.add(ThesisCord(pinned_at_both_ends({50.0, 0.0})));
-    body = add_circle(world, end(), 0.1, b2_dynamicBody, mass / (std::numbers::pi * 0.01));
-    grip = coupling.hold(held, 40, *body, {0.0F, 0.0F});
-  }
-  Vec2 end() const { return coupling.cord(held).thesis().positions()[40]; }
-  void run(int ticks) {
-    for (int k = 0; k < ticks; ++k) tick(coupling, world);
-  }
-};
-
-TEST(CouplingHold, TheCordCarriesTheBodyAndPullsWithItsWeight) {
-  Hanging hanging(1.0, 2.0);
-  hanging.run(1800);
-  EXPECT_NEAR(y_of(hanging.body), -4.0, 0.2);
-  EXPECT_LT(static_cast<double>(hanging.body->GetLinearVelocity().Length()), 0.01);
-  EXPECT_NEAR(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetPosition())), 0.0, 1e-3);
-  // The impulse of one more tick holds against gravity.
-  const b2Vec2 before = hanging.body->GetLinearVelocity();
-  hanging.coupling.gather(hanging.world, dt);
-  hanging.coupling.step();
-  hanging.coupling.apply();
-  const double gain = static_cast<double>(hanging.body->GetLinearVelocity().y - before.y);
-  EXPECT_NEAR(gain / dt, 9.81, 0.1);
-}
-
-/// Swings a hanging body; its widest excursions to the right, one a period.
-std::vector<double> excursions(Hanging& hanging, int ticks) {
-  std::vector<double> widest;
-  double last_speed = 0.0;
-  for (int k = 0; k < ticks; ++k) {
-    hanging.run(1);
-    const double speed = hanging.coupling.velocity(*hanging.body).x;
-    if (last_speed > 0.0 && speed <= 0.0) widest.push_back(static_cast<double>(hanging.body->GetPosition().x));
-    last_speed = speed;
-  }
-  return widest;
-}
-
-/// Whatever other cords there are.
-TEST(CouplingHold, SwingsOnLikeAPendulum) {
-  Hanging alone(5.0, 0.0);
-  Hanging hanging(5.0, 0.0, true);
-  alone.run(300);
-  hanging.run(300);
-  EXPECT_EQ(hanging.body->GetPosition(), alone.body->GetPosition());
-  hanging.body->SetLinearVelocity({4.0F, 0.0F});
-  const std::vector<double> widest = excursions(hanging, 2400);
-  ASSERT_GE(widest.size(), 9U);
-  EXPECT_GT(widest[0], 1.8);
-  EXPECT_LT(widest[0], 2.45);  // what 4 m/s is good for on 4 m
-  for (std::size_t k = 1; k < widest.size(); ++k) {
-    EXPECT_LT(widest[k], 1.002 * widest[k - 1]);
-    EXPECT_GT(widest[k], 0.98 * widest[k - 1]);  // without what is carried on: 0.945
-  }
-}
-
-TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
-  for (const bool wall : {true, false}) {
-    Hanging hanging(5.0, 0.0);
-    hanging.run(120);
-    b2BodyDef definition;
-    definition.position = wall ? b2Vec2(1.2F, -4.0F) : b2Vec2(0.0F, -4.65F);
-    b2PolygonShape box;
-    box.SetAsBox(wall ? 0.5F : 20.0F, wall ? 20.0F : 0.5F);
-    hanging.world.CreateBody(&definition)->CreateFixture(&box, 0.0F);
-    hanging.body->SetLinearVelocity({6.0F, wall ? 0.0F : -6.0F});
-    const double start = y_of(hanging.body);
-    double fastest = 0.0;
-    double highest = start;
-    for (int k = 0; k < 1200; ++k) {
-      hanging.run(1);
-      fastest = std::max(fastest, length(hanging.coupling.velocity(*hanging.body)));
-      highest = std::max(highest, y_of(hanging.body));
-    }
-    EXPECT_LT(fastest, 8.6) << wall;
-    EXPECT_LT(highest, start + 72.0 / (2.0 * 9.81) + 0.2) << wall;
-    EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0).thesis()));
-  }
-}
-
-TEST(CouplingHold, HeldOffCentreABodyHangsWithItsCentreBelowTheHand) {
-  Hanging hanging(2.0, 2.0);
-  hanging.body->SetTransform(ribbon::box2d::to_float(hanging.end() + Vec2{0.3, 0.0}), 0.0F);
-  hanging.body->SetAngularDamping(1.0F);
-  hanging.coupling.grip(hanging.grip).move_anchor({-0.3F, 0.0F});
-  hanging.run(1800);
-  const Vec2 hand = ribbon::box2d::to_double(hanging.body->GetWorldPoint({-0.3F, 0.0F}));
-  const Vec2 center = ribbon::box2d::to_double(hanging.body->GetWorldCenter());
-  EXPECT_NEAR(center.x - hand.x, 0.0, 5e-3);
-  EXPECT_NEAR(center.y - hand.y, -0.3, 5e-3);
-  EXPECT_NEAR(static_cast<double>(hanging.body->GetAngularVelocity()), 0.0, 0.02);
-  EXPECT_NEAR(length(hanging.end() - hand), 0.0, 2e-3);
-}
-
-TEST(CouplingHold, AHandThatMovesOnItsBodyArrivesWithinTheTick) {
-  Hanging hanging(5.0);
-  hanging.run(120);
-  hanging.coupling.grip(hanging.grip).move_anchor({0.05F, 0.1F});
-  hanging.run(1);
-  EXPECT_NEAR(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetWorldPoint({0.05F, 0.1F}))), 0.0, 5e-3);
-}
-
-TEST(CouplingHold, LetGoTheBodyKeepsItsVelocity) {
-  Hanging hanging(2.0);
-  hanging.body->SetLinearVelocity({3.0F, 0.0F});
-  hanging.run(20);
-  const Vec2 velocity = hanging.coupling.velocity(*hanging.body);
-  EXPECT_TRUE(hanging.coupling.held_by(*hanging.body));
-  EXPECT_TRUE(hanging.coupling.release(*hanging.body));
-  EXPECT_FALSE(hanging.coupling.release(*hanging.body));
-  EXPECT_FALSE(hanging.coupling.held_by(*hanging.body));
-  hanging.run(1);
-  EXPECT_NEAR(length(hanging.coupling.velocity(*hanging.body) - velocity - Vec2{0.0, -9.81 * dt}), 0.0, 1e-5);
-}
-
-TEST(CouplingHold, KeepsTheMomentumOfCordAndHolder) {
-  b2World world({0.0F, 0.0F});
-  ribbon::box2d::Coupling coupling;
-  coupling.add(ThesisCord(cord_def()));
-  b2Body* body = add_circle(world, {4.5, 0.3}, 0.2, b2_dynamicBody, 8.0);
-  body->SetLinearVelocity({1.0F, 2.0F});
-  body->SetAngularVelocity(2.0F);
-  coupling.hold(0, 41, *body, {-0.5F, -0.2F});  // where the cord's last point is
-  const auto total = [&] {
-    return test_support::momentum(coupling.cord(0).thesis()) +
-           static_cast<double>(body->GetMass()) * coupling.velocity(*body);
-  };
-  const Vec2 before = total();
-  for (int k = 0; k < 600; ++k) {
-    tick(coupling, world);
-    const Vec2 now = total();
-    ASSERT_EQ(coupling.cord(0).thesis_report().motion_limited, 0);
-    ASSERT_NEAR(length(now - before), 0.0, 1e-9 * length(before)) << "tick " << k;
-  }
-}
-
-TEST(CouplingHold, AHolderThatIsDestroyedLetsGo) {
-  Hanging hanging(2.0);
-  hanging.run(10);
-  hanging.world.DestroyBody(hanging.body);  // without telling the coupling
-  hanging.run(10);
-  EXPECT_TRUE(test_support::all_finite(hanging.coupling.cord(0).thesis()));
-
-  Hanging told(2.0);
-  told.run(10);
-  told.coupling.destroy(told.world, *told.body);
-  b2Body* next = add_circle(told.world, {5.0, 5.0}, 0.1);  // Box2D likes to use the same address again
-  told.run(10);
-  EXPECT_FALSE(told.coupling.held_by(*next));
-  EXPECT_NEAR(static_cast<double>(next->GetPosition().x), 5.0, 1e-6);
-}
-
-TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
-  Hanging hanging(5.0);
-  hanging.run(60);
-  hanging.body->SetTransform({8.0F, 3.0F}, 0.0F);
-  double fastest = 0.0;
-  for (int k = 0; k < 600; ++k) {
-    hanging.run(1);
-    fastest = std::max(fastest, length(hanging.coupling.velocity(*hanging.body)));
-  }
-  EXPECT_LT(fastest, 60.0);
-  EXPECT_LT(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetPosition())), 0.05);
-  EXPECT_EQ(test_support::inverted_triangles(hanging.coupling.cord(0).thesis()), 0);
-}
-
-TEST(CouplingHold, RefusesWhatDoesNotExist) {
-  Hanging hanging(2.0);
-  EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);
-  EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);
-  EXPECT_THROW(hanging.coupling.hold(0, 42, *hanging.body, b2Vec2_zero), ribbon::DefinitionError);
-  const b2Vec2 nowhere(std::numeric_limits<float>::quiet_NaN(), 0.0F);
-  EXPECT_THROW(hanging.coupling.hold(0, 40, *hanging.body, nowhere), ribbon::DefinitionError);
-  EXPECT_EQ(hanging.coupling.held_by(*hanging.body)->point, 40);  // as before
 }
 
 /// A fixture may have any friction, and an extent that no coordinate of a cord reaches.
@@ -578,7 +324,7 @@ TEST(Coupling, AFixtureOfAnyNumbersIsMetOrLeftOut) {
   }
   add_circle(world, {0.0, -3e9}, 2e9, b2_staticBody);
   for (int k = 0; k < 5; ++k) tick(coupling, world);
-  for (const Vec2 x : coupling.cord(0).positions()) EXPECT_TRUE(is_finite(x));
+  EXPECT_TRUE(test_support::all_finite(coupling.cord(0).positions()));
 }
 
 /// So that a tick that cannot be is not half begun.
@@ -626,83 +372,6 @@ TEST(Coupling, RefusesToDriveACordThatIsNone) {
   coupling.add(ThesisCord(cord_def()));
   EXPECT_THROW(coupling.cord(1).drag(0, {}), ribbon::CallError);
   EXPECT_THROW(coupling.cord(-1).free(0), ribbon::CallError);
-}
-
-TEST(Coupling, NothingIsNearToNowhere) {
-  ribbon::box2d::Coupling coupling;
-  coupling.add(ThesisCord(cord_def()));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(coupling.nearest_point({nan, 0.0}, 10.0));
-  EXPECT_FALSE(coupling.nearest_point({0.0, 0.0}, nan));
-}
-
-/// The same by a look at every point, between which places of a cord of the direct solver are.
-double nearest_distance(const ribbon::box2d::Coupling& coupling, Vec2 position, bool between_points) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (ribbon::box2d::CordId c = 0; c < coupling.size(); ++c) {
-    const auto x = coupling.cord(c).positions();
-    const int rows = coupling.cord(c).shape().rows;
-    for (int p = 0; p < static_cast<int>(x.size()); ++p) {
-      const auto place_at = [&](double along) { return coupling.position({c, p, 0.0, along}); };
-      nearest = std::min(nearest, length(place_at(0.0) - position));
-      if (!between_points || p + rows >= static_cast<int>(x.size()) ||
-          coupling.cord(c).solver() == ribbon::box2d::Solver::thesis)
-        continue;
-      const Vec2 link = place_at(1.0) - place_at(0.0);
-      const double along = std::clamp(dot(position - place_at(0.0), link) / dot(link, link), 0.0, 1.0);
-      nearest = std::min(nearest, length(place_at(along) - position));
-    }
-  }
-  return nearest;
-}
-
-TEST(Coupling, FindsWhatALookAtEveryPointFinds) {
-  ribbon::box2d::Coupling coupling;
-  test_support::Dice dice(7);
-  for (int k = 0; k < 40; ++k) {
-    ribbon::CordDef def;
-    def.points = 9;
-    def.length = 2.0;
-    def.pins = {0};
-    def.allow_sleep = true;
-    const Vec2 from{dice(-5.0, 5.0), dice(-5.0, 5.0)};
-    const double turn = dice(0.0, 6.0);
-    for (int p = 0; p < def.points; ++p)
-      def.positions.push_back(from + 0.25 * p * Vec2{std::cos(turn), std::sin(turn)});
-    coupling.add(ribbon::Cord(def));
-  }
-  coupling.add(ThesisCord(cord_def()));
-  b2World world({0.0F, -9.81F});
-  for (int tick = 0; tick < 60; ++tick) {
-    coupling.gather(world, dt);
-    coupling.step();
-    coupling.apply();
-    if (tick % 4 == 0) {  // from outside, between two ticks
-      coupling.cord(tick % 40).drag(0, {dice(-6.0, 6.0), dice(-6.0, 6.0)});
-      coupling.cord(tick % 39).direct().restore(coupling.cord(tick % 39 + 1).direct().save());
-    }
-    for (int k = 0; k < 20; ++k) {
-      const Vec2 position{dice(-8.0, 8.0), dice(-8.0, 8.0)};
-      const double point = nearest_distance(coupling, position, false);
-      const double place = nearest_distance(coupling, position, true);
-      ASSERT_NEAR(coupling.nearest_point(position, 20.0)->distance, point, 1e-12);
-      ASSERT_NEAR(coupling.nearest_place(position, 20.0)->distance, place, 1e-12);
-      EXPECT_FALSE(coupling.nearest_point(position, 0.999 * point));
-      EXPECT_FALSE(coupling.nearest_place(position, 0.999 * place));
-    }
-  }
-}
-
-TEST(Coupling, FindsTheNearestPointWithinReach) {
-  ribbon::box2d::Coupling coupling;
-  coupling.add(ThesisCord(cord_def()));
-  coupling.add(ThesisCord(cord_def({0.0, 2.0})));
-  const auto nearest = coupling.nearest_point({1.0, 1.8}, 0.5);
-  ASSERT_TRUE(nearest);
-  EXPECT_EQ(nearest->cord, 1);
-  EXPECT_EQ(nearest->point, 10);
-  EXPECT_NEAR(nearest->distance, 0.1, 1e-12);
-  EXPECT_FALSE(coupling.nearest_point({1.0, 1.0}, 0.5));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
+#include "tests/support/shape_world.h"
 
 namespace engine {
 namespace {
@@ -101,9 +102,7 @@ TEST(ErrorEstimate, HoldsNoMoreMemoryHoweverLongItGoesOn) {
   world.coupling.estimate_errors(true);
   const auto taken_in_a_tick = [&] {
     const test_support::AllocationCount count;
-    world.coupling.gather(world.box2d, dt);
-    world.coupling.step();
-    world.coupling.apply();
+    test_support::step_cords(world.coupling, world.box2d, dt);
     const long taken = count.so_far();
     world.box2d.Step(static_cast<float>(dt), 8, 3);
     return taken;

@@ -11,6 +11,8 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/dice.h"
+#include "tests/support/points.h"
+#include "tests/support/refusal.h"
 #include "tests/support/shape_world.h"
 
 // What Coupling::gather finds by the world's tree, against a look at every child of every fixture of the world.
@@ -22,6 +24,7 @@ using ribbon::Box;
 using ribbon::CordDef;
 using ribbon::Vec2;
 using test_support::Dice;
+using test_support::filter;
 
 constexpr double dt = 1.0 / 60.0;
 
@@ -234,7 +237,7 @@ struct Clearing : test_support::ShapeWorld {
       def.radius = 0.02;
       def.friction = 0.3;
       def.cord_contact = true;
-      for (int p = 0; p < def.points; ++p) def.positions.push_back({0.4 * k + 0.1 * p, 0.3 * k});
+      def.positions = test_support::equally_spaced(def.points, {0.4 * k, 0.3 * k}, {0.1, 0.0});
       def.pins = {0};
       coupling.add(ribbon::Cord(def));
     }
@@ -283,7 +286,7 @@ struct Held : test_support::ShapeWorld {
     CordDef def;
     def.points = 5;
     def.length = 1.0;
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({0.0, -0.25 * p});
+    def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.0, -0.25});
     def.pins = {0};
     coupling.add(ribbon::Cord(def));
     ball = add_ball({0.0, -1.1}, 0.1, 1.0);
@@ -328,7 +331,7 @@ TEST(Gather, ACordThatSleepsAndIsPutElsewhereLooksAroundThere) {
     def.radius = 0.02;
     def.drag = 1.0;
     def.allow_sleep = true;
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({x, -0.25 * p});
+    def.positions = test_support::equally_spaced(def.points, {x, 0.0}, {0.0, -0.25});
     def.pins = {0};
     return ribbon::Cord(def);
   };
@@ -352,12 +355,10 @@ TEST(Gather, ACordThatSleepsAndIsPutElsewhereLooksAroundThere) {
 
 TEST(Gather, FewerWorkersThanOneAreRefused) {
   ribbon::box2d::Coupling coupling;
-  try {
-    coupling.use({nullptr, nullptr, 0});
-    FAIL() << "it was taken";
-  } catch (const ribbon::DefinitionError& error) {
-    EXPECT_STREQ(error.what(), "workers is 0; accepted is 1 or more");
-  }
+  EXPECT_EQ(test_support::refusal<ribbon::DefinitionError>([&] {
+              coupling.use({nullptr, nullptr, 0});
+            }),
+            "workers is 0; accepted is 1 or more");
 }
 
 #ifndef NDEBUG
@@ -371,7 +372,7 @@ TEST(GatherDeathTest, AParallelForThatLeavesSomethingOutIsTold) {
         for (int k = 0; k < 40; ++k) {
           CordDef def;
           def.points = 21;
-          for (int p = 0; p < def.points; ++p) def.positions.push_back({2.0 * k, -0.05 * p});
+          def.positions = test_support::equally_spaced(def.points, {2.0 * k, 0.0}, {0.0, -0.05});
           world.coupling.add(ribbon::Cord(def));
         }
         world.coupling.use({run_all_but_one, nullptr, 4});

@@ -11,6 +11,8 @@
 #include "tests/support/allocations.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
+#include "tests/support/points.h"
+#include "tests/support/shape_world.h"
 
 // A Box2D body held by a cord of the direct solver.
 
@@ -18,6 +20,7 @@ namespace engine {
 namespace {
 
 using ribbon::Vec2;
+using test_support::path_length;
 
 constexpr double dt = 1.0 / 60.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,14 +45,6 @@ struct World {
   void tick() { coupling.tick(world, dt); }
 };
 
-double path_length(const ribbon::Cord& cord) {
-  double sum = 0.0;
-  for (std::size_t p = 1; p < cord.positions().size(); ++p) {
-    sum += length(cord.positions()[p] - cord.positions()[p - 1]);
-  }
-  return sum;
-}
-
 /// Who pumps a swing gets all of it: by an impulse a tick, by a force, before the coupling's part of the tick or after.
 TEST(HeldCord, WhatTheGameGivesAHolderHeGets) {
   ribbon::CordDef def;
@@ -57,7 +52,7 @@ TEST(HeldCord, WhatTheGameGivesAHolderHeGets) {
   def.length = 6.0;
   def.mass_per_length = 0.5;
   def.pins = {0};
-  for (int i = 0; i < 31; ++i) def.positions.push_back({0.0, -0.2 * i});
+  def.positions = test_support::equally_spaced(31, {0.0, 0.0}, {0.0, -0.2});
   constexpr double mass = 60.0;
   constexpr double push = 270.0;  // N
   ribbon::CordDef fine = def;
@@ -78,9 +73,7 @@ TEST(HeldCord, WhatTheGameGivesAHolderHeGets) {
       };
       for (int k = 0; k < 60; ++k) {
         if (before) give();
-        scene.coupling.gather(scene.world, dt);
-        scene.coupling.step();
-        scene.coupling.apply();
+        test_support::step_cords(scene.coupling, scene.world, dt);
         if (!before) give();
         scene.world.Step(static_cast<float>(dt), 8, 3);
       }
@@ -107,7 +100,7 @@ TEST(HeldCord, HeavySwingThroughBox2D) {
     for (int k = 0; k < 300; ++k) {
       scene.tick();
       path.push_back(ribbon::box2d::to_double(scene.body->GetPosition()));
-      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct()) / 10.0 - 1.0);
+      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct().positions()) / 10.0 - 1.0);
     }
     EXPECT_LE(test_support::rms_distance(path, exact), 0.02);
     EXPECT_LE(stretch, 5e-4);
@@ -137,7 +130,7 @@ TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
     double stretch = 0.0;
     for (int k = 0; k < 600; ++k) {
       scene.tick();
-      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct()) / 3.0 - 1.0);
+      stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct().positions()) / 3.0 - 1.0);
     }
     const double elastic = 2.0 / stiffness;  // let go at rest length it goes down twice as far as it hangs
     EXPECT_LE(stretch, 1.05 * elastic + 5e-4);
@@ -262,9 +255,7 @@ TEST(HeldCord, OneOfEachSolverLiveSideBySide) {
   scene.coupling.hold(1, 50, *scene.body, {0.0F, 0.0F});
   scene.tick();
   const test_support::AllocationCount count;
-  scene.coupling.gather(scene.world, dt);
-  scene.coupling.step();
-  scene.coupling.apply();
+  test_support::step_cords(scene.coupling, scene.world, dt);
   EXPECT_EQ(count.so_far(), 0);
 }
 

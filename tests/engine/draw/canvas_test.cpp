@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
+#include "tests/support/points.h"
 
 using engine::Align;
 using engine::Color;
@@ -17,6 +18,7 @@ using engine::Mesh;
 using engine::MeshVertex;
 using engine::Raster;
 using ribbon::Vec2;
+using test_support::distance_to_path;
 
 namespace {
 
@@ -74,18 +76,6 @@ double cover_at(const Mesh& mesh, Vec2 p) {
   return most;
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-  return length(p - a - t * (b - a));
-}
-
-double distance_to_line(Vec2 p, const std::vector<Vec2>& line) {
-  double nearest = infinity;
-  for (std::size_t i = 1; i < line.size(); ++i)
-    nearest = std::min(nearest, distance_to_segment(p, line[i - 1], line[i]));
-  return nearest;
-}
-
 /// How many pixels the mesh covers, parts counted as parts.
 double covered_pixels(const Mesh& mesh, int width, int height) {
   Raster raster(width, height);
@@ -111,7 +101,7 @@ void expect_line(const std::vector<Vec2>& line, double width) {
   for (int row = 0; row < 140; ++row)
     for (int column = 0; column < 140; ++column) {
       const Vec2 p{0.71 * column, 0.71 * row};
-      const double expected = std::clamp(width / 2.0 + 0.5 - distance_to_line(p, line), 0.0, 1.0);
+      const double expected = std::clamp(width / 2.0 + 0.5 - distance_to_path(p, line), 0.0, 1.0);
       ASSERT_NEAR(cover_at(mesh, p), expected, 0.06) << "at " << p.x << ", " << p.y;
     }
 }

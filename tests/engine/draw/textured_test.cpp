@@ -10,11 +10,15 @@
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
+#include "tests/support/pixels.h"
+#include "tests/support/points.h"
 
 namespace engine {
 namespace {
 
 using ribbon::Vec2;
+using test_support::distance_to_path;
+using test_support::pixel;
 
 constexpr Color white{255, 255, 255};
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -28,11 +32,6 @@ TexturedMesh rectangle(Vec2 from, Vec2 to, Color color = white) {
                    {{from.x, to.y}, {0.0, 1.0}, color}};
   mesh.indices = {0, 1, 2, 0, 2, 3};
   return mesh;
-}
-
-std::uint32_t pixel(const Raster& raster, int x, int y) {
-  return raster
-      .pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width()) + static_cast<std::size_t>(x)];
 }
 
 int blue(const Raster& raster, int x, int y) { return static_cast<int>(pixel(raster, x, y) & 0xffU); }
@@ -232,18 +231,6 @@ TEST(Textured, SliversAndFarCornersKeepWithinTheirColours) {
   }
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-  return length(p - a - t * (b - a));
-}
-
-double distance_to_line(Vec2 p, const std::vector<Vec2>& line) {
-  double nearest = infinity;
-  for (std::size_t i = 1; i < line.size(); ++i)
-    nearest = std::min(nearest, distance_to_segment(p, line[i - 1], line[i]));
-  return nearest;
-}
-
 Raster drawn_band(const std::vector<Vec2>& line, double width, Color color) {
   TexturedMesh mesh;
   BandLook look;
@@ -262,7 +249,7 @@ void expect_band(const std::vector<Vec2>& line, double width) {
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) {
       const Vec2 p{x + 0.5, y + 0.5};
-      const double away = distance_to_line(p, line);
+      const double away = distance_to_path(p, line);
       if (std::min(length(p - line.front()), length(p - line.back())) < 0.5 * width + 1.0) continue;
       if (away < 0.5 * width - 0.6) {
         ASSERT_EQ(blue(raster, x, y), 255) << "a gap at " << x << ", " << y;

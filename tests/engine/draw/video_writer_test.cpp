@@ -9,19 +9,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/environment.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using engine::VideoError;
 using engine::VideoWriter;
+using test_support::bytes_of;
 using test_support::Environment;
+using test_support::refusal;
 
 /// A folder with a program ffmpeg, alone in PATH but for the shell's own.
 class FakeFfmpeg {
@@ -42,21 +44,6 @@ class FakeFfmpeg {
   Environment path_;
 };
 
-std::string content(const std::string& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const VideoError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 const std::vector<std::uint32_t>& frame() {
   static const std::vector<std::uint32_t> pixels(std::size_t{64} * 32, 0x00112233U);
   return pixels;
@@ -69,8 +56,8 @@ TEST(VideoWriter, FfmpegGetsEveryFrameAndWhatToDo) {
   for (int k = 0; k < 100; ++k) writer.write(frame());
   writer.finish();
   EXPECT_EQ(fs::file_size(path), 100U * 64 * 32 * 4);
-  EXPECT_EQ(content(path).substr(0, 4), std::string("\x33\x22\x11\x00", 4)) << "blue first";
-  const std::string arguments = content(path + ".arguments");
+  EXPECT_EQ(bytes_of(path).substr(0, 4), std::string("\x33\x22\x11\x00", 4)) << "blue first";
+  const std::string arguments = bytes_of(path + ".arguments");
   EXPECT_NE(arguments.find("-s 64x32 -framerate 30 -i pipe:0"), std::string::npos) << arguments;
   EXPECT_NE(arguments.find("paletteuse"), std::string::npos) << arguments;
 }
@@ -79,24 +66,24 @@ TEST(VideoWriter, TheEndingDecidesTheForm) {
   const FakeFfmpeg ffmpeg(R"(echo "$@" > "$out"; cat > /dev/null)");
   const std::string path = ffmpeg.file("a.mp4");
   VideoWriter(path, 64, 32).finish();
-  EXPECT_NE(content(path).find("libx264"), std::string::npos);
-  EXPECT_EQ(content(path).find("palette"), std::string::npos);
-  const std::string refused = message_of([&] { VideoWriter(ffmpeg.file("a.avi"), 64, 32); });
+  EXPECT_NE(bytes_of(path).find("libx264"), std::string::npos);
+  EXPECT_EQ(bytes_of(path).find("palette"), std::string::npos);
+  const std::string refused = refusal<VideoError>([&] { VideoWriter(ffmpeg.file("a.avi"), 64, 32); });
   EXPECT_NE(refused.find("a.avi"), std::string::npos) << refused;
   EXPECT_NE(refused.find(".gif or .mp4"), std::string::npos) << refused;
-  EXPECT_NE(message_of([&] { VideoWriter(path, 0, 32); }).find("0 x 32 pixels"), std::string::npos);
+  EXPECT_NE(refusal<VideoError>([&] { VideoWriter(path, 0, 32); }).find("0 x 32 pixels"), std::string::npos);
 }
 
 TEST(VideoWriter, ANameIsAFilesWhateverItBeginsWith) {
   const FakeFfmpeg ffmpeg(R"(echo "$last" > )" + testing::TempDir() + "ffmpeg_name; cat > /dev/null");
   VideoWriter("-y.gif", 64, 32).finish();
-  EXPECT_EQ(content(testing::TempDir() + "ffmpeg_name"), "file:-y.gif\n");
+  EXPECT_EQ(bytes_of(testing::TempDir() + "ffmpeg_name"), "file:-y.gif\n");
   fs::remove(testing::TempDir() + "ffmpeg_name");
 }
 
 TEST(VideoWriter, WithoutFfmpegItSaysSo) {
   const Environment path("PATH", "/no/such/folder");
-  EXPECT_EQ(message_of([] { VideoWriter("a.gif", 64, 32); }),
+  EXPECT_EQ(refusal<VideoError>([] { VideoWriter("a.gif", 64, 32); }),
             "cannot write the video a.gif: the program ffmpeg is not installed");
 }
 
@@ -104,7 +91,7 @@ TEST(VideoWriter, WhatFfmpegSaysIsToldWhenItFails) {
   const FakeFfmpeg ffmpeg("cat > /dev/null; echo one thing >&2; echo 'no space left' >&2; exit 3");
   VideoWriter writer(ffmpeg.file("a.gif"), 64, 32);
   writer.write(frame());
-  const std::string message = message_of([&] { writer.finish(); });
+  const std::string message = refusal<VideoError>([&] { writer.finish(); });
   EXPECT_NE(message.find("status 3: no space left"), std::string::npos) << message;
 }
 
@@ -112,7 +99,7 @@ TEST(VideoWriter, AnFfmpegThatGoesAwayIsAnErrorAndNoSignal) {
   std::signal(SIGPIPE, SIG_DFL);  // which would end the test
   const FakeFfmpeg ffmpeg("echo 'had enough' >&2; exit 1");
   VideoWriter writer(ffmpeg.file("a.gif"), 64, 32);
-  const std::string message = message_of([&] {
+  const std::string message = refusal<VideoError>([&] {
     for (int k = 0; k < 100'000; ++k) writer.write(frame());
   });
   EXPECT_NE(message.find("status 1: had enough"), std::string::npos) << message;
@@ -122,7 +109,7 @@ TEST(VideoWriter, OneThatIsGivenUpLeavesNoProcessBehind) {
   const FakeFfmpeg ffmpeg(R"(cat > /dev/null; echo ended > "$out")");
   const std::string path = ffmpeg.file("a.gif");
   { VideoWriter(path, 64, 32).write(frame()); }
-  EXPECT_EQ(content(path), "ended\n") << "it was not waited for";
+  EXPECT_EQ(bytes_of(path), "ended\n") << "it was not waited for";
 }
 
 TEST(VideoWriter, TheRealFfmpegMakesVideos) {
@@ -133,7 +120,7 @@ TEST(VideoWriter, TheRealFfmpegMakesVideos) {
     const std::vector<std::uint32_t> pixels(std::size_t{65} * 33, 0x00336699U);
     for (int k = 0; k < 30; ++k) writer.write(pixels);
     writer.finish();
-    const std::string bytes = content(path);
+    const std::string bytes = bytes_of(path);
     EXPECT_TRUE(bytes.starts_with("GIF89a") || bytes.substr(4, 4) == "ftyp") << path;
     fs::remove(path);
   }

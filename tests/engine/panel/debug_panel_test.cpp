@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/window/sdl_canvas.h"
+#include "tests/support/pixels.h"
 
 namespace {
 
@@ -56,9 +57,7 @@ struct Shown {
     frame(input);
   }
 
-  std::uint32_t pixel(int x, int y) const {
-    return canvas.raster().pixels()[static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x)];
-  }
+  std::uint32_t pixel(int x, int y) const { return test_support::pixel(canvas.raster(), x, y); }
 };
 
 TEST(DebugPanel, DrawsItsWindowAndNothingBesideIt) {

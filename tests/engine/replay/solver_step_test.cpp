@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
 #include <string>
+
+#include "tests/support/refusal.h"
 
 namespace engine {
 namespace {
@@ -44,12 +45,7 @@ std::string text_with(const std::string& from, const std::string& to) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    (void)read_solver_step(text, "bad.json");
-  } catch (const SolverStepError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test_support::refusal<SolverStepError>([&] { (void)read_solver_step(text, "bad.json"); });
 }
 
 TEST(SolverStep, IsReadBackToTheBit) {

@@ -8,9 +8,13 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
+#include "tests/support/refusal.h"
 
 namespace engine {
 namespace {
+
+using test_support::refusal;
+using test_support::says;
 
 using Property = std::pair<std::string, std::string>;  // name and value, as in the file
 
@@ -59,10 +63,9 @@ void expect_runs_or_is_refused(const std::string& text, const std::string& culpr
     for (int k = 0; k < 3; ++k) scene.tick(1.0 / 60.0);
     EXPECT_TRUE(all_finite(scene));
   } catch (const MapError& error) {
-    const std::string sentence = error.what();
-    EXPECT_EQ(sentence.rfind("hostile.tmj: object 7 \"thing\"", 0), 0U) << sentence;
-    EXPECT_NE(sentence.find(culprit), std::string::npos) << sentence;
-    EXPECT_NE(sentence.find("accepted"), std::string::npos) << sentence;
+    EXPECT_TRUE(starts_with(error.what(), "hostile.tmj: object 7 \"thing\""));
+    EXPECT_TRUE(says(error.what(), culprit));
+    EXPECT_TRUE(says(error.what(), "accepted"));
   }
 }
 
@@ -154,14 +157,9 @@ TEST(HostileLevel, WhatWouldNotFitIntoMemoryIsRefused) {
       R"({"type":"map","orientation":"orthogonal","width":10,"height":10,"tilewidth":10,"tileheight":10,)"
       R"("layers":[{"type":"objectgroup","objects":[)" +
       cords + "]}]}";
-  try {
-    const Scene scene(parse_tiled_map(text, "many.tmj"));
-    ADD_FAILURE() << "150,000 points were taken";
-  } catch (const MapError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "many.tmj: object 3: the cords up to this one have 150000 points, columns times rows; accepted are at "
-              "most 100000");
-  }
+  EXPECT_EQ(refusal<MapError>([&] { const Scene scene(parse_tiled_map(text, "many.tmj")); }),
+            "many.tmj: object 3: the cords up to this one have 150000 points, columns times rows; accepted are at most "
+            "100000");
 }
 
 std::string reference_to_99(const std::string& name) {
@@ -174,14 +172,8 @@ TEST(HostileLevel, AReferenceToAnObjectIsRefusedByItsName) {
     std::string referring = level(polyline, {{"columns", "9"}, {"mass", "1.8"}});
     const std::string list = R"("properties":[)";
     referring.insert(referring.find(list) + list.size(), reference_to_99(reference));
-    try {
-      const Scene scene(parse_tiled_map(referring, "hostile.tmj"));
-      ADD_FAILURE() << reference << " was taken";
-    } catch (const MapError& error) {
-      const std::string sentence = error.what();
-      EXPECT_NE(sentence.find("property \"" + reference + "\" is unknown, accepted are: solver"), std::string::npos)
-          << sentence;
-    }
+    EXPECT_TRUE(says(refusal<MapError>([&] { const Scene scene(parse_tiled_map(referring, "hostile.tmj")); }),
+                     "property \"" + reference + "\" is unknown, accepted are: solver"));
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 #include "engine/scene/scene.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/support/refusal.h"
 
 namespace engine {
 namespace {
@@ -52,12 +52,7 @@ TiledMap map_of(std::vector<MapObject> objects) {
 
 /// The sentence with which a map is refused.
 std::string refusal(const TiledMap& map) {
-  try {
-    const Scene scene(map);
-  } catch (const MapError& error) {
-    return error.what();
-  }
-  return "it was accepted";
+  return test_support::refusal<MapError>([&] { const Scene scene(map); });
 }
 
 TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 
 #include "engine/scene/tiled_map.h"
+#include "tests/support/files.h"
 
 namespace {
 
@@ -16,15 +15,10 @@ using engine::map_itself;
 using engine::parse_tiled_map;
 using engine::with_property;
 using engine::without_property;
-
-std::string content(const std::string& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
+using test_support::bytes_of;
 
 const std::string& first_swing() {
-  static const std::string text = content(TEST_ASSETS "/levels/first_swing.tmj");
+  static const std::string text = bytes_of(TEST_ASSETS "/levels/first_swing.tmj");
   return text;
 }
 
@@ -113,7 +107,7 @@ TEST(TiledEdit, AFileIsReplacedWholeOrNotAtAll) {
   const std::string path = testing::TempDir() + "replaced.tmj";
   engine::replace_file(path, "old");
   engine::replace_file(path, "new");
-  EXPECT_EQ(content(path), "new");
+  EXPECT_EQ(bytes_of(path), "new");
   EXPECT_FALSE(std::filesystem::exists(path + ".new"));
   std::filesystem::remove(path);
   EXPECT_THROW(engine::replace_file("/no/such/folder/a.tmj", "text"), std::runtime_error);

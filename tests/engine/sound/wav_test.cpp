@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tests/support/refusal.h"
+
 namespace {
 
 using engine::parse_wav;
@@ -11,12 +13,7 @@ using engine::Sound;
 using engine::wav_of;
 
 std::string refusal(const std::string& bytes) {
-  try {
-    parse_wav(bytes, "a.wav");
-  } catch (const engine::SoundError& error) {
-    return error.what();
-  }
-  return "taken";
+  return test_support::refusal<engine::SoundError>([&] { parse_wav(bytes, "a.wav"); });
 }
 
 std::string small_wav() { return wav_of({22050, {0.0F, 0.5F, -0.5F, 1.0F, -1.0F}}); }

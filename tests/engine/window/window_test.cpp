@@ -4,13 +4,14 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/window/window_input.h"
 #include "tests/support/environment.h"
+#include "tests/support/files.h"
+#include "tests/support/pixels.h"
+#include "tests/support/refusal.h"
 
 using engine::Align;
 using engine::Color;
@@ -21,22 +22,16 @@ using engine::MouseButton;
 using engine::Window;
 using engine::WindowInput;
 using ribbon::Vec2;
+using test_support::bytes_of;
 using test_support::Environment;
+using test_support::pixel;
+using test_support::refusal;
+using test_support::says;
+using test_support::starts_with;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint32_t pixel(const HeadlessCanvas& canvas, int x, int y) {
-  return canvas.raster().pixels().at(static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width()) +
-                                     static_cast<std::size_t>(x));
-}
-
-std::string read_file(const fs::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
-}
 
 /// A directory of this test's own, gone afterwards.
 struct TemporaryDirectory {
@@ -56,12 +51,7 @@ void draw_scene(engine::Canvas& canvas) {
 }
 
 std::string message_of_saving_to(const std::string& path) {
-  try {
-    HeadlessCanvas(10, 10).save_png(path);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<std::runtime_error>([&] { HeadlessCanvas(10, 10).save_png(path); });
 }
 
 }  // namespace
@@ -84,27 +74,27 @@ TEST(HeadlessCanvas, RefusesImpossibleSizes) {
 TEST(HeadlessCanvas, ClearsToAGradientFromTopToBottom) {
   HeadlessCanvas canvas(4, 101);
   canvas.clear({0, 0, 0}, {200, 100, 50});
-  EXPECT_EQ(pixel(canvas, 0, 0), 0x000000U);
-  EXPECT_EQ(pixel(canvas, 3, 50), 0x643219U);
-  EXPECT_EQ(pixel(canvas, 2, 100), 0xc86432U);
+  EXPECT_EQ(pixel(canvas.raster(), 0, 0), 0x000000U);
+  EXPECT_EQ(pixel(canvas.raster(), 3, 50), 0x643219U);
+  EXPECT_EQ(pixel(canvas.raster(), 2, 100), 0xc86432U);
 }
 
 TEST(HeadlessCanvas, DrawsTheWorldUpwards) {
   HeadlessCanvas canvas(100, 60);
   canvas.set_view({{10.0, 5.0}, 10.0});
   canvas.polygon(std::vector<Vec2>{{11.0, 6.0}, {13.0, 6.0}, {13.0, 7.0}, {11.0, 7.0}}, {1, 2, 3});
-  EXPECT_EQ(pixel(canvas, 60, 15), 0x010203U);  // x 60 … 80 and y 10 … 20 from the top
-  EXPECT_EQ(pixel(canvas, 79, 19), 0x010203U);
-  EXPECT_EQ(pixel(canvas, 58, 15), 0U);
-  EXPECT_EQ(pixel(canvas, 70, 21), 0U);
-  EXPECT_EQ(pixel(canvas, 70, 45), 0U);
+  EXPECT_EQ(pixel(canvas.raster(), 60, 15), 0x010203U);  // x 60 … 80 and y 10 … 20 from the top
+  EXPECT_EQ(pixel(canvas.raster(), 79, 19), 0x010203U);
+  EXPECT_EQ(pixel(canvas.raster(), 58, 15), 0U);
+  EXPECT_EQ(pixel(canvas.raster(), 70, 21), 0U);
+  EXPECT_EQ(pixel(canvas.raster(), 70, 45), 0U);
 }
 
 TEST(HeadlessCanvas, BlendsATranslucentColour) {
   HeadlessCanvas canvas(20, 20);
   canvas.clear({100, 100, 100});
   canvas.panel({2.0, 2.0}, {16.0, 16.0}, 0.0, {200, 100, 0, 128});
-  const std::uint32_t mixed = pixel(canvas, 10, 10);
+  const std::uint32_t mixed = pixel(canvas.raster(), 10, 10);
   EXPECT_NEAR(mixed >> 16U, 150.0, 1.0);
   EXPECT_EQ((mixed >> 8U) & 0xffU, 100U);
   EXPECT_NEAR(mixed & 0xffU, 50.0, 1.0);
@@ -120,7 +110,7 @@ TEST(HeadlessCanvas, WritesTextInItsPlaceAndColour) {
   int inside = 0;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 200; ++x) {
-      const std::uint32_t color = pixel(canvas, x, y);
+      const std::uint32_t color = pixel(canvas.raster(), x, y);
       EXPECT_EQ(color & 0xffffU, 0U);
       if (std::abs(x + 0.5 - 100.0) > width / 2.0 + 1.0 || y < 5) {
         EXPECT_EQ(color, 0U) << x << ", " << y;
@@ -152,7 +142,7 @@ TEST(HeadlessCanvas, WritesTheSamePictureTwice) {
     HeadlessCanvas canvas(160, 90);
     draw_scene(canvas);
     canvas.save_png((directory.path / name).string());
-    files.push_back(read_file(directory.path / name));
+    files.push_back(bytes_of(directory.path / name));
   }
   EXPECT_EQ(files[0], files[1]);
   ASSERT_GT(files[0].size(), 33U);
@@ -173,14 +163,9 @@ TEST(HeadlessCanvas, AFileThatCannotBeWrittenIsNamed) {
 
 TEST(HeadlessCanvas, AFontThatIsNoneIsNamed) {
   for (const char* const font : {"/nonexistent/letters.ttf", "/dev/null", "/"}) {
-    try {
-      const HeadlessCanvas canvas(10, 10, font);
-      ADD_FAILURE() << font << " was taken";
-    } catch (const std::runtime_error& error) {
-      EXPECT_EQ(std::string(error.what()).rfind(std::string("cannot open the font ") + font + ": ", 0), 0U)
-          << error.what();
-      EXPECT_NE(std::string(error.what()).find("fonts-dejavu-core"), std::string::npos) << error.what();
-    }
+    const std::string message = refusal<std::runtime_error>([&] { const HeadlessCanvas canvas(10, 10, font); });
+    EXPECT_TRUE(starts_with(message, std::string("cannot open the font ") + font + ": "));
+    EXPECT_TRUE(says(message, "fonts-dejavu-core"));
   }
 }
 
@@ -259,7 +244,7 @@ TEST(Window, DrawsAndPacesWithoutAScreen) {
   HeadlessCanvas canvas(160, 90);
   draw_scene(canvas);
   canvas.save_png((directory.path / "headless.png").string());
-  EXPECT_EQ(read_file(directory.path / "window.png"), read_file(directory.path / "headless.png"));
+  EXPECT_EQ(bytes_of(directory.path / "window.png"), bytes_of(directory.path / "headless.png"));
 }
 
 TEST(Window, OpensAgain) {
@@ -277,7 +262,7 @@ TEST(Window, SaysSoIfThereIsNoDisplay) {
     const Window window("test", 64, 64);
     GTEST_SKIP() << "this machine shows windows without a desktop session";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("no display"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("--headless"), std::string::npos) << error.what();
+    EXPECT_TRUE(says(error.what(), "no display"));
+    EXPECT_TRUE(says(error.what(), "--headless"));
   }
 }

@@ -17,6 +17,8 @@
 #include "game/settings/user_files.h"
 #include "game/simulation/medals.h"
 #include "tests/game/program.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 
 namespace game {
 namespace {
@@ -109,12 +111,7 @@ TEST(SettingsText, HoldsEverySetting) {
 
 TEST(SettingsText, NamesWhatIsWrongAndWhatIsAccepted) {
   const auto refused = [](const std::string& text) {
-    try {
-      parse_settings(text, "settings.json");
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string("taken");
+    return test_support::refusal<std::runtime_error>([&] { parse_settings(text, "settings.json"); });
   };
   EXPECT_EQ(refused(R"({"speed": 20})"), "settings.json: \"speed\" is 20, accepted is a whole number from 50 to 100");
   EXPECT_NE(refused(R"({"muted": 1})").find("\"muted\" is 1"), std::string::npos);

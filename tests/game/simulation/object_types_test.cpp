@@ -11,6 +11,8 @@
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 #include "tests/game/program.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 
 namespace game {
 namespace {
@@ -111,12 +113,7 @@ Level level_with(const json& added) {
 /// By the loader's own words.
 std::set<std::string> accepted_by(json object) {
   set(object, "no_such_property", "bool", true);
-  std::string sentence;
-  try {
-    level_with(object);
-  } catch (const engine::MapError& error) {
-    sentence = error.what();
-  }
+  const std::string sentence = test_support::refusal<engine::MapError>([&] { level_with(object); });
   const std::string before = "is unknown, accepted are: ";
   const std::size_t at = sentence.find(before);
   EXPECT_NE(at, std::string::npos) << sentence;
@@ -136,12 +133,8 @@ std::string hash_of(const Level& level) {
 }
 
 TEST(ObjectTypes, HaveEveryClassThatTheLoaderTakes) {
-  std::string sentence;
-  try {
-    level_with(object(9, "no_such_class", 1.0, 1.0));
-  } catch (const engine::MapError& error) {
-    sentence = error.what();
-  }
+  const std::string sentence =
+      test_support::refusal<engine::MapError>([] { level_with(object(9, "no_such_class", 1.0, 1.0)); });
   const std::size_t at = sentence.find("accepted is ");
   ASSERT_NE(at, std::string::npos) << sentence;
   std::istringstream names(sentence.substr(at + 12));

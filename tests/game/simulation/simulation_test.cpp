@@ -15,10 +15,7 @@
 namespace game {
 namespace {
 
-const Level& first_swing() {
-  static const Level level = load_level("first_swing");
-  return level;
-}
+using test_support::first_swing;
 
 /// What has to be so whichever solver moves the cords.
 class EitherLevel : public testing::TestWithParam<bool> {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string>
 #include <vector>
 
 #include "engine/replay/replay.h"
@@ -15,10 +14,7 @@
 namespace game {
 namespace {
 
-const Level& first_swing() {
-  static const Level level = load_level("first_swing");
-  return level;
-}
+using test_support::first_swing;
 
 /// A player above a floor, and a ball of 16 kg that falls on it, heights in m above the floor.
 Level drop(double player_height, double ball_height = 1.0, double ball_x = 14.0) {

@@ -4,48 +4,25 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/points.h"
 
-// A cord of the direct solver against circles and edges.
+// A cord of the direct solver against circles and edges: rest, edges, momentum, ribbons, state.
 
 namespace ribbon {
 namespace {
 
-using std::numbers::pi;
-using test_support::arc;
+using test_support::bridge_def;
+using test_support::bridge_mass;
 using test_support::ContactWorld;
+using test_support::copy;
+using test_support::max_distance;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double furthest(std::span<const Vec2> from, std::span<const Vec2> to) {
-  double most = 0.0;
-  for (std::size_t p = 0; p < from.size(); ++p) most = std::max(most, length(to[p] - from[p]));
-  return most;
-}
-
-std::vector<Vec2> copy(std::span<const Vec2> x) { return {x.begin(), x.end()}; }
-
-// --- resting --------------------------------------------------------------------------------------------------------
-
-constexpr double bridge_mass = 0.42;
-
-/// 4.2 m of cord, 4 cm thick, that hangs between pins 4 m apart.
-CordDef bridge_def() {
-  CordDef def;
-  def.points = 41;
-  def.length = 4.2;
-  def.radius = 0.02;
-  def.mass_per_length = 0.1;
-  def.friction = 0.5;
-  def.positions = arc({0.0, 0.0}, {4.0, 0.0}, 40, 0.105);
-  def.pins = {0, 40};
-  return def;
-}
 
 class CordBridge : public testing::TestWithParam<double> {};
 
@@ -83,7 +60,7 @@ TEST_P(CordBridge, ABallRestsOnItWithoutDriftOrJitter) {
     const Vec2 before = world.body(0).position;
     world.step();
     jitter = std::max(jitter, length(world.body(0).position - before));
-    drift = std::max({drift, length(world.body(0).position - start), furthest(shape, world.cord.positions())});
+    drift = std::max({drift, length(world.body(0).position - start), max_distance(shape, world.cord.positions())});
     depth = std::max(depth, world.depth());
   }
   EXPECT_LE(drift, 1e-4);
@@ -121,7 +98,7 @@ TEST(CordContact, DrapedOverTwentyCirclesItComesToRest) {
     for (int k = 0; k < 60; ++k) {
       const std::vector<Vec2> before = copy(world.cord.positions());
       world.step();
-      drift = std::max(drift, furthest(before, world.cord.positions()));
+      drift = std::max(drift, max_distance(before, world.cord.positions()));
     }
     EXPECT_LE(drift, 1e-6) << friction;
     EXPECT_LE(depth, 0.01 * 2.0 * def.radius + 1e-3) << friction;
@@ -130,118 +107,13 @@ TEST(CordContact, DrapedOverTwentyCirclesItComesToRest) {
   }
 }
 
-// --- friction -------------------------------------------------------------------------------------------------------
-
-/// A cord without weight over a circle, turned by `angle` on it in links of a 32nd of a turn; its ends are pulled along
-/// themselves, one ever harder. The ratio of the pulls at which it slips: by three centimetres, for
-/// it gives a little before.
-double capstan_ratio(double angle, double friction_of_cord, double friction_of_circle) {
-  constexpr int links_a_turn = 32;
-  constexpr double turn = 2.0 * pi / links_a_turn;
-  CordDef def;
-  def.radius = 0.01;
-  constexpr double radius = 0.5;
-  const double l = 2.0 * (radius + def.radius) * std::tan(0.5 * turn);  // links that touch it in their middles
-  const int turned = static_cast<int>(std::lround(angle / turn));
-  constexpr int straight = 6;
-  def.points = turned + 2 * straight + 1;
-  def.length = l * (def.points - 1);
-  def.friction = friction_of_cord;
-  // From the left along +x, then to the right around the circle below.
-  Vec2 x{-(straight - 0.5) * l, radius + def.radius};
-  double heading = 0.0;
-  for (int i = 0; i < def.points; ++i) {
-    def.positions.push_back(x);
-    if (i >= straight && i < straight + turned) heading -= turn;
-    x += l * Vec2{std::cos(heading), std::sin(heading)};
-  }
-  ContactWorld world(def);
-  world.gravity = {};
-  world.add_peg({0.0, 0.0}, radius, friction_of_circle);
-  const Vec2 end{std::cos(heading), std::sin(heading)};
-  constexpr double pull = 10.0;
-  world.cord.set_load(0, {-pull, 0.0});
-  const Vec2 start = world.cord.positions()[0];
-  const double expected = std::exp(std::sqrt(friction_of_cord * friction_of_circle) * angle);
-  for (double ratio = 1.0;; ratio += ratio < 0.9 * expected ? 4e-3 : 1e-3) {
-    world.cord.set_load(def.points - 1, ratio * pull * end);
-    world.step();
-    if (length(world.cord.positions()[0] - start) > 0.03 || ratio > 20.0) return ratio;
-  }
-}
-
-TEST(CordContact, AroundACircleItSlipsAsEulersCapstanSays) {
-  for (const double angle : {pi, 2.0 * pi}) {
-    const double expected = std::exp(0.3 * angle);
-    const double r = capstan_ratio(angle, 0.3, 0.3);
-    EXPECT_NEAR(r / expected, 1.0, 0.03) << angle;
-  }
-  // The two surfaces' friction mixes as Box2D's does.
-  const double r = capstan_ratio(pi, 0.1, 0.9);
-  EXPECT_NEAR(r / std::exp(0.3 * pi), 1.0, 0.03);
-  EXPECT_LT(capstan_ratio(pi, 0.0, 0.9), 1.05);
-}
-
-/// A straight cord on an incline of 1 in 2.
-struct Incline {
-  explicit Incline(double friction, const Accuracy& accuracy = {}) : world(def(friction, accuracy)) {
-    const int ground = world.add_body(-0.03 * perp(down), 0.0, 0.0);
-    world.add_edge(ground, -5.0 * down, 30.0 * down, 0.01, friction);
-  }
-  static CordDef def(double friction, const Accuracy& accuracy) {
-    CordDef def;
-    def.points = 21;
-    def.length = 2.0;
-    def.radius = 0.02;
-    def.friction = friction;
-    def.accuracy = accuracy;
-    for (int i = 0; i < 21; ++i) def.positions.push_back(0.1 * i * down);
-    return def;
-  }
-  double way() const { return dot(world.cord.positions()[10], down); }
-  double speed() const { return dot(world.cord.velocities()[10], down); }
-
-  static constexpr Vec2 down{0.89442719099991586, -0.44721359549995793};
-  ContactWorld world;
-};
-
-TEST(CordContact, OnAnInclineItSlidesAsFrictionSays) {
-  for (const double friction : {0.0, 0.2, 0.4}) {
-    Incline incline(friction);
-    for (int k = 0; k < 60; ++k) incline.world.step();
-    const double before = incline.way();
-    const double acceleration = 9.81 * (-Incline::down.y - friction * Incline::down.x);
-    EXPECT_NEAR(incline.speed() / acceleration, 1.0, 0.02) << friction;
-    for (int k = 0; k < 60; ++k) incline.world.step();
-    EXPECT_NEAR((incline.way() - before) / (1.5 * acceleration), 1.0, 0.02) << friction;
-    EXPECT_LE(incline.world.depth(), 1e-3);
-  }
-}
-
-TEST(CordContact, OnAnInclineFrictionHoldsItAndItDoesNotCreep) {
-  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
-    for (const double friction : {0.505, 0.55, 0.8, 2.0}) {
-      Incline incline(friction, accuracy);
-      for (int k = 0; k < 180; ++k) incline.world.step();  // it landed, and slid a little
-      const double before = incline.way();
-      for (int k = 0; k < 120; ++k) {
-        incline.world.step();
-        EXPECT_LE(incline.world.fastest(), 1e-9) << friction;
-      }
-      EXPECT_NEAR(incline.way(), before, 1e-12) << friction;
-    }
-  }
-}
-
-// --- driven by a body ------------------------------------------------------------------------------------------------
-
 TEST(CordContact, ACircleThatNothingStopsPushesIt) {
   CordDef def;
   def.points = 41;
   def.length = 4.0;
   def.radius = 0.02;
   def.pins = {0};
-  for (int i = 0; i < 41; ++i) def.positions.push_back({0.0, -0.1 * i});
+  def.positions = test_support::equally_spaced(41, {0.0, 0.0}, {0.0, -0.1});
   ContactWorld world(def);
   const int pusher = world.add_peg({-0.5, -2.0}, 0.2, 0.3);
   world.body(pusher).velocity = {1.0, 0.0};
@@ -255,8 +127,6 @@ TEST(CordContact, ACircleThatNothingStopsPushesIt) {
   EXPECT_EQ(world.total.unconverged, 0);
 }
 
-// --- edges and boxes ---------------------------------------------------------------------------------------------
-
 TEST(CordContact, ItLiesOnFlatGroundAtItsRadius) {
   for (const double edge_radius : {0.0, 0.01}) {
     CordDef def;
@@ -264,7 +134,7 @@ TEST(CordContact, ItLiesOnFlatGroundAtItsRadius) {
     def.length = 2.0;
     def.radius = 0.02;
     def.drag = 1.0;
-    for (int i = 0; i < 21; ++i) def.positions.push_back({0.1 * i, 0.3 + 0.01 * i});
+    def.positions = test_support::equally_spaced(21, {0.0, 0.3}, {0.1, 0.01});
     def.length = 20 * length(def.positions[1] - def.positions[0]);
     ContactWorld world(def);
     world.add_edge(world.add_body({}, 0.0, 0.0), {-5.0, 0.0}, {5.0, 0.0}, edge_radius, 0.5);
@@ -282,7 +152,7 @@ TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
   def.radius = 0.02;
   def.mass_per_length = 0.05;
   def.friction = 0.5;
-  for (int i = 0; i < 21; ++i) def.positions.push_back({0.1 * i, 0.02});
+  def.positions = test_support::equally_spaced(21, {0.0, 0.02}, {0.1, 0.0});
   ContactWorld world(def);
   world.add_edge(world.add_body({}, 0.0, 0.0), {-5.0, 0.0}, {5.0, 0.0}, 0.0, 0.5);
   const int ball = world.add_ball({1.0, 0.39}, 0.25, 1000.0, 0.5);
@@ -304,7 +174,7 @@ TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
     def.radius = 0.02;
     def.friction = 0.5;
     def.pins = {0};
-    for (int i = 0; i < 41; ++i) def.positions.push_back({-0.6 + 0.1 * i, 0.53});
+    def.positions = test_support::equally_spaced(41, {-0.6, 0.53}, {0.1, 0.0});
     ContactWorld world(def);
     const int box = world.add_body({1.0, 0.0}, 0.0, 0.0);
     world.add_box(box, {1.0, 0.5}, 0.005, 0.5);
@@ -354,9 +224,6 @@ TEST(CordContact, ABoxRestsOnABridge) {
   EXPECT_GT(depth, 0.0);
 }
 
-// --- momentum and energy
-// ----------------------------------------------------------------------------------------------
-
 /// A cord in free flight among three balls.
 ContactWorld flight(const Accuracy& accuracy, double friction) {
   CordDef def;
@@ -393,49 +260,6 @@ TEST(CordContact, WithBallsInFreeFlightItKeepsItsMomentum) {
   }
   EXPECT_GT(touched, 50);
 }
-
-/// From 1.5 m on a cord that hangs, or is taut between its pins.
-void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, double mass, double deepest) {
-  CordDef def = bridge_def();
-  def.stretch_stiffness = stiffness;
-  def.accuracy = accuracy;
-  if (taut) {
-    for (int i = 0; i < 41; ++i) def.positions[static_cast<std::size_t>(i)] = {0.105 * i, 0.0};
-  }
-  ContactWorld world(def);
-  world.add_ball(def.positions[18] + Vec2{0.0, 1.5}, 0.25, mass, 0.5);
-  const double scale = 9.81 * (mass + bridge_mass) * def.length;
-  const double before = world.energy();
-  double gain = 0.0;
-  double depth = 0.0;
-  for (int k = 0; k < 180; ++k) {
-    world.step();
-    gain = std::max(gain, world.energy() - before);
-    depth = std::max(depth, world.depth());
-  }
-  EXPECT_LE(gain, 1e-3 * scale) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
-  EXPECT_LE(depth, deepest) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
-}
-
-/// (The heaviest on a taut cord that does not stretch is left out: there it gains.) With bounded work a hundred times
-/// the cord's mass may be two millimetres in it where it hits it, and comes out again.
-TEST(CordContact, NoImpactOfAFallingBallGainsEnergy) {
-  for (const bool ample : {false, true}) {
-    for (Accuracy accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
-      if (ample) accuracy.max_work = 1'000'000;
-      for (const double mass : {0.01, 1.0, 100.0}) {
-        const double deepest = ample || mass < 100.0 ? 1e-3 : 2e-3;
-        for (const double stiffness : {1e4, 1e6, 1e8}) {
-          for (const bool taut : {true, false}) expect_no_gain(taut, stiffness, accuracy, mass, deepest);
-        }
-        expect_no_gain(false, infinity, accuracy, mass, deepest);
-        if (mass <= 1.0) expect_no_gain(true, infinity, accuracy, mass, deepest);
-      }
-    }
-  }
-}
-
-// --- ribbons ---------------------------------------------------------------------------------------------------------
 
 int inverted_cells(const Cord& cord) {
   const auto x = cord.positions();
@@ -484,8 +308,6 @@ TEST(CordContact, ARibbonDrapedOnCirclesKeepsItsCells) {
   }
 }
 
-// --- memory and state ------------------------------------------------------------------------------------------------
-
 /// A bridge that a ball falls on, with a peg and an edge underneath.
 ContactWorld busy() {
   ContactWorld world(bridge_def());
@@ -529,9 +351,6 @@ TEST(CordContact, SavedAndRestoredWhileItTouchesItRunsOnToTheSameBits) {
   }
   EXPECT_GT(touching, 20);
 }
-
-// --- what it refuses and survives
-// --------------------------------------------------------------------------------------
 
 TEST(CordContact, RefusesFrictionAndRestitutionOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -6,6 +6,7 @@
 
 #include "ribbon/cord.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/points.h"
 
 // Contact of the direct solver where it was once found wanting.
 
@@ -168,7 +169,7 @@ TEST(CordContactLimits, ImpactsReboundAsTheirRestitutionSays) {
         def.length = 1.0;
         def.radius = 0.02;
         def.restitution = restitution;
-        for (int i = 0; i < 11; ++i) def.positions.push_back({0.1 * i, ball_falls ? 0.0 : 0.2});
+        def.positions = test_support::equally_spaced(11, {0.0, ball_falls ? 0.0 : 0.2}, {0.1, 0.0});
         if (ball_falls) {
           for (int i = 0; i < 11; ++i) def.pins.push_back(i);
         }

@@ -7,6 +7,7 @@
 #include "ribbon/cord.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/dice.h"
+#include "tests/support/points.h"
 
 // Nothing goes through a cord, however fast.
 
@@ -16,20 +17,15 @@ namespace {
 using std::numbers::pi;
 using test_support::ContactWorld;
 using test_support::Dice;
+using test_support::segments_cross;
 
 constexpr double tick = 1.0 / 60.0;
 constexpr double half_a_thickness = 0.02;  // m, of all cords here
 constexpr int ample_work = 1'000'000;      // Accuracy::max_work, with which what does not converge is taken by halves
 
-/// Whether the segments from a to b and from c to d cross.
-bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p) > 0.0; };
-  return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
-}
-
 bool crosses(std::span<const Vec2> cord, Vec2 a, Vec2 b) {
   for (std::size_t p = 1; p < cord.size(); ++p) {
-    if (cross_each_other(cord[p - 1], cord[p], a, b)) return true;
+    if (segments_cross(cord[p - 1], cord[p], a, b)) return true;
   }
   return false;
 }

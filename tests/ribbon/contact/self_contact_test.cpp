@@ -9,6 +9,7 @@
 #include "ribbon/direct_solver.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/contact_world.h"
+#include "tests/support/points.h"
 
 // Cords of the direct solver against themselves and each other.
 
@@ -135,7 +136,7 @@ TEST(CordContactWithCords, HoldsOnlyWhereBothDeclareIt) {
     above.friction = 0.5;
     above.drag = 1.0;
     above.cord_contact = both;
-    for (int i = 0; i < 9; ++i) above.positions.push_back({0.6 + 0.1 * i, 0.3});
+    above.positions = test_support::equally_spaced(9, {0.6, 0.3}, {0.1, 0.0});
     Cord first(below);
     Cord second(above);
     DirectSolver solver;
@@ -163,7 +164,7 @@ TEST(CordContactWithCords, KeepsTheirMomentum) {
   def.mass_per_length = 0.5;
   def.friction = 0.3;
   def.cord_contact = true;
-  for (int i = 0; i < 11; ++i) def.positions.push_back({0.1 * i, 0.0});
+  def.positions = test_support::equally_spaced(11, {0.0, 0.0}, {0.1, 0.0});
   Cord still(def);
   for (Vec2& x : def.positions) x = {0.45 + x.y, 0.1 + x.x};
   def.mass_per_length = 2.0;

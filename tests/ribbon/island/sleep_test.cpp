@@ -11,6 +11,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
 #include "tests/support/allocations.h"
+#include "tests/support/points.h"
 
 // CordDef::allow_sleep: who falls asleep, what that changes, and what wakes him.
 
@@ -239,7 +240,7 @@ TEST(CordSleep, CordsThatAreNearEachOtherSleepAndWakeTogether) {
   std::vector<Cord> cords;
   for (const double x : {0.0, 0.05, 50.0}) {
     def.positions.clear();
-    for (int p = 0; p < def.points; ++p) def.positions.push_back({x, -0.1 * p});
+    def.positions = test_support::equally_spaced(def.points, {x, 0.0}, {0.0, -0.1});
     cords.emplace_back(def);
   }
   DirectSolver solver;

@@ -1,0 +1,143 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
+#include "tests/engine/coupling/grip_world.h"
+
+// Events of bodies that begin and cease to touch a cord.
+
+namespace engine {
+namespace {
+
+/// Begins with the impulse that stops the ball, and ends when it has gone.
+TEST(TouchEvents, TellWhoBeginsAndCeasesToTouch) {
+  GripWorld scene;
+  scene.coupling.add(Cord(taut()));
+  b2Body* ball = scene.add_body({1.0, 0.6}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  std::vector<ribbon::box2d::TouchEvent> events;
+  for (int k = 0; k < 60; ++k) {
+    scene.tick();
+    events.insert(events.end(), scene.coupling.touch_events().begin(), scene.coupling.touch_events().end());
+  }
+  ASSERT_FALSE(events.empty());
+  EXPECT_TRUE(events[0].begins);
+  EXPECT_EQ(events[0].fixture, ball->GetFixtureList());
+  EXPECT_GT(events[0].impulse, 0.5);  // some 2 kg at 3 m/s
+  EXPECT_LT(events[0].impulse, 10.0);
+  EXPECT_NEAR(events[0].point.x, 1.0, 0.05);
+  EXPECT_GT(events[0].normal.y, 0.9);
+  events.clear();
+  ball->SetTransform({1.0F, 5.0F}, 0.0F);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, ball->GetFixtureList()) << "far away it is still there";
+}
+
+/// Of one that is destroyed by the coupling after the tick the events are there and the fixture is not.
+TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
+  GripWorld scene;
+  scene.coupling.add(Cord(taut()));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
+  EXPECT_EQ(scene.coupling.fixture(number), ball->GetFixtureList());
+  scene.coupling.destroy(scene.world, *ball);
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  EXPECT_EQ(scene.coupling.fixture(number), nullptr);
+}
+
+/// What destroys otherwise may say so, or whoever asks may ask in the world.
+TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
+  for (const bool forgets : {true, false}) {
+    GripWorld scene;
+    scene.coupling.add(Cord(taut()));
+    b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+    for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+    const std::uint64_t number = scene.coupling.touch_events()[0].number;
+    EXPECT_EQ(scene.coupling.fixture(number, scene.world), ball->GetFixtureList());
+    if (forgets) scene.coupling.forget(*ball->GetFixtureList());
+    ball->DestroyFixture(ball->GetFixtureList());
+    EXPECT_EQ(scene.coupling.fixture(number, scene.world), nullptr);
+    EXPECT_EQ(scene.coupling.touch_events()[0].fixture == nullptr, forgets);
+    const ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);
+    ASSERT_EQ(state.events.size(), 1U);
+    EXPECT_EQ(state.events[0].fixture, 0U);
+    scene.tick();
+    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+    EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+    EXPECT_EQ(scene.coupling.touch_events()[0].number, 0U);
+  }
+}
+
+/// Two fixtures of one body: one that takes the older one's address is another one.
+TEST(TouchEvents, OfAFixtureMadeAnewAtTheSameAddressAreItsOwn) {
+  GripWorld scene;
+  scene.coupling.add(Cord(taut()));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  b2Fixture* first = ball->GetFixtureList();
+  first->SetFilterData(b2Filter());
+  b2CircleShape second;
+  second.m_radius = 0.01F;
+  ball->CreateFixture(&second, 0.0F);
+  scene.tick(120);
+  ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
+  const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
+  ASSERT_EQ(scene.coupling.fixture(number, scene.world), first);
+  b2CircleShape circle;
+  circle.m_radius = 0.2F;
+  ball->DestroyFixture(first);
+  ASSERT_EQ(ball->CreateFixture(&circle, 10.0F), first) << "Box2D likes to use the same address again";
+  EXPECT_EQ(scene.coupling.fixture(number, scene.world), nullptr);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
+  EXPECT_NE(scene.coupling.cord(0).touching()[0].fixture, number);
+}
+
+/// A fixture of a body that was made anew at the same address has another number, and touches anew.
+TEST(TouchEvents, OfABodyMadeAnewAtTheSameAddressAreItsOwn) {
+  GripWorld scene;
+  scene.coupling.add(Cord(taut()));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  scene.add_body({50.0, 0.0}, 1.0);
+  scene.tick(120);
+  ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
+  const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
+  const Vec2 place = ribbon::box2d::to_double(ball->GetPosition());
+  ball = make_anew(scene, ball, place, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
+  EXPECT_NE(scene.coupling.cord(0).touching()[0].fixture, number);
+  ASSERT_EQ(scene.coupling.touch_events().size(), 2U);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  EXPECT_TRUE(scene.coupling.touch_events()[1].begins);
+}
+
+/// Of what is destroyed nothing is told but that it ceased to touch.
+TEST(TouchEvents, OfAFixtureThatIsNoMoreHaveNone) {
+  GripWorld scene;
+  scene.coupling.add(Cord(taut()));
+  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
+  ball->GetFixtureList()->SetFilterData(b2Filter());
+  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  scene.world.DestroyBody(ball);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+}
+
+}  // namespace
+}  // namespace engine
