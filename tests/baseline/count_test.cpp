@@ -86,7 +86,7 @@ TEST(BaselineCount, OfARecordedRunEveryTickCounts) {
   EXPECT_EQ(count_run(TEST_ASSETS "/replays/first_swing.replay"), row);
 }
 
-TEST(BaselineCount, ARunThatGoesOtherwiseThanRecordedIsRefused) {
+TEST(BaselineCount, ARunThatDiffersFromItsRecordingIsRefused) {
   const engine::Replay replay = engine::load_replay(TEST_ASSETS "/replays/first_swing.replay");
   const std::string path = testing::TempDir() + "baseline_other.replay";
   engine::ReplayWriter writer(path, replay.header);

@@ -74,7 +74,7 @@ TEST(BaselineTable, ARowIsThereOnce) {
             ":3: 'a cord fast, 51 points' is there twice; accepted is one row of a name");
 }
 
-TEST(BaselineTable, AFileThatIsNotThereIsToldOf) {
+TEST(BaselineTable, AMissingFileIsReported) {
   EXPECT_EQ(test_support::refusal<std::runtime_error>([] { read_table("/nowhere/work.csv"); }),
             "cannot read /nowhere/work.csv; accepted is a table that --accept has written");
   EXPECT_THROW(write_table("/nowhere/work.csv", {}), std::runtime_error);

@@ -208,7 +208,7 @@ TEST(CordTensionOnly, HangsStillInShortSteps) {
 }
 
 /// Who catches a rope on the way up goes on up, however short the steps; links that push would stop him.
-TEST(CordTensionOnly, DoesNotStopWhoCatchesItRising) {
+TEST(CordTensionOnly, DoesNotStopABodyThatTakesHoldWhileRising) {
   for (const int substeps : {1, 8, 64}) {
     CordDef def = hanging(41, 8.0);
     def.tension_only = true;

@@ -197,7 +197,7 @@ TEST(CordLoad, PullsUntilItIsSetAgain) {
   EXPECT_NEAR(cord.positions()[10].x, 0.0, 1e-6);
 }
 
-TEST(CordOperated, FollowsTheHandAndKeepsItsVelocityWhenLetGo) {
+TEST(CordDragged, FollowsTheTargetAndKeepsItsVelocityWhenReleased) {
   Cord cord(hanging(11, 1.0));
   EXPECT_EQ(cord.kind(0), PointKind::constrained);
   EXPECT_EQ(cord.kind(5), PointKind::free);
@@ -215,7 +215,7 @@ TEST(CordOperated, FollowsTheHandAndKeepsItsVelocityWhenLetGo) {
 }
 
 /// A hand that pulls an inextensible cord further than it is long: nothing is infinite, and it says so by its length.
-TEST(CordOperated, PulledTooFarItStaysFinite) {
+TEST(CordDragged, DraggedTooFarItStaysFinite) {
   Cord cord(hanging(11, 1.0));
   for (int k = 1; k <= 60; ++k) {
     cord.operate(10, {0.1 * k, -1.0});
@@ -230,7 +230,7 @@ TEST(CordOperated, PulledTooFarItStaysFinite) {
 }
 
 /// A pin that arrives and stands still by itself: the step after begins anew, as if it had been told.
-TEST(CordOperated, APinThatStopsByItselfStopsTheCordSmoothly) {
+TEST(CordDragged, APinThatStopsByItselfStopsTheCordSmoothly) {
   const auto end = [](bool told) {
     Cord cord(hanging(21, 2.0));
     for (int k = 0; k < 30; ++k) {

@@ -30,7 +30,7 @@ TEST(Dials, NoSettingOfAGridStandsInItTwice) {
   }
 }
 
-TEST_F(LevelStudy, ALevelTakesTheDialsAndNothingElse) {
+TEST_F(LevelStudy, ALevelTakesTheSettingsAndNothingElse) {
   const LevelFile file(level_path);
   const game::Level level = file.with({"direct", "implicit_euler", 3, 1e-6, 2.0});
   const auto changed = level.make_scene();
@@ -135,7 +135,7 @@ void expect_the_same(const Measured& a, const Measured& b) {
   EXPECT_EQ(a.failure, b.failure);
 }
 
-TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
+TEST_F(LevelStudy, AnInterruptedStudyContinues) {
   StudyOptions elsewhere = options();
   elsewhere.folder = home + "/other_report";
   const Study uninterrupted = measure(LevelFile(level_path), replay_path, elsewhere);
@@ -176,7 +176,7 @@ TEST_F(LevelStudy, WhoIsInterruptedGoesOnWhereHeWas) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
 }
 
-TEST_F(LevelStudy, ASettingIsKeptWithAllItsNumbers) {
+TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   Measured measured;
   measured.error = {1.0, 2.0, 3.0, 4.0, lacking, 6.0, 7.0, 8.0};
   measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, lacking, 18.0};
@@ -193,7 +193,7 @@ TEST_F(LevelStudy, ASettingIsKeptWithAllItsNumbers) {
   EXPECT_EQ(Results(home + "/kept", 2, replay_path, false).find({}), nullptr);
 }
 
-TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
+TEST_F(LevelStudy, AConvergedRunIsSavedToTheSameBits) {
   const std::string path = home + "/some.run";
   const std::vector<engine::TickInput> inputs(5);
   Trace trace = run(game::load_level(level_path), inputs);
@@ -223,7 +223,7 @@ TEST_F(LevelStudy, AConvergedRunIsKeptToTheSameBits) {
   }
 }
 
-TEST(Failure, IsWhatBlewUpOrLetThroughOrDidNotConverge) {
+TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
   Trace reference;
   reference.declared = {through_body};
   reference.passages.assign(10, {0});
@@ -287,7 +287,7 @@ TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
   EXPECT_NE(refusal<std::exception>([&] { LevelFile(home + "/absent.tmj"); }).find("absent.tmj"), std::string::npos);
 }
 
-TEST_F(LevelStudy, ATermThatNothingNeedsIsTold) {
+TEST_F(LevelStudy, AnUnneededTermIsReported) {
   const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
   const auto result = [&](const std::string& term) {
     return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });

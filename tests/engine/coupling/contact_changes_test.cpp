@@ -51,7 +51,7 @@ TEST(ContactCord, FiltersAndSensorsDecideAsBetweenTwoFixtures) {
 }
 
 /// A dumbbell whose one end the cord does not meet hangs on the other.
-TEST(ContactCord, EachFixtureOfABodyIsMetByItsOwnFilter) {
+TEST(ContactCord, EachFixtureOfABodyCollidesByItsOwnFilter) {
   World scene;
   scene.coupling.add(Cord(bridge_def()), filter(2, 0xFFFF));
   b2Body* body = scene.add_body({2.0, 0.0});

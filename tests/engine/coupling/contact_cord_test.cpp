@@ -118,7 +118,7 @@ TEST(ContactCord, ABoxRestsOnABridge) {
 }
 
 /// A straight cord falls on flat ground of each shape, and lies on it at its radius and Box2D's.
-TEST(ContactCord, ItLiesOnEdgesChainsAndBoxes) {
+TEST(ContactCord, ItRestsOnEdgesChainsAndBoxes) {
   const auto lies_at = [](const b2Shape& shape, Vec2 ground, b2BodyType type, double angle = 0.0) {
     CordDef def;
     def.points = 21;

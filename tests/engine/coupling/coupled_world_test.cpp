@@ -32,7 +32,7 @@ CordDef rope() {
   return def;
 }
 
-TEST(CoupledWorld, AThesisCordIsAsHeavyAsItsRopeAndLiesWhereItDoes) {
+TEST(CoupledWorld, AThesisCordHasTheMassAndTheShapeOfItsRope) {
   CoupledWorld world(thesis());
   world.add(rope());
   EXPECT_EQ(world.points(0), rope().positions);
@@ -55,7 +55,7 @@ TEST(CoupledWorld, APullIsAThesisCordsMomentum) {
   EXPECT_NEAR(momentum.y, 0.0, 1e-9);
 }
 
-TEST(CoupledWorld, AThesisCordHangsByItsPinOnCirclesThatItMeets) {
+TEST(CoupledWorld, AThesisCordHangsByItsPinOnCirclesThatItTouches) {
   CoupledWorld world(thesis());
   CordDef def = rope();
   def.pins = {0};

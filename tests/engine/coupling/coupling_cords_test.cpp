@@ -43,7 +43,7 @@ TEST(CouplingCords, KnowsWhichSolverACordHas) {
   EXPECT_EQ(ribbon::box2d::solver_name(ribbon::box2d::Solver::direct), "direct");
 }
 
-TEST(CouplingCords, TellsTheShapeOfEither) {
+TEST(CouplingCords, ReportsTheShapeOfEither) {
   const OneOfEach each;
   for (const ribbon::box2d::CordId cord : {0, 1}) {
     EXPECT_EQ(each.coupling.cord(cord).shape().columns, 5);
@@ -56,7 +56,7 @@ TEST(CouplingCords, TellsTheShapeOfEither) {
   EXPECT_FALSE(each.coupling.cord(1).shape().braced);
 }
 
-TEST(CouplingCords, DragsAndLetsGoAPointOfEither) {
+TEST(CouplingCords, DragsAndFreesAPointOfEither) {
   OneOfEach each;
   for (const ribbon::box2d::CordId cord : {0, 1}) {
     EXPECT_EQ(each.coupling.cord(cord).kind(0), ribbon::PointKind::constrained);

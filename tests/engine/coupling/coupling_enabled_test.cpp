@@ -116,7 +116,7 @@ TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
 }
 
 /// Also where no cord is left that is on.
-TEST(CouplingEnabled, WhatTouchedItCeasesToAndBeginsToAgain) {
+TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
   World there;
   there.coupling.add(rope());
   b2Body& ball = there.ball({1.0, 0.11});
@@ -144,7 +144,7 @@ TEST(CouplingEnabled, WhatTouchedItCeasesToAndBeginsToAgain) {
   EXPECT_TRUE(there.coupling.touch_events()[0].begins);
 }
 
-TEST(CouplingEnabled, NothingFindsOneThatIsOff) {
+TEST(CouplingEnabled, QueriesSkipADisabledCord) {
   World there;
   there.coupling.add(rope(0.0));
   there.coupling.add(rope(1.0));
@@ -181,7 +181,7 @@ TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
   EXPECT_TRUE(with[1] == without[1]);
 }
 
-TEST(CouplingEnabled, SwitchedOnAgainItGoesOnAsIfNoTimeHadPassed) {
+TEST(CouplingEnabled, EnabledAgainItContinuesAsIfNoTimeHadPassed) {
   const auto run = [](int pause) {
     World there;
     there.coupling.add(rope());
@@ -209,7 +209,7 @@ TEST(CouplingEnabled, IsSavedAndRestored) {
 }
 
 /// A cord that goes leaves its place to the next.
-TEST(CouplingEnabled, ReplacingOneThatIsOffSwitchesItOn) {
+TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
   World there;
   there.coupling.add(rope());
   there.coupling.cord(0).set_enabled(false);

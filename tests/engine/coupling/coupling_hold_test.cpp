@@ -119,7 +119,7 @@ TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
   }
 }
 
-TEST(CouplingHold, HeldOffCentreABodyHangsWithItsCentreBelowTheHand) {
+TEST(CouplingHold, HeldOffCentreABodyHangsWithItsCentreBelowTheAnchor) {
   Hanging hanging(2.0, 2.0);
   hanging.body->SetTransform(ribbon::box2d::to_float(hanging.end() + Vec2{0.3, 0.0}), 0.0F);
   hanging.body->SetAngularDamping(1.0F);
@@ -133,7 +133,7 @@ TEST(CouplingHold, HeldOffCentreABodyHangsWithItsCentreBelowTheHand) {
   EXPECT_NEAR(length(hanging.end() - hand), 0.0, 2e-3);
 }
 
-TEST(CouplingHold, AHandThatMovesOnItsBodyArrivesWithinTheTick) {
+TEST(CouplingHold, AnAnchorThatMovesOnItsBodyArrivesWithinTheTick) {
   Hanging hanging(5.0);
   hanging.run(120);
   hanging.coupling.grip(hanging.grip).move_anchor({0.05F, 0.1F});
@@ -141,7 +141,7 @@ TEST(CouplingHold, AHandThatMovesOnItsBodyArrivesWithinTheTick) {
   EXPECT_NEAR(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetWorldPoint({0.05F, 0.1F}))), 0.0, 5e-3);
 }
 
-TEST(CouplingHold, LetGoTheBodyKeepsItsVelocity) {
+TEST(CouplingHold, ReleasedTheBodyKeepsItsVelocity) {
   Hanging hanging(2.0);
   hanging.body->SetLinearVelocity({3.0F, 0.0F});
   hanging.run(20);
@@ -175,7 +175,7 @@ TEST(CouplingHold, KeepsTheMomentumOfCordAndHolder) {
   }
 }
 
-TEST(CouplingHold, AHolderThatIsDestroyedLetsGo) {
+TEST(CouplingHold, AHolderThatIsDestroyedReleases) {
   Hanging hanging(2.0);
   hanging.run(10);
   hanging.world.DestroyBody(hanging.body);  // without telling the coupling

@@ -18,7 +18,7 @@ namespace {
 using ribbon::ThesisCord;
 using test_support::step_cords;
 
-TEST(Coupling, NothingIsNearToNowhere) {
+TEST(Coupling, NothingIsNearNaN) {
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +46,7 @@ double nearest_distance(const ribbon::box2d::Coupling& coupling, Vec2 position, 
   return nearest;
 }
 
-TEST(Coupling, FindsWhatALookAtEveryPointFinds) {
+TEST(Coupling, FindsTheSameAsASearchOfAllPoints) {
   ribbon::box2d::Coupling coupling;
   test_support::Dice dice(7);
   for (int k = 0; k < 40; ++k) {
@@ -81,7 +81,7 @@ TEST(Coupling, FindsWhatALookAtEveryPointFinds) {
   }
 }
 
-TEST(Coupling, FindsTheNearestPointWithinReach) {
+TEST(Coupling, FindsTheNearestPointWithinADistance) {
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
   coupling.add(ThesisCord(cord_def({0.0, 2.0})));

@@ -135,7 +135,7 @@ TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
 }
 
 /// What falls on a rope that sleeps finds it awake: it goes no deeper than into one that never sleeps.
-TEST(CouplingSleep, WhatComesNearWakesARopeInTime) {
+TEST(CouplingSleep, ABodyThatApproachesWakesARopeInTime) {
   const auto lowest_gap = [](bool allow_sleep) {
     World there;
     CordDef def = rope_def(allow_sleep);

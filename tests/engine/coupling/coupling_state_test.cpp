@@ -241,7 +241,7 @@ TEST(CouplingState, LeavesOutBodiesThatAreNoLongerInTheWorld) {
 }
 
 /// Events tell of a tick, and go back with it; so does the number of the next grip.
-TEST(CouplingState, WhatItTellsGoesBackToo) {
+TEST(CouplingState, EventsAndReportsAreRestoredToo) {
   Scene scene;
   const State start = scene.coupling.save(scene.world);
   State touched;

@@ -61,7 +61,7 @@ TEST(Coupling, ACircleFallsOntoACordAndIsCarried) {
   EXPECT_GT(coupling.cord(0).thesis_report().circle_contacts, 0);
 }
 
-TEST(Coupling, AFixtureOffItsBodysCentreIsMetWhereItIs) {
+TEST(Coupling, AFixtureOffItsBodysCentreCollidesWhereItIs) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -249,7 +249,7 @@ TEST(Coupling, ABodyThatGravityDoesNotPullDoesNotPress) {
   }
 }
 
-TEST(Coupling, ADrivenPointMeetsWhatItIsDrivenInto) {
+TEST(Coupling, ADrivenPointCollides) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -307,7 +307,7 @@ TEST(Coupling, ABodysOriginMakesNoDifference) {
 }
 
 /// A fixture may have any friction, and an extent that no coordinate of a cord reaches.
-TEST(Coupling, AFixtureOfAnyNumbersIsMetOrLeftOut) {
+TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
   ribbon::CordDef def;

@@ -223,9 +223,9 @@ void check_scenes(unsigned first, unsigned last) {
   EXPECT_GT(all, 10U * (last - first));
 }
 
-TEST(Gather, FindsWhatALookAtAllFinds) { check_scenes(0, 1000); }
+TEST(Gather, FindsTheSameAsASearchOfAllFixtures) { check_scenes(0, 1000); }
 
-TEST(LongGather, FindsWhatALookAtAllFinds) { check_scenes(1000, 10'000); }
+TEST(LongGather, FindsTheSameAsASearchOfAllFixtures) { check_scenes(1000, 10'000); }
 
 /// Cords that hang among boxes, with as much as is wanted far away.
 struct Clearing : test_support::ShapeWorld {
@@ -295,7 +295,7 @@ struct Held : test_support::ShapeWorld {
   b2Body* ball;
 };
 
-TEST(Gather, WhoTellsOfDestructionsIsBelieved) {
+TEST(Gather, ReportedDestructionsAreTrusted) {
   Held held;
   held.coupling.trust_forget(true);
   held.tick(5);
@@ -308,7 +308,7 @@ TEST(Gather, WhoTellsOfDestructionsIsBelieved) {
 }
 
 /// A body that is led no more goes on with its momentary velocity, wherever it is.
-TEST(Gather, ABodyThatIsTakenAwayGetsWhatBox2DCouldNotShow) {
+TEST(Gather, ABodyThatIsRemovedGetsItsVelocityCarry) {
   for (const bool trusts : {false, true}) {
     Held held;
     held.coupling.trust_forget(trusts);
@@ -323,7 +323,7 @@ TEST(Gather, ABodyThatIsTakenAwayGetsWhatBox2DCouldNotShow) {
 }
 
 /// A cord that sleeps looks around where it is, though it was put there asleep.
-TEST(Gather, ACordThatSleepsAndIsPutElsewhereLooksAroundThere) {
+TEST(Gather, ASleepingCordThatIsMovedFindsItsNewSurroundings) {
   const auto hanging = [](double x) {
     CordDef def;
     def.points = 5;
@@ -362,7 +362,7 @@ TEST(Gather, FewerWorkersThanOneAreRefused) {
 }
 
 #ifndef NDEBUG
-TEST(GatherDeathTest, AParallelForThatLeavesSomethingOutIsTold) {
+TEST(GatherDeathTest, AParallelForThatSkipsATaskIsReported) {
   const auto run_all_but_one = [](void* /*context*/, int count, ribbon::ParallelFor::Task task, void* things) {
     for (int k = 1; k < count; ++k) task(things, k);
   };

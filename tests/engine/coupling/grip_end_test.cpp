@@ -18,7 +18,7 @@ using ribbon::CallError;
 using ribbon::DefinitionError;
 using test_support::all_finite;
 
-TEST(Grip, LetsGoAboveItsStrength) {
+TEST(Grip, IsReleasedAboveItsStrength) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
   b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
@@ -115,7 +115,7 @@ TEST(Grip, EndsInTheMiddleOfATick) {
 }
 
 /// Between the end of a body and the next gather nothing looks into the memory where it was.
-TEST(Grip, LetGoAfterItsBodysEndTouchesNothing) {
+TEST(Grip, ReleasedAfterItsBodysEndAccessesNoFreedMemory) {
   const auto end = [](auto&& let_go) {
     GripWorld scene;
     scene.coupling.add(Cord(hanging()));
@@ -148,7 +148,7 @@ TEST(Grip, LetGoAfterItsBodysEndTouchesNothing) {
 }
 
 /// It stands before a body that was made after the other one, so it is new, and nothing of the other is its own.
-TEST(Grip, ABodyMadeAnewAtTheSameAddressHoldsNothing) {
+TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
   const auto anew = [](auto&& ask) {
     GripWorld scene;
     scene.coupling.add(Cord(hanging()));
@@ -183,7 +183,7 @@ TEST(Grip, ABodyMadeAnewAtTheSameAddressHoldsNothing) {
 }
 
 /// A body that is made anew and takes hold at once has its own grip and no other.
-TEST(Grip, ABodyMadeAnewAtTheSameAddressCanTakeHold) {
+TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
   b2Body* body = scene.add_body({0.0, -9.0}, 70.0);

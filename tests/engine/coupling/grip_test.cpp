@@ -193,7 +193,7 @@ TEST(Grip, AKinematicBodyCarriesTheCordAtAnyPlace) {
 }
 
 /// What nothing pushes presses on nothing, however it holds the cord: contacts are as firm as without it.
-TEST(Grip, ABodyThatNothingPushesGripsACordThatTouches) {
+TEST(Grip, AStaticOrKinematicBodyHoldsACordWithContacts) {
   for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
     GripWorld scene;
     scene.coupling.add(Cord(taut()));

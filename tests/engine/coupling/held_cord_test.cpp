@@ -46,7 +46,7 @@ struct World {
 };
 
 /// Who pumps a swing gets all of it: by an impulse a tick, by a force, before the coupling's part of the tick or after.
-TEST(HeldCord, WhatTheGameGivesAHolderHeGets) {
+TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
   ribbon::CordDef def;
   def.points = 31;
   def.length = 6.0;

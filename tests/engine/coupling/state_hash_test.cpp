@@ -39,7 +39,7 @@ TEST(Hasher, IsTheSameFunctionForEver) {
   EXPECT_EQ(ribbon::box2d::to_hex(hash_of(1.0, -2.5F, std::uint32_t{7}, std::int64_t{-1}, true)), "a754c32fa3b972e7");
 }
 
-TEST(Hasher, TellsApartWhatComparesEqual) {
+TEST(Hasher, DistinguishesValuesThatCompareEqual) {
   EXPECT_NE(hash_of(0.0), hash_of(-0.0));
   EXPECT_NE(hash_of(0.0F), hash_of(-0.0F));
   const auto nan = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::quiet_NaN());

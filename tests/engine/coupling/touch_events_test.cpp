@@ -13,7 +13,7 @@ namespace engine {
 namespace {
 
 /// Begins with the impulse that stops the ball, and ends when it has gone.
-TEST(TouchEvents, TellWhoBeginsAndCeasesToTouch) {
+TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.6}, 2.0);
@@ -80,7 +80,7 @@ TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
 }
 
 /// Two fixtures of one body: one that takes the older one's address is another one.
-TEST(TouchEvents, OfAFixtureMadeAnewAtTheSameAddressAreItsOwn) {
+TEST(TouchEvents, OfANewFixtureAtTheSameAddressAreItsOwn) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
@@ -104,7 +104,7 @@ TEST(TouchEvents, OfAFixtureMadeAnewAtTheSameAddressAreItsOwn) {
 }
 
 /// A fixture of a body that was made anew at the same address has another number, and touches anew.
-TEST(TouchEvents, OfABodyMadeAnewAtTheSameAddressAreItsOwn) {
+TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
@@ -125,7 +125,7 @@ TEST(TouchEvents, OfABodyMadeAnewAtTheSameAddressAreItsOwn) {
 }
 
 /// Of what is destroyed nothing is told but that it ceased to touch.
-TEST(TouchEvents, OfAFixtureThatIsNoMoreHaveNone) {
+TEST(TouchEvents, OfADestroyedFixtureHaveNone) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);

@@ -87,7 +87,7 @@ TEST(VideoWriter, WithoutFfmpegItSaysSo) {
             "cannot write the video a.gif: the program ffmpeg is not installed");
 }
 
-TEST(VideoWriter, WhatFfmpegSaysIsToldWhenItFails) {
+TEST(VideoWriter, TheMessageOfFfmpegIsReportedWhenItFails) {
   const FakeFfmpeg ffmpeg("cat > /dev/null; echo one thing >&2; echo 'no space left' >&2; exit 3");
   VideoWriter writer(ffmpeg.file("a.gif"), 64, 32);
   writer.write(frame());
@@ -105,7 +105,7 @@ TEST(VideoWriter, AnFfmpegThatGoesAwayIsAnErrorAndNoSignal) {
   EXPECT_NE(message.find("status 1: had enough"), std::string::npos) << message;
 }
 
-TEST(VideoWriter, OneThatIsGivenUpLeavesNoProcessBehind) {
+TEST(VideoWriter, AnAbortedOneLeavesNoProcessBehind) {
   const FakeFfmpeg ffmpeg(R"(cat > /dev/null; echo ended > "$out")");
   const std::string path = ffmpeg.file("a.gif");
   { VideoWriter(path, 64, 32).write(frame()); }

@@ -25,7 +25,7 @@ struct Told {
                   }};
 };
 
-TEST(FileWatch, AChangeIsToldOnceAndWhenItHasSettled) {
+TEST(FileWatch, AChangeIsReportedOnceAndAfterItHasSettled) {
   Told file;
   EXPECT_FALSE(file.watch.pass(period));
   file.now = Stamp{20, 100};
@@ -34,7 +34,7 @@ TEST(FileWatch, AChangeIsToldOnceAndWhenItHasSettled) {
   for (int k = 0; k < 5; ++k) EXPECT_FALSE(file.watch.pass(period));
 }
 
-TEST(FileWatch, WhatIsStillBeingWrittenIsWaitedFor) {
+TEST(FileWatch, AFileThatIsBeingWrittenIsNotYetReported) {
   Told file;
   for (std::uintmax_t size = 0; size < 10; ++size) {
     file.now = Stamp{20, size};
@@ -56,7 +56,7 @@ TEST(FileWatch, AFileThatIsAwayForAMomentHasNotChanged) {
   EXPECT_TRUE(file.watch.pass(period));
 }
 
-TEST(FileWatch, ItLooksTwiceASecondAndNoMore) {
+TEST(FileWatch, ItChecksTwiceASecond) {
   Told file;
   const int before = file.looks;
   for (int frame = 0; frame < 600; ++frame) file.watch.pass(1'000'000'000 / 60);

@@ -90,7 +90,7 @@ TEST(DebugPanel, TheSameFrameIsTheSamePicture) {
   EXPECT_EQ(a.canvas.raster().pixels(), b.canvas.raster().pixels());
 }
 
-TEST(DebugPanel, AClickPressesAndIsKeptFromTheGame) {
+TEST(DebugPanel, AClickPressesAButtonAndDoesNotReachTheGame) {
   Shown shown;
   shown.frame({});
   shown.click(shown.button);

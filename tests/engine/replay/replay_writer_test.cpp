@@ -123,7 +123,7 @@ TEST(ReplayWriter, RefusesAHeaderItCouldNotReadBackAndLeavesTheFileAlone) {
   EXPECT_EQ(bytes_of(path), "precious");
 }
 
-TEST(ReplayWriter, AFullDiskIsToldOnceAndWhatWasWrittenStays) {
+TEST(ReplayWriter, AFullDiskIsReportedOnceAndWrittenTicksStay) {
   const std::string path = scratch("full_disk");
   ReplayWriter writer(path, some_header());
 

@@ -153,7 +153,7 @@ TEST(SceneRibbon, IsACordOfThreeRowsUnlessGiven) {
 }
 
 /// A ball of a category that the game keeps from its cords.
-TEST(SceneCord, ThatIsSolidMeetsWhatOthersDoNot) {
+TEST(SceneCord, ThatIsSolidCollidesWithWhatOthersDoNot) {
   const auto lowest = [](bool solid) {
     MapObject bridge = cord(7);
     bridge.points = {{3.0, 5.0}, {7.0, 5.0}};
@@ -240,7 +240,7 @@ TEST(NearestPlace, IsBetweenThePointsOfADirectCordAndNotOfTheOneLeftOut) {
   EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 1.0, 0));
 }
 
-TEST(MovingAHand, TakesTheBodyAlongAndRefusesAGripThatIsNone) {
+TEST(MovingAHand, MovesTheBodyAndRefusesAGripThatDoesNotExist) {
   Scene scene(map_of({cord(7), load(8, 0)}));
   b2Body& body = *scene.bodies()[0].body;
   ribbon::box2d::GripDef grip;

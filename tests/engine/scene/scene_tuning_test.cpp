@@ -81,7 +81,7 @@ TEST(SceneTuning, WhatIsSetToWhatItWasMovesOnAsBefore) {
   for (std::size_t p = 0; p < now.size(); ++p) EXPECT_LT(length(now[p] - then[p]), 2e-3);
 }
 
-TEST(SceneTuning, WhatIsAttachedAndWhoHoldsStayWhenTheMassChanges) {
+TEST(SceneTuning, AttachedMassesAndHoldersStayWhenTheMassChanges) {
   Tuned tuned;
   const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
   ribbon::Cord& before = tuned.scene.coupling().cord(cord).direct();

@@ -29,7 +29,7 @@ std::size_t ticks_kept(const std::string& path) {
   return left.ticks.size();
 }
 
-TEST(ReplayFaults, AFullDiskIsToldAndTheTicksBeforeAreKept) {
+TEST(ReplayFaults, AFullDiskIsReportedAndEarlierTicksAreSaved) {
   const std::string path = scratch("full.replay");
   const Ended ended = ropeswing("--headless --ticks 200 --record " + path, small_disk);
   EXPECT_EQ(ended.status, 2);
@@ -40,7 +40,7 @@ TEST(ReplayFaults, AFullDiskIsToldAndTheTicksBeforeAreKept) {
   EXPECT_EQ(nothing.output, "ropeswing: /dev/full: cannot write the replay: No space left on device\n");
 }
 
-TEST(ReplayFaults, WhoPlaysGoesOnWhenTheDiskIsFull) {
+TEST(ReplayFaults, TheGameContinuesWhenTheDiskIsFull) {
   const std::string path = scratch("full_window.replay");
   const Ended ended = ropeswing("--ticks 60 --record " + path, std::string(small_disk) + " SDL_VIDEODRIVER=dummy");
   EXPECT_EQ(ended.status, 2);
@@ -189,7 +189,7 @@ TEST(ProgramFaults, AHundredThousandObjectsAreRefusedAtOnce) {
   refused(head + layers + "]}", "\"type\" is missing, accepted is a text");
 }
 
-TEST(ProgramFaults, SaysWithItsStatusThatNobodyCouldReadItsOutput) {
+TEST(ProgramFaults, ReportsByItsStatusThatItsOutputCouldNotBeWritten) {
   EXPECT_EQ(ropeswing("--headless --ticks 1 >/dev/full").status, 2);
 }
 

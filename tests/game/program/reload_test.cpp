@@ -55,7 +55,7 @@ struct Played {
   void wait_a_second() { frames(4, 300'000'000); }
 };
 
-TEST(Reload, ALevelBeginsAnewWhenItsFileHasChanged) {
+TEST(Reload, ALevelRestartsWhenItsFileHasChanged) {
   Played played;
   played.frames(30);
   EXPECT_GE(played.screen().simulation().run_ticks(), 28);
@@ -67,7 +67,7 @@ TEST(Reload, ALevelBeginsAnewWhenItsFileHasChanged) {
   EXPECT_FALSE(played.screen().run().is_tuned()) << "it is the file's";
 }
 
-TEST(Reload, ABrokenFileIsToldAndTheOldLevelGoesOn) {
+TEST(Reload, ABrokenFileIsReportedAndTheOldLevelContinues) {
   Played played;
   played.frames(30);
   played.save(played.text.substr(0, 500));

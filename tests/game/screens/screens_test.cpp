@@ -87,7 +87,7 @@ TEST_P(Screens, NoTextOfRunsIsCutOff) {
   EXPECT_NE(texts_of(pause).find("Options"), std::string::npos);
 }
 
-TEST_P(Screens, ResultsTellTimeAndBest) {
+TEST_P(Screens, ResultsShowTimeAndBest) {
   const engine::Replay golden = engine::load_replay(test_support::golden());
   RunOptions asked;
   asked.replay = test_support::golden();

@@ -264,7 +264,7 @@ TEST(Medals, AreForTimesUpToTheirs) {
   EXPECT_EQ(medal_for(1201, medals), Medal::none);
 }
 
-TEST(Session, WhatCannotBeReadIsToldAndTheGameGoesOn) {
+TEST(Session, AnUnreadableFileIsReportedAndTheGameContinues) {
   const std::string config = scratch("bad_config");
   std::filesystem::create_directories(config + "/settings.json");  // a folder, of all things
   Session session(config, "");

@@ -132,7 +132,7 @@ TEST(Drag, TheGroundStays) {
 }
 
 /// A load of 300 kg that is torn at, at the end of a cord of one kilogram that does not stretch.
-TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordReaches) {
+TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordIsLong) {
   Simulation simulation(sandbox());
   for (int k = 0; k < 30; ++k) simulation.tick({});
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();

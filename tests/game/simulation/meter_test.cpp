@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-TEST(Meter, TellsTheMedianAndTheDearestOfTheLastSecond) {
+TEST(Meter, ShowsTheMedianAndTheMaximumOfTheLastSecond) {
   const Level level = load_level("first_swing");
   Simulation simulation(level);
   Meter meter;

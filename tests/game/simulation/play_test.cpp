@@ -119,7 +119,7 @@ class ThrownLine : public testing::Test {
   }
 };
 
-TEST_F(ThrownLine, CatchesTheRingAndIsAsLongAsTheWay) {
+TEST_F(ThrownLine, CatchesTheRingAndIsAsLongAsTheDistance) {
   ASSERT_EQ(simulation.player().line().state(), Line::State::held);
   EXPECT_NEAR(simulation.player().line().length(), length(ring - simulation.player().hand()), 1e-3);
   const auto x = simulation.scene().coupling().cord(*simulation.player().line().cord()).positions();
@@ -139,7 +139,7 @@ TEST_F(ThrownLine, ReelsItsPlayerUp) {
 }
 
 /// Its elasticity stores what the reel put in: the player bobs, about where his weight stretches the line to.
-TEST_F(ThrownLine, StretchesUnderItsPlayerWhoBobs) {
+TEST_F(ThrownLine, StretchesUnderItsBouncingPlayer) {
   tick(simulation, button_reel_in, 120);
   const double rest = simulation.player().line().length();
   double sum = 0.0;
@@ -157,7 +157,7 @@ TEST_F(ThrownLine, StretchesUnderItsPlayerWhoBobs) {
   EXPECT_GT(most - least, 0.5 * by_weight);
 }
 
-TEST_F(ThrownLine, IsLetGoByThrowingAndHangsWhereItWas) {
+TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
   tick(simulation, button_throw);
   EXPECT_EQ(simulation.player().line().state(), Line::State::left);
   EXPECT_FALSE(simulation.scene().coupling().held_by(simulation.player().body()));
@@ -206,7 +206,7 @@ TEST(Aim, GoesForTheRingThatThePointerIsAtAndElseForOneAhead) {
   EXPECT_EQ(simulation.aimed_hook(), 0U);
 }
 
-TEST(Load, IsDroppedByWhoHoldsItsCordAndFalls) {
+TEST(Load, FallsWhenItsHolderReleasesTheCord) {
   const Level level = load_level("heavy_load");
   Simulation simulation(level);
   const auto loads = simulation.scene().bodies();
@@ -251,7 +251,7 @@ TEST(Checkpoint, IsWhereAFallAndARetryEnd) {
   EXPECT_GT(simulation.player().position().y, area.center.y - 0.5 * area.size.y);
 }
 
-TEST(Bridge, CarriesWhoWalksOnItAndLetsHimJump) {
+TEST(Bridge, CarriesAPlayerWhoWalksAndJumps) {
   const Level level = load_level("rolling_bridge");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(14.0), test_support::stand()});

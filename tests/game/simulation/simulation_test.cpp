@@ -155,7 +155,7 @@ TEST(Simulation, HoldingRestartRestartsOnce) {
   EXPECT_EQ(simulation.run_ticks(), 10);
 }
 
-TEST(Simulation, WhoFallsIsPutBackToTheStart) {
+TEST(Simulation, AFallReturnsThePlayerToTheStart) {
   Simulation simulation(first_swing());
   for (int k = 0; k < 240 && simulation.falls() == 0; ++k) simulation.tick(press(button_right));
   EXPECT_EQ(simulation.falls(), 1);
@@ -168,7 +168,7 @@ Level first_swing_without_falls() {
   return level;
 }
 
-TEST(NoFall, WhoFallsGoesOnFromWhereHeStood) {
+TEST(NoFall, AFallContinuesFromTheLastFooting) {
   const Level level = first_swing_without_falls();
   Simulation simulation(level);
   double edge = 0.0;
@@ -188,7 +188,7 @@ TEST(NoFall, WhoFallsGoesOnFromWhereHeStood) {
   EXPECT_TRUE(simulation.player().is_on_firm_ground());
 }
 
-TEST(NoFall, ARestartForgetsWhereHeStood) {
+TEST(NoFall, ARestartForgetsTheLastFooting) {
   const Level level = first_swing_without_falls();
   Simulation simulation(level);
   for (int k = 0; k < 60; ++k) simulation.tick(press(button_right));
@@ -232,7 +232,7 @@ TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
   EXPECT_EQ(coupling.cord(0).kind(operated), ribbon::PointKind::free);
 }
 
-TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
+TEST(Simulation, ThePointerDragsACordNoFurtherThanItsLength) {
   Simulation simulation(first_swing());
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto fastest = [&] {
@@ -259,7 +259,7 @@ TEST(Simulation, ThePointerDragsACordNoFurtherThanItReaches) {
 // --- the player
 // --------------------------------------------------------------------------------------------------------
 
-TEST(Player, RunsUpToHisSpeedAndStops) {
+TEST(Player, RunsUpToTheMaximumSpeedAndStops) {
   Simulation simulation(first_swing());
   for (int k = 0; k < 40; ++k) simulation.tick(press(button_right));
   EXPECT_NEAR(static_cast<double>(simulation.player().body().GetLinearVelocity().x), 6.0, 1e-3);

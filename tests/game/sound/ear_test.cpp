@@ -111,7 +111,7 @@ TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
   }
 }
 
-TEST(Ear, WhoLandsFromHigherIsHeardLouder) {
+TEST(Ear, AHigherFallIsLouder) {
   double last = 0.0;
   for (const double height : {0.2, 0.6, 1.8}) {
     const Heard heard = heard_of(drop(height), 90);
@@ -125,7 +125,7 @@ TEST(Ear, WhoLandsFromHigherIsHeardLouder) {
   }
 }
 
-TEST(Ear, WhatIsFurtherIsQuieterAndOnItsSide) {
+TEST(Ear, DistantSoundsAreQuieterAndOnTheirSide) {
   const auto thud_of_ball = [](double x) {
     for (const Cue& cue : heard_of(drop(0.0, 1.0, x), 60).cues) {
       if (cue.noise == Noise::thud && cue.how.pan != 0.0) return cue.how;
@@ -141,7 +141,7 @@ TEST(Ear, WhatIsFurtherIsQuieterAndOnItsSide) {
   EXPECT_LT(left.pan, 0.0);
 }
 
-TEST(Ear, WhoStandsOrLiesIsSilent) {
+TEST(Ear, BodiesAtRestAreSilent) {
   Ear ear;
   const Level level = drop(0.0, 0.0);
   Simulation simulation(level);
@@ -156,7 +156,7 @@ TEST(Ear, RunningIsHeardInStepsThatComeWithTheSpeed) {
   EXPECT_NEAR(heard.count(Noise::footstep), 2.0 * 6.0 / 1.05, 2.0);
 }
 
-TEST(Ear, ALineIsHeardThrownTakingHoldAndReeled) {
+TEST(Ear, ALineIsHeardWhenThrownAttachedAndReeled) {
   Ear ear;
   const Level level = drop(0.0);
   Simulation simulation(level);
@@ -173,7 +173,7 @@ TEST(Ear, ALineIsHeardThrownTakingHoldAndReeled) {
 
 TEST(Ear, ACheckpointIsHeardOnce) { EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1); }
 
-TEST(Ear, ARestartIsNotHeardAsAFallAThudOrALettingGo) {
+TEST(Ear, ARestartIsNotHeardAsAFallAThudOrARelease) {
   Simulation simulation(first_swing());
   Ear ear;
   const engine::Replay golden = engine::load_replay(test_support::golden());

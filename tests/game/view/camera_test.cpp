@@ -45,7 +45,7 @@ TEST(Camera, NeverShowsWhatIsOutsideTheLevel) {
   }
 }
 
-TEST(Camera, LooksAheadOfWhereHeGoes) {
+TEST(Camera, LooksAheadInTheDirectionOfMotion) {
   for (const double side : {-1.0, 1.0}) {
     Camera camera(level);
     CameraSubject subject = at({24.0, 9.0}, {side * 6.0, 0.0});
@@ -133,7 +133,7 @@ TEST(Camera, ShakesOnAHardLandingOnly) {
   EXPECT_EQ(shaken(14.0, true), 0.0);
 }
 
-TEST(Camera, ShowsMoreOfTheLevelToWhoIsFast) {
+TEST(Camera, ShowsMoreOfTheLevelAtHighSpeed) {
   Camera slow(level);
   Camera fast(level);
   slow.jump_to(at({24.0, 9.0}));

@@ -13,7 +13,7 @@ using ribbon::Vec2;
 constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 breeze{1.3, 0.0};
 
-TEST(Particles, AreNeverMoreThanThereIsRoomForAndGoAway) {
+TEST(Particles, AreNeverMoreThanTheCapacityAndDisappear) {
   Particles particles;
   for (int k = 0; k < 200; ++k) {
     add_sparkle(particles, {1.0, 2.0}, {});
@@ -50,7 +50,7 @@ TEST(Particles, StayNearWhereTheyBegan) {
   }
 }
 
-TEST(Particles, AFullPoolGivesUpWhatIsAboutToGo) {
+TEST(Particles, AFullPoolReplacesTheOldest) {
   Particles particles;
   Particle old;
   old.life = 0.1;

@@ -54,7 +54,7 @@ TEST(Pose, FeetDoNotGoIntoTheGroundTheyRunOn) {
   }
 }
 
-TEST(Pose, HandsAreAtTheCord) {
+TEST(Pose, HandsHoldTheCord) {
   FigureState state;
   state.on_ground = false;
   state.at = {5.0, 5.0};

@@ -127,7 +127,7 @@ TEST(CordContact, ACircleThatNothingStopsPushesIt) {
   EXPECT_EQ(world.total.unconverged, 0);
 }
 
-TEST(CordContact, ItLiesOnFlatGroundAtItsRadius) {
+TEST(CordContact, ItRestsOnFlatGroundAtItsRadius) {
   for (const double edge_radius : {0.0, 0.01}) {
     CordDef def;
     def.points = 21;

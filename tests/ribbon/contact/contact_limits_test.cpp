@@ -104,7 +104,7 @@ TEST(CordContactLimits, AHeavyBallOnATautCordThatDoesNotStretchGainsNoEnergy) {
 /// A string drawn far from the peg is let go: in one tick it goes past where contacts were looked for.
 /// What something else has pressed into a cord between two steps comes out in the next, and is not thrown: the shorter
 /// the substeps, the more of the energy of so stiff a contact they would give back.
-TEST(CordContactLimits, WhatIsPressedInIsNotThrownOut) {
+TEST(CordContactLimits, APenetratingBallIsNotThrownOut) {
   for (const int substeps : {1, 4, 64, 256}) {
     CordDef def;
     def.points = 21;
@@ -160,7 +160,7 @@ TEST(CordContactLimits, ASnappingStringDoesNotGoThroughAPeg) {
 
 /// A cord that falls flat on the ground and a ball that falls on a cord which cannot give rebound at e times their
 /// speed.
-TEST(CordContactLimits, ImpactsReboundAsTheirRestitutionSays) {
+TEST(CordContactLimits, ImpactsHaveTheirRestitution) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
     for (const double speed : {1.0, 10.0}) {
       for (const bool ball_falls : {false, true}) {
@@ -226,7 +226,7 @@ TEST(CordContactLimits, ACapstansStepsConverge) {
 }
 
 /// Deeper is nobody: but who parts goes free.
-TEST(CordContactLimits, ABallBornWithItsCentreOnACordComesOut) {
+TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   for (const double along : {0.5, 0.525, 0.51}) {
     for (const double radius : {5e-6, 5e-4, 0.05}) {
       CordDef def;
@@ -246,7 +246,7 @@ TEST(CordContactLimits, ABallBornWithItsCentreOnACordComesOut) {
 }
 
 /// A tenth of the depth a step would throw it, were the steps as short as that.
-TEST(CordContactLimits, WhatIsDeepComesOutNoFasterInShortSteps) {
+TEST(CordContactLimits, DepenetrationIsNoFasterInShortSteps) {
   for (const double dt : {1e-2, 1e-3, 1e-4, 1e-5}) {
     CordDef def;
     def.points = 21;
@@ -268,7 +268,7 @@ TEST(CordContactLimits, WhatIsDeepComesOutNoFasterInShortSteps) {
 
 /// A straight cord in a circle beside which its links are short is in it at all points; with one contact a minimum of
 /// the distance it was held in the middle, then in two places, then in more, and thrown.
-TEST(CordContactLimits, ACordBornDeepInALargeCircleComesOutWhole) {
+TEST(CordContactLimits, ACordThatStartsDeepInALargeCircleIsDepenetratedUndamaged) {
   for (const double radius : {0.5, 5.0, 50.0}) {  // 10 links and more
     for (const double depth : {1e-3, 0.05}) {
       CordDef def;

@@ -220,7 +220,7 @@ TEST(CordHeldBody, AFreeCordAndItsHoldersKeepTheirMomentum) {
 
 /// A hand somewhere else than its point draws it near, a quarter of a link a step, and a kinematic one carries it
 /// along.
-TEST(CordHeldBody, ADistantHandDrawsThePointAndAKinematicOneCarriesIt) {
+TEST(CordHeldBody, ADistantHolderPullsThePointAndAKinematicOneCarriesIt) {
   CordDef def;
   def.points = 11;
   def.length = 1.0;

@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(Links, LongMassRatios, testing::Values(50, 500));
 
 /// Each guard can be seen at work, and is counted.
 /// Whose hand still moves a little on his body when the rope goes taut is thrown no further for that.
-TEST(CordGuard, WatchesRopesThatHandsMove) {
+TEST(CordGuard, GuardsRopesThatHoldersMove) {
   constexpr double mass = 60.0;
   for (const int substeps : {1, 2, 8}) {
     CordDef def;
@@ -257,7 +257,7 @@ TEST(CordGuard, WatchesRopesThatHandsMove) {
 
 /// A cord of many short links gains a little of M·g·L where its first ones fall through a whole turn in a step: that is
 /// taken out again, and not more.
-TEST(CordGuard, KeepsNoEnergyThatItNeverHad) {
+TEST(CordGuard, RemovesSpuriousEnergy) {
   for (const int points : {1001, 5001}) {
     CordDef def;
     def.points = points;
@@ -277,7 +277,7 @@ TEST(CordGuard, KeepsNoEnergyThatItNeverHad) {
   }
 }
 
-TEST(CordGuard, CountsWhatItMends) {
+TEST(CordGuard, CountsItsCorrections) {
   CordReport report;
   for (unsigned seed = 0; seed < 5; ++seed) {
     Cord cord = slack({51, 1, 1e7, 0.0}, seed, Accuracy::balanced());

@@ -78,7 +78,7 @@ TEST(FindContact, ACentreInsideLeavesThroughTheNearestBoundary) {
   EXPECT_NEAR(down->depth, 0.6, 1e-12);
 }
 
-TEST(FindContact, OnTheBoundaryTheWayOutIsTheOutwardNormal) {
+TEST(FindContact, OnTheBoundaryTheDirectionIsTheOutwardNormal) {
   const Strip strip;
   const auto contact = strip.deepest({{4.3, 1.0}, {4.3, 1.0}, 0.5});
   ASSERT_TRUE(contact);

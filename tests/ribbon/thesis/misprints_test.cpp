@@ -89,7 +89,7 @@ TEST(Misprint1Sign, ADraggedAnchorPushesItsNeighboursTheOtherWay) {
   EXPECT_GT(ours.positions()[2].y - before.y, 0.002);
 }
 
-TEST(Misprint2Inertia, WithTheSignAloneMendedNothingMovesAndStiffnessCancels) {
+TEST(Misprint2Inertia, WithTheSignAloneCorrectedNothingMovesAndStiffnessCancels) {
   const Pinned cord;
   VectorXd fall = VectorXd::Zero(cord.all);
   for (Eigen::Index k = cord.constrained + 1; k < cord.all; k += 2) fall(k) = -0.02;
