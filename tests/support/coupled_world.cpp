@@ -6,6 +6,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "tests/support/contact_figures.h"
+#include "tests/support/shape_world.h"
 
 namespace test_support {
 namespace {

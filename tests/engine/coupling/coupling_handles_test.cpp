@@ -112,7 +112,7 @@ TEST(CordRef, KeepsUserDataWhenTheCordIsReplaced) {
 TEST(Tick, IsGatherStepApplyAndTheWorldsStep) {
   RopeWorld one;
   RopeWorld other;
-  for (World* world : {&one, &other}) {
+  for (RopeWorld* world : {&one, &other}) {
     world->coupling.add(rope());
     world->ball({1.0, 0.3});
   }
