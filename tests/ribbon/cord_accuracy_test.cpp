@@ -38,7 +38,7 @@ struct Beam {
   int columns;
   int rows;
   double slenderness;  // L / t
-  double worst;        // error of the tip's place, of L
+  double worst;        // maximum error of the tip's position, relative to L
 };
 
 class LongCantilever : public testing::TestWithParam<Beam> {};
@@ -124,7 +124,7 @@ struct OrderCase {
   double bending;
 };
 
-/// A chain swinging from a smooth start, at dt against a 32nd of it.
+/// Returns the difference of a swinging chain after a step size dt from one after dt/32; the start is smooth.
 double error_at(Integrator integrator, const OrderCase& chain, int steps) {
   const auto end = [&](int n, Integrator with) {
     CordDef def;
@@ -168,7 +168,7 @@ TEST(HeavySwingBalanced, LosesLittleEnergy) {
   RecordProperty("lost_percent", std::to_string(100.0 * run.lost_energy));
 }
 
-/// A solid strip that is pulled by P at both ends gets longer by P·L/EA and narrower by ν times that strain.
+/// A solid strip with a pull P at both ends gets longer by P·L/EA and narrower by ν times that strain.
 TEST(CordStretch, ASolidStripNarrowsByPoissonsRatio) {
   for (const int rows : {2, 3}) {
     CordDef def;

@@ -24,7 +24,7 @@ CordDef hanging(int points, double length) {
   return def;
 }
 
-/// Velocities that are set jump, and with them the damping tensions: the elastic energy does not.
+/// A set velocity is a jump, and so is the damping tension. The elastic energy does not jump.
 TEST(CordDamping, ElasticEnergyIsThatOfThePositionsWhateverVelocityIsSet) {
   CordDef ribbon;
   ribbon.points = 21;
@@ -55,8 +55,8 @@ TEST(CordDamping, ElasticEnergyIsThatOfThePositionsWhateverVelocityIsSet) {
   }
 }
 
-/// Implicit Euler goes along chords. If what a bar of a spinning rope gains by them were damped, it would be held back
-/// and shorter from step to step, where what spins is longer: by μω²L²/12/EA, 0.8 % at the start.
+/// Implicit Euler moves points along chords, which lengthen the links of a spinning rope. If that were damped, the rope
+/// would get shorter from step to step. But a spinning rope is longer by μω²L²/12/EA, here 0.8 % at the start.
 TEST(CordDamping, ImplicitEulerDoesNotShortenWhatTurns) {
   for (const double bending : {0.0, 1e-3}) {
     CordDef def;
@@ -83,7 +83,7 @@ TEST(CordDamping, ImplicitEulerDoesNotShortenWhatTurns) {
   }
 }
 
-/// The same of the cells of a ribbon, whose bars are the sums of their edges.
+/// The same for the cells of a ribbon, whose bars are the sums of their edges.
 TEST(CordDamping, ImplicitEulerDoesNotShortenARibbonThatTurns) {
   for (const int rows : {2, 3}) {
     CordDef def;
@@ -108,14 +108,14 @@ TEST(CordDamping, ImplicitEulerDoesNotShortenARibbonThatTurns) {
       ASSERT_LE(now, (1.0 + 1e-9) * before) << rows << " rows, tick " << k;
       before = now;
     }
-    // It is longer by what its spin pulls at it, and turns still.
+    // The spin makes it longer, and it still turns.
     const double length_now = length(cord.positions().back() - cord.positions()[static_cast<std::size_t>(rows - 1)]);
     EXPECT_GT(length_now, 1.0) << rows << " rows";
     EXPECT_LT(length_now, 1.01) << rows << " rows";
   }
 }
 
-/// A short circle of steps that gained energy: strong damping, and a motion that turns links by half a radian a step.
+/// A short cycle of steps once gained energy: strong damping, and links that turn by half a radian per step.
 TEST(CordDamping, ALivelyRopeConverges) {
   CordDef def;
   def.points = 13;
@@ -145,7 +145,7 @@ TEST(CordTensionOnly, NeverPushes) {
       def.stretch_stiffness = stiffness;
       def.bending_stiffness = bending;
       def.tension_only = true;
-      def.accuracy.tolerance = 1e-9;  // what a link may push is that much times its points' inertia
+      def.accuracy.tolerance = 1e-9;  // a link may push by that much times the inertia of its points
       Cord cord(def);
       for (int p = 1; p <= 20; ++p) cord.set_velocity(p, {0.3, 6.0});  // thrown upwards, past the pin
       CordReport report;
@@ -181,8 +181,8 @@ TEST(CordTensionOnly, HangsAsAnyOther) {
   for (std::size_t p = 0; p <= 20; ++p) EXPECT_NEAR(length(pulling.positions()[p] - bars.positions()[p]), 0.0, 1e-6);
 }
 
-/// In short steps a Newton step that takes all links for slack moves them by less than any tolerance: it must not be
-/// the last for that.
+/// In short time steps a Newton step that treats all links as slack moves them by less than the tolerance. That must
+/// not end the iteration.
 TEST(CordTensionOnly, HangsStillInShortSteps) {
   for (const double stiffness : {infinity, 1e9}) {
     for (const double bending : {0.0, 0.5}) {
@@ -207,7 +207,7 @@ TEST(CordTensionOnly, HangsStillInShortSteps) {
   }
 }
 
-/// Who catches a rope on the way up goes on up, however short the steps; links that push would stop him.
+/// A body that takes hold of a rope while rising continues to rise, also in short steps. Links that push would stop it.
 TEST(CordTensionOnly, DoesNotStopABodyThatTakesHoldWhileRising) {
   for (const int substeps : {1, 8, 64}) {
     CordDef def = hanging(41, 8.0);

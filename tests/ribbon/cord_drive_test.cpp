@@ -49,12 +49,12 @@ TEST(CordReel, LiftsItsLoadAtItsSpeedAndStops) {
     EXPECT_NEAR(rest_length(cord), 5.0, 1e-12);
     EXPECT_NEAR(cord.positions()[50].y, -5.0, stiffness == infinity ? 1e-6 : 0.06);
     EXPECT_NEAR(cord.positions()[50].x, 0.0, 1e-9);
-    // An inextensible one moves its load as fast as the winch; an elastic one bobs.
+    // An inextensible cord moves its load as fast as the winch; an elastic one oscillates.
     EXPECT_LT(fastest, stiffness == infinity ? 1.2 : 2.1);
   }
 }
 
-/// The winch's work is its pull times what it takes in: Σ λ·(−dl) over the links.
+/// The work of the winch is Σ λ·(−dl) over the links: tension times change of rest length.
 TEST(CordReel, AddsTheWorkOfTheWinchAndNoMore) {
   CordDef def = hanging(21, 4.0);
   def.accuracy = Accuracy::accurate();
@@ -81,8 +81,8 @@ TEST(CordReel, AddsTheWorkOfTheWinchAndNoMore) {
   EXPECT_NEAR(gained / work, 1.0, 0.02);
 }
 
-/// Start, turn and stop of a fast winch under a thousandfold load: what moves is never faster than the winch, and once
-/// it stands the energy only falls.
+/// Start, reversal and stop of a fast winch with a load of a thousand times the cord's mass: no point is faster than
+/// the winch, and after the stop the energy only decreases.
 TEST(CordReel, NoBurstWhenItStartsTurnsAndStops) {
   CordDef def = hanging(31, 3.0);
   Cord cord(def);
@@ -103,7 +103,7 @@ TEST(CordReel, NoBurstWhenItStartsTurnsAndStops) {
   cord.reel(0, 30, 0.03, 3.0);
   run(120);
   EXPECT_NEAR(rest_length(cord), 0.03, 1e-12);
-  // Falls at most as long as the winch lets it: 3 m/s up, and 3 m/s and g/3 s down.
+  // The fall is limited by the winch: 3 m/s up, and 3 m/s plus g/3 s down.
   EXPECT_LT(fastest, 3.0 + 9.81 / 3.0 + 0.5);
   EXPECT_EQ(report.unconverged, 0);
   double last = cord.energy(gravity).total();
@@ -148,7 +148,7 @@ TEST(CordReel, OfARopeThatBendsAndOfARibbon) {
   }
 }
 
-/// Reeling a part again and again leaves no link without length.
+/// Repeated reeling of a part leaves every link with a length.
 TEST(CordReel, NoLinkIsEverWithoutLength) {
   Cord cord(hanging(11, 1.0));
   int refused = 0;
@@ -214,7 +214,7 @@ TEST(CordDragged, FollowsTheTargetAndKeepsItsVelocityWhenReleased) {
   EXPECT_NEAR(cord.velocities()[5].x, 1.2, 1e-9);
 }
 
-/// A hand that pulls an inextensible cord further than it is long: nothing is infinite, and it says so by its length.
+/// A target beyond the length of an inextensible cord: all numbers stay finite, and the cord's length shows the error.
 TEST(CordDragged, DraggedTooFarItStaysFinite) {
   Cord cord(hanging(11, 1.0));
   for (int k = 1; k <= 60; ++k) {
@@ -229,7 +229,7 @@ TEST(CordDragged, DraggedTooFarItStaysFinite) {
   EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 
-/// A pin that arrives and stands still by itself: the step after begins anew, as if it had been told.
+/// A dragged pin that arrives at its target stops. The next step restarts the integrator, as after an explicit stop.
 TEST(CordDragged, APinThatStopsByItselfStopsTheCordSmoothly) {
   const auto end = [](bool told) {
     Cord cord(hanging(21, 2.0));

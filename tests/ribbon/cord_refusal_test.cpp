@@ -9,7 +9,7 @@
 
 #include "tests/support/refusal.h"
 
-// What a cord is refused for.
+// Definitions, steps and arguments that a cord refuses.
 
 namespace ribbon {
 namespace {
@@ -36,7 +36,7 @@ TEST(CordDef, RibbonsOfSolidMaterialAreAccepted) {
     def.bending_stiffness = 0.0;
     EXPECT_NO_THROW(check(def));
   }
-  // The same strip by Young's modulus and by its stiffnesses against shear and change of area.
+  // The same strip, once given by Young's modulus, once by its stiffnesses for shear and area.
   const RibbonMaterial by_modulus = solid(2e5, 0.25, 0.1, 0.5);
   const double modulus = 2e5 * 0.1;
   const RibbonMaterial by_shear = solid_of_shear_and_area(modulus / 2.5, modulus / 1.5, 0.5);

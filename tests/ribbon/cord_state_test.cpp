@@ -7,7 +7,7 @@
 
 #include "ribbon/cord.h"
 
-// The state of a cord to the bit: saved, restored, moved, the same on every compiler.
+// The bits of a cord's state: after save and restore, and with every compiler.
 
 namespace ribbon {
 namespace {
@@ -78,8 +78,8 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
 }
 
 #if defined(__SSE2__)
-/// Numbers below 1e-308 are slow to compute with. A disturbance that dies away along 5,000 links must not become one;
-/// the processor's own flag tells whether any was met.
+/// Arithmetic with numbers below 1e-308 is slow. A disturbance that decays along 5,000 links must not produce one. The
+/// processor's flag reports whether one occurred.
 TEST(CordDust, ADisturbanceThatDiesAwayLeavesNoSubnormalNumbers) {
   constexpr unsigned met_subnormal = 0x12;  // as an operand, as a result
   Cord cord(hanging(5001, 1000.0));
@@ -106,7 +106,8 @@ std::uint64_t bits_of(const Cord& cord) {
   return hash;
 }
 
-/// On any compiler at any optimisation. A change of the method changes these: take over what the test prints.
+/// The same bits with any compiler and optimisation. A change of the method changes them; then copy what the test
+/// prints.
 TEST(CordSameBits, OnEveryCompiler) {
   CordDef rope = hanging(31, 3.0);
   rope.damping = 0.001;

@@ -26,7 +26,7 @@ void make_ribbon(CordDef& def, int rows) {
   solid(1e6, 0.0, 0.01, def.width).apply_to(def);
 }
 
-/// Steps of a second are so strongly damped by an L-stable method that a few dozen bring any cord to rest.
+/// An L-stable method damps steps of a second so strongly that a few dozen bring any cord to rest.
 void come_to_rest(Cord& cord) {
   for (int k = 0; k < 3000; ++k) cord.step(1.0, gravity);
 }
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Bars, HeavySwing,
 // ---------------------------------------------------------------------------------------------------
 
 TEST(Cord, HangsAsLongAsItsLumpedWeightsSay) {
-  // Link e of n carries all points below it: its stretch is (weight below)/(EA/l).
+  // Link e of n carries all points below it: stretch = (weight below)/(EA/l).
   CordDef def;
   def.points = 21;
   def.length = 4.0;

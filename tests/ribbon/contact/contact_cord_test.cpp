@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class CordBridge : public testing::TestWithParam<double> {};
 
-/// Steps a bridge until its shape is the one that it hangs in.
+/// Steps a bridge, with its bodies damped, until it is in equilibrium.
 void settle(ContactWorld& world, int ticks) {
   for (int k = 0; k < ticks; ++k) {
     world.step();
@@ -66,7 +66,7 @@ TEST_P(CordBridge, ABallRestsOnItWithoutDriftOrJitter) {
   EXPECT_LE(drift, 1e-4);
   EXPECT_LE(jitter, 1e-4);
   EXPECT_LE(depth, 0.01 * 2.0 * def.radius + 1e-3);
-  EXPECT_GT(depth, 0.0);  // it is carried
+  EXPECT_GT(depth, 0.0);  // the cord carries the ball
   EXPECT_EQ(world.total.unconverged, 0);
   RecordProperty("drift", std::to_string(drift));
   RecordProperty("depth", std::to_string(depth));
@@ -144,7 +144,7 @@ TEST(CordContact, ItRestsOnFlatGroundAtItsRadius) {
   }
 }
 
-/// What lies under a body is pressed into the ground by all of that, and not by its own weight alone.
+/// A cord between a heavy body and the ground carries the weight of the body too.
 TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
   CordDef def;
   def.points = 21;
@@ -164,8 +164,7 @@ TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
   EXPECT_NEAR(world.body(ball).position.y, 0.29, 1e-4);
 }
 
-/// Over the corner of a box, on a bracket, and over the end of an edge: where corners are sharp the cord still keeps
-/// its radius.
+/// The cord keeps its radius at the sharp corner of a box that is static, and of one that rises.
 TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
   for (const double speed : {0.0, 0.3}) {
     CordDef def;
@@ -178,7 +177,7 @@ TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
     ContactWorld world(def);
     const int box = world.add_body({1.0, 0.0}, 0.0, 0.0);
     world.add_box(box, {1.0, 0.5}, 0.005, 0.5);
-    world.body(box).velocity = {0.0, speed};  // a static one, and one that lifts it
+    world.body(box).velocity = {0.0, speed};
     double depth = 0.0;
     for (int k = 0; k < 300; ++k) {
       if (k == 60) world.body(box).velocity = {};

@@ -20,9 +20,9 @@ using test_support::ContactWorld;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A cord without weight over a circle, turned by `angle` on it in links of a 32nd of a turn; its ends are pulled along
-/// themselves, one ever harder. The ratio of the pulls at which it slips: by three centimetres, for
-/// it gives a little before.
+/// Returns the ratio of the pulls at both ends at which a weightless cord slips on a circle by 3 cm. (It creeps a
+/// little before.) The cord touches the circle along `angle`, with links of a 32nd of a turn. One pull is constant, the
+/// other grows.
 double capstan_ratio(double angle, double friction_of_cord, double friction_of_circle) {
   constexpr int links_a_turn = 32;
   constexpr double turn = 2.0 * pi / links_a_turn;
@@ -35,7 +35,7 @@ double capstan_ratio(double angle, double friction_of_cord, double friction_of_c
   def.points = turned + 2 * straight + 1;
   def.length = l * (def.points - 1);
   def.friction = friction_of_cord;
-  // From the left along +x, then to the right around the circle below.
+  // From the left along +x, then clockwise around the circle below.
   Vec2 x{-(straight - 0.5) * l, radius + def.radius};
   double heading = 0.0;
   for (int i = 0; i < def.points; ++i) {
@@ -64,7 +64,7 @@ TEST(CordContact, AroundACircleItSlipsAsEulersCapstanSays) {
     const double r = capstan_ratio(angle, 0.3, 0.3);
     EXPECT_NEAR(r / expected, 1.0, 0.03) << angle;
   }
-  // The two surfaces' friction mixes as Box2D's does.
+  // The friction of the two surfaces is mixed as in Box2D.
   const double r = capstan_ratio(pi, 0.1, 0.9);
   EXPECT_NEAR(r / std::exp(0.3 * pi), 1.0, 0.03);
   EXPECT_LT(capstan_ratio(pi, 0.0, 0.9), 1.05);
@@ -110,7 +110,7 @@ TEST(CordContact, OnAnInclineFrictionHoldsItAndItDoesNotCreep) {
   for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
     for (const double friction : {0.505, 0.55, 0.8, 2.0}) {
       Incline incline(friction, accuracy);
-      for (int k = 0; k < 180; ++k) incline.world.step();  // it landed, and slid a little
+      for (int k = 0; k < 180; ++k) incline.world.step();  // it lands and slides a little
       const double before = incline.way();
       for (int k = 0; k < 120; ++k) {
         incline.world.step();
@@ -121,7 +121,7 @@ TEST(CordContact, OnAnInclineFrictionHoldsItAndItDoesNotCreep) {
   }
 }
 
-/// From 1.5 m on a cord that hangs, or is taut between its pins.
+/// A ball that falls 1.5 m on a slack or taut bridge gains no energy.
 void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, double mass, double deepest) {
   CordDef def = bridge_def();
   def.stretch_stiffness = stiffness;
@@ -144,8 +144,8 @@ void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, doubl
   EXPECT_LE(depth, deepest) << taut << " " << stiffness << " " << accuracy.substeps << " " << mass;
 }
 
-/// (The heaviest on a taut cord that does not stretch is left out: there it gains.) With bounded work a hundred times
-/// the cord's mass may be two millimetres in it where it hits it, and comes out again.
+/// (Excluded is the heaviest ball on a taut inextensible cord: it gains energy.) With bounded work a ball of a hundred
+/// times the cord's mass may penetrate by 2 mm at the impact, and is depenetrated.
 TEST(CordContact, NoImpactOfAFallingBallGainsEnergy) {
   for (const bool ample : {false, true}) {
     for (Accuracy accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {

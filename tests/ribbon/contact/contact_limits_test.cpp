@@ -8,7 +8,7 @@
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
 
-// Contact of the direct solver where it was once found wanting.
+// Contact of the direct solver: cases that once failed.
 
 namespace ribbon {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 using test_support::ContactWorld;
 
-/// To the same side, whichever side of its links the wheel is on.
+/// The direction does not depend on the side of the links that the wheel is on.
 TEST(CordContactLimits, ATurningCircleDragsItAlong) {
   for (const double friction : {0.0, 0.8}) {
     CordDef def;
@@ -25,7 +25,7 @@ TEST(CordContactLimits, ATurningCircleDragsItAlong) {
     def.radius = 0.01;
     def.friction = friction;
     constexpr double reach = 0.51;
-    for (int i = 0; i < 61; ++i) {  // over the wheel, its ends hanging down on both sides
+    for (int i = 0; i < 61; ++i) {  // over the wheel, both ends hang down
       const double s = 0.05 * (i - 30);
       const double turned = std::clamp(s / reach, -0.5 * pi, 0.5 * pi);
       const double hanging = std::abs(s) - 0.5 * pi * reach;
@@ -41,7 +41,7 @@ TEST(CordContactLimits, ATurningCircleDragsItAlong) {
     if (friction == 0.0) {
       EXPECT_NEAR(way, 0.0, 1e-3);
     } else {
-      EXPECT_NEAR(way / (0.5 * reach), 1.0, 0.1);  // it has to catch up first
+      EXPECT_NEAR(way / (0.5 * reach), 1.0, 0.1);  // it has to accelerate first
     }
     EXPECT_LE(world.depth(), 1e-3);
   }
@@ -101,9 +101,8 @@ TEST(CordContactLimits, AHeavyBallOnATautCordThatDoesNotStretchGainsNoEnergy) {
   }
 }
 
-/// A string drawn far from the peg is let go: in one tick it goes past where contacts were looked for.
-/// What something else has pressed into a cord between two steps comes out in the next, and is not thrown: the shorter
-/// the substeps, the more of the energy of so stiff a contact they would give back.
+/// A ball that was moved into the cord between two steps is depenetrated in the next step without a large velocity. The
+/// energy that so stiff a contact could return grows as the substeps get shorter.
 TEST(CordContactLimits, APenetratingBallIsNotThrownOut) {
   for (const int substeps : {1, 4, 64, 256}) {
     CordDef def;
@@ -118,7 +117,7 @@ TEST(CordContactLimits, APenetratingBallIsNotThrownOut) {
     const int ball = world.add_ball({1.05, 0.25 - in}, 0.2, 0.5, 0.0);
     for (int k = 0; k < 3; ++k) {
       world.step();
-      EXPECT_LE(length(world.body(ball).velocity), 0.2 * in / world.dt) << substeps;  // the cord is the lighter
+      EXPECT_LE(length(world.body(ball).velocity), 0.2 * in / world.dt) << substeps;  // the cord is lighter
       EXPECT_LE(world.fastest(), 3.0 * in / world.dt) << substeps;
       EXPECT_LE(world.depth(), 1e-6) << substeps;
     }
@@ -158,8 +157,7 @@ TEST(CordContactLimits, ASnappingStringDoesNotGoThroughAPeg) {
   }
 }
 
-/// A cord that falls flat on the ground and a ball that falls on a cord which cannot give rebound at e times their
-/// speed.
+/// A cord that falls flat on the ground, and a ball that falls on a cord that cannot give way, have restitution e.
 TEST(CordContactLimits, ImpactsHaveTheirRestitution) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
     for (const double speed : {1.0, 10.0}) {
@@ -196,7 +194,7 @@ TEST(CordContactLimits, ImpactsHaveTheirRestitution) {
   }
 }
 
-/// Pulled over a circle by its ends every step converges.
+/// Every step of a cord converges that is pulled over a circle by its ends.
 TEST(CordContactLimits, ACapstansStepsConverge) {
   constexpr double turn = 2.0 * pi / 32;
   for (const int turned : {16, 32}) {
@@ -225,7 +223,7 @@ TEST(CordContactLimits, ACapstansStepsConverge) {
   }
 }
 
-/// Deeper is nobody: but who parts goes free.
+/// No penetration increases, and a ball that separates is free.
 TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   for (const double along : {0.5, 0.525, 0.51}) {
     for (const double radius : {5e-6, 5e-4, 0.05}) {
@@ -245,7 +243,7 @@ TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   }
 }
 
-/// A tenth of the depth a step would throw it, were the steps as short as that.
+/// Depenetration by a tenth of the depth per step would throw the ball if the steps were as short as that.
 TEST(CordContactLimits, DepenetrationIsNoFasterInShortSteps) {
   for (const double dt : {1e-2, 1e-3, 1e-4, 1e-5}) {
     CordDef def;
@@ -266,8 +264,8 @@ TEST(CordContactLimits, DepenetrationIsNoFasterInShortSteps) {
   }
 }
 
-/// A straight cord in a circle beside which its links are short is in it at all points; with one contact a minimum of
-/// the distance it was held in the middle, then in two places, then in more, and thrown.
+/// A straight cord with short links inside a large circle penetrates it at all points. With one contact per minimum of
+/// the distance the cord was held in the middle, then in two places, then in more, and thrown.
 TEST(CordContactLimits, ACordThatStartsDeepInALargeCircleIsDepenetratedUndamaged) {
   for (const double radius : {0.5, 5.0, 50.0}) {  // 10 links and more
     for (const double depth : {1e-3, 0.05}) {
@@ -286,12 +284,12 @@ TEST(CordContactLimits, ACordThatStartsDeepInALargeCircleIsDepenetratedUndamaged
       }
       EXPECT_EQ(world.total.unconverged, 0) << radius << ", " << depth;
       EXPECT_LT(world.depth(), 1e-3) << radius << ", " << depth;
-      EXPECT_LT(fastest, 0.2 + 60.0 * 0.25 * depth) << radius << ", " << depth;  // a quarter of the depth a step
+      EXPECT_LT(fastest, 0.2 + 60.0 * 0.25 * depth) << radius << ", " << depth;  // a quarter of the depth per step
     }
   }
 }
 
-/// Hung over half of a drum of forty links' radius, it holds what is e^(μπ) times as heavy as the other end.
+/// On a drum with a radius of forty links, a half turn holds e^(μπ) times the weight of the other end.
 TEST(CordContactLimits, ALargeDrumHoldsByFrictionAsASmallOne) {
   const auto slid = [](double ratio) {
     CordDef def;

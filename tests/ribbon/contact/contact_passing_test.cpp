@@ -9,7 +9,7 @@
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 
-// Nothing goes through a cord, however fast.
+// Nothing passes through a cord at any speed.
 
 namespace ribbon {
 namespace {
@@ -21,7 +21,7 @@ using test_support::segments_cross;
 
 constexpr double tick = 1.0 / 60.0;
 constexpr double half_a_thickness = 0.02;  // m, of all cords here
-constexpr int ample_work = 1'000'000;      // Accuracy::max_work, with which what does not converge is taken by halves
+constexpr int ample_work = 1'000'000;      // Accuracy::max_work that allows to halve all steps that do not converge
 
 bool crosses(std::span<const Vec2> cord, Vec2 a, Vec2 b) {
   for (std::size_t p = 1; p < cord.size(); ++p) {
@@ -30,8 +30,8 @@ bool crosses(std::span<const Vec2> cord, Vec2 a, Vec2 b) {
   return false;
 }
 
-/// Whether a ray from p straight up crosses the cord an odd number of times: whether p is below it, or in it if it is
-/// closed, wherever it has folds.
+/// Returns whether a ray from p straight up crosses the cord an odd number of times: p is below the cord, or inside it
+/// if it is closed. Folds do not change that.
 bool is_below(std::span<const Vec2> cord, Vec2 p) {
   bool below = false;
   for (std::size_t k = 1; k < cord.size(); ++k) {
@@ -53,18 +53,18 @@ struct Shot {
 };
 
 struct Outcome {
-  bool hit = false;      ///< the ball's way would have crossed the cord
-  bool through = false;  ///< and it did
+  bool hit = false;      ///< the ball's free path crosses the cord
+  bool through = false;  ///< the ball passed through
   bool finite = true;
   double depth = 0.0;  ///< m
-  int systems = 0;     ///< linear ones, in the tick that took most
+  int systems = 0;     ///< maximum number of linear systems in a tick
 };
 
-/// A ball of a hundredth to a hundred times the cord's mass is shot at a cord of 4 m. What tells that it went through:
-/// - a ring, its ends pinned at one place, has it in it: it is outside;
-/// - of a taut cord between two pins: it is between them on the other side, or has left straight through. (It may have
-///   slid along the cord and around a pin.)
-/// - a free end can be gone around, but hardly without moving the cord.
+/// Shoots a ball of a hundredth to a hundred times the cord's mass at a cord of 4 m. It passed through:
+/// - a ring with both ends pinned at one place, if it started inside and is outside;
+/// - a taut cord between two pins, if it is between them on the other side, or left straight through. (It may slide
+///   along the cord and around a pin.)
+/// - a cord with a free end, if the cord did not move. (It may pass around the end, but then the cord moves.)
 Outcome shoot(const Shot& shot, unsigned seed) {
   Dice dice(seed);
   CordDef def;
@@ -161,8 +161,8 @@ void expect_none_through(Hung hung, double radii, int tries) {
   EXPECT_LE(tally.depth, half_a_thickness);
 }
 
-/// With the work of a step bounded a rope may be stretched by what it stops in no time, and a ball seen to go where the
-/// rope was: but every tick ends, and nothing is deep in anything.
+/// With bounded work per step an abrupt stop may stretch a rope, so that the ball passes the rope's former place. But
+/// every tick ends, and no penetration is deep.
 TEST(CordPassing, WithBoundedWorkEveryTickEndsAndMostBallsAreStopped) {
   for (const Hung hung : {Hung::taut, Hung::ring, Hung::free_end}) {
     for (const double radii : {10.0, 100.0}) {
@@ -187,7 +187,7 @@ TEST(LongCordPassing, ShotAThousandTimesNoBallGoesThrough) {
   }
 }
 
-/// What tells that a ball went through does so when nothing stops it.
+/// The check detects a ball that passes through: here nothing stops it.
 TEST(CordPassing, WithoutContactItIsSeenToGoThrough) {
   for (const Hung hung : {Hung::taut, Hung::ring, Hung::free_end}) {
     for (const double radii : {1.0, 10.0, 100.0}) {
@@ -201,13 +201,13 @@ TEST(CordPassing, WithoutContactItIsSeenToGoThrough) {
 // --- whips ----------------------------------------------------------------------------------------------------------
 
 struct Whip {
-  bool driven;  ///< both its ends, or neither
+  bool driven;  ///< both ends, or neither
   bool with_contact = true;
 };
 
-/// A cord of 4 m is thrown up at a peg at 100 m/s, 1.7 m a tick. It went through if the peg is no longer above it: with
-/// driven ends, that come together on both sides of the peg and end above it, at any time; with free ones, which may go
-/// around it, after the first tick.
+/// Throws a cord of 4 m up at a peg at 100 m/s, 1.7 m per tick. The cord passed through if the peg is no longer above
+/// it. With driven ends, which move together to both sides of the peg and stop above it, this holds at any time. Free
+/// ends may pass around the peg; for them it holds after the first tick.
 Outcome whip(const Whip& scene, unsigned seed) {
   Dice dice(seed);
   CordDef def;
@@ -252,7 +252,7 @@ Outcome whip(const Whip& scene, unsigned seed) {
     const std::span<const Vec2> after = world.cord.positions();
     outcome.finite = outcome.finite && is_finite(after[20]);
     outcome.depth = std::max(outcome.depth, world.depth());
-    // A ray down from the peg is one up from what is turned upside down.
+    // A ray down from the peg is a ray up after both are turned upside down.
     std::vector<Vec2> turned;
     for (const Vec2 p : after) turned.push_back(-p);
     if (scene.driven || k == 0) outcome.through = outcome.through || !is_below(turned, -peg);
@@ -285,8 +285,8 @@ TEST(CordPassing, WithoutContactAWhipIsSeenToGoThrough) {
   for (const bool driven : {false, true}) EXPECT_EQ(whip_many({driven, false}, 50).through, 50);
 }
 
-/// A string is drawn, with a peg where it goes when it is let go: it starts from rest, and goes further in a tick than
-/// anything did in the one before.
+/// A drawn string is released towards a peg. It starts from rest, and its first tick is longer than any motion in the
+/// tick before.
 TEST(CordPassing, ASnappingStringDoesNotGoThroughAPeg) {
   for (const double stiffness : {1e3, 1e4}) {
     for (const int substeps : {1, 4}) {

@@ -26,7 +26,7 @@ TEST(Rotation, IsSineAndCosine) {
   EXPECT_EQ(rotation(0.0), (Vec2{1.0, 0.0}));
 }
 
-/// However far beyond a turn, and of the same bits as ever below two.
+/// Angles may exceed a turn; below two turns the bits do not change.
 TEST(Rotation, IsSineAndCosineOfAnyAngle) {
   for (double angle = 12.57; angle < 1e18; angle *= 1.37) {
     for (const double a : {angle, -angle}) {
@@ -53,7 +53,7 @@ RigidBody body_at(Vec2 position, double mass, double inertia) {
   return body;
 }
 
-/// A cord and the bodies that hold it, moved as their owner would: to where and with what the cord says.
+/// A cord and the bodies that hold it. They move as the results of the cord's step say.
 struct Held {
   Cord cord;
   std::vector<RigidBody> bodies;
@@ -86,7 +86,7 @@ Cord heavy_swing_without_load(double stiffness, const Accuracy& accuracy) {
   return cord;
 }
 
-/// Behind the last column there is no other to be on the way to.
+/// After the last column no other column follows, so a place between them does not exist.
 TEST(CordHeldBody, BeyondTheLastPointIsRefused) {
   CordDef def;
   def.points = 5;
@@ -107,7 +107,7 @@ TEST(CordHeldBody, BeyondTheLastPointIsRefused) {
   }
 }
 
-/// Held at its centre of mass a body is a point mass.
+/// A body that is held at its centre of mass acts as a point mass.
 TEST(CordHeldBody, SwingsAsAnAttachedMassWhenHeldAtItsCentre) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double inertia : {0.0, 3.0}) {
@@ -218,8 +218,8 @@ TEST(CordHeldBody, AFreeCordAndItsHoldersKeepTheirMomentum) {
   EXPECT_NEAR(after[2], before[2], 0.02 * std::abs(before[2]));
 }
 
-/// A hand somewhere else than its point draws it near, a quarter of a link a step, and a kinematic one carries it
-/// along.
+/// An anchor away from its point pulls the point closer by a quarter of a link per step; a kinematic body carries the
+/// point.
 TEST(CordHeldBody, ADistantHolderPullsThePointAndAKinematicOneCarriesIt) {
   CordDef def;
   def.points = 11;

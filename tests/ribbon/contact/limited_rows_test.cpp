@@ -17,7 +17,7 @@ using test_support::Dice;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Points of different masses, each drawn somewhere, with limited springs between some of them.
+/// Points of different masses with random forces, and limited springs between some of them.
 struct Problem {
   std::vector<double> inertia;  // N/m
   std::vector<Vec2> force;      // N
@@ -55,7 +55,7 @@ struct Problem {
     return force;
   }
 
-  /// By active sets, if they end in so many.
+  /// Solves by active sets, if these end within the given number.
   bool solve_active_sets(std::vector<Vec2>& step, int most) {
     for (int k = 0; k < most; ++k) {
       step = load();
@@ -66,7 +66,7 @@ struct Problem {
     return false;
   }
 
-  /// By the interior point; how many systems it took.
+  /// Solves by the interior-point method; returns the number of linear systems.
   int solve_interior(std::vector<Vec2>& step, double gap) {
     rows.begin_interior();
     for (int k = 1; k <= 60; ++k) {
@@ -84,8 +84,8 @@ struct Problem {
     return 61;
   }
 
-  /// By how much a step is off from balance with the forces that its rows then have by their law, as a share of the
-  /// greatest of them.
+  /// Returns the residual of the force balance after a step, with the rows' forces by their law, relative to the
+  /// largest of these.
   double misfit(const std::vector<Vec2>& step) const {
     double greatest = 0.0;
     std::vector<Vec2> left = force;

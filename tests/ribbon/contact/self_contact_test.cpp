@@ -22,7 +22,7 @@ using test_support::ContactWorld;
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double dt = 1.0 / 60.0;
 
-/// Four turns of a rope around the origin, each 3 cm further out.
+/// Four turns of a rope around the origin, with a pitch of 3 cm.
 CordDef wound_rope(int points) {
   CordDef def;
   def.points = points;
@@ -60,7 +60,7 @@ TEST(CordSelfContact, WoundFourTimesAndPulledItNeverCrossesItself) {
   EXPECT_LE(world.stretch(), 1e-4);
 }
 
-/// Without it the rope does go through itself: the check sees what it looks for.
+/// Without self-contact the rope crosses itself, and the check detects that.
 TEST(CordSelfContact, UndeclaredItIsNone) {
   CordDef def = wound_rope(61);
   def.self_contact = false;
@@ -76,8 +76,8 @@ TEST(CordSelfContact, UndeclaredItIsNone) {
   EXPECT_GT(most, 0);
 }
 
-/// Edges that are nearer each other at rest than a ribbon is thick do not push it apart: it moves as one that may pass
-/// through itself, all around its outline.
+/// Edges whose rest distance is less than the thickness of the ribbon do not push each other apart: the whole outline
+/// moves as without self-contact.
 TEST(CordSelfContact, NarrowerThanItIsThickARibbonSwingsAsWithoutIt) {
   const auto swing = [](bool self_contact) {
     CordDef def;
@@ -117,7 +117,7 @@ TEST(CordSelfContact, DroppedIntoAPileItDoesNotCrossItself) {
   for (const Vec2 x : world.cord.positions()) EXPECT_GT(x.y, 0.019);
 }
 
-/// A rope falls across another that hangs between pins, and stays on it; with the flag on one of them only, it falls
+/// A rope falls on another one that hangs between pins, and stays on it. With the flag on one of them only, it falls
 /// through.
 TEST(CordContactWithCords, HoldsOnlyWhereBothDeclareIt) {
   for (const bool both : {true, false}) {
@@ -155,7 +155,7 @@ TEST(CordContactWithCords, HoldsOnlyWhereBothDeclareIt) {
   }
 }
 
-/// What one cord gives, the other gets.
+/// The momentum that one cord loses, the other one gains.
 TEST(CordContactWithCords, KeepsTheirMomentum) {
   CordDef def;
   def.points = 11;

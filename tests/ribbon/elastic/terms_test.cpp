@@ -14,13 +14,13 @@
 namespace ribbon {
 namespace {
 
-/// Every energy, at a random shape: its forces are minus its gradient, its matrix is the forces' own derivative, and
-/// neither knows where in the plane it is.
+/// Every energy, in a random shape: the forces are minus the gradient, the matrix is the derivative of the forces, and
+/// neither depends on position and orientation.
 struct Case {
   const char* name;
   CordDef def;
   std::unique_ptr<Term> (*make)(const CordDef&);
-  double disorder;  // m, by which points are off their rest positions
+  double disorder;  // m, maximum displacement of points from their rest positions
 };
 
 CordDef rope() {
@@ -79,7 +79,7 @@ class Terms : public testing::TestWithParam<int> {
     const auto uniform = [&] { return 2.0 * static_cast<double>(random()) / 4294967296.0 - 1.0; };
     const int rows = tested.def.rows;
     const double link = tested.def.length / (tested.def.points - 1);
-    // Stretched by a tenth, so that every tension is positive and the geometric stiffness counts whole.
+    // Stretched by a tenth: every tension is positive, and the geometric stiffness is complete.
     for (int i = 0; i < tested.def.points; ++i) {
       for (int j = 0; j < rows; ++j) {
         const Vec2 at{1.1 * link * i, rows > 1 ? 1.1 * tested.def.width * j / (rows - 1) : 0.0};
@@ -126,7 +126,7 @@ class Terms : public testing::TestWithParam<int> {
     term->load({shape(at, x, y), out.matrix, out.force}, tensions);
     return out;
   }
-  /// The tensions at x: those after a step of nothing.
+  /// The tensions at x: those after a step of zero length.
   std::vector<double> tensions(const std::vector<Vec2>& x) const {
     const Stage at = stage();
     const std::vector<Vec2> y = damped(x);
@@ -192,7 +192,7 @@ TEST_P(ExactTerms, MatrixIsTheDerivativeOfTheForces) {
       sum += loaded.matrix.at(r, c) * (c % 2 == 0 ? d.x : d.y);
     }
     const Vec2 change = (-0.5 / h) * (plus[static_cast<std::size_t>(r / 2)] - minus[static_cast<std::size_t>(r / 2)]);
-    // Cells share one geometric stiffness a column, so nothing but one row of them is exact.
+    // The cells of a column share one geometric stiffness, so only a single row of cells is exact.
     EXPECT_NEAR(sum, r % 2 == 0 ? change.x : change.y, 1e-4 * (1.0 + std::abs(sum))) << tested.name << ", row " << r;
   }
 }
@@ -237,8 +237,8 @@ TEST_P(DampedTerms, ForcesAreMinusTheGradientToo) {
   constexpr double h = 1e-6;
   const double slope = (potential(moved(h)) - potential(moved(-h))) / (2.0 * h);
   const double found = -along(load(here, tensions(here)).force, direction);
-  // The direction of a bar's damping force is held while it turns: an error of first order in the rates, which are
-  // small.
+  // The direction of a bar's damping force is constant while the bar turns: an error of first order in the rates, which
+  // are small.
   EXPECT_NEAR(found, slope, 1e-3 * (1.0 + std::abs(slope))) << tested.name;
 }
 

@@ -11,12 +11,12 @@
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 
-// What keeps a step finite and without energy from nowhere.
+// The guards that keep a step finite and free of spurious energy.
 
 namespace ribbon {
 namespace {
 
-constexpr int ample_work = 1'000'000;  // Accuracy::max_work, with which all of it is solved
+constexpr int ample_work = 1'000'000;  // Accuracy::max_work that is enough for every case
 
 using test_support::all_finite;
 using test_support::Dice;
@@ -30,10 +30,11 @@ struct Snap {
   int points;
   int rows;
   double stiffness;  // EA, N
-  double bending;    // EI of a rope, N·m², or of a ribbon as a share of a solid's
+  double bending;    // EI: of a rope in N·m², of a ribbon relative to that of a solid
 };
 
-/// Held at one end, thrown, and folded like a hairpin, so that the other end, loaded, falls and is caught.
+/// A cord that is held at one end, thrown, and folded like a hairpin: its other end, with a load, falls until the cord
+/// is taut.
 Cord slack(const Snap& snap, unsigned seed, const Accuracy& accuracy) {
   Dice dice(seed + 1);
   CordDef def;
@@ -63,7 +64,7 @@ Cord slack(const Snap& snap, unsigned seed, const Accuracy& accuracy) {
     }
     middle += link * along;
   }
-  for (int j = 0; j < (seed % 3 == 0 ? 1 : def.rows); ++j) def.pins.push_back(j);  // by a corner too
+  for (int j = 0; j < (seed % 3 == 0 ? 1 : def.rows); ++j) def.pins.push_back(j);  // for some seeds by one corner
   Cord cord(def);
   const Vec2 thrown{4.0 * dice() - 2.0, 4.0 * dice() - 2.0};
   constexpr double loads[] = {0.0, 1.0, 10.0, 100.0, 1000.0};  // cord: 1 kg
@@ -78,7 +79,7 @@ Cord slack(const Snap& snap, unsigned seed, const Accuracy& accuracy) {
 
 class LongSnap : public testing::TestWithParam<Snap> {};
 
-/// With the work that a step may take by itself, too; with ample work all is solved.
+/// With the default work limit, and with ample work, which solves every case.
 TEST_P(LongSnap, NeverGainsEnergy) {
   std::vector<Accuracy> all = {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()};
   for (Accuracy accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
@@ -118,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Ribbons, LongSnap,
                          testing::Values(Snap{25, 2, 1e6, 1.0}, Snap{25, 2, 1e6, 1e-3}, Snap{25, 2, 1e4, 0.0},
                                          Snap{10, 5, 1e6, 1.0}, Snap{10, 5, 1e6, 1e-2}));
 
-/// Pieces of it thrown apart, each by up to so many m/s either way: its links turn about more than once in a step.
+/// The pieces of a cord get random velocities up to `speed`: links turn more than once in a step.
 struct Dashed {
   int points;
   int piece;     // links
@@ -146,7 +147,7 @@ Cord dashed(const Dashed& how, int max_work) {
 
 class LongDashed : public testing::TestWithParam<Dashed> {};
 
-/// Shorter pieces take more than ten halvings in the beginning, the long cord more than 4,000 Newton steps.
+/// Shorter pieces need more than ten halvings at the start, the long cord needs more than 4,000 Newton steps.
 TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
   Cord cord = dashed(GetParam(), ample_work);
   const double start = cord.energy(gravity).total();
@@ -157,7 +158,7 @@ TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
   }
 }
 
-/// What is left of a step then costs one attempt more, and is finite and without energy from nowhere.
+/// The rest of a step then costs one more attempt, and is finite and without spurious energy.
 TEST(LongMaxWork, BoundsWhatAStepCosts) {
   const Dashed how{1000, 20, 100.0, 1};
   Cord whole = dashed(how, ample_work);
@@ -210,8 +211,7 @@ TEST_P(LongMassRatios, ConvergeEverywhere) {
 
 INSTANTIATE_TEST_SUITE_P(Links, LongMassRatios, testing::Values(50, 500));
 
-/// Each guard can be seen at work, and is counted.
-/// Whose hand still moves a little on his body when the rope goes taut is thrown no further for that.
+/// The grip of a holder moves on its body while the rope goes taut. That does not throw the body further.
 TEST(CordGuard, GuardsRopesThatHoldersMove) {
   constexpr double mass = 60.0;
   for (const int substeps : {1, 2, 8}) {
@@ -255,8 +255,8 @@ TEST(CordGuard, GuardsRopesThatHoldersMove) {
   }
 }
 
-/// A cord of many short links gains a little of M·g·L where its first ones fall through a whole turn in a step: that is
-/// taken out again, and not more.
+/// A cord of many short links gains a small part of M·g·L if its first links turn by a whole turn in a step. The guard
+/// removes that energy and no more.
 TEST(CordGuard, RemovesSpuriousEnergy) {
   for (const int points : {1001, 5001}) {
     CordDef def;
@@ -289,7 +289,7 @@ TEST(CordGuard, CountsItsCorrections) {
   EXPECT_EQ(report.unlocked, 0);
 }
 
-/// A stiff ribbon torn about: what the tolerance leaves open, times its tensions, is more than it has.
+/// A stiff ribbon that is dragged about: the tolerance times its tensions exceeds its energy.
 TEST(CordGuard, ImplicitEulerGainsNoEnergyEither) {
   CordDef def;
   def.points = 12;
@@ -314,7 +314,7 @@ TEST(CordGuard, ImplicitEulerGainsNoEnergyEither) {
   EXPECT_GT(report.energy_gains, 0);
 }
 
-/// Work on a substep that nothing solves has an end.
+/// The work on a substep that cannot be solved is limited.
 TEST(CordGuard, TriesNoLongerThanItsBudget) {
   Cord cord = slack({51, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   for (int k = 0; k < 20; ++k) {
@@ -322,7 +322,7 @@ TEST(CordGuard, TriesNoLongerThanItsBudget) {
   }
 }
 
-/// What cannot be solved stays finite and is said: one Newton step a stage, and a tolerance that nothing meets.
+/// An unsolved step stays finite and is reported: one Newton step per stage, and a tolerance that cannot be reached.
 TEST(CordGuard, ReportsWhatStaysUnconvergedAndStaysFinite) {
   Cord cord = slack({501, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   CordReport report;

@@ -8,7 +8,7 @@
 #include "ribbon/cord.h"
 #include "tests/support/dice.h"
 
-// Ribbons from initial shapes that no motion leads to.
+// Ribbons that start from shapes that no motion leads to.
 
 namespace ribbon {
 namespace {
@@ -30,7 +30,7 @@ int inverted_corners(const Cord& cord) {
   return count;
 }
 
-/// How far any side or diagonal of a cell is off its rest length, relative.
+/// Returns the maximum strain of the sides and diagonals of all cells.
 double worst_strain(const Cord& cord) {
   const CordDef& def = cord.def();
   const Vec2 rest{def.length / (def.points - 1), def.width / (def.rows - 1)};

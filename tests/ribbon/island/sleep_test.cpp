@@ -13,14 +13,14 @@
 #include "tests/support/allocations.h"
 #include "tests/support/points.h"
 
-// CordDef::allow_sleep: who falls asleep, what that changes, and what wakes him.
+// CordDef::allow_sleep: what falls asleep, what that changes, and what wakes it.
 
 namespace ribbon {
 namespace {
 
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double dt = 1.0 / 60.0;
-constexpr int drowsy = 34;  // steps, in which who rests falls asleep
+constexpr int drowsy = 34;  // steps after which a cord at rest sleeps
 
 CordDef rope_def(bool allow_sleep = true) {
   CordDef def;
@@ -37,14 +37,14 @@ CordDef rope_def(bool allow_sleep = true) {
   return def;
 }
 
-/// Let go from a slope.
+/// A cord that is released from a slope.
 Cord sloping_rope(bool allow_sleep = true) {
   CordDef def = rope_def(allow_sleep);
   for (int p = 0; p < def.points; ++p) def.positions.push_back({0.03 * p, -std::sqrt(0.01 - 0.0009) * p});
   return Cord(def);
 }
 
-/// What a cord may meet: one circle of a body, a segment of it, and its hand, as far as they are asked for.
+/// The surroundings of a cord: one circle of a body, a segment of it, and its grip, as far as requested.
 struct Near {
   RigidBody body;
   std::array<RigidCircle, 1> circle{{{0, {}, 0.1, 0.5, 0.0, 1}}};
@@ -100,8 +100,8 @@ TEST(CordSleep, IsNotForOneThatDoesNotDeclareIt) {
   EXPECT_EQ(cord.save().rested, 0.0);
 }
 
-/// What it gives up is what it would still have gone: as far as a swing of 1 cm/s goes in the slowest mode of a hanging
-/// chain, ω = 2.4048/2·√(g/L), with the first zero of J₀.
+/// Sleep cancels the remaining motion, at most the amplitude of a swing of 1 cm/s in the slowest mode of a hanging
+/// chain: ω = 2.4048/2·√(g/L), with the first zero of J₀.
 TEST(CordSleep, FreezesItNearWhereItWouldComeToRest) {
   Cord sleeping = sloping_rope();
   Cord waking = sloping_rope(false);
@@ -154,7 +154,7 @@ TEST(CordSleep, AReelThatCreepsKeepsItAwake) {
   Cord cord = sloping_rope();
   Near nothing;
   ASSERT_TRUE(nothing.sleeps_in(cord, 6000));
-  cord.reel(0, 20, 1.99, 0.005);  // slower than what counts as rest, for two seconds
+  cord.reel(0, 20, 1.99, 0.005);  // slower than the sleep threshold, for two seconds
   for (int k = 0; k < 119; ++k) ASSERT_GT(nothing.step(cord).stages, 0);
   EXPECT_TRUE(nothing.sleeps_in(cord, 2 * drowsy + 5));
 }
@@ -194,7 +194,7 @@ TEST(CordSleep, WhatChangesAroundItWakesIt) {
   EXPECT_GT(near.step(cord, {0.0, -9.8}).stages, 0) << "gravity";
 }
 
-/// A body that can be pushed and does not move sleeps with the cord if its owner lets it, and is told so.
+/// A dynamic body at rest sleeps with the cord if its owner allows it; the result reports that.
 TEST(CordSleep, WithABodyThatCanBePushedOnlyIfThatMaySleepToo) {
   for (const bool holds : {true, false}) {
     for (const bool may_sleep : {true, false}) {
@@ -233,7 +233,7 @@ TEST(CordSleep, HeldByWhatStandsStillItSleeps) {
   EXPECT_GT(near.step(cord).stages, 0);
 }
 
-/// One island: all of it or nobody.
+/// An island sleeps as a whole or not at all.
 TEST(CordSleep, CordsThatAreNearEachOtherSleepAndWakeTogether) {
   CordDef def = rope_def();
   def.cord_contact = true;
@@ -281,7 +281,7 @@ TEST(CordSleep, IsSavedAndRestoredToTheSameBits) {
   EXPECT_THROW(sleepless.restore(asleep), DefinitionError) << "one that does not declare it";
 }
 
-/// Steps of any length count the same time.
+/// The time until sleep does not depend on the step size.
 TEST(CordSleep, TakesTheSameTimeInShortSteps) {
   Cord cord(rope_def());
   for (int k = 0; k < 6000 && !cord.is_asleep(); ++k) cord.step(dt, gravity);

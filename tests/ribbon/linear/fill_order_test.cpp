@@ -27,7 +27,7 @@ std::vector<int> found(int count, const Couplings& couplings) {
   return found(fill_order, count, couplings);
 }
 
-/// Blocks right of the diagonal that elimination in this order leaves.
+/// Returns the number of blocks right of the diagonal after elimination in this order.
 std::size_t blocks(const std::vector<int>& order, const Couplings& couplings) {
   BlockLdlt matrix;
   matrix.begin_pattern(order);
@@ -88,7 +88,7 @@ TEST(FillOrder, FillsASquareLessThanRowsInTheirOrder) {
 }
 
 TEST(FillOrder, KnowsDegreesNoWorseThanByCounting) {
-  // The least fill that is known of elimination by exact degrees, on graphs made at random, and a tenth more.
+  // Elimination by exact degrees on random graphs has this fill; a tenth more is accepted.
   std::mt19937 random(8);
   std::uniform_int_distribution<int> any(0, 79);
   for (int graph = 0; graph < 20; ++graph) {

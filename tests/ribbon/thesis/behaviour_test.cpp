@@ -1,4 +1,4 @@
-// The thesis's cord as its users meet it: long runs at its conditions A to D.
+// Long runs of the thesis's cord under its conditions A to D.
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,9 @@ TEST_P(LongConditions, APinnedCordFallsSwingsAndComesToRest) {
   EXPECT_EQ(test_support::inverted_triangles(cord), 0);
 }
 
-/// Drags the cord's last point about at 20 m/s, turning every few frames, below the pins and within their reach.
-/// (Dragged around them, a cord in the plane is wound around its own anchor and stays so, as it should.)
+/// Drags the cord's last point at 20 m/s, with a new direction every few frames, below the pins and within the cord's
+/// length.
+/// (If a cord in the plane is dragged around its anchor, it stays wound around it, as it should.)
 class Yank {
  public:
   Yank(Vec2 start, double length, unsigned seed) : random_(seed), at_(start), length_(length) {}
@@ -87,7 +88,7 @@ YankResult yank(ThesisCord& cord, Vec2 gravity, unsigned seed) {
   return result;
 }
 
-/// Points at the drag's 20 m/s hold 0.4 J a gram; far more would be energy out of nothing.
+/// Points at 20 m/s have 0.4 J per gram; much more would be spurious energy.
 double plausible_energy(const ThesisCord& cord) {
   return 10.0 * 0.5 * cord.mesh().size() * cord.def().point_mass * 20.0 * 20.0;
 }
@@ -108,7 +109,7 @@ TEST_P(LongConditions, YankedAboutWithoutGravityEveryLengthComesBack) {
   RecordProperty("worst_stretch", std::to_string(worst));
 }
 
-/// The largest |length ratio − 1| between a connection of one cord and the same of the other.
+/// Returns the largest |length ratio − 1| between the same connections of two cords.
 double worst_difference(const ThesisCord& cord, const ThesisCord& calm) {
   double worst = 0.0;
   for (const Connection& bar : cord.mesh().connections) {
@@ -121,7 +122,7 @@ double worst_difference(const ThesisCord& cord, const ThesisCord& calm) {
   return worst;
 }
 
-/// Under gravity the material itself stretches: every length comes back to that of a cord that was never yanked.
+/// Under gravity the material stretches: every length returns to that of a cord that was never dragged.
 TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
   ThesisCord calm(test_support::hanging(GetParam()));
   for (int frame = 0; frame < 3'000; ++frame) calm.step(frame_dt, earth_gravity);
@@ -217,7 +218,7 @@ TEST(LongCord, FoldedOnItselfItComesToRestWhereItsCentreOfMassGoes) {
     const StepReport report = cord.step(frame_dt, {});
     contacts += report.self_contacts;
     limited += report.motion_limited;
-    for (int n = 0; n < def.substeps; ++n) {  // all that acts from outside is the drag
+    for (int n = 0; n < def.substeps; ++n) {  // drag is the only external force
       momentum = (1.0 / (1.0 + def.drag * substep)) * momentum;
       centre += (substep / mass) * momentum;
     }

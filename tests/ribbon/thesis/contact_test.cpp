@@ -95,7 +95,7 @@ TEST(FindContact, ATieGoesToTheSideItCameFrom) {
 TEST(FindContact, AnOwnPointDoesNotLeaveThroughItsOwnNeighbourhood) {
   Strip strip;
   const int point = strip.mesh.index(0, 0);
-  strip.x[static_cast<std::size_t>(point)] = {6.5, 0.4};  // the end has got into the cord further on
+  strip.x[static_cast<std::size_t>(point)] = {6.5, 0.4};  // the end is inside another part of the cord
   const auto contact = strip.deepest({{6.5, 0.4}, {6.5, -1.0}, 0.4, point});
   ASSERT_TRUE(contact);
   for (const int p : contact->point) EXPECT_GT(strip.mesh.column(p), 2);
@@ -114,7 +114,7 @@ TEST(PushApart, SharesByMassAndKeepsTheCentreOfMass) {
   for (std::size_t p = 0; p < before.size(); ++p) moved += strip.x[p] - before[p];
   EXPECT_NEAR(moved.x, 0.0, 1e-15);
   EXPECT_NEAR(moved.y, 0.0, 1e-15);
-  const auto left = strip.deepest(circle);  // of second order: the edge has turned a little
+  const auto left = strip.deepest(circle);  // of second order: the edge turns a little
   EXPECT_LT(left ? left->depth : 0.0, 0.05 * contact->depth);
   EXPECT_LT(circle.center.y - 1.2, before[9].y - strip.x[9].y);  // the lighter side moves more
 }

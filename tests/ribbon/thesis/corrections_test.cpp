@@ -41,7 +41,7 @@ TEST(Areas, GiveBackTheSharedPartOfWhatIsMissing) {
   std::vector<Vec2> x = {{0.0, 0.0}, {1.0, 0.0}, {0.3, 0.001}};
   const std::vector<double> w = {1.0, 1.0, 1.0};
   correct_areas(triangle, 0.3, 1.0, w, x);
-  EXPECT_NEAR(signed_area(x[0], x[1], x[2]), 0.15, 0.02);  // linearised: nearly all of it
+  EXPECT_NEAR(signed_area(x[0], x[1], x[2]), 0.15, 0.02);  // linearised: nearly complete
   const Vec2 sum = x[0] + x[1] + x[2];
   EXPECT_NEAR(sum.x, 1.3, 1e-15);
   EXPECT_NEAR(sum.y, 0.001, 1e-15);

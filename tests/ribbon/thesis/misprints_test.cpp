@@ -1,5 +1,5 @@
-// What is wrong in Goto 2017 as printed, shown one by one, so that nobody mends the stepper back to it. Each test runs
-// the printed form, and beside it what ribbon/ does.
+// The misprints of Goto 2017, one by one, so that no later change restores them. Each test runs the printed form and
+// the form in ribbon/.
 
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST(Misprint2Inertia, WithTheSignAloneCorrectedNothingMovesAndStiffnessCancels)
   for (Eigen::Index k = cord.constrained + 1; k < cord.all; k += 2) fall(k) = -0.02;
   for (const double k : {1.0, 1000.0}) {
     const VectorXd end = fall + cord.moved(fall, k, -1.0);
-    EXPECT_NEAR(end.norm(), 0.0, 1e-12);  // P′ = R: the fall is undone to the last bit, however soft
+    EXPECT_NEAR(end.norm(), 0.0, 1e-12);  // P′ = R: the fall is cancelled for every stiffness
   }
   ThesisCord ours(test_support::hanging(thesis_conditions[0]));
   ours.release(0);
@@ -136,15 +136,15 @@ TEST(Misprint4Singular, AStraightSingleRowAndTooFewPinsHaveNoInverse) {
     line.push_back({0.1 * p, 0.0});
     if (p > 0) chain.push_back({p - 1, p, 0.1});
   }
-  // One row, its first point constrained: nothing resists across the chain.
+  // One row with its first point constrained has no stiffness across the chain.
   EXPECT_NEAR(smallest(global_matrix(chain, line, 1.0).bottomRightCorner(10, 10)), 0.0, 1e-14);
 
   const Pinned ribbon;
   const MatrixXd whole = global_matrix(ribbon.mesh.connections, ribbon.x, 1.0);
-  EXPECT_NEAR(smallest(whole.bottomRightCorner(30, 30)), 0.0, 1e-14);  // one pin: it turns about it
+  EXPECT_NEAR(smallest(whole.bottomRightCorner(30, 30)), 0.0, 1e-14);  // one pin: the cord turns about it
   EXPECT_GT(smallest(whole.bottomRightCorner(28, 28)), 1e-5);          // two pins
 
-  // With the inertia in the matrix ours solves either, pinned or not.
+  // With the inertia in the matrix both have a solution, pinned or not.
   for (int pins = 0; pins <= 2; ++pins) {
     ThesisDef def = test_support::thesis_def(thesis_conditions[0]);
     for (int p = 0; p < pins; ++p) def.pins.push_back(p);
@@ -182,7 +182,7 @@ TEST(Misprint5Springs, EqualSharesMoveAHeavyLoadAndLoseMomentum) {
 }
 
 TEST(Misprint5Springs, AFixedCoefficientTurnsTheCordStifferWithEveryIteration) {
-  // The same stretch, the same time: a fixed k leaves (1 − k)^N of it, ours the same share however N divides dt.
+  // Same stretch, same time: a fixed k leaves (1 − k)^N of it; ribbon/ leaves the same fraction for every N.
   const auto left_fixed = [](int n) { return std::pow(1.0 - 0.45, n); };
   EXPECT_LT(left_fixed(32), 1e-6 * left_fixed(4));
 
@@ -196,8 +196,8 @@ TEST(Misprint5Springs, AFixedCoefficientTurnsTheCordStifferWithEveryIteration) {
   EXPECT_NEAR(hanging_stretch(32) / hanging_stretch(16), 1.0, 0.1);  // it converges
 }
 
-/// Eq. 3.20 summed over the neighbours at once (Jacobi), normalised, without FEM, `share` standing for the printed ½:
-/// the frame of the explosion, or −1.
+/// Eq. 3.20 summed over all neighbours at once (Jacobi), normalised, without FEM, with `share` in place of the printed
+/// ½. Returns the frame in which it becomes unstable, or −1.
 int frame_of_explosion(const test_support::ThesisCondition& condition, double share) {
   const ThesisDef def = test_support::hanging(condition);
   const Mesh mesh = make_mesh(def.w, def.h, def.spacing);
@@ -226,8 +226,8 @@ int frame_of_explosion(const test_support::ThesisCondition& condition, double sh
   return -1;
 }
 
-/// With the printed ½ the wide cord B explodes at once. The cords of two rows have fewer neighbours a point and survive
-/// it, but not twice as much, which is what a relaxed k means where each end takes its whole share.
+/// With the printed ½ the wide cord B is unstable at once. Cords of two rows have fewer neighbours per point and stay
+/// stable with ½, but not with 1, which a relaxed k means if each end takes its whole share.
 TEST(Misprint5Springs, SummedAtOnceTheyExplode) {
   EXPECT_GT(frame_of_explosion(thesis_conditions[1], 0.5), 0);
   for (const auto& condition : thesis_conditions) {
@@ -243,7 +243,7 @@ TEST(Misprint5Springs, SummedAtOnceTheyExplode) {
 }
 
 TEST(Misprint6ContactSign, PushesThePairDeeperAndTheHeavierSideFurther) {
-  // A circle of radius 1 and 3 kg, its centre 0.6 above a point of 1 kg that stands for the triangle: d points up.
+  // A circle of radius 1 and 3 kg, with its centre 0.6 above a point of 1 kg that represents the triangle: d points up.
   const double r = 1.0;
   const double distance = 0.6;
   const double m_c = 3.0;
@@ -288,7 +288,7 @@ TEST(Misprint8Memory, LengthsAloneAreContentWithAMirroredCord) {
   const std::vector<double> w(x.size(), 1.0);
   correct_springs(mesh.connections, 1e3, 0.1, w, x);
   for (std::size_t p = 0; p < x.size(); ++p) EXPECT_NEAR(length(x[p] - mirrored[p]), 0.0, 1e-14);
-  correct_areas(mesh.triangles, 0.3, 0.5, w, x);  // the correction that the thesis asks for notices
+  correct_areas(mesh.triangles, 0.3, 0.5, w, x);  // the correction that the thesis asks for reacts
   EXPECT_NE(x, mirrored);
 }
 

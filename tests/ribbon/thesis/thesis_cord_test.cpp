@@ -17,7 +17,7 @@ using test_support::earth_gravity;
 using test_support::frame_dt;
 using test_support::thesis_conditions;
 
-/// A cord that nothing holds, without drag, 20 × 2.
+/// A free cord of 20 × 2 points without drag.
 ThesisDef free_def() {
   ThesisDef def = test_support::thesis_def(thesis_conditions[0]);
   def.w = 20;
@@ -72,7 +72,7 @@ TEST(ThesisCord, KeepsLinearMomentumWhateverItDoes) {
   EXPECT_NEAR(length(test_support::centre_of_mass(cord) - centre - (5.0 / mass) * before), 0.0, 1e-9);
 }
 
-/// What is not solved is told: bars off their length, triangles inside out, energy from nowhere. At rest nothing is.
+/// The report shows errors: bars off their length, inverted triangles, spurious energy. At rest it shows none.
 TEST(ThesisCord, ReportsWhetherItsStepMayBeTrusted) {
   ThesisDef def = free_def();
   const ThesisCord rest(def);
@@ -91,7 +91,7 @@ TEST(ThesisCord, ReportsWhetherItsStepMayBeTrusted) {
   EXPECT_EQ(reflected.step(frame_dt, {}).turned_over, static_cast<int>(rest.mesh().triangles.size()));
 }
 
-/// What a circle that is there at once throws out; while a point is dragged about nobody can tell.
+/// A circle that appears inside the cord adds energy, which is reported. While a point is dragged, that is unknown.
 TEST(ThesisCord, ReportsEnergyFromNowhere) {
   const auto gains = [](bool dragged) {
     ThesisCord cord(free_def());
@@ -156,7 +156,7 @@ TEST(ThesisCord, DrivenPointsMoveEvenlyAndArriveExactly) {
   EXPECT_NE(cord.positions()[0], (Vec2{-0.3, 0.2}));
 }
 
-/// A system whose inertia is lost beside its stiffness in double precision is singular for a cord that nothing holds.
+/// If the inertia is lost beside the stiffness in double precision, the system of a free cord is singular.
 TEST(ThesisCord, CarriesOnWithSpringsAloneWhereASolveFailsAndCountsIt) {
   ThesisDef def = free_def();
   def.point_mass = 1e-9;
@@ -209,7 +209,7 @@ TEST(ThesisCord, ATermThatIsOffIsNotRun) {
   const Vec2 start = cord.positions()[7];
   const Vec2 neighbour = cord.positions()[9];
   for (int frame = 0; frame < 60; ++frame) cord.step(frame_dt, {});
-  EXPECT_NEAR(cord.positions()[7].x - start.x, 1.0, 1e-12);  // dust: nothing ties it to its neighbours
+  EXPECT_NEAR(cord.positions()[7].x - start.x, 1.0, 1e-12);  // a free particle: no term connects it to its neighbours
   EXPECT_EQ(cord.positions()[9], neighbour);
 }
 

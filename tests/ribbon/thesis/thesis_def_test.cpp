@@ -20,7 +20,7 @@ struct BadField {
   const char* value;
 };
 
-/// The sentence names the field, the value and what is accepted.
+/// The message names the field, the value and what is accepted.
 TEST(ThesisDef, RefusesEachBadFieldByNameAndValue) {
   const BadField fields[] = {
       {"w", [](ThesisDef& d) { d.w = 1; }, "1"},
