@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ribbon/box2d/state_hash.h"
 #include "tests/engine/scene/map_json.h"
 #include "tests/support/refusal.h"
 
