@@ -10,7 +10,7 @@
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
-// Filters, bodies and fixtures that come and go, and heap memory.
+// Filters, bodies and fixtures that are created and destroyed, and heap memory.
 
 namespace engine {
 namespace {
@@ -31,7 +31,7 @@ constexpr double dt = World::dt;
 
 double stretch(const Cord& cord) { return path_length(cord.positions()) / cord.def().length - 1.0; }
 
-/// A box falls on a bridge of this filter: whether it is caught.
+/// Returns whether a bridge with one filter catches a falling box with another.
 bool is_caught(const b2Filter& of_cord, const b2Filter& of_box, bool sensor) {
   World scene;
   scene.coupling.add(Cord(bridge_def()), of_cord);
@@ -50,7 +50,7 @@ TEST(ContactCord, FiltersAndSensorsDecideAsBetweenTwoFixtures) {
   EXPECT_FALSE(is_caught(filter(2, 0xFFFF), filter(1, 0xFFFF), true));
 }
 
-/// A dumbbell whose one end the cord does not meet hangs on the other.
+/// A dumbbell hangs on the end that collides with the cord; the other end passes through.
 TEST(ContactCord, EachFixtureOfABodyCollidesByItsOwnFilter) {
   World scene;
   scene.coupling.add(Cord(bridge_def()), filter(2, 0xFFFF));
@@ -60,7 +60,7 @@ TEST(ContactCord, EachFixtureOfABodyCollidesByItsOwnFilter) {
   add_shape(body, circle(0.15, {0.0, -0.9}), 10.0, 0.5, filter(1, 0xFFFD));
   scene.tick(300);
   EXPECT_GT(position(body).y, -2.0);
-  EXPECT_LT(std::abs(body->GetAngle()), 0.8F);  // upright, its weight below
+  EXPECT_LT(std::abs(body->GetAngle()), 0.8F);  // upright, with its weight below
 }
 
 TEST(ContactCord, BodiesAndFixturesComeAndGoWhileTheyTouch) {

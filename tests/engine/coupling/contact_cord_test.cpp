@@ -14,7 +14,7 @@
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
-// Box2D's bodies against a cord of the direct solver: rest, shapes, momentum, speed.
+// Bodies of Box2D against a cord of the direct solver: rest, shapes, momentum, speed.
 
 namespace engine {
 namespace {
@@ -40,7 +40,7 @@ using World = test_support::ShapeWorld;
 constexpr double dt = World::dt;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// m, how deep a circle is in the cord; negative if it does not touch.
+/// Returns the penetration of a circle into the cord, m; negative if they do not touch.
 double depth(const Cord& cord, Vec2 middle, double radius) {
   return radius + cord.def().radius - distance_to_path(middle, cord.positions());
 }
@@ -114,10 +114,10 @@ TEST(ContactCord, ABoxRestsOnABridge) {
   EXPECT_LE(length(position(body) - start), 1e-4);
   EXPECT_NEAR(body->GetAngle(), angle, 1e-4F);
   EXPECT_LE(deepest, 1e-3);
-  EXPECT_GT(deepest, 0.0);  // it is carried
+  EXPECT_GT(deepest, 0.0);  // the cord carries the box
 }
 
-/// A straight cord falls on flat ground of each shape, and lies on it at its radius and Box2D's.
+/// A straight cord falls on flat ground of each shape, and rests on it at its radius plus that of Box2D.
 TEST(ContactCord, ItRestsOnEdgesChainsAndBoxes) {
   const auto lies_at = [](const b2Shape& shape, Vec2 ground, b2BodyType type, double angle = 0.0) {
     CordDef def;
@@ -182,7 +182,7 @@ TEST(ContactCord, ItHangsOverABoxsCornerAndAnEdgesEnd) {
   }
 }
 
-/// To what single precision leaves of it.
+/// Exact to single precision.
 TEST(ContactCord, WithBallsInFreeFlightItKeepsItsMomentum) {
   World scene(Vec2{});
   CordDef def;
@@ -215,7 +215,7 @@ TEST(ContactCord, WithBallsInFreeFlightItKeepsItsMomentum) {
   EXPECT_GT(touched, 50);
 }
 
-/// Whether a ray from p straight up crosses the closed cord an odd number of times.
+/// Returns whether a ray from p straight up crosses the closed cord an odd number of times.
 bool is_in(std::span<const Vec2> cord, Vec2 p) {
   bool in = false;
   for (std::size_t k = 1; k < cord.size(); ++k) {
@@ -227,7 +227,8 @@ bool is_in(std::span<const Vec2> cord, Vec2 p) {
   return in;
 }
 
-/// How many of so many balls get out of a ring of cord, at so many radii a tick; Box2D takes nothing further than 2 m.
+/// Returns how many of `tries` balls leave a ring of cord, with a speed in radii per tick. Box2D limits motion to 2 m
+/// per tick.
 int escapes(double radii, double least, double most, int tries, bool with_contact = true) {
   int count = 0;
   for (int n = 0; n < tries; ++n) {

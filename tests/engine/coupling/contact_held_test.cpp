@@ -10,7 +10,7 @@
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
-// Bodies between a cord that they hold, or that presses on them, and walls.
+// Bodies between a wall and a cord that they hold or touch.
 
 namespace engine {
 namespace {
@@ -34,13 +34,13 @@ enum class Obstacle { wall, grazed_floor, floor, stood_on, ceiling, pit };
 struct HeavyRun {
   double gain = 0.0;      ///< J
   double lowest = 0.0;    ///< m
-  double stretch = 0.0;   ///< a share
-  double leftover = 0.0;  ///< m/s, in the last 100 ticks at most
-  double off = 0.0;       ///< m, of the hand from its point
+  double stretch = 0.0;   ///< relative
+  double leftover = 0.0;  ///< m/s, maximum in the last 100 ticks
+  double off = 0.0;       ///< m, distance of the anchor from its point
   double scale = 0.0;     ///< J
 };
 
-/// 70 kg on the end of 10 m of cord, let go at 70° from the vertical, or on a slack one straight below.
+/// 70 kg at the end of 10 m of cord: released at 70° from the vertical, or straight below with a slack cord.
 HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
   World scene;
   CordDef def;
@@ -116,7 +116,7 @@ TEST(ContactCord, AHeldBodyHitsWallsAndFloorsAndStands) {
   }
 }
 
-/// A ball that just fits between a taut cord and the ground is pushed up against the cord, and down again.
+/// A ball that just fits between a taut cord and the ground is pushed up against the cord, and then down.
 TEST(ContactCord, ABodyBetweenATautCordAndTheGroundStaysThere) {
   for (const double stiffness : {1e4, 1e6, infinity}) {
     CordDef def = bridge_def();
@@ -134,11 +134,11 @@ TEST(ContactCord, ABodyBetweenATautCordAndTheGroundStaysThere) {
       highest = std::max(highest, position(ball).y);
       lowest = std::min(lowest, position(ball).y);
     }
-    // By the elasticity twice what 150 N push a straight cord aside: F = 8·EA·(d/L)³.
+    // Twice the deflection d of an elastic straight cord under 150 N: F = 8·EA·(d/L)³.
     const double aside = 2.0 * std::cbrt(150.0 / (8.0 * stiffness)) * def.length;
     EXPECT_LE(highest, -0.29 + aside) << stiffness;
     EXPECT_GE(lowest, -0.6 + 0.29 - 0.01) << stiffness;
-    EXPECT_NEAR(position(ball).x, 2.0, 0.5) << stiffness;  // pressed up under the cord it is on a summit, and rolls
+    EXPECT_NEAR(position(ball).x, 2.0, 0.5) << stiffness;  // below the cord its equilibrium is unstable, and it rolls
     for (const Vec2 x : scene.cord().positions()) EXPECT_GT(x.y, -0.05) << stiffness;
   }
 }

@@ -15,7 +15,7 @@
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
-// Contact of the direct solver through Box2D, where it is hardest.
+// Contact of the direct solver with bodies of Box2D: the hardest cases.
 
 namespace engine {
 namespace {
@@ -120,7 +120,7 @@ TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
   }
 }
 
-/// One contact more than ever before takes memory.
+/// A tick with more contacts than any tick before.
 TEST(ContactCordLimits, ATickTakesNoHeapMemoryForOneContactMore) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
@@ -136,7 +136,7 @@ TEST(ContactCordLimits, ATickTakesNoHeapMemoryForOneContactMore) {
   }
 }
 
-/// A ball between a taut cord that does not stretch and the ground, pressed down.
+/// A force pushes a ball down that is between a taut inextensible cord and the ground.
 TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity) {
   CordDef def = bridge_def();
   for (int i = 0; i < 41; ++i) def.positions[static_cast<std::size_t>(i)] = {0.105 * i, 0.0};
@@ -153,7 +153,7 @@ TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity
   EXPECT_LE(fastest, 1e-3);
 }
 
-/// The string of CordContactLimits, far from the peg's fixture.
+/// The string of CordContactLimits starts far from the peg's fixture.
 TEST(ContactCordLimits, ASnappingStringDoesNotGoThroughAPeg) {
   CordDef def;
   def.points = 41;
@@ -183,7 +183,7 @@ TEST(ContactCordLimits, ASnappingStringDoesNotGoThroughAPeg) {
   }
 }
 
-/// Newton's steps once went back and forth between sliding one way and the other: 17 of them a stage, and halves.
+/// The Newton iteration once alternated between both directions of sliding: 17 steps per stage, with halvings.
 TEST(ContactCordLimits, FrictionTakesFewNewtonSteps) {
   for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
     test_support::CordMethod method;

@@ -4,7 +4,7 @@
 
 #include "tests/support/contact_figures.h"
 
-// The thesis's cord in the place of a rope: as measurements compare it.
+// The thesis's cord in place of a rope, as the measurements use it.
 
 namespace test_support {
 namespace {
@@ -22,7 +22,7 @@ CordMethod thesis() {
   return method;
 }
 
-/// Level, a metre up.
+/// A level rope at y = 1 m.
 CordDef rope() {
   CordDef def;
   def.points = 11;
@@ -38,7 +38,7 @@ TEST(CoupledWorld, AThesisCordHasTheMassAndTheShapeOfItsRope) {
   EXPECT_EQ(world.points(0), rope().positions);
   EXPECT_EQ(world.outline(0).size(), 22U);
   EXPECT_TRUE(world.is_closed(0));
-  // Half of it is a link lower.
+  // Half of the mass is one link lower.
   EXPECT_NEAR(world.energy(), mass * 9.81 * (1.0 - 0.5 * link), 1e-6);
   EXPECT_NEAR(world.energy_scale(), mass * 9.81 * rope().length, 1e-6);
 }
@@ -67,7 +67,7 @@ TEST(CoupledWorld, AThesisCordHangsByItsPinOnCirclesThatItTouches) {
     deepest = std::max(deepest, penetration(world));
   }
   EXPECT_EQ(world.points(0).front(), def.positions.front());
-  EXPECT_GT(world.points(0)[5].y, 0.8);  // above the circle, which it would have passed without meeting it
+  EXPECT_GT(world.points(0)[5].y, 0.8);  // above the circle, which it would pass without contact
   EXPECT_LT(deepest, 0.01);
   EXPECT_LT(stretch(world, 0), 0.1);
   world.calm(60);

@@ -2,7 +2,7 @@
 
 #include "ribbon/box2d/coupling.h"
 
-// What a coupling tells of a cord, whichever solver moves it.
+// What a coupling reports about a cord of either solver.
 
 namespace engine {
 namespace {

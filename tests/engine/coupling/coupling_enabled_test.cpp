@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/shape_world.h"
 
-// Cords that are switched off and on.
+// Cords that are disabled and enabled.
 
 namespace engine {
 namespace {
@@ -27,7 +27,7 @@ std::vector<Vec2> level(double left, double y, int points, double length) {
   return positions;
 }
 
-/// A rope along y, 2 m long from `left` and fixed at both ends, or at none.
+/// A rope of 2 m at height y from x = `left`, fixed at both ends or at none.
 ribbon::Cord rope(double y = 0.0, double left = 0.0, bool fixed = true) {
   CordDef def;
   def.points = 21;
@@ -115,7 +115,7 @@ TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
   EXPECT_EQ(refusal<CallError>([&] { there.coupling.hold(hand, {.cord = 0, .arc = 0.5}); }), "no error");
 }
 
-/// Also where no cord is left that is on.
+/// Also if no cord is enabled.
 TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
   World there;
   there.coupling.add(rope());
@@ -159,8 +159,8 @@ TEST(CouplingEnabled, QueriesSkipADisabledCord) {
   EXPECT_EQ(there.coupling.nearest_place(here, 0.5)->cord, 0);
 }
 
-/// A rope falls on another one, and by index a third is between them: where they are, what they know of each other's
-/// touching and all else has the same bits whether that one is on and far away, or off and in the midst of them.
+/// A rope falls on another one; by index a third cord is between them. Positions, contacts and all other state have the
+/// same bits if that cord is enabled and far away, or disabled and amid them.
 TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
   const auto run = [](bool off) {
     World there;
@@ -208,7 +208,7 @@ TEST(CouplingEnabled, IsSavedAndRestored) {
   EXPECT_FALSE(there.coupling.cord(0).is_enabled());
 }
 
-/// A cord that goes leaves its place to the next.
+/// After a cord is disabled, the next one takes its place.
 TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
   World there;
   there.coupling.add(rope());
@@ -219,7 +219,7 @@ TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
   EXPECT_LT(there.coupling.cord(0).positions()[10].y, 1.0);
 }
 
-/// Between gather and apply, where none should, nothing breaks.
+/// A change between gather and apply is not intended, but is safe.
 TEST(CouplingEnabled, InTheMidstOfATickIsBorne) {
   for (const bool first : {true, false}) {
     World there;

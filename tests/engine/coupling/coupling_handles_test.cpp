@@ -12,7 +12,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/refusal.h"
 
-// Ids and handles of cords and grips: what they refer to, and what happens once it is gone.
+// Ids and handles of cords and grips: what they refer to, and what they do after it is removed.
 
 namespace ribbon::box2d {
 namespace {
@@ -223,7 +223,7 @@ CordId hang_ribbon(Coupling& coupling, Solver solver) {
   return coupling.add(Cord(def), nothing);
 }
 
-/// One above the other at the end of a ribbon: only both together keep the body from turning.
+/// Two grips, one above the other, at the end of a ribbon: only both together keep the body from turning.
 TEST(Holding, TwoRowsOfARibbonCarryTheBodyAtBoth) {
   for (const Solver solver : {Solver::thesis, Solver::direct}) {
     RopeWorld there;

@@ -30,7 +30,7 @@ struct Hanging {
   ribbon::box2d::CordId held = 0;
   ribbon::box2d::GripId grip = 0;
 
-  /// With `others`, there are cords far away, one added before it and one after.
+  /// With `others`, two cords are far away, one added before this cord and one after it.
   explicit Hanging(double mass, double drag = 0.5, bool others = false) {
     if (others) coupling.add(ThesisCord(pinned_at_both_ends({-50.0, 0.0})));
     ThesisDef def = cord_def();
@@ -57,14 +57,14 @@ TEST(CouplingHold, TheCordCarriesTheBodyAndPullsWithItsWeight) {
   EXPECT_NEAR(y_of(hanging.body), -4.0, 0.2);
   EXPECT_LT(static_cast<double>(hanging.body->GetLinearVelocity().Length()), 0.01);
   EXPECT_NEAR(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetPosition())), 0.0, 1e-3);
-  // The impulse of one more tick holds against gravity.
+  // The impulse of one more tick balances gravity.
   const b2Vec2 before = hanging.body->GetLinearVelocity();
   step_cords(hanging.coupling, hanging.world, dt);
   const double gain = static_cast<double>(hanging.body->GetLinearVelocity().y - before.y);
   EXPECT_NEAR(gain / dt, 9.81, 0.1);
 }
 
-/// Swings a hanging body; its widest excursions to the right, one a period.
+/// Swings a hanging body; returns its maximum excursions to the right, one per period.
 std::vector<double> excursions(Hanging& hanging, int ticks) {
   std::vector<double> widest;
   double last_speed = 0.0;
@@ -77,7 +77,7 @@ std::vector<double> excursions(Hanging& hanging, int ticks) {
   return widest;
 }
 
-/// Whatever other cords there are.
+/// Other cords do not matter.
 TEST(CouplingHold, SwingsOnLikeAPendulum) {
   Hanging alone(5.0, 0.0);
   Hanging hanging(5.0, 0.0, true);
@@ -88,10 +88,10 @@ TEST(CouplingHold, SwingsOnLikeAPendulum) {
   const std::vector<double> widest = excursions(hanging, 2400);
   ASSERT_GE(widest.size(), 9U);
   EXPECT_GT(widest[0], 1.8);
-  EXPECT_LT(widest[0], 2.45);  // what 4 m/s is good for on 4 m
+  EXPECT_LT(widest[0], 2.45);  // the excursion of a 4 m pendulum with 4 m/s
   for (std::size_t k = 1; k < widest.size(); ++k) {
     EXPECT_LT(widest[k], 1.002 * widest[k - 1]);
-    EXPECT_GT(widest[k], 0.98 * widest[k - 1]);  // without what is carried on: 0.945
+    EXPECT_GT(widest[k], 0.98 * widest[k - 1]);  // without the velocity carry: 0.945
   }
 }
 
@@ -185,7 +185,7 @@ TEST(CouplingHold, AHolderThatIsDestroyedReleases) {
   Hanging told(2.0);
   told.run(10);
   told.coupling.destroy(told.world, *told.body);
-  b2Body* next = add_circle(told.world, {5.0, 5.0}, 0.1);  // Box2D likes to use the same address again
+  b2Body* next = add_circle(told.world, {5.0, 5.0}, 0.1);  // Box2D reuses the address
   told.run(10);
   EXPECT_FALSE(told.coupling.held_by(*next));
   EXPECT_NEAR(static_cast<double>(next->GetPosition().x), 5.0, 1e-6);

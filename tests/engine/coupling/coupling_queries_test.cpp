@@ -10,7 +10,7 @@
 #include "tests/support/dice.h"
 #include "tests/support/shape_world.h"
 
-// The nearest point and the nearest place of all cords.
+// The nearest point, and the nearest place between points, of all cords.
 
 namespace engine {
 namespace {
@@ -26,7 +26,8 @@ TEST(Coupling, NothingIsNearNaN) {
   EXPECT_FALSE(coupling.nearest_point({0.0, 0.0}, nan));
 }
 
-/// The same by a look at every point, between which places of a cord of the direct solver are.
+/// Returns the distance to the nearest point by a search of all points, or to the nearest place on the links between
+/// points of the direct solver.
 double nearest_distance(const ribbon::box2d::Coupling& coupling, Vec2 position, bool between_points) {
   double nearest = std::numeric_limits<double>::infinity();
   for (ribbon::box2d::CordId c = 0; c < coupling.size(); ++c) {
@@ -65,7 +66,7 @@ TEST(Coupling, FindsTheSameAsASearchOfAllPoints) {
   b2World world({0.0F, -9.81F});
   for (int tick = 0; tick < 60; ++tick) {
     step_cords(coupling, world, dt);
-    if (tick % 4 == 0) {  // from outside, between two ticks
+    if (tick % 4 == 0) {  // changes between two ticks
       coupling.cord(tick % 40).drag(0, {dice(-6.0, 6.0), dice(-6.0, 6.0)});
       coupling.cord(tick % 39).direct().restore(coupling.cord(tick % 39 + 1).direct().save());
     }

@@ -98,7 +98,7 @@ TEST(RemovingACord, InAnyOrderGivesAStateThatCanBeRestored) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(there.coupling.touch_events()[k].cord, cords[k]);
 }
 
-/// A ball sleeps on one of two ropes and is near the other. It must not go on sleeping in the air.
+/// A ball sleeps on one of two ropes and is near the other. It must not continue to sleep in the air.
 TEST(RemovingACord, WakesABodyThatIsNearAnotherCord) {
   for (const bool removed : {false, true}) {
     RopeWorld there;

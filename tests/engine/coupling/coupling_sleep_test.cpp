@@ -10,7 +10,7 @@
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
 
-// Cords that fall asleep, and the bodies that do so with them: CordDef::allow_sleep.
+// Cords that fall asleep with their bodies: CordDef::allow_sleep.
 
 namespace engine {
 namespace {
@@ -21,7 +21,7 @@ using ribbon::Vec2;
 constexpr int long_enough = 3000;  // ticks
 
 struct World : test_support::ShapeWorld {
-  /// One that may sleep.
+  /// Adds a body that may sleep.
   b2Body& ball_of(double mass, Vec2 position) {
     b2Body& body = *add_ball(position, 0.1, mass);
     body.SetSleepingAllowed(true);
@@ -62,7 +62,7 @@ struct Lamp : World {
   ribbon::box2d::GripId grip;
 };
 
-/// A rope that hangs through between two pins a little nearer to each other than it is long, and a ball in its middle.
+/// A rope between two pins whose distance is a little less than its length, and a ball in its middle.
 struct Hammock : World {
   explicit Hammock(bool allow_sleep = true) {
     CordDef def = rope_def(allow_sleep);
@@ -94,7 +94,7 @@ TEST(CouplingSleep, ALampSleepsOnItsRopeAndNothingOfItMoves) {
       << "the hand is where it was";
 }
 
-/// Hit by a ball it swings as one that has not slept.
+/// After a ball hits it, the lamp swings as one that did not sleep.
 TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
   const auto swing = [](bool allow_sleep) {
     Lamp there(allow_sleep);
@@ -134,7 +134,7 @@ TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
   EXPECT_GT(there.ball->GetPosition().y, 0.0F);
 }
 
-/// What falls on a rope that sleeps finds it awake: it goes no deeper than into one that never sleeps.
+/// A body that falls on a sleeping rope wakes it in time: it penetrates no deeper than into a rope that never sleeps.
 TEST(CouplingSleep, ABodyThatApproachesWakesARopeInTime) {
   const auto lowest_gap = [](bool allow_sleep) {
     World there;
@@ -192,7 +192,7 @@ TEST(CouplingSleep, ABodyThatLosesItsCordWakes) {
   }
 }
 
-/// As in Box2D, where a contact that ends wakes both.
+/// As in Box2D, where the end of a contact wakes both bodies.
 TEST(CouplingSleep, ABodyThatNoLongerCollidesWithItWakes) {
   Hammock there;
   ASSERT_TRUE(there.falls_asleep());

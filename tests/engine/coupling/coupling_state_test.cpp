@@ -11,8 +11,8 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
 
-// What Coupling::restore refuses, and what it does with bodies that come and go. That a restored coupling runs on to
-// the same bits, tests/bits/restore_test.cpp holds.
+// What Coupling::restore refuses, and how it treats bodies that are created or destroyed. That a restored coupling
+// continues with the same bits is tested in tests/bits/restore_test.cpp.
 
 namespace engine {
 namespace {
@@ -69,7 +69,7 @@ std::uint64_t hash_of(const State& state) {
   return hasher.value();
 }
 
-/// The message of what restore throws, and that it has changed nothing.
+/// Returns the message with which restore refuses a changed state; fails if restore changes anything.
 std::string refusal(Scene& scene, const std::function<void(State&)>& spoil) {
   const State before = scene.coupling.save(scene.world);
   State state = before;
@@ -226,7 +226,7 @@ TEST(CouplingState, ALockedWorldIsRefused) {
   EXPECT_GT(listener.refused, 0);
 }
 
-/// A body that was destroyed without the coupling's knowing is nobody's any more, and its grip is not saved.
+/// The grip of a body that was destroyed without a call of the coupling is not saved.
 TEST(CouplingState, LeavesOutBodiesThatAreNoLongerInTheWorld) {
   Scene scene;
   scene.tick(20);
@@ -240,7 +240,7 @@ TEST(CouplingState, LeavesOutBodiesThatAreNoLongerInTheWorld) {
   scene.tick(5);
 }
 
-/// Events tell of a tick, and go back with it; so does the number of the next grip.
+/// The events of a tick are restored with it, and so is the number of the next grip.
 TEST(CouplingState, EventsAndReportsAreRestoredToo) {
   Scene scene;
   const State start = scene.coupling.save(scene.world);

@@ -23,7 +23,7 @@ Vec2 momentum(const b2Body* body) {
   return static_cast<double>(body->GetMass()) * ribbon::box2d::to_double(body->GetLinearVelocity());
 }
 
-/// Box2D's bodies in single precision and the cord in double lose nothing between them.
+/// Bodies in single precision and a cord in double precision exchange momentum without loss.
 TEST(Coupling, CordAndCirclesKeepTheirLinearMomentum) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
@@ -45,7 +45,7 @@ TEST(Coupling, CordAndCirclesKeepTheirLinearMomentum) {
     EXPECT_NEAR(length(total() - before), 0.0, 1e-9 * length(before)) << "tick " << k;
   }
   EXPECT_GT(contacts, 20);
-  EXPECT_GT(length(test_support::momentum(coupling.cord(0).thesis())), 0.1);  // it was hit
+  EXPECT_GT(length(test_support::momentum(coupling.cord(0).thesis())), 0.1);  // the cord is hit
 }
 
 TEST(Coupling, ACircleFallsOntoACordAndIsCarried) {
@@ -65,7 +65,7 @@ TEST(Coupling, AFixtureOffItsBodysCentreCollidesWhereItIs) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
-  // A dumbbell: two circles on one body, 1 m either side of its centre, which itself is far from the cord.
+  // A dumbbell: two circles on one body, 1 m to both sides of its centre, which is far from the cord.
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.position = {2.0F, 1.25F};
@@ -277,7 +277,7 @@ TEST(Coupling, TakesNoHeapMemoryWhenTheFirstCircleComesNear) {
   EXPECT_EQ(taken, 0);
 }
 
-/// Where a body has its origin is the user's affair: what counts is the inertia about the centre of mass.
+/// The user chooses a body's origin; only the inertia about the centre of mass matters.
 TEST(Coupling, ABodysOriginMakesNoDifference) {
   const auto hit = [](Vec2 origin) {
     b2World world({0.0F, 0.0F});
@@ -306,7 +306,7 @@ TEST(Coupling, ABodysOriginMakesNoDifference) {
   EXPECT_NEAR(far_turning, turning, 1e-4 * std::abs(turning));
 }
 
-/// A fixture may have any friction, and an extent that no coordinate of a cord reaches.
+/// A fixture may have any friction, and an extent beyond all coordinates of a cord.
 TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
@@ -327,7 +327,7 @@ TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).positions()));
 }
 
-/// So that a tick that cannot be is not half begun.
+/// A refused tick is not half begun.
 TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
@@ -343,7 +343,7 @@ TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
   EXPECT_EQ(coupling.cord(0).direct().save(), before);
 }
 
-/// Two cords pinned in the same place lie in each other, with an energy that no number tells.
+/// Two cords that are pinned in the same place overlap, with an energy that is not a number.
 TEST(Coupling, CordsThatLieInEachOtherCanBeSavedAndRestored) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;

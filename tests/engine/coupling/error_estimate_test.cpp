@@ -25,7 +25,7 @@ ribbon::CordDef swinging(const Accuracy& accuracy) {
   def.pins = {0};
   def.drag = 0.5;
   def.accuracy = accuracy;
-  return def;  // lies along +x, and falls
+  return def;  // starts along +x, and falls
 }
 
 struct World {
@@ -46,7 +46,7 @@ struct World {
   ribbon::box2d::Coupling coupling;
 };
 
-/// m, the sum of what 40 ticks are estimated to be off, and how far off the cord is at their end.
+/// The sum of the estimated errors of 40 ticks, and the error of the cord at their end, m.
 struct Outcome {
   double estimated = 0.0;
   double actual = 0.0;
@@ -96,7 +96,7 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
   EXPECT_TRUE(watched.coupling.cord(0).island_report() == alone.coupling.cord(0).island_report());
 }
 
-/// It copies each cord's state anew in every tick, and keeps no more of them for that.
+/// The estimate copies each cord's state in every tick, and does not accumulate copies.
 TEST(ErrorEstimate, HoldsNoMoreMemoryHoweverLongItGoesOn) {
   World world(Accuracy::balanced());
   world.coupling.estimate_errors(true);

@@ -15,7 +15,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/shape_world.h"
 
-// What Coupling::gather finds by the world's tree, against a look at every child of every fixture of the world.
+// What Coupling::gather finds by the world's tree, compared with a search of all children of all fixtures.
 
 namespace engine {
 namespace {
@@ -40,7 +40,7 @@ bool should_collide(const b2Filter& a, const b2Filter& b) {
   return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
 }
 
-/// m/s and rad/s, as gather finds them: it gives a body that cords do not lead any more what Box2D could not show.
+/// m/s and rad/s, as gather finds them: it gives a body that is no longer solver-driven its velocity carry.
 using Speeds = std::map<const b2Body*, std::pair<double, double>>;
 
 Speeds speeds_in(const b2World& world) {
@@ -52,7 +52,7 @@ Speeds speeds_in(const b2World& world) {
   return speeds;
 }
 
-/// m, that the documentation says a part of a body may go.
+/// Returns the maximum displacement of a part of a body in a tick by the documentation, m.
 double way_of(const b2Body& body, const Speeds& speeds, const Box& box, double fall) {
   const Vec2 center = ribbon::box2d::to_double(body.GetWorldCenter());
   double extent = 0.0;
@@ -88,7 +88,7 @@ Found by_gather(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId c
   return sorted(found);
 }
 
-/// A world that something is done to between ticks.
+/// A world with random changes between ticks.
 class RandomWorld {
  public:
   explicit RandomWorld(unsigned seed) : dice_(seed) {
@@ -179,7 +179,7 @@ class RandomWorld {
       case 1: destroy(k); break;
       case 2:
         destroy(k);
-        add_body();  // often at the same address
+        add_body();  // often at the address of the last one
         break;
       case 3: body.SetTransform(ribbon::box2d::to_float(place()), static_cast<float>(dice_(-3.0, 3.0))); break;
       case 4: body.SetEnabled(!body.IsEnabled()); break;
@@ -227,7 +227,7 @@ TEST(Gather, FindsTheSameAsASearchOfAllFixtures) { check_scenes(0, 1000); }
 
 TEST(LongGather, FindsTheSameAsASearchOfAllFixtures) { check_scenes(1000, 10'000); }
 
-/// Cords that hang among boxes, with as much as is wanted far away.
+/// Cords that hang among boxes, with a given number of distant objects.
 struct Clearing : test_support::ShapeWorld {
   Clearing() {
     for (int k = 0; k < 6; ++k) {
@@ -257,8 +257,8 @@ struct Clearing : test_support::ShapeWorld {
   static b2PolygonShape box() { return test_support::box(0.1, 0.1); }
 };
 
-/// Neither the way that things are looked for, nor their numbers, may depend on it: here they are made before, between
-/// and after what is near.
+/// Neither the search order nor the ids may depend on distant objects: they are created before, between and after the
+/// near ones.
 TEST(Gather, WhatIsFarAwayChangesNoBitOfACord) {
   Clearing alone;
   alone.add_balls();
@@ -307,7 +307,7 @@ TEST(Gather, ReportedDestructionsAreTrusted) {
   EXPECT_FALSE(held.coupling.held_by(*next));
 }
 
-/// A body that is led no more goes on with its momentary velocity, wherever it is.
+/// A body that is no longer solver-driven continues with its momentary velocity, wherever it is.
 TEST(Gather, ABodyThatIsRemovedGetsItsVelocityCarry) {
   for (const bool trusts : {false, true}) {
     Held held;
@@ -322,7 +322,7 @@ TEST(Gather, ABodyThatIsRemovedGetsItsVelocityCarry) {
   }
 }
 
-/// A cord that sleeps looks around where it is, though it was put there asleep.
+/// A cord that is moved while it sleeps searches its new surroundings.
 TEST(Gather, ASleepingCordThatIsMovedFindsItsNewSurroundings) {
   const auto hanging = [](double x) {
     CordDef def;

@@ -9,7 +9,7 @@
 #include "tests/support/freed_body.h"
 #include "tests/support/points.h"
 
-// Where grips end, what is refused, and bodies that take the address of a destroyed one.
+// The ends of grips, refusals, and bodies at the address of a destroyed one.
 
 namespace engine {
 namespace {
@@ -44,7 +44,7 @@ TEST(Grip, RefusesWhatCannotBe) {
     EXPECT_THROW(scene.coupling.hold(*body, def), CallError);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  refuses_call({.cord = 0, .arc = 5.0});  // there already
+  refuses_call({.cord = 0, .arc = 5.0});  // exists already
   refuses_call({.cord = 0, .point = 25});
   refuses_call({.cord = 1, .arc = 5.0});
   refuses_call({.cord = -1, .arc = 5.0});
@@ -76,7 +76,7 @@ TEST(Grip, RefusesWhatCannotBe) {
   EXPECT_NEAR(scene.coupling.grip(grip).state().arc, 5.0, 1e-12);
 }
 
-/// A body that is destroyed without a word lets go; so does one whose numbers are none.
+/// A body that is destroyed without a call of the coupling releases its grips; so does one with NaN velocity.
 TEST(Grip, EndsWithItsBody) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -95,7 +95,7 @@ TEST(Grip, EndsWithItsBody) {
   EXPECT_TRUE(all_finite(scene.coupling.cord(0).positions()));
 }
 
-/// The grips of a tick were found by its gather: one that is gone by then pulls on nothing.
+/// gather collects the grips of a tick. A grip that is released after that does not pull.
 TEST(Grip, EndsInTheMiddleOfATick) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -114,7 +114,7 @@ TEST(Grip, EndsInTheMiddleOfATick) {
   EXPECT_LT(other->GetLinearVelocity().y, 0.0F);
 }
 
-/// Between the end of a body and the next gather nothing looks into the memory where it was.
+/// Between the destruction of a body and the next gather nothing accesses its memory.
 TEST(Grip, ReleasedAfterItsBodysEndAccessesNoFreedMemory) {
   const auto end = [](auto&& let_go) {
     GripWorld scene;
@@ -147,7 +147,8 @@ TEST(Grip, ReleasedAfterItsBodysEndAccessesNoFreedMemory) {
   });
 }
 
-/// It stands before a body that was made after the other one, so it is new, and nothing of the other is its own.
+/// In the world's list the body is before one that was created later than the old body. So it is new, and has nothing
+/// of the old body.
 TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
   const auto anew = [](auto&& ask) {
     GripWorld scene;
@@ -182,7 +183,7 @@ TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
   });
 }
 
-/// A body that is made anew and takes hold at once has its own grip and no other.
+/// A new body at an old address that takes hold at once has its own grip and no other.
 TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -206,7 +207,7 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   EXPECT_EQ(scene.coupling.held_by(*body)->point, 25);
 }
 
-/// A user's own listener can say what the order of the world's list cannot: that the newest body is another one.
+/// A user's destruction listener reports what the order of the world's list cannot show: that the newest body is new.
 TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
   struct Listener : b2DestructionListener {
     void SayGoodbye(b2Joint* /*joint*/) override {}

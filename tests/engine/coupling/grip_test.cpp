@@ -17,7 +17,7 @@ namespace {
 
 using test_support::all_finite;
 
-/// Between two points, and off the body's centre: hand and cord stay together, and the cord pulls with the weight.
+/// Between two points, and off the body's centre: the anchor stays on the cord, and the pull is the weight.
 TEST(Grip, HoldsBetweenPointsWithTheBodysWeight) {
   for (const double mass : {0.1, 70.0, 1000.0}) {
     GripWorld scene;
@@ -35,8 +35,8 @@ TEST(Grip, HoldsBetweenPointsWithTheBodysWeight) {
   }
 }
 
-/// A bar hung by both its ends from two cords carries itself level; the two pulls are its weight. One cord after the
-/// other could not know what the other carries.
+/// A bar that hangs by its ends from two cords stays level; the sum of the two pulls is its weight. That needs a
+/// coupled solve of both cords.
 TEST(Grip, OneBodyHangsFromTwoCordsAndFromTwoPlacesOfOne) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging(-0.5)));
@@ -59,7 +59,7 @@ TEST(Grip, OneBodyHangsFromTwoCordsAndFromTwoPlacesOfOne) {
   EXPECT_NEAR(bar->GetPosition().y, -7.0, 1e-3);
 }
 
-/// Arc length changes under load, at the speed asked for, and then rests.
+/// The arc length changes under load at the requested speed, then stays constant.
 TEST(Grip, ClimbsUnderLoad) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -77,7 +77,7 @@ TEST(Grip, ClimbsUnderLoad) {
   EXPECT_NEAR(length(scene.coupling.velocity(*body)), 0.0, 1e-2);
 }
 
-/// Slides down with g − F/m, as it must, and stops being held at the cord's end.
+/// The body slides down with the acceleration g − F/m.
 TEST(Grip, SlipsAgainstItsStrength) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -93,8 +93,7 @@ TEST(Grip, SlipsAgainstItsStrength) {
   EXPECT_NEAR(scene.coupling.grip(grip).state().arc, 3.0 + fall, 1e-3);
 }
 
-/// A solve that is sent through the line search from its first step on finds the same: held and slipping, one body by
-/// two cords.
+/// A solve that uses the line search from its first step on has the same result: one body, held by two cords, slips.
 TEST(Grip, SlipsTheSameByTheLineSearch) {
   const auto slid = [](int max_iterations, int& searches) {
     GripWorld scene;
@@ -122,7 +121,7 @@ TEST(Grip, SlipsTheSameByTheLineSearch) {
   EXPECT_GT(by_search, by_newton + 20);
 }
 
-/// Hung from two ropes that cannot push, a bar that is thrown up rises as if there were none.
+/// A bar that hangs from two ropes that cannot push is thrown up; it rises as without ropes.
 TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
   GripWorld scene;
   for (const double x : {-0.5, 0.5}) {
@@ -143,7 +142,7 @@ TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
   EXPECT_EQ(scene.coupling.cord(0).island_total().unconverged, 0);
 }
 
-/// From one cord to the next in a swing: neither position nor velocity jumps.
+/// A body changes from one cord to the next in a swing: neither position nor velocity jumps.
 TEST(Grip, GoesFromOneCordToAnotherWithoutAJolt) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
@@ -157,7 +156,7 @@ TEST(Grip, GoesFromOneCordToAnotherWithoutAJolt) {
   Vec2 velocity = scene.coupling.velocity(*body);
   for (int k = 0; k < 60; ++k) {
     if (!changed && position.x > 0.9) {
-      // Where the other cord is nearest.
+      // The nearest place of the other cord.
       const Vec2 nearest = scene.place(1, -position.y);
       ASSERT_LT(length(nearest - position), 0.2);
       EXPECT_TRUE(scene.coupling.grip(grip).release());
@@ -192,7 +191,7 @@ TEST(Grip, AKinematicBodyCarriesTheCordAtAnyPlace) {
   }
 }
 
-/// What nothing pushes presses on nothing, however it holds the cord: contacts are as firm as without it.
+/// A static or kinematic holder does not soften the contacts of its cord.
 TEST(Grip, AStaticOrKinematicBodyHoldsACordWithContacts) {
   for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
     GripWorld scene;
@@ -215,8 +214,7 @@ TEST(Grip, AStaticOrKinematicBodyHoldsACordWithContacts) {
   }
 }
 
-/// What hits a cord that nothing but static grips holds passes momentum on to them, as to pins: nothing is free to keep
-/// it.
+/// If only static grips hold a cord, a body that hits the cord transfers its momentum to them, as to pins.
 TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
   const auto hit = [](bool pinned) {
     GripWorld scene;
@@ -251,7 +249,7 @@ TEST(Grip, ReelsAHangingBodyIn) {
   EXPECT_NEAR(body->GetPosition().y, -6.0, 0.01);
 }
 
-/// Of whatever a solve that went wrong says of how far a grip slipped.
+/// Any slip distance, also one of a failed solve, gives a place on the cord.
 TEST(Grip, IsMovedToAPlaceOfItsCord) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr int columns = 51;
@@ -276,7 +274,7 @@ TEST(Grip, IsMovedToAPlaceOfItsCord) {
   EXPECT_EQ(moved(std::numeric_limits<double>::quiet_NaN()), 7.25) << "where it was";
 }
 
-/// What a grip does that turns so fast is any, but it stays on its cord, and no tick throws.
+/// With such angular velocities the motion is arbitrary, but the grip stays on its cord, and no tick throws.
 TEST(Grip, StaysOnItsCordHoweverItSlips) {
   for (const float turning : {1e4F, 1e5F, 1e7F, 1e9F}) {
     GripWorld scene;

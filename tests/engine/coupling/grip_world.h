@@ -35,7 +35,7 @@ struct GripWorld {
     b2FixtureDef fixture;
     fixture.shape = &circle;
     fixture.density = static_cast<float>(mass / (std::numbers::pi * 0.04));
-    fixture.filter.maskBits = 0;  // it holds cords, and meets nothing
+    fixture.filter.maskBits = 0;  // it collides with nothing
     body->CreateFixture(&fixture);
     return body;
   }

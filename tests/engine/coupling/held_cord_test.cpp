@@ -45,7 +45,8 @@ struct World {
   void tick() { coupling.tick(world, dt); }
 };
 
-/// Who pumps a swing gets all of it: by an impulse a tick, by a force, before the coupling's part of the tick or after.
+/// A holder gets the whole impulse per tick or force, whether it is applied before or after the coupling's part of the
+/// tick.
 TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
   ribbon::CordDef def;
   def.points = 31;
@@ -77,7 +78,7 @@ TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
         if (!before) give();
         scene.world.Step(static_cast<float>(dt), 8, 3);
       }
-      // An impulse comes a tick's half before or after a force of the same size: 1.7 % of the way in a second.
+      // An impulse acts half a tick before or after the force of the same size: 1.7 % of the distance in a second.
       const Vec2 way = ribbon::box2d::to_double(scene.body->GetPosition()) - Vec2{0.0, -6.0};
       EXPECT_NEAR(way.x, exact.positions()[30].x, 0.02 * exact.positions()[30].x) << impulse << before;
       EXPECT_NEAR(scene.coupling.velocity(*scene.body).x, exact.velocities()[30].x, 0.05) << impulse << before;
@@ -85,7 +86,7 @@ TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
   }
 }
 
-/// heavy_swing with the load a body of Box2D's, held at its centre: 2 cm and 0.05 % are the bars.
+/// heavy_swing with a body of Box2D as its load, held at its centre. Accepted errors: 2 cm and 0.05 %.
 TEST(HeldCord, HeavySwingThroughBox2D) {
   const std::vector<Vec2> exact = test_support::exact_heavy_load();
   for (const double inertia : {0.0, 7.0}) {
@@ -111,7 +112,7 @@ TEST(HeldCord, HeavySwingThroughBox2D) {
 
 class HeldMassRatio : public testing::TestWithParam<double> {};
 
-/// Dropped from a little slack, it stretches no more than its elasticity says, and comes to rest without jitter.
+/// After a drop with a slightly slack cord, the stretch is that of the elasticity, and the body rests without jitter.
 TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
   const double ratio = GetParam();
   for (const double stiffness : {infinity, 1e3}) {  // EA / Mg
@@ -132,7 +133,7 @@ TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
       scene.tick();
       stretch = std::max(stretch, path_length(scene.coupling.cord(0).direct().positions()) / 3.0 - 1.0);
     }
-    const double elastic = 2.0 / stiffness;  // let go at rest length it goes down twice as far as it hangs
+    const double elastic = 2.0 / stiffness;  // released at rest length it falls twice as far as its static stretch
     EXPECT_LE(stretch, 1.05 * elastic + 5e-4);
     double jitter = 0.0;
     for (int k = 0; k < 60; ++k) {
@@ -148,7 +149,7 @@ TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
 
 INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6));
 
-/// J, of a body by its velocities at this moment.
+/// Returns the kinetic energy of a body from its momentary velocities, J.
 double energy(const World& scene, double turning) {
   const Vec2 v = scene.coupling.velocity(*scene.body);
   return 0.5 * static_cast<double>(scene.body->GetMass()) * dot(v, v) +
@@ -156,7 +157,7 @@ double energy(const World& scene, double turning) {
          9.81 * static_cast<double>(scene.body->GetMass() * scene.body->GetPosition().y);
 }
 
-/// A bar held at its end that swings as a pendulum: Box2D's angular velocity is the mean of a tick.
+/// A bar that is held at its end swings as a pendulum; the angular velocity in Box2D is the mean of a tick.
 TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
   World scene;
   ribbon::CordDef def;
@@ -185,8 +186,8 @@ TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
   EXPECT_GT(off_of_means, 3.0 * off);
 }
 
-/// A box on the ground, held by a cord: what it is said to turn faster than Box2D knows is over if Box2D has just
-/// pushed against it, and goes on if not.
+/// A cord holds a box on the ground. The carry of its angular velocity ends if Box2D has pushed against the box, and
+/// continues if not.
 TEST(HeldCord, ATurnThatBox2DStopsIsOver) {
   World scene;
   ribbon::CordDef def;

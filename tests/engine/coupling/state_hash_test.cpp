@@ -34,7 +34,7 @@ ribbon::box2d::StateHash state(double cord_0 = 1.0, double cord_1 = 2.0, double 
 }
 
 TEST(Hasher, IsTheSameFunctionForEver) {
-  // Recorded replays hold these hashes: if this test fails, every one of them has become worthless.
+  // Recorded replays contain these hashes: if this test fails, all of them are invalid.
   EXPECT_EQ(ribbon::box2d::to_hex(hash_of()), "e9e0033e3badaf36");
   EXPECT_EQ(ribbon::box2d::to_hex(hash_of(1.0, -2.5F, std::uint32_t{7}, std::int64_t{-1}, true)), "a754c32fa3b972e7");
 }

@@ -7,12 +7,12 @@
 #include "ribbon/box2d/coupling.h"
 #include "tests/engine/coupling/grip_world.h"
 
-// Events of bodies that begin and cease to touch a cord.
+// Events of contacts with a cord that begin and end.
 
 namespace engine {
 namespace {
 
-/// Begins with the impulse that stops the ball, and ends when it has gone.
+/// The begin event has the impulse that stops the ball; the end event follows when the ball is away.
 TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
@@ -38,7 +38,7 @@ TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
   EXPECT_EQ(scene.coupling.touch_events()[0].fixture, ball->GetFixtureList()) << "far away it is still there";
 }
 
-/// Of one that is destroyed by the coupling after the tick the events are there and the fixture is not.
+/// If the coupling destroys a body after the tick, its events remain, without the fixture.
 TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
@@ -54,7 +54,7 @@ TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
   EXPECT_EQ(scene.coupling.fixture(number), nullptr);
 }
 
-/// What destroys otherwise may say so, or whoever asks may ask in the world.
+/// If Box2D destroys a fixture, the user can report that, or can look up the fixture in the world.
 TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
   for (const bool forgets : {true, false}) {
     GripWorld scene;
@@ -79,7 +79,7 @@ TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
   }
 }
 
-/// Two fixtures of one body: one that takes the older one's address is another one.
+/// A body with two fixtures: a new fixture at the address of a destroyed one is a different one.
 TEST(TouchEvents, OfANewFixtureAtTheSameAddressAreItsOwn) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
@@ -103,7 +103,7 @@ TEST(TouchEvents, OfANewFixtureAtTheSameAddressAreItsOwn) {
   EXPECT_NE(scene.coupling.cord(0).touching()[0].fixture, number);
 }
 
-/// A fixture of a body that was made anew at the same address has another number, and touches anew.
+/// The fixture of a new body at the same address has another number, and its contact begins again.
 TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));
@@ -124,7 +124,7 @@ TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
   EXPECT_TRUE(scene.coupling.touch_events()[1].begins);
 }
 
-/// Of what is destroyed nothing is told but that it ceased to touch.
+/// A destroyed fixture has only an end event.
 TEST(TouchEvents, OfADestroyedFixtureHaveNone) {
   GripWorld scene;
   scene.coupling.add(Cord(taut()));

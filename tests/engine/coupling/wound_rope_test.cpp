@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include "tests/support/contact_scenes.h"
 
-// A rope that lies in four turns on itself around a post, and is pulled: each of its points is coupled with one a turn
-// further on, so that elimination along it fills nearly all of the matrix.
+// A rope with four turns on itself around a post is pulled. Each point is coupled with one a turn further, so that
+// elimination along the rope fills nearly all of the matrix.
 
 namespace {
 
@@ -11,7 +11,7 @@ using test_support::CoupledWorld;
 
 struct Wound {
   int unconverged = 0;
-  double way = 0.0;  // m, that its pulled end went
+  double way = 0.0;  // m, displacement of the pulled end
 };
 
 Wound wound(const ribbon::Accuracy& accuracy, int ticks) {

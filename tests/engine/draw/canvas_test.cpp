@@ -26,7 +26,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-/// Remembers what it is asked to paint.
+/// Records what it is asked to paint.
 class RecordingCanvas : public engine::Canvas {
  public:
   int width() const override { return 200; }
@@ -62,7 +62,7 @@ void each_triangle(const Mesh& mesh, Use use) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) use(vertex(i), vertex(i + 1), vertex(i + 2));
 }
 
-/// The cover of the mesh at a point: the largest of the triangles over it.
+/// Returns the cover of the mesh at a point: the largest of the triangles over it.
 double cover_at(const Mesh& mesh, Vec2 p) {
   double most = 0.0;
   each_triangle(mesh, [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
@@ -76,7 +76,7 @@ double cover_at(const Mesh& mesh, Vec2 p) {
   return most;
 }
 
-/// How many pixels the mesh covers, parts counted as parts.
+/// Returns the covered area of the mesh in pixels, with fractions.
 double covered_pixels(const Mesh& mesh, int width, int height) {
   Raster raster(width, height);
   raster.fill(mesh, 0xff, 255);
@@ -93,7 +93,8 @@ void expect_sound(const Mesh& mesh) {
   });
 }
 
-/// What a line of this width covers everywhere: a pixel more or less at its edge, by the distance from its middle.
+/// Checks the cover of a line of this width everywhere: by the distance from its middle line, with one pixel of
+/// tolerance at the edge.
 void expect_line(const std::vector<Vec2>& line, double width) {
   Mesh mesh;
   add_polyline(mesh, line, width);

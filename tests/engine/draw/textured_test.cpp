@@ -23,7 +23,7 @@ using test_support::pixel;
 constexpr Color white{255, 255, 255};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Four corners in order round the rectangle, the whole image on it.
+/// Four corners around a rectangle, with the whole image on it.
 TexturedMesh rectangle(Vec2 from, Vec2 to, Color color = white) {
   TexturedMesh mesh;
   mesh.vertices = {{from, {0.0, 0.0}, color},
@@ -50,7 +50,7 @@ TEST(Textured, TrianglesThatShareEdgesBlendEachPixelOnce) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> somewhere(-20.0, 120.0);
   for (int attempt = 0; attempt < 200; ++attempt) {
-    // A fan around a point in the middle, over the whole picture.
+    // A fan around a point in the middle covers the whole picture.
     TexturedMesh mesh;
     const Color half{0, 0, 255, 128};
     mesh.vertices.push_back({{0.5 * somewhere(random), 0.5 * somewhere(random)}, {}, half});
@@ -167,7 +167,7 @@ TEST(Textured, ATranslucentTexelLetsThroughWhatIsBelow) {
   EXPECT_NEAR(pixel(raster, 1, 2) >> 16U, 64.0, 1.0);
 }
 
-/// A checkerboard drawn small is grey where it has mipmaps, and keeps its mean brightness.
+/// A reduced checkerboard with mipmaps is grey and keeps its mean brightness.
 TEST(Textured, ASmallPictureOfAFinePatternIsItsMean) {
   std::vector<Color> checks;
   for (int i = 0; i < 64 * 64; ++i) checks.push_back((i + i / 64) % 2 == 0 ? Color{0, 0, 255} : Color{0, 0, 0});
@@ -204,7 +204,7 @@ TEST(Textured, WhatCannotBePaintedIsKnown) {
   EXPECT_FALSE(is_paintable(mesh));
 }
 
-/// Slivers and far corners: their planes are steep, and nothing of it may run out of the picture or of its channel.
+/// Slivers and far corners have steep planes. Nothing may exceed the picture or its channel.
 TEST(Textured, SliversAndFarCornersKeepWithinTheirColours) {
   const Image image = ramps(16, Mipmaps::yes);
   std::mt19937 random(7);
@@ -243,7 +243,7 @@ Raster drawn_band(const std::vector<Vec2>& line, double width, Color color) {
   return raster;
 }
 
-/// Opaque within the band, nothing beyond it; the ends are left out, for they are straight.
+/// Checks that the band is opaque, and that nothing is beyond it. The straight ends are excluded.
 void expect_band(const std::vector<Vec2>& line, double width) {
   const Raster raster = drawn_band(line, width, {0, 0, 255});
   for (int y = 0; y < 100; ++y)

@@ -1,4 +1,4 @@
-// Videos, by an ffmpeg of the test's own: a script that does what it is told.
+// Videos by a substitute for ffmpeg: a script of the test.
 
 #include "engine/draw/video_writer.h"
 
@@ -25,7 +25,7 @@ using test_support::bytes_of;
 using test_support::Environment;
 using test_support::refusal;
 
-/// A folder with a program ffmpeg, alone in PATH but for the shell's own.
+/// A folder with a program ffmpeg; PATH has only this folder and those of the shell.
 class FakeFfmpeg {
  public:
   explicit FakeFfmpeg(const std::string& script) : path_("PATH", (folder_ + ":/usr/bin:/bin").c_str()) {

@@ -15,7 +15,7 @@ using Stamp = FileWatch::Stamp;
 
 constexpr std::int64_t period = FileWatch::period_ns;
 
-/// A file that is what the test says it is.
+/// A simulated file whose state the test sets.
 struct Told {
   std::optional<Stamp> now = Stamp{10, 100};
   int looks = 0;

@@ -17,7 +17,7 @@ using engine::Key;
 using engine::MouseButton;
 using engine::WindowInput;
 
-/// A window at (20, 20) with one button, and what is typed into a field.
+/// A window at (20, 20) with one button and a text field.
 struct Shown {
   DebugPanel panel{HeadlessCanvas::default_font()};
   HeadlessCanvas canvas{320, 200};
@@ -115,7 +115,7 @@ TEST(DebugPanel, AClickBetweenTwoFramesCounts) {
   WindowInput input;
   input.mouse = shown.button;
   shown.frame(input);
-  input.buttons_pressed.set(0);  // and up again before the poll
+  input.buttons_pressed.set(0);  // pressed and released before the poll
   input.buttons_released.set(0);
   shown.frame(input);
   input.buttons_pressed.reset();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of this test's own.
+/// A folder of this test.
 class Folder {
  public:
   Folder() { fs::create_directories(path_); }
@@ -33,7 +33,7 @@ class Folder {
   std::string path_ = testing::TempDir() + "flight_recorder_" + std::to_string(getpid());
 };
 
-/// A ball on a rope, which moves.
+/// A moving ball on a rope.
 struct Bridge {
   Bridge() : ball(test_support::hang_bridge(world, 10.0, 20)) {}
 

@@ -62,7 +62,7 @@ inline std::string recorded(std::uint16_t ticks, bool finished, const std::strin
   return bytes_of(path);
 }
 
-/// That this is what was recorded, up to some tick.
+/// Checks that the replay has the recorded header and the first `count` recorded ticks.
 inline void expect_first_ticks(const Replay& replay, std::size_t count) {
   EXPECT_EQ(replay.header, some_header());
   ASSERT_EQ(replay.ticks.size(), count);

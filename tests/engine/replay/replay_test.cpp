@@ -21,7 +21,7 @@ using test_support::refusal;
 using test_support::says;
 using test_support::scratch;
 
-/// CRC-32 by its definition, one bit at a time: independent of the writer's.
+/// Returns the CRC-32 by its definition, one bit at a time, independent of the writer's code.
 std::uint32_t crc32(std::string_view bytes) {
   std::uint32_t crc = 0xFFFF'FFFF;
   for (const char c : bytes) {
@@ -31,7 +31,7 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~crc;
 }
 
-/// A file made by hand, with the checksums as they should be.
+/// A hand-made file with correct checksums.
 class HandMade {
  public:
   explicit HandMade(const std::string& json) { add("ropeswing-replay 1\n" + json + "\n"); }
@@ -90,7 +90,7 @@ TEST(Replay, SettingsKeepEveryBitOfTheirNumbers) {
 }
 
 TEST(Replay, TheFileIsAsDocumented) {
-  // Byte by byte from the description of the format: a change to either breaks every replay that exists.
+  // Byte by byte from the description of the format: a change of either breaks all existing replays.
   const std::string path = scratch("as_documented");
   ReplayWriter writer(path, {.level = "a", .level_hash = 0xff, .tick_rate = 50, .settings = {}});
   const ribbon::box2d::StateHash state({{ribbon::box2d::Subsystem::cord, 0x0102, 0x11223344}}, 0x0102030405060708);
@@ -160,7 +160,7 @@ TEST(Replay, NoChangeToAByteOfAFileCutShortAltersWhatIsRead) {
 }
 
 TEST(Replay, RecordsLostRepeatedOrMovedAreRefused) {
-  // Each record is sound by itself: only its place in the file is wrong.
+  // Each record is valid; only its place in the file is wrong.
   const std::string header = recorded(0, false, "r0");
   const std::string one = recorded(1, false, "r1").substr(header.size());
   const std::string two = recorded(2, false, "r2").substr(header.size() + one.size());
@@ -178,7 +178,7 @@ TEST(Replay, DamageInTheMiddleNamesByteAndTick) {
                    "swing.replay: byte " + std::to_string(third) + ": damaged after tick 2: the checksum is "));
 }
 
-/// The number after `word` in a message.
+/// Returns the number after `word` in a message.
 std::size_t number_after(const std::string& message, const std::string& word) {
   return std::stoul(message.substr(message.find(word) + word.size()));
 }
@@ -196,7 +196,7 @@ TEST(Replay, WhatIsBeforeTheByteNamedAsDamagedIsAGoodReplay) {
   }
 }
 
-/// A file on a disk that fails after so many bytes.
+/// A file on a disk that fails after `good` bytes.
 class FailingDisk : public std::stringbuf {
  public:
   FailingDisk(const std::string& bytes, std::streamsize good) : std::stringbuf(bytes), left_(good) {}

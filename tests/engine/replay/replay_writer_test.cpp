@@ -19,7 +19,7 @@
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
 
-// Writing a replay: what is refused, full disks, killed processes.
+// Writing a replay: refusals, full disks, killed processes.
 
 namespace engine {
 namespace {
@@ -61,7 +61,7 @@ TEST(ReplayWriter, SaysWhyItCannotOpen) {
   EXPECT_EQ(error("/dev/full", some_header()), "/dev/full: cannot write the replay: No space left on device");
 }
 
-/// What the work ends in for somebody who is not root, and so has no right that a file does not give him.
+/// Returns the error of `work` for a user who is not root, to whom file permissions apply.
 std::string error_without_rights(const std::function<void()>& work) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return "no pipe";

@@ -36,7 +36,7 @@ SolverStep some_step() {
   return step;
 }
 
-/// The text of some_step with one piece replaced.
+/// Returns the text of some_step with one piece replaced.
 std::string text_with(const std::string& from, const std::string& to) {
   std::string text = to_text(some_step());
   const std::size_t found = text.find(from);
@@ -127,7 +127,7 @@ TEST(SolverStep, RefusesNumbersOutOfRangeAndStatesThatDoNotFit) {
             0U);
 }
 
-/// A text that is cut anywhere is refused.
+/// A text that is cut at any byte is refused.
 TEST(SolverStep, RefusesEveryPieceOfAText) {
   const std::string text = to_text(some_step());
   for (std::size_t end = 0; end + 2 < text.size(); end += 7) {

@@ -1,4 +1,4 @@
-// What a level must not be able to do, whatever numbers stand in it: it is refused by name, or it runs.
+// A level with any numbers runs, or is refused with a message that names the cause.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string property(const Property& p) {
   return R"({"name":")" + p.first + R"(","type":")" + type + R"(","value":)" + p.second + "}";
 }
 
-/// A level whose one object has these fields and properties, the last of a name counting.
+/// A level with one object with these fields and properties; of equal names the last one counts.
 std::string level(const std::string& fields, const std::vector<Property>& properties) {
   std::string list;
   for (std::size_t k = 0; k < properties.size(); ++k) {
@@ -55,7 +55,7 @@ bool all_finite(const Scene& scene) {
   return true;
 }
 
-/// Builds the level and runs it, or is told why not in a sentence that names file, object and what is wrong.
+/// Checks that the level runs, or that the message of its refusal names file, object and cause.
 void expect_runs_or_is_refused(const std::string& text, const std::string& culprit) {
   SCOPED_TRACE(text);
   try {
@@ -128,7 +128,7 @@ std::string cord_to(const std::string& x) {
 
 std::string turned_circle(const std::string& degrees) { return circle + R"(,"rotation":)" + degrees; }
 
-/// The object's own fields: numbers only, for the others are no such field.
+/// The fields of the object itself accept only numbers.
 TEST(HostileLevel, EveryPlaceAndSizeIsTakenOrRefusedByItsName) {
   for (const std::string& value : hostile) {
     if (value.find_first_of("t\"") != std::string::npos) continue;
@@ -166,7 +166,7 @@ std::string reference_to_99(const std::string& name) {
   return R"({"name":")" + name + R"(","type":"object","value":99},)";
 }
 
-/// No property of a level refers to another object: one that does is unknown, and the sentence says which there are.
+/// No property of a level refers to another object. One that does is unknown, and the message lists the known ones.
 TEST(HostileLevel, AReferenceToAnObjectIsRefusedByItsName) {
   for (const std::string reference : {"anchor", "load", "target"}) {
     std::string referring = level(polyline, {{"columns", "9"}, {"mass", "1.8"}});

@@ -13,7 +13,7 @@ using test_support::refusal;
 
 inline const std::string file = "levels/swing.tmj";
 
-/// An array of JSON: braces alone make of one element the element itself.
+/// Returns a JSON array. (Braces around one element would make the element itself.)
 template <class... Items>
 json list(const Items&... items) {
   return json::array({json(items)...});

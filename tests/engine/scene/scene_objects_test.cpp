@@ -23,7 +23,7 @@ MapObject thing(int id, const std::string& kind, MapShape shape, Vec2 position) 
   return object;
 }
 
-/// 2 m long, hanging from (5, 9), pinned unless an anchor is to do so.
+/// A cord of 2 m that hangs from (5, 9), pinned unless an anchor does that.
 MapObject cord(int id, bool pinned = true) {
   MapObject object = thing(id, "cord", MapShape::polyline, {5.0, 9.0});
   object.points = {{5.0, 9.0}, {5.0, 7.0}};
@@ -33,7 +33,7 @@ MapObject cord(int id, bool pinned = true) {
   return object;
 }
 
-/// 1 m wide and high, its top 0.2 m below the cord's end.
+/// A load 1 m wide and high, with its top 0.2 m below the cord's end.
 MapObject load(int id, std::int64_t of_cord) {
   MapObject object = thing(id, "load", MapShape::rectangle, {5.0, 6.3});
   object.size = {1.0, 1.0};
@@ -50,7 +50,7 @@ TiledMap map_of(std::vector<MapObject> objects) {
   return map;
 }
 
-/// The sentence with which a map is refused.
+/// Returns the message with which a map is refused.
 std::string refusal(const TiledMap& map) {
   return test_support::refusal<MapError>([&] { const Scene scene(map); });
 }
@@ -69,7 +69,7 @@ TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {
   EXPECT_NEAR(static_cast<double>(made.body->GetPosition().y), 6.3, 1e-3);  // a thousand times as heavy: no stretch
 }
 
-/// Its top at the cord's end, and above that: what holds a cord does not collide with it.
+/// The top of the load is at the cord's end or above: a holder does not collide with its cord.
 TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
   for (const double y : {6.5, 6.8}) {
     SCOPED_TRACE(y);
@@ -152,7 +152,7 @@ TEST(SceneRibbon, IsACordOfThreeRowsUnlessGiven) {
   EXPECT_NE(refusal(map_of({cloth})).find("rows"), std::string::npos);
 }
 
-/// A ball of a category that the game keeps from its cords.
+/// A ball of a category that does not collide with the game's cords.
 TEST(SceneCord, ThatIsSolidCollidesWithWhatOthersDoNot) {
   const auto lowest = [](bool solid) {
     MapObject bridge = cord(7);
@@ -181,7 +181,7 @@ TEST(SceneCord, ThatIsSolidCollidesWithWhatOthersDoNot) {
   EXPECT_LT(lowest(false), 0.0);
 }
 
-/// Nothing could part them: it used to cost a thousand times as much, and to be left unconverged.
+/// The overlap cannot be removed. It once made ticks a thousand times as expensive, and unconverged.
 TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   MapObject bridge = cord(7);
   bridge.points = {{3.0, 5.0}, {5.0, 4.6}, {7.0, 5.0}};
@@ -189,7 +189,7 @@ TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   bridge.properties.insert("radius", 0.15);
   bridge.properties.insert("friction", 0.6);
   MapObject rock = thing(1, "ground", MapShape::rectangle, {2.0, 4.0});
-  rock.size = {2.0, 2.0};  // its corner is where the bridge begins
+  rock.size = {2.0, 2.0};  // the bridge begins at its corner
   MapObject peg = thing(2, "circle", MapShape::ellipse, {7.0, 5.0});
   peg.size = {0.4, 0.4};
   peg.properties.insert("body", std::string("static"));

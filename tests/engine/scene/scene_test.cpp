@@ -17,7 +17,7 @@ namespace {
 using test_support::refusal;
 using test_support::says;
 
-/// A map of 10 × 10 m, 10 pixels a metre, with these objects.
+/// A map of 10 × 10 m with these objects, 10 pixels per metre.
 TiledMap map_with(const std::string& objects) {
   return parse_tiled_map(
       R"({"type":"map","version":"1.8","orientation":"orthogonal","renderorder":"right-down","infinite":false,)"
@@ -64,7 +64,7 @@ TEST(Scene, BuildsWhatTheMapDeclares) {
   EXPECT_EQ(cord.mesh().h, 3);
   EXPECT_DOUBLE_EQ(cord.mesh().spacing, 0.5);
   EXPECT_DOUBLE_EQ(cord.def().point_mass, 1.8 / 27);
-  EXPECT_EQ(cord.def().bar_damping, 0.0);  // not declared: not there
+  EXPECT_EQ(cord.def().bar_damping, 0.0);  // not declared
   EXPECT_FALSE(cord.def().self_collision);
   EXPECT_EQ(cord.kind(0), ribbon::PointKind::constrained);
   EXPECT_EQ(cord.kind(2), ribbon::PointKind::constrained);
@@ -113,7 +113,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_NEAR(cord.positions()[25].y, 3.0, 1e-12);
 }
 
-/// A term that is not declared is not there; each preset and `tension_only` arrive.
+/// A term that is not declared is off; each preset and `tension_only` are passed on.
 TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   const auto def_of = [](const std::string& more) {
     return Scene(map_with(object("cord", line, direct_properties + more))).coupling().cord(0).direct().def();
@@ -146,8 +146,7 @@ TEST(Scene, ACordThatAsksForNoSolverHasTheDefault) {
   EXPECT_EQ(scene.coupling().cord(0).solver(), Scene::default_solver);
 }
 
-/// Links that cut a corner, and those of a path that folds back on itself, are as long as all others: there is nothing
-/// to put right, so nothing moves.
+/// Links that cut a corner, and those of a path that folds back on itself, have their rest length. So nothing moves.
 TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
   for (const char* path : {R"({"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5},{"x":60,"y":-5})",
                            R"({"x":0,"y":0},{"x":50,"y":0},{"x":1,"y":1},{"x":51,"y":2})"}) {
@@ -181,7 +180,7 @@ TEST(Scene, BuildsGroundAndCircles) {
   EXPECT_EQ(circle->GetNext()->GetPosition(), b2Vec2(4.0F, 6.5F));
 }
 
-/// The sentence names file, object and what is wrong.
+/// Checks that the message names file, object and cause.
 void expect_refused(const std::string& objects, const std::string& about) {
   SCOPED_TRACE(objects);
   const std::string message = refusal<MapError>([&] { const Scene scene(map_with(objects), {"player"}); });
@@ -215,12 +214,12 @@ TEST(Scene, RefusesWhatItCannotBuild) {
   expect_refused(
       object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":40,"y":0},{"x":80,"y":0.000001}])"),
       "sliver");
-  // A star: every corner turns the same way, and yet it is not convex.
+  // A star: every corner turns in the same direction, but the polygon is not convex.
   expect_refused(
       object("ground", R"("width":0,"height":0,"polygon":[{"x":0,"y":-40},{"x":23,"y":32},{"x":-38,"y":-12},)"
                        R"({"x":38,"y":-12},{"x":-23,"y":32}])"),
       "convex");
-  // An area, but none that single precision can tell from a line that is not along an axis.
+  // The area is so small that single precision cannot distinguish the polygon from an oblique line.
   expect_refused(object("ground", R"("rotation":30,"width":0,"height":0,"polygon":[{"x":0,"y":0},{"x":9000000,"y":0},)"
                                   R"({"x":4500000,"y":0.1}])"),
                  "sliver");
@@ -253,7 +252,7 @@ TEST(Scene, RefusesADirectCordThatItCannotBuild) {
   expect_refused(object("cord", box, direct_properties), "polyline");
 }
 
-/// A cord that was changed from one solver to the other by its `solver` alone is told what stands in the way.
+/// If only `solver` of a cord is changed, the message names the properties of the other solver.
 TEST(Scene, RefusesPropertiesOfTheOtherSolver) {
   expect_refused(object("cord", line, direct_properties + "," + number("spring_stiffness", "1000")), "another solver");
   expect_refused(object("cord", line, direct_properties + "," + yes("self_collision")), "\"direct\"");
@@ -274,8 +273,8 @@ std::uint64_t hash_of(Scene& scene) {
   return hash.combined();
 }
 
-/// A squashable ribbon in its fifth tick, that has a load and is being reeled, that a body holds, and that leans on
-/// another.
+/// A ribbon with area stiffness in its fifth tick: it has a load, is being reeled, is held by a body, and touches
+/// another body.
 struct SwingingRibbon {
   Scene scene{map_with(object("cord", line,
                               direct_properties + "," + whole("rows", "2") + "," + number("stretch_stiffness", "5000") +
@@ -296,7 +295,7 @@ struct SwingingRibbon {
   void tick() { scene.tick(1.0 / 60.0); }
 };
 
-/// Whatever a later tick depends on: a replay that diverges in it has to be caught in the tick where it does.
+/// The hash sees everything that a later tick depends on, so that a replay reports the tick in which it diverges.
 TEST(SceneHash, SeesEachPartOfADirectCordsState) {
   const std::vector<std::pair<const char*, std::function<void(State&)>>> changes = {
       {"positions", [](State& s) { s.positions[3].x = std::nextafter(s.positions[3].x, 9.0); }},
@@ -369,8 +368,7 @@ TEST(Scene, RefusesUnknownPropertiesOfTheMapAndTooManyObjects) {
   EXPECT_THROW(Scene(crowded, {"player"}), MapError);
 }
 
-/// Each of them is accepted; all together would take what memory there is, and a file of a few hundred bytes asks for
-/// it.
+/// Each cord alone is accepted. All together would need too much memory, for a file of a few hundred bytes.
 TEST(Scene, RefusesMorePointsThanItCanHold) {
   const std::string thick =
       object("cord", line,

@@ -19,7 +19,7 @@ using engine::TiledMap;
 constexpr double dt = 1.0 / 60.0;
 const std::vector<std::string> others = {"player", "goal"};
 
-/// The first cord of each solver in a level that has both.
+/// The first cord of each solver in a level with both.
 struct Tuned {
   std::string text = test_support::mixed_swing_map();
   TiledMap map = engine::parse_tiled_map(text, "mixed.tmj");

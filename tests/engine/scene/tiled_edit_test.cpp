@@ -22,7 +22,7 @@ const std::string& first_swing() {
   return text;
 }
 
-/// With objects in groups, names with quotes and brackets, and a layout that no program writes.
+/// A map with objects in groups, names with quotes and brackets, and a layout that no program writes.
 std::string odd_map() {
   return R"({ "width":20 ,"height":20,"tilewidth":64,"tileheight":64,"infinite":false,"orientation":"orthogonal",
     "type":"map","unknown":[1,{"id":3,"properties":"no"}],"layers":[
@@ -40,7 +40,7 @@ int first_cord() {
   return -1;
 }
 
-/// How many bytes differ, from the first to the last that does.
+/// Returns the number of bytes from the first to the last difference.
 std::size_t changed_bytes(const std::string& a, const std::string& b) {
   std::size_t front = 0;
   while (front < std::min(a.size(), b.size()) && a[front] == b[front]) ++front;

@@ -13,7 +13,7 @@
 #include "tests/engine/scene/map_json.h"
 #include "tests/support/refusal.h"
 
-// What a map is refused for, and the sentence that says so.
+// Maps that are refused, and the messages.
 
 namespace engine {
 namespace {

@@ -47,7 +47,7 @@ TEST(TiledMap, ARectangleHasItsCentre) {
 }
 
 TEST(TiledMap, ARectangleTurnsClockwiseAboutItsTopLeftCorner) {
-  // Turned by a quarter, its right edge hangs down: the centre is left of and below the pivot at (1, 2) m.
+  // After a quarter turn the right edge points down: the centre is left of and below the pivot at (1, 2) m.
   const MapObject quarter = load_object(rectangle(64, 32, 128, 64, 90));
   EXPECT_EQ(quarter.position, (ribbon::Vec2{0.5, 1.0}));
   EXPECT_DOUBLE_EQ(quarter.rotation, -pi / 2);
@@ -83,7 +83,7 @@ TEST(TiledMap, PointsOfAPolylineAreInTheWorld) {
 }
 
 TEST(TiledMap, QuarterTurnsAreExact) {
-  // About the origin, where an error of 10⁻¹⁶ has nothing to disappear in.
+  // About the origin, where an error of 10⁻¹⁶ is not rounded away.
   const json points = list(at(0, 0), at(64, 0));
   EXPECT_EQ(load_object(polyline(0, 160, points, 90)).points[1], (ribbon::Vec2{0.0, -1.0}));
   EXPECT_EQ(load_object(polyline(0, 160, points, -90)).points[1], (ribbon::Vec2{0.0, 1.0}));

@@ -17,7 +17,7 @@ using engine::Sound;
 
 constexpr int rate = 44100;
 
-/// So many whole turns, at half of full scale.
+/// Whole periods of a tone at half of full scale.
 Sound tone(double frequency, double seconds, double level = 0.5) {
   Sound sound{rate, {}};
   for (int k = 0; k < static_cast<int>(seconds * rate); ++k) {
@@ -110,7 +110,7 @@ TEST(Mixer, ALoopGoesOnWithoutAGap) {
   Mixer mixer(rate);
   const engine::LoopId loop = mixer.start_loop(mixer.add(tone(440.0, 0.1)));  // 44 whole turns
   mixer.set_loop(loop, {});
-  mix(mixer, 0.2);  // until the volume has come up
+  mix(mixer, 0.2);  // until the fade-in ends
   const Stereo mixed = mix(mixer, 1.0);
   EXPECT_NEAR(rms(mixed.left), 0.5 * 0.5, 1e-3);
   EXPECT_LT(greatest_step(mixed.left), 1.01 * 0.5 * std::sqrt(0.5) * 2.0 * std::numbers::pi * 440.0 / rate);

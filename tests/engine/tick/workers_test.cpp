@@ -30,7 +30,7 @@ TEST(Workers, EachThingIsDoneOnce) {
   }
 }
 
-/// Cords that hang and balls that lie on half of them, all calmed; so many that stepping is divided.
+/// Hanging cords, with balls at rest on half of them. There are enough of them for several workers.
 TEST(Workers, ASteadyTickTakesNoHeapMemory) {
   for (const int count : {2, 3}) {
     Workers workers(count);

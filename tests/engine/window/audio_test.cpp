@@ -1,4 +1,4 @@
-// The device, which SDL can write to a file instead (its disk driver).
+// The sound device; SDL's disk driver writes to a file instead.
 
 #include "engine/window/sdl_audio.h"
 
@@ -20,7 +20,7 @@ using test_support::Environment;
 
 engine::Sound half_a_second(float level) { return {Audio::rate, std::vector<float>(Audio::rate / 2, level)}; }
 
-/// A file that is gone with the test.
+/// A file that is removed after the test.
 struct Recorded {
   std::string path = testing::TempDir() + "audio_" + std::to_string(getpid()) + ".raw";
   Environment driver{"SDL_AUDIODRIVER", "disk"};
@@ -31,7 +31,7 @@ struct Recorded {
   Recorded& operator=(const Recorded&) = delete;
   ~Recorded() { fs::remove(path); }
 
-  /// Until so many bytes more have been written than now.
+  /// Waits until `more` further bytes are written.
   void wait_for(std::uintmax_t bytes) const {
     const std::uintmax_t start = fs::file_size(path);
     while (fs::file_size(path) < start + bytes) usleep(1000);
@@ -59,7 +59,7 @@ TEST(Audio, MutedNothingComesOut) {
   {
     Audio audio;
     audio.set_volume(0.0);
-    recorded.wait_for(second / 2);  // until it has faded
+    recorded.wait_for(second / 2);  // until the fade-out ends
     const engine::SoundId sound = audio.add(half_a_second(0.6F));
     audio.set_loop(audio.start_loop(sound), {});
     audio.play(sound);
@@ -68,7 +68,7 @@ TEST(Audio, MutedNothingComesOut) {
   EXPECT_EQ(test_support::peak(test_support::left_channel(recorded.path)), 0.0);
 }
 
-/// That nothing of it throws or hangs.
+/// Checks that nothing throws or blocks.
 void use(Audio& audio) {
   const engine::SoundId sound = audio.add(half_a_second(0.6F));
   const engine::LoopId loop = audio.start_loop(sound);
@@ -92,7 +92,7 @@ TEST(Audio, ADeviceLostWhilePlayingIsTakenUpAgainWhenThereIsOne) {
   const Environment driver("SDL_AUDIODRIVER", "disk");
   const Environment delay("SDL_DISKAUDIODELAY", "1");
   std::optional<Environment> file;
-  file.emplace("SDL_DISKAUDIOFILE", "/dev/full");  // SDL's disk driver then says that its device has gone
+  file.emplace("SDL_DISKAUDIOFILE", "/dev/full");  // SDL's disk driver then reports that the device is lost
   Audio audio;
   ASSERT_EQ(audio.why_silent().find("there is no sound"), std::string::npos)
       << "it was there, if it is not lost by now";

@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of this test's own, gone afterwards.
+/// A directory that is removed after the test.
 struct TemporaryDirectory {
   fs::path path = fs::temp_directory_path() / ("canvas_test_" + std::to_string(engine::now_ns()));
   TemporaryDirectory() { fs::create_directory(path); }
@@ -196,7 +196,7 @@ TEST(InputState, AutoRepeatIsNotAnotherPress) {
   state.take();
   state.key_down(Key::space);
   EXPECT_FALSE(state.take().pressed(Key::space));
-  state.key_up(Key::enter);  // went down before the window had the focus
+  state.key_up(Key::enter);  // pressed before the window had the focus
   EXPECT_FALSE(state.take().released(Key::enter));
 }
 
@@ -238,7 +238,7 @@ TEST(Window, DrawsAndPacesWithoutAScreen) {
     draw_scene(window.canvas());
     window.present();
   }
-  EXPECT_GE(engine::now_ns() - start, 5 * 16'000'000);  // nothing to wait for, so it paces itself to 60 a second
+  EXPECT_GE(engine::now_ns() - start, 5 * 16'000'000);  // without a display to wait for it limits itself to 60 Hz
 
   window.save_png((directory.path / "window.png").string());
   HeadlessCanvas canvas(160, 90);
