@@ -10,16 +10,16 @@
 
 #include "tests/game/program.h"
 
-/// Programs that run beside a test.
+/// Programs that run during a test.
 namespace test_support {
 
-/// A process of this test's own, ended with it.
+/// A child process that is killed in the destructor.
 class Process {
  public:
-  /// `command` is run by sh; the last program in it should be exec'ed, so that signals reach it.
+  /// sh runs `command`; the last program in it should be exec'ed, so that signals reach it.
   explicit Process(const std::string& command) : id_(fork()) {
     if (id_ != 0) return;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // with a test that crashes it ends, too
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // if the test crashes, the child ends too
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
@@ -32,14 +32,14 @@ class Process {
   }
 
   void send(int signal) const { kill(id_, signal); }
-  /// Whether it runs on; looked at again and again, a millisecond apart.
+  /// Returns whether it still runs, after a wait of a millisecond.
   bool runs() {
     int status = 0;
     if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = status;
     usleep(1000);
     return !status_;
   }
-  /// What it ended with: the exit status, or −1 if a signal ended it.
+  /// Waits for its end. Returns the exit status, or −1 if a signal ended it.
   int wait() {
     int status = 0;
     if (!status_ && waitpid(id_, &status, 0) == id_) status_ = status;
@@ -51,27 +51,27 @@ class Process {
   std::optional<int> status_;
 };
 
-/// An X server on a display of its own. The number is taken from this process: left to choose one, a server may take
-/// that of one just ending, which then removes the socket of both.
+/// An X server with its own display. The display's number follows from this process's id. (A server that chooses a
+/// number itself may take that of one that is just ending, which then removes the socket of both.)
 class XServer {
  public:
   /// `screen`: 1280x720x24.
   explicit XServer(const std::string& screen) : screen_(screen) {}
 
-  /// Waits until it is there; false if it has ended instead, on every number tried.
+  /// Waits until it accepts clients. Returns false if it ended instead, with every number tried.
   bool starts() {
     for (int attempt = 0; attempt < 3; ++attempt) {
       if (serves(first_number + (getpid() + attempt * attempts_apart) % number_count)) return true;
     }
     return false;
   }
-  /// ":107", once it is there.
+  /// For example ":107"; empty before starts().
   const std::string& display() const { return display_; }
   void send(int signal) const { process_->send(signal); }
 
  private:
-  static constexpr int first_number = 100;     // those below are a person's
-  static constexpr int number_count = 50'000;  // a display's port, 6000 and its number, is below 65536
+  static constexpr int first_number = 100;     // lower numbers are for desktops
+  static constexpr int number_count = 50'000;  // a display's port, 6000 + number, is below 65536
   static constexpr int attempts_apart = 9973;
 
   bool serves(int number) {
@@ -79,7 +79,7 @@ class XServer {
     fs::remove(ready);
     display_ = ":";
     display_ += std::to_string(number);
-    // It would begin anew when its last client goes, one that looked for a window, and refuse who comes meanwhile.
+    // Without -noreset it restarts when its last client ends, and refuses clients meanwhile.
     process_.emplace("exec Xvfb " + display_ + " -noreset -displayfd 3 -screen 0 " + screen_ + " 3>" + ready +
                      " 2>/dev/null");
     while (bytes_of(ready).find('\n') == std::string::npos) {

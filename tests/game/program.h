@@ -10,25 +10,25 @@
 
 #include "tests/support/files.h"
 
-/// The program run by a test, and the files that the two hand each other.
+/// Runs of the game in a test, and their files.
 namespace test_support {
 
 namespace fs = std::filesystem;
 
-/// What a program printed and ended with; the status is −1 if a signal ended it.
+/// The output and exit status of a program; the status is −1 if a signal ended it.
 struct Ended {
   int status;
   std::string output;  // both streams
 };
 
-/// What the game remembers between runs is to be that of this process's tests, whoever runs them.
+/// The game's settings and data are in folders of this process, not in those of the user.
 inline const bool remembers_nothing_of_the_user = [] {
   setenv("XDG_CONFIG_HOME", scratch("config_home").c_str(), 1);
   setenv("XDG_DATA_HOME", scratch("data_home").c_str(), 1);
   return true;
 }();
 
-/// Runs the game by a shell; what stands before its name, such as variables and limits, is `environment`.
+/// Runs the game in a shell. `environment` precedes its name: variables, limits.
 inline Ended ropeswing(const std::string& arguments, const std::string& environment = "") {
   const std::string command = environment + " " TEST_ROPESWING " " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");

@@ -7,6 +7,7 @@
 
 #include "engine/replay/replay.h"
 #include "tests/study/level_study.h"
+#include "tests/study/words.h"
 
 namespace study {
 

@@ -73,7 +73,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
   return result;
 }
 
-/// (Holding, or infinite, it does.)
+/// Some of the cases of the test with the same name in ContactCordLimits.
 TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Role role : {Role::touches, Role::drives}) {
@@ -88,7 +88,7 @@ TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
   }
 }
 
-/// Box2D lets a body turn as fast as it is told to; the cord sees where it is at each moment, and takes no harm.
+/// Box2D accepts every angular velocity. The cord uses the body's momentary position and stays finite.
 TEST(ContactCord, ABodyThatSpinsAsFastAsCanBeDoesNotPoisonTheCord) {
   for (const Role role : {Role::touches, Role::holds, Role::drives}) {
     for (const float turning : {1e4F, 1e5F, -1e7F, 1e9F}) {

@@ -1,4 +1,4 @@
-// The program when something around it fails: disk, display, level, or whoever ends it.
+// Failures around the program: disk, display, level, signals.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace test_support;
 
-/// As many bytes of a file as the recording of a few dozen ticks has, then the disk is full.
+/// A file may have as many bytes as the recording of a few dozen ticks; then the disk is full.
 /// (The counters of tests/run --coverage would not fit either.)
 constexpr const char* small_disk = "ulimit -f 8; LLVM_PROFILE_FILE=/dev/null";  // blocks of 512 bytes
 
@@ -47,7 +47,7 @@ TEST(ReplayFaults, TheGameContinuesWhenTheDiskIsFull) {
   const std::size_t told = ended.output.find("cannot write the replay: File too large");
   ASSERT_NE(told, std::string::npos) << ended.output;
   EXPECT_EQ(ended.output.find("cannot write", told + 1), std::string::npos) << "once is enough: " << ended.output;
-  const Ended whole = ropeswing("--headless --ticks 60");  // the same inputs: none
+  const Ended whole = ropeswing("--headless --ticks 60");  // also without inputs
   EXPECT_EQ(last_line(ended.output), last_line(whole.output)) << "it did not run to its end";
   ticks_kept(path);
 }
@@ -65,7 +65,7 @@ TEST(ReplayFaults, ARecordingCutShortIsMadeWholeByRecordingItAnew) {
   EXPECT_TRUE(after.ticks == before.ticks);
 }
 
-/// A recording is emptied for a new one only when nothing else can keep that from starting.
+/// An old recording is emptied only after everything else that can fail at the start.
 TEST(ReplayFaults, ARunThatCannotStartLeavesTheRecordingOfTheLastAlone) {
   const std::string path = scratch("earlier.replay");
   const std::string level = scratch("broken.tmj");
@@ -74,14 +74,14 @@ TEST(ReplayFaults, ARunThatCannotStartLeavesTheRecordingOfTheLastAlone) {
   write_bytes(replay, bytes_of(golden()).substr(0, 40));
   write_bytes(path, bytes_of(golden()));
   const std::string record = " --record " + path;
-  EXPECT_EQ(ropeswing("--headless" + record).status, 2);  // without an end
+  EXPECT_EQ(ropeswing("--headless" + record).status, 2);  // no end is given
   EXPECT_EQ(ropeswing("--headless --ticks 5 --level " + level + record).status, 2);
   EXPECT_EQ(ropeswing("--headless --replay " + replay + record).status, 2);
   EXPECT_EQ(ropeswing(record, "env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11").status, 2);
   EXPECT_TRUE(bytes_of(path) == bytes_of(golden()));
 }
 
-/// Until the game is in the middle of a recording. False if it ended instead.
+/// Waits until the game is in the middle of a recording. Returns false if it ended instead.
 bool is_recording(Process& game, const std::string& path) {
   while (!fs::exists(path) || fs::file_size(path) < 5'000) {
     if (!game.runs()) return false;
@@ -89,7 +89,7 @@ bool is_recording(Process& game, const std::string& path) {
   return true;
 }
 
-/// That it holds a good part of a second, with its end marked, and verifies.
+/// Checks that the recording has most of a second, has its end marker, and verifies.
 void expect_complete(const std::string& path) {
   const engine::Replay replay = engine::load_replay(path);
   EXPECT_TRUE(replay.complete);
@@ -118,7 +118,7 @@ TEST(ReplayFaults, WhenTheDisplayIsLostTheGameEndsWithItsRecordingComplete) {
     fs::remove(path);
     XServer server("640x480x24");
     ASSERT_TRUE(server.starts());
-    // The libraries of a display are not ours to hold to account for what they leave behind.
+    // Leaks of the display's libraries are ignored.
     std::ostringstream command;
     command << "ASAN_OPTIONS=detect_leaks=0 SDL_AUDIODRIVER=dummy SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=" << renderer
             << " DISPLAY=" << server.display() << " exec " TEST_ROPESWING " --record " << path << " >" << said
@@ -140,7 +140,7 @@ TEST(ProgramFaults, NamesTheFolderThatHasNoLevels) {
       << ended.output;
 }
 
-/// first_swing with some text in its place.
+/// first_swing with one text replaced by another.
 std::string changed_level(const std::string& text, const std::string& by) {
   std::string level = bytes_of(TEST_ASSETS "/levels/first_swing.tmj");
   const std::size_t at = level.find(text);
@@ -166,7 +166,7 @@ TEST(ProgramFaults, ALevelThatCannotBeReadOrLacksAnObjectIsRefusedBySentence) {
           "class is \"chord\"; accepted is ground, circle, cord");
 }
 
-/// As many objects as a file may hold: refused, and not after minutes.
+/// A file with as many objects as possible is refused within seconds.
 TEST(ProgramFaults, AHundredThousandObjectsAreRefusedAtOnce) {
   const auto refused = [](const std::string& level, const std::string& about) {
     const std::string path = scratch("crowded.tmj");

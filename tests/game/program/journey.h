@@ -24,14 +24,14 @@ using engine::PadButton;
 using test_support::scratch;
 using test_support::VirtualPad;
 
-constexpr std::int64_t tick_ns = 16'666'668;  // a tick, and so little more that there are never two; a quarter is whole
+constexpr std::int64_t tick_ns = 16'666'668;  // slightly more than a tick, and divisible by four
 
-/// The program, opened in folders of this test's own.
+/// The program with folders of this test.
 class Journey : public testing::Test {
  protected:
   Journey() {
     setenv("SDL_VIDEODRIVER", "dummy", 1);
-    setenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1", 1);  // a window that nobody sees never has the focus
+    setenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1", 1);  // a dummy window never has the focus
     std::filesystem::remove_all(config());
     std::filesystem::remove_all(data());
     setenv("XDG_CONFIG_HOME", config().c_str(), 1);
@@ -54,7 +54,7 @@ class Journey : public testing::Test {
   std::string screen() const { return app->screens().top().title(); }
   const PlayScreen& play() const { return dynamic_cast<const PlayScreen&>(app->screens().top()); }
 
-  /// Pressed in one frame, let go in the next. False where the game ended.
+  /// Presses in one frame, releases in the next. Returns false if the game ended.
   bool tap(Key key) {
     test_support::push_key(key, true);
     const bool goes_on = frame();
@@ -68,7 +68,7 @@ class Journey : public testing::Test {
     return goes_on && frame();
   }
 
-  /// From the title into first_swing, by whatever goes down and accepts.
+  /// Goes from the title to first_swing; `down` and `accept` operate the menus.
   void start_first_swing(const std::function<void()>& down, const std::function<void()>& accept) {
     accept();
     ASSERT_EQ(screen(), "levels");
@@ -103,7 +103,7 @@ constexpr std::array keys = {
     KeyOf{button_retry, Key::t, PadButton::b},
 };
 
-/// What changes from one tick's buttons to the next's.
+/// Calls `press` for each button that differs between two ticks.
 inline void change_buttons(std::uint16_t from, std::uint16_t to, const std::function<void(const KeyOf&, bool)>& press) {
   for (const KeyOf& key : keys) {
     if ((to & key.button) != (from & key.button)) press(key, (to & key.button) != 0);

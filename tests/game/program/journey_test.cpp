@@ -22,7 +22,7 @@ namespace {
 using engine::MouseButton;
 using test_support::golden;
 
-/// The kept recording and the golden run have the same ticks, bit by bit, up to where the shorter one ends.
+/// Checks that the saved recording and the golden run have the same bits up to the end of the shorter one.
 void expect_same_run(const std::string& path, std::size_t at_least) {
   const engine::Replay kept = engine::load_replay(path);
   const engine::Replay wanted = engine::load_replay(golden());
@@ -105,7 +105,7 @@ TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
   EXPECT_EQ(screen(), "results");
 }
 
-/// From the title to the goal and back to the levels by a gamepad, which is unplugged four times on the way.
+/// Plays from the title to the goal and back to the levels by a gamepad, which is unplugged four times.
 void Journey::play_by_gamepad() {
   open();
   auto pad = std::make_unique<VirtualPad>();
@@ -114,7 +114,7 @@ void Journey::play_by_gamepad() {
   const auto press = [&](PadButton button) {
     pad->press(button, true);
     frame();
-    pad->press(button, false);  // seen in the next frame, whichever screen has it
+    pad->press(button, false);  // takes effect in the next frame, on any screen
   };
   start_first_swing([&] { press(PadButton::dpad_down), frame(); }, [&] { press(PadButton::a); });
   EXPECT_TRUE(app->session().uses_pad);
@@ -163,11 +163,11 @@ class RealWindowJourney : public Journey {
     setenv("SDL_VIDEODRIVER", "x11", 1);
     setenv("SDL_RENDER_DRIVER", "software", 1);
     setenv("SDL_FRAMEBUFFER_ACCELERATION", "0", 1);  // nor by OpenGL from there on: Mesa's library leaks
-    // SDL asks for the session's bus, and libdbus leaks what it finds out.
+    // SDL asks for the session's bus, and libdbus leaks memory then.
     setenv("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere", 1);
   }
   void TearDown() override {
-    app.reset();  // before its display goes
+    app.reset();  // before its display ends
     unsetenv("SDL_RENDER_DRIVER");
     unsetenv("SDL_FRAMEBUFFER_ACCELERATION");
     unsetenv("DBUS_SESSION_BUS_ADDRESS");
@@ -183,7 +183,7 @@ TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
   RunOptions options;
   options.level = "first_swing";
   open(options);
-  for (int k = 0; k < 30; ++k) frame();  // it stands
+  for (int k = 0; k < 30; ++k) frame();  // the player stands
   ASSERT_TRUE(play().simulation().player().is_on_ground());
   const double before = play().simulation().player().position().y;
   test_support::push_key(Key::space, true);
@@ -243,7 +243,7 @@ TEST_F(Journey, TheMouseWorksMenusToo) {
   open();
   app->draw();
   const engine::Canvas& canvas = app->window().canvas();
-  // Somewhere down a column through the title's card there is each of its lines.
+  // A column through the title's card crosses each of its lines.
   for (double y = 0.0; y < canvas.height() && screen() == "title"; y += 8.0) {
     const ribbon::Vec2 at{200.0, y};
     test_support::push_button(MouseButton::left, true, at);

@@ -1,4 +1,4 @@
-// The program in a real window of an X server, by key and mouse events that go through it.
+// The program in a real window of an X server, operated by key and mouse events of that server.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 using namespace test_support;
 
-/// What a command printed, without the line's end.
+/// Returns the output of a command, without the final newline.
 std::string said_by(const std::string& command) {
   std::FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");
   std::string said;
@@ -33,12 +33,12 @@ std::string said_by(const std::string& command) {
   return said.substr(0, said.find('\n'));
 }
 
-/// A person before the screen.
+/// Operates the window by xdotool.
 class Person {
  public:
   Person(std::string display, Process& game) : display_(std::move(display)), game_(&game) {}
 
-  /// Waits for the window and takes it. False if the game ends instead.
+  /// Waits for the window and focuses it. Returns false if the game ends instead.
   bool finds_the_window() {
     while (window_.empty()) {
       if (!game_->runs()) return false;
@@ -48,7 +48,7 @@ class Person {
     return true;
   }
   std::string screen() const { return said_by(xdotool("getwindowname " + window_)); }
-  /// Waits until that screen is there. What else there is in the end if it does not come.
+  /// Waits until that screen is shown. The failure names the last screen.
   std::string sees(const std::string& title) {
     const std::string wanted = "Rope swing - " + title;
     std::string there;
@@ -68,7 +68,7 @@ class Person {
   std::string window_;
 };
 
-/// The game in a window of its own X server, remembering nothing at first.
+/// The game in a window of its own X server, without saved data at first.
 class RealWindow : public testing::Test {
  protected:
   void SetUp() override {
@@ -95,7 +95,7 @@ class RealWindow : public testing::Test {
     std::sort(found.begin(), found.end());
     return found;
   }
-  /// What of the newest run is recorded by now.
+  /// Returns what is recorded of the newest run so far.
   engine::Replay newest_run() const {
     const std::vector<fs::path> all = runs();
     try {
@@ -104,14 +104,14 @@ class RealWindow : public testing::Test {
       return {};
     }
   }
-  /// Waits until so many runs have begun, and the newest has at least so many ticks. False if that never comes.
+  /// Waits for a number of runs, and for a number of ticks in the newest one. Returns false after a timeout.
   bool sees_ticks(std::size_t run_count, std::size_t ticks) {
     for (int look = 0; look < 20'000 && game->runs(); ++look) {
       if (runs().size() == run_count && newest_run().ticks.size() >= ticks) return true;
     }
     return false;
   }
-  /// The mouse goes down the window and clicks until another screen is there.
+  /// Moves the mouse down the window and clicks until another screen is shown.
   void click_down_to_something(int x) {
     const std::string here = person->screen();
     for (int y = 250; y < 500 && person->screen() == here; y += 12) {
@@ -170,7 +170,7 @@ TEST_F(RealWindow, KeysAndMouseGoThroughEveryScreenAndTheGameEndsCleanly) {
 
 struct KeyOf {
   game::Button button;
-  const char* name;  // as xdotool has it
+  const char* name;  // in xdotool
 };
 constexpr std::array keys = {KeyOf{game::button_left, "Left"},  KeyOf{game::button_right, "d"},
                              KeyOf{game::button_jump, "space"}, KeyOf{game::button_grab, "Shift_L"},
@@ -178,7 +178,7 @@ constexpr std::array keys = {KeyOf{game::button_left, "Left"},  KeyOf{game::butt
                              KeyOf{game::button_throw, "f"},    KeyOf{game::button_reel_in, "q"},
                              KeyOf{game::button_reel_out, "z"}, KeyOf{game::button_retry, "t"}};
 
-/// What hands do to go from the one tick's keys to the other's.
+/// Presses and releases the keys that differ between two ticks.
 std::string from_keys_to_keys(std::uint16_t from, std::uint16_t to) {
   std::string moves;
   for (const KeyOf& key : keys) {
@@ -188,9 +188,9 @@ std::string from_keys_to_keys(std::uint16_t from, std::uint16_t to) {
   return moves;
 }
 
-/// A winning run is played tick by tick, N for each, so that no haste and no delay of machine or display matters.
+/// Plays a winning run tick by tick, with the key N for each, so that delays of the machine or display do not matter.
 TEST_F(RealWindow, ARunIsPlayedFromTheTitleToTheGoalAndBackToTheTitle) {
-  const std::string level = "pump_it_up";  // the second, and the one that is won soonest
+  const std::string level = "pump_it_up";  // the second level; its winning run is the shortest
   const engine::Replay wanted = engine::load_replay(TEST_ASSETS "/replays/" + level + ".replay");
   click_down_to_something(200);
   ASSERT_EQ(person->sees("levels"), "levels");

@@ -1,4 +1,4 @@
-// A level whose file changes while it is played, without waiting: time is what the test says.
+// A level whose file changes during play. The test sets the time, so it does not wait.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using namespace test_support;
 
 constexpr std::int64_t frame_ns = 1'000'000'000 / 60;
 
-/// The program in a window that nobody sees, playing a level of this test's own.
+/// The program in a dummy window, with a level of this test.
 struct Played {
   std::string path = scratch("played.tmj");
   std::string text = bytes_of(TEST_ASSETS "/levels/first_swing.tmj");
@@ -47,7 +47,7 @@ struct Played {
     input.keys_pressed.set(static_cast<std::size_t>(key));
     frames(1, frame_ns, input);
   }
-  /// As an editor saves it, at another time each time.
+  /// Saves the file as an editor does, with a new time each time.
   void save(const std::string& changed) {
     write_bytes(path, changed);
     fs::last_write_time(path, fs::last_write_time(path) + std::chrono::seconds(++written));

@@ -1,4 +1,4 @@
-// The program itself: what it prints and the status it ends with.
+// The output and the exit status of the program.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -72,7 +72,7 @@ TEST(ReplayProgram, RecordingAReplayAnewGivesTheSameFile) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(golden()));
 }
 
-/// The golden run with one part's hash of one tick changed, as another physics would have left it.
+/// Returns the path of a golden run in which one part's hash of one tick is changed, as by other physics.
 std::string diverging_replay(std::size_t tick, std::size_t part) {
   const engine::Replay replay = engine::load_replay(golden());
   std::string path = scratch("diverging.replay");
@@ -95,7 +95,7 @@ TEST(ReplayProgram, TheFirstTickThatDiffersIsNamedWithSubsystemAndIndex) {
       ropeswing("--headless --verify --replay " + diverging_replay(200, 2));  // game 0, cord 0, cord 1, …
   EXPECT_EQ(cord.status, 1);
   EXPECT_EQ(last_line(cord.output).rfind("tick 200: cord 1 differs", 0), 0U) << cord.output;
-  EXPECT_NE(cord.output.find("ran 200 ticks"), std::string::npos) << cord.output;  // and there it stops
+  EXPECT_NE(cord.output.find("ran 200 ticks"), std::string::npos) << cord.output;  // it stops there
   const Ended game = ropeswing("--headless --verify --replay " + diverging_replay(1, 0));
   EXPECT_EQ(game.status, 1);
   EXPECT_EQ(last_line(game.output).rfind("tick 1: game 0 differs", 0), 0U) << game.output;
@@ -160,7 +160,7 @@ TEST(ReplayProgram, RefusesGarbageAnotherVersionAndAMissingFile) {
 TEST(Program, RefusesUnknownLevelsAndBadArgumentsWithASentence) {
   const Ended level = ropeswing("--headless --level nowhere");
   EXPECT_EQ(level.status, 2);
-  EXPECT_NE(level.output.find("first_swing"), std::string::npos) << level.output;  // what there is
+  EXPECT_NE(level.output.find("first_swing"), std::string::npos) << level.output;  // lists the existing levels
   EXPECT_EQ(ropeswing("--headless --verify").status, 2);
   EXPECT_EQ(ropeswing("--headless --ticks -5").status, 2);
   EXPECT_EQ(ropeswing("--headless --ticks many").status, 2);

@@ -1,4 +1,4 @@
-// Videos of runs, from the command line and from the window, with an ffmpeg of the test's own.
+// Videos of runs, from the command line and from the window, with a substitute for ffmpeg.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test_support;
 
-/// A folder to put before PATH, with an ffmpeg that keeps what it gets.
+/// A folder to put before PATH, with an ffmpeg that saves its input.
 std::string fake_ffmpeg() {
   std::string folder = scratch("ffmpeg_folder");
   fs::create_directories(folder);

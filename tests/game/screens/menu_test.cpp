@@ -1,4 +1,4 @@
-// Menus as state machines: no window.
+// Menus as state machines, without a window.
 
 #include "game/screens/menu.h"
 
@@ -154,7 +154,7 @@ TEST(Rebinding, AKeyOfItsOwnIsTakenAwayAndEscapeChangesNothing) {
   EXPECT_TRUE(bindings == before);
 }
 
-/// Says what happened to it, and asks for what it is told to.
+/// A screen that records its events and returns a given request.
 struct FakeScreen : Screen {
   FakeScreen(std::string& said, char called, bool is_over = false) : log(&said), name(called), over(is_over) {}
   void shown() override { (*log += name) += "+ "; }

@@ -1,4 +1,4 @@
-// What the screens look like, as far as a test can tell.
+// The look of the screens, as far as a test can check it.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace game {
 namespace {
 
-/// Remembers the texts, and those that stand out of the picture.
+/// Records the texts, and those that exceed the picture.
 class MeasuringCanvas : public engine::HeadlessCanvas {
  public:
   using HeadlessCanvas::HeadlessCanvas;
@@ -43,7 +43,7 @@ class Screens : public testing::TestWithParam<Picture> {
  protected:
   void SetUp() override { session.settings = {}; }
 
-  /// Draws it after a few frames, in which levels are read and cards laid out.
+  /// Draws the screen after a few frames, in which levels are read and cards are laid out.
   std::string texts_of(Screen& screen) {
     MeasuringCanvas canvas(GetParam().width, GetParam().height);
     for (int k = 0; k < 3; ++k) screen.update({{}, {}, canvas, 16'666'667, GetParam().scale});

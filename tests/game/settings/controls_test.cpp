@@ -1,4 +1,4 @@
-// From what was pressed to a tick's input.
+// From key and pad events to the input of a tick.
 
 #include "game/settings/controls.h"
 
@@ -17,7 +17,7 @@ using engine::PadStick;
 
 constexpr ribbon::Vec2 hand{10.0, 5.0};
 
-/// Events of an InputState, and the ticks that come of them.
+/// Events of an InputState, and the resulting ticks.
 struct Hands {
   InputState events;
   Settings settings{};
@@ -174,7 +174,7 @@ TEST(Controls, WhatIsStillDownFromAMenuDoesNothingUntilItWasUp) {
   Hands hands;
   hands.events.key_down(Key::space);
   hands.events.key_down(Key::e);
-  hands.events.take();  // the menu's
+  hands.events.take();  // the events of the menu
   hands.controls.forget();
   hands.frame();
   EXPECT_EQ(hands.tick(), button_grab) << "who hangs on goes on to";

@@ -1,4 +1,4 @@
-// What a player chose, between two games: bindings, settings, records and recordings.
+// Data between two games: bindings, settings, records and recordings.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(Bindings, AHintNamesTheKeysThatAreBound) {
   EXPECT_EQ(hint_in_words(hint, settings, true).find("{jump}"), std::string::npos);
 }
 
-/// With the usual keys and with a gamepad: no level asks for what is not there.
+/// With default keys and with a gamepad no hint of a level has an unknown word.
 TEST(Bindings, TheHintsOfAllLevelsAreWhole) {
   for (const Level& level : levels_in_order()) {
     for (const bool pad : {false, true}) {
@@ -127,7 +127,7 @@ TEST(SettingsText, AnActionOfALaterVersionHasItsUsualKeysUnlessTheyAreTaken) {
   EXPECT_TRUE(settings.bindings.codes(Action::left).empty());
 }
 
-/// Cut at every byte, and with every byte changed: taken or refused, never anything else.
+/// Cut at every byte, and with every byte changed: the file is accepted or refused.
 TEST(SettingsText, ABrokenFileIsRefusedBySentence) {
   const std::string whole = settings_text(some_settings());
   int refused = 0;
@@ -266,7 +266,7 @@ TEST(Medals, AreForTimesUpToTheirs) {
 
 TEST(Session, AnUnreadableFileIsReportedAndTheGameContinues) {
   const std::string config = scratch("bad_config");
-  std::filesystem::create_directories(config + "/settings.json");  // a folder, of all things
+  std::filesystem::create_directories(config + "/settings.json");  // a folder instead of a file
   Session session(config, "");
   EXPECT_TRUE(session.settings == Settings{});
   EXPECT_NE(session.notice.text().find("settings"), std::string::npos);

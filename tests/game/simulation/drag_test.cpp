@@ -1,4 +1,4 @@
-// What the pointer can take hold of, and how it is moved: everything but the ground.
+// Dragging by the pointer: everything but the ground can be dragged.
 
 #include "game/simulation/drag.h"
 
@@ -45,7 +45,7 @@ b2Body& body_named(Simulation& simulation, const std::string& name) {
   throw std::runtime_error("no body " + name);
 }
 
-/// Takes what is at `from` and leads it `ticks` ticks long to `to`.
+/// Drags the object at `from` to `to` in `ticks` ticks.
 void lead(Simulation& simulation, Vec2 from, Vec2 to, int ticks) {
   simulation.tick(drag_at(from));
   for (int k = 0; k < ticks; ++k) simulation.tick(drag_at(to));
@@ -102,7 +102,7 @@ TEST(Drag, ABodyIsHeldWhereItWasTakenAndTurnsAboutThat) {
   EXPECT_GT(std::abs(static_cast<double>(ball.GetAngle())), 0.5) << "its weight is beside the pointer";
 }
 
-/// What a cord is fixed to is taken along, and the cord with it, no further than what else it is fixed to allows.
+/// Dragging a cord moves the body it is fixed to, as far as its other fixed points allow.
 TEST(Drag, WhatACordIsFixedToComesAlong) {
   for (const int cord : {0, 1, 4}) {  // a rope, one of the thesis's with two rows, a hammock with two ends
     Simulation simulation(sandbox());
@@ -131,7 +131,7 @@ TEST(Drag, TheGroundStays) {
   EXPECT_FALSE(simulation.drag().cord_point());
 }
 
-/// A load of 300 kg that is torn at, at the end of a cord of one kilogram that does not stretch.
+/// Drags a load of 300 kg at the end of an inextensible cord of 1 kg.
 TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordIsLong) {
   Simulation simulation(sandbox());
   for (int k = 0; k < 30; ++k) simulation.tick({});
@@ -156,7 +156,7 @@ TEST(Drag, SameBitsOfTheSameInputsWhateverIsDragged) {
     std::vector<std::uint64_t> hashes;
     for (int k = 0; k < 600; ++k) {
       engine::TickInput input;
-      // A new grip every second, here and there in the level, and over a part of it.
+      // A new drag every second, at different places of the level.
       if (k % 60 > 10) input = drag_at({6.0 + 0.05 * k + 0.03 * (k % 60), 1.0 + 0.013 * k});
       if (k == 450) input.buttons = button_restart;
       simulation.tick(input);

@@ -1,5 +1,5 @@
-// That no tick of the game costs many times what others do: told by the Newton steps that it takes, which are the same
-// on every machine. build/release/bin/frame_cost tells what they cost on this one.
+// No tick of the game costs many times as much as others, by the number of Newton steps, which is the same on every
+// machine. build/release/bin/frame_cost measures their time on this machine.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace game {
 namespace {
 
 struct Effort {
-  int most_steps = 0;  ///< Newton steps of a tick, of all cords; of cords that are solved together each counts them
-  int tick = 0;        ///< in which that was
+  int most_steps = 0;  ///< maximum Newton steps of a tick, summed over all cords; each cord of a coupled solve counts
+  int tick = 0;        ///< the tick with that maximum
   int unconverged = 0;
 };
 
@@ -49,7 +49,7 @@ TEST_P(EffortOfEveryLevel, IsEvenOverItsWinningRun) {
   EXPECT_LE(effort.most_steps, most_steps) << "tick " << effort.tick;
 }
 
-/// To and fro among the curtains, and up.
+/// Back and forth among the curtains, and up.
 std::uint16_t at_random_among_curtains(test_support::Dice& dice, double x) {
   constexpr double left_end = 9.0;  // m
   constexpr double right_end = 17.0;
@@ -58,8 +58,8 @@ std::uint16_t at_random_among_curtains(test_support::Dice& dice, double x) {
   return static_cast<std::uint16_t>((way < 1.0 ? button_right : button_left) | jump);
 }
 
-/// Cloth that is soft and rubs gets stuck on itself in ways that no solve finds its way out of: with a quarter of this
-/// bending stiffness, or a friction of 0.2, there are ticks of thousands of steps.
+/// Soft cloth with friction gets stuck on itself in configurations that no solve resolves: with a quarter of this
+/// bending stiffness, or with friction 0.2, some ticks take thousands of steps.
 TEST(Effort, OfCurtainsStaysEvenHoweverTheyArePushed) {
   constexpr int most_steps = 400;
   const Level level = load_level("curtains");

@@ -57,7 +57,7 @@ TEST_P(EveryLevel, HasTheMedalsThatTheRuleMakesOfItsWinningRun) {
   EXPECT_EQ(medal_for(5 * winning, level.medals), Medal::none);
 }
 
-/// Ticks to the goal of the scripted player that begins after a delay; 0 if it does not get there.
+/// Returns the ticks to the goal of the scripted player, which starts after a delay; 0 if it fails.
 int ticks_to_goal(const Level& level, int delay) {
   Simulation simulation(level);
   for (int k = 0; k < delay; ++k) simulation.tick({});

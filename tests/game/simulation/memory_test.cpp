@@ -1,4 +1,4 @@
-// That a tick of the game takes no memory, in the recorded winning run of every level.
+// No tick of the game allocates memory, in the recorded winning run of every level.
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@
 namespace game {
 namespace {
 
-constexpr int warm_up = 60;  // ticks, in which everything is there for the first time
+constexpr int warm_up = 60;  // ticks in which everything occurs for the first time
 
-/// Tells ticks in which something is new, and may need room, from steady ones.
+/// Separates ticks with something new, which may allocate, from steady ones.
 class Novelty {
  public:
-  /// Whether in the last tick a cord came into being, an island was joined or left, somebody took or let go a cord,
-  /// began or ceased to touch one, or more came near one than ever before.
+  /// Returns whether in the last tick a cord was created, an island changed, a grip or a contact began or ended, or
+  /// more bodies were near a cord than ever before.
   bool is_new(const Simulation& simulation) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const int islands = coupling.islands();
@@ -44,10 +44,10 @@ class Novelty {
 };
 
 struct Ticks {
-  int steady = 0;             ///< in which nothing is new
-  std::vector<int> growing;   ///< those of them that take memory
-  std::vector<int> new_ones;  ///< others that do
-  int longest = 0;            ///< of the stretches in which none does
+  int steady = 0;             ///< number of ticks without anything new
+  std::vector<int> growing;   ///< steady ticks that allocate
+  std::vector<int> new_ones;  ///< other ticks that allocate
+  int longest = 0;            ///< longest sequence of ticks without allocation
 };
 
 Ticks ticks_of(const std::string& name) {
@@ -75,9 +75,8 @@ class EveryWinningRun : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Memory, EveryWinningRun, testing::ValuesIn(level_names()),
                          [](const auto& level) { return level.param; });
 
-/// What is near a cord, but not yet touching it, cannot be seen from here. The lists of such pairs have room for 64
-/// from the first one on and double then, and the linear solve's pattern doubles with them, one island after the other:
-/// so much growth is allowed, and nothing else.
+/// The candidate pairs of a cord are not visible here. Their lists have a capacity of 64 at first and then double, and
+/// the pattern of the linear solve doubles with them, one island after the other. Only that growth is allowed.
 TEST_P(EveryWinningRun, TakesNoMemoryInATickInWhichNothingIsNew) {
   constexpr std::size_t most_growing = 8;
   constexpr std::size_t most_new = 16;

@@ -21,7 +21,7 @@ TEST(Meter, ShowsTheMedianAndTheMaximumOfTheLastSecond) {
     }
     meter.add(simulation, 1000 * (k % 2 == 0 ? 10 : 30));
   }
-  EXPECT_EQ(meter.worst_us(), 30.0);  // the first is forgotten
+  EXPECT_EQ(meter.worst_us(), 30.0);  // the first one is more than a second old
   EXPECT_EQ(meter.median_us(), 30.0);
   meter.add(simulation, 5'000);
   meter.add(simulation, 5'000);

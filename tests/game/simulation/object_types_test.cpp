@@ -1,4 +1,4 @@
-// What the level editor offers, and what the loader takes, are the same; and what the editor saves loads as it was.
+// The level editor offers what the loader accepts, and a level that the editor saves loads unchanged.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ void set(json& object, const std::string& name, const std::string& type, const j
   object["properties"].push_back({{"name", name}, {"type", type}, {"value", value}});
 }
 
-/// What its class cannot do without.
+/// Adds the required properties of a class.
 void set_required(json& object) {
   const std::string kind = object["type"];
   if (kind == "cord" || kind == "ribbon") {
@@ -76,7 +76,7 @@ void set_required(json& object) {
   if (kind == "text") set(object, "text", "string", "words");
 }
 
-/// An object of that class in a place where it can be, with what it needs.
+/// Returns a valid object of that class.
 json one_of(const std::string& kind) {
   json made;
   if (kind == "cord" || kind == "ribbon") made = line(9, kind, 8.0);
@@ -88,7 +88,7 @@ json one_of(const std::string& kind) {
   return made;
 }
 
-/// A level with a cord from (5, 2) downwards, and that object instead of the one of its class, if there has to be one.
+/// Returns a level with a cord from (5, 2) downwards and that object, in place of a required one of the same class.
 Level level_with(const json& added) {
   json objects = json::array();
   for (const json& own : {object(1, "player", 2.0, 9.0), object(2, "goal", 18.0, 8.0, 1.0, 1.0)}) {
@@ -110,7 +110,7 @@ Level level_with(const json& added) {
   return level_of(engine::parse_tiled_map(map.dump(), "made.tmj"));
 }
 
-/// By the loader's own words.
+/// Returns the properties that the loader's message lists.
 std::set<std::string> accepted_by(json object) {
   set(object, "no_such_property", "bool", true);
   const std::string sentence = test_support::refusal<engine::MapError>([&] { level_with(object); });
@@ -162,7 +162,7 @@ TEST(ObjectTypes, HaveThePropertiesThatTheLoaderTakes) {
   }
 }
 
-/// Those that have no default, or one that depends on the others or on the solver.
+/// Properties without a default, or with one that depends on others or on the solver.
 bool has_no_default(const std::string& kind, const std::string& name) {
   static const std::set<std::string> of_cords = {"columns",           "mass",          "stretch_stiffness",
                                                  "bending_stiffness", "width",         "spring_stiffness",
@@ -190,7 +190,7 @@ void save_by_tiled(const std::string& from, const std::string& to) {
   ASSERT_EQ(std::system(command.c_str()), 0) << from;
 }
 
-/// In the last of its 15 digits at the most.
+/// The numbers differ at most in the last of 15 digits.
 void expect_same(const engine::TiledMap& a, const engine::TiledMap& b) {
   ASSERT_EQ(a.objects.size(), b.objects.size()) << a.file;
   for (std::size_t k = 0; k < a.objects.size(); ++k) {
@@ -207,7 +207,7 @@ void expect_same(const engine::TiledMap& a, const engine::TiledMap& b) {
   }
 }
 
-/// Tiled keeps 15 digits of a number: what it has saved once it saves and loads to the same bits for ever.
+/// Tiled keeps 15 digits of a number: after the first save, saving and loading does not change the bits.
 TEST(Tiled, WhatItSavesOfEveryLevelLoadsAsItWas) {
   if (std::system("QT_QPA_PLATFORM=offscreen tiled --version >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "tiled is not installed";

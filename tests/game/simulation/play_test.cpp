@@ -1,4 +1,4 @@
-// What players can do beside running, jumping and hanging: climb, throw a line, reel, drop a load, come back.
+// Climbing, thrown lines, reeling, dropped loads, and respawning.
 
 #include <gtest/gtest.h>
 
@@ -138,7 +138,7 @@ TEST_F(ThrownLine, ReelsItsPlayerUp) {
   EXPECT_LT(length(ring - simulation.player().hand()), 1.5);
 }
 
-/// Its elasticity stores what the reel put in: the player bobs, about where his weight stretches the line to.
+/// The line's elasticity stores the work of the reel: the player oscillates about the static stretch of the line.
 TEST_F(ThrownLine, StretchesUnderItsBouncingPlayer) {
   tick(simulation, button_reel_in, 120);
   const double rest = simulation.player().line().length();
@@ -166,7 +166,7 @@ TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
   tick(simulation, button_throw, 1, ring);
   tick(simulation, 0, 30, ring);
   EXPECT_EQ(simulation.player().line().state(), Line::State::held);
-  EXPECT_EQ(simulation.scene().coupling().size(), cords);  // the same cord anew
+  EXPECT_EQ(simulation.scene().coupling().size(), cords);  // the same cord is used again
 }
 
 TEST_F(ThrownLine, IsDrawnFromWhereItWasMadeOn) {
@@ -178,7 +178,7 @@ TEST_F(ThrownLine, IsDrawnFromWhereItWasMadeOn) {
   EXPECT_EQ(between.cords.back(), anew.current().cords.back());
 }
 
-/// It flings back with all that was stored in it, crumples, falls and comes to rest below its hook.
+/// The line snaps back with its stored energy, crumples, falls and comes to rest below its hook.
 TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
@@ -201,7 +201,7 @@ TEST(Aim, GoesForTheRingThatThePointerIsAtAndElseForOneAhead) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
   tick(simulation, 0);
-  EXPECT_FALSE(simulation.aimed_hook());  // none within reach
+  EXPECT_FALSE(simulation.aimed_hook());  // none within the line's range
   play(simulation, {test_support::run_past(7.2), test_support::stand()});
   EXPECT_EQ(simulation.aimed_hook(), 0U);
 }
@@ -214,7 +214,7 @@ TEST(Load, FallsWhenItsHolderReleasesTheCord) {
                                  [](const engine::SceneBody& body) { return body.kind == engine::BodyKind::load; });
   ASSERT_NE(load, loads.end());
   const float hangs = load->body->GetPosition().y;
-  tick(simulation, button_throw, 60);  // without its cord in hand: nothing
+  tick(simulation, button_throw, 60);  // no effect without its cord in hand
   EXPECT_NEAR(static_cast<double>(load->body->GetPosition().y), static_cast<double>(hangs), 0.01);
   play(simulation, {test_support::run_past(4.3), test_support::jump(button_right, 30), test_support::run_past(8.0),
                     test_support::jump_and_catch(button_right)});

@@ -14,7 +14,7 @@ RunOptions golden() {
   return options;
 }
 
-/// Forwards, backwards, on the spot and by the last two ticks, which alone are looked at on the way.
+/// Seeks forwards, backwards, to the same tick and near the end; only the last two ticks are compared.
 TEST(ReplaySeek, EveryTickIsWhatWasRecordedWhereverOneComesFrom) {
   const engine::Replay replay = engine::load_replay(golden().replay);
   const auto last = static_cast<int>(replay.ticks.size());
@@ -31,7 +31,7 @@ TEST(ReplaySeek, EveryTickIsWhatWasRecordedWhereverOneComesFrom) {
   EXPECT_FALSE(run.is_over());
 }
 
-/// What is drawn between two ticks is what a run without a seek draws.
+/// The picture between two ticks is that of a run without a seek.
 TEST(ReplaySeek, ShowsBothTicksThatAreDrawnBetween) {
   RecordedRun sought(golden());
   RecordedRun run(golden());

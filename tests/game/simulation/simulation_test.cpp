@@ -17,7 +17,7 @@ namespace {
 
 using test_support::first_swing;
 
-/// What has to be so whichever solver moves the cords.
+/// Tests that hold for both solvers.
 class EitherLevel : public testing::TestWithParam<bool> {
  protected:
   static const Level& level() {
@@ -108,7 +108,7 @@ struct AfterSomeTime {
   bool operator==(const AfterSomeTime&) const = default;
 };
 
-/// The loop of the game, nine seconds long, at a given frame rate; the player's hands keep to the clock.
+/// Runs the game's loop for nine seconds at a given frame rate; the inputs follow the clock.
 AfterSomeTime play_at(std::int64_t frames_per_second) {
   constexpr std::int64_t second = 1'000'000'000;  // ns
   Simulation simulation(first_swing());
@@ -141,7 +141,7 @@ TEST(SimulationSameBits, RestartBeginsTheVerySameRun) {
     fresh.tick(winning_inputs()[static_cast<std::size_t>(k)]);
     restarted.tick(winning_inputs()[static_cast<std::size_t>(k)]);
   }
-  // All but the game's own counters, which know of the first run.
+  // All but the game's own counters, which include the first run.
   const auto a = fresh.hash().parts();
   const auto b = restarted.hash().parts();
   ASSERT_EQ(a.size(), b.size());
@@ -273,7 +273,7 @@ TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
   const double ground = simulation.player().position().y;
   double highest = ground;
   int on_ground = 0;
-  for (int k = 0; k < 200; ++k) {  // the button stays down
+  for (int k = 0; k < 200; ++k) {  // the button stays pressed
     simulation.tick(press(button_jump));
     highest = std::max(highest, simulation.player().position().y);
     if (k > 100) on_ground += simulation.player().is_on_ground() ? 1 : 0;
@@ -292,15 +292,15 @@ TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndLetsGoWithItsVelocity) {
   ASSERT_TRUE(held());
   const ribbon::Vec2 point =
       simulation.current().cords[static_cast<std::size_t>(held()->cord)][static_cast<std::size_t>(held()->point)];
-  EXPECT_LT(length(point - simulation.player().hand()), 0.1);  // it has come to the hand
+  EXPECT_LT(length(point - simulation.player().hand()), 0.1);  // the point is at the hand
   const ribbon::Vec2 before = simulation.scene().coupling().velocity(simulation.player().body());
-  simulation.tick(press(button_right));  // grab is up
+  simulation.tick(press(button_right));  // grab is released
   EXPECT_FALSE(held());
   const ribbon::Vec2 after = simulation.scene().coupling().velocity(simulation.player().body());
   EXPECT_NEAR(length(after - before - ribbon::Vec2{0.0, -9.81 / 60.0}), 0.0, 1e-4);
 }
 
-/// Pumping in time with the swing adds height, and against it takes height away.
+/// Pumping in phase with the swing adds height; in antiphase it removes height.
 TEST_P(EitherLevel, PumpingAtTheRightTimePays) {
   const auto height_after = [](int sign) {
     Simulation simulation(level());

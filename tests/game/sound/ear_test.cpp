@@ -16,7 +16,7 @@ namespace {
 
 using test_support::first_swing;
 
-/// A player above a floor, and a ball of 16 kg that falls on it, heights in m above the floor.
+/// A player above a floor, and a ball of 16 kg that falls on the floor; heights are in m above the floor.
 Level drop(double player_height, double ball_height = 1.0, double ball_x = 14.0) {
   std::ostringstream map;
   map << R"({"type":"map","orientation":"orthogonal","renderorder":"right-down","version":"1.8","width":20,"height":20,

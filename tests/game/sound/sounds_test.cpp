@@ -1,4 +1,4 @@
-// The program's sound, written to a file by SDL's disk driver.
+// The sound of the program; SDL's disk driver writes it to a file.
 
 #include <gtest/gtest.h>
 

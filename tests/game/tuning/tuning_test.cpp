@@ -21,7 +21,7 @@ using test_support::bytes_of;
 using test_support::scratch;
 using test_support::write_bytes;
 
-/// A level of this test's own, with cords of both solvers.
+/// A level of this test, with cords of both solvers.
 std::string own_level() {
   std::string path = scratch("tuned.tmj");
   write_bytes(path, test_support::mixed_swing_map());
@@ -185,7 +185,7 @@ TEST(TuningPanel, ChangesNothingUnlessItIsAskedTo) {
   EXPECT_NE(shown.canvas.raster().pixels(), hidden.canvas.raster().pixels());
 }
 
-/// Presses, drags and lets go in three hundred places of the panel: whatever is there gets pressed, moved and opened.
+/// Presses, drags and releases in three hundred places of the panel, so that every element is operated.
 TEST(TuningPanel, WhateverIsClickedTheRunGoesOn) {
   Panelled panelled(play(own_level()));
   panelled.panel.toggle();

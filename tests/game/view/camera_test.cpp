@@ -96,7 +96,7 @@ TEST(Camera, MovesSmoothly) {
   Vec2 before = camera.view(1.0, width, height, true).center;
   Vec2 step_before{0.1, 0.0};
   for (int k = 0; k < 200; ++k) {
-    if (k == 60) subject.velocity = {-6.0, 8.0};  // he turns round at once
+    if (k == 60) subject.velocity = {-6.0, 8.0};  // a sudden reversal
     if (k == 60) subject.faces_left = true;
     subject.at += (1.0 / 60.0) * subject.velocity;
     if (k > 100) subject.velocity.y = 0.0;

@@ -34,7 +34,7 @@ TEST(Spline, OfAStraightLineIsTheLine) {
   }
 }
 
-/// The points of a circle give nearly the circle back, far closer than the chords between them.
+/// A spline through points of a circle approximates the circle far better than the chords do.
 TEST(Spline, IsRoundWhereThePointsAre) {
   std::vector<Vec2> points;
   for (int k = 0; k <= 24; ++k) points.push_back({std::cos(0.2 * k), std::sin(0.2 * k)});
@@ -44,7 +44,7 @@ TEST(Spline, IsRoundWhereThePointsAre) {
   for (std::size_t k = 10; k + 10 < curve.size(); ++k) EXPECT_NEAR(length(curve[k]), 1.0, 0.02 * sagitta) << k;
 }
 
-/// What a uniform spline does at unequal distances: a cusp or a loop within a short piece.
+/// A uniform spline with unequal distances would have a cusp or a loop within a short piece.
 TEST(Spline, HasNoCuspInAShortPiece) {
   const std::vector<Vec2> points{{0.0, 0.0}, {3.0, 0.0}, {3.1, 0.1}, {3.0, 3.0}};
   std::vector<Vec2> curve;

@@ -14,7 +14,7 @@
 namespace game {
 namespace {
 
-/// Remembers the texts, and how many shapes there were.
+/// Records the texts and the number of shapes.
 class RecordingCanvas : public engine::Canvas {
  public:
   int width() const override { return 1280; }
@@ -94,7 +94,7 @@ TEST(View, ShowsANotice) {
   EXPECT_TRUE(canvas.shows("The recording has ended"));
 }
 
-/// Each point, each bar between two of them, the box of each cord, and a line and a dot for each contact.
+/// All points, all bars between them, the box of each cord, and a line and a dot for each contact.
 TEST(View, TheDebugViewDrawsThePointsAndBarsOfEitherSolver) {
   const auto more_in_debug = [](const Level& level) {
     RecordingCanvas playing;
@@ -187,7 +187,7 @@ TEST(View, LookingChangesNothingOfARun) {
   }
 }
 
-/// A shank with a ring, each twice: outlined.
+/// A shank with a ring, each twice because of the outline.
 TEST(View, AWeightThatHangsHasAnEye) {
   const Level level = load_level("sandbox");
   Simulation simulation(level);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/elastic/cell.h"
 #include "tests/support/dice.h"
 
 // Ribbons that start from shapes that no motion leads to.
