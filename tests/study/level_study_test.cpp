@@ -13,6 +13,7 @@
 #include "tests/study/kept_trace.h"
 #include "tests/study/level_study_fixture.h"
 #include "tests/study/results.h"
+#include "tests/study/terms.h"
 #include "tests/support/refusal.h"
 
 namespace study {
