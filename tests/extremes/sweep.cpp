@@ -85,12 +85,12 @@ double stretch_error(const Subject& cord, const Case& c) {
 void come_to_rest(Subject& cord, const Case& c) {
   const bool is_thesis = cord.method() == Method::thesis;
   const double dt = is_thesis ? c.dt : 1.0;
-  const double calm = 1e-5 * cord_length * std::max(exact_stretch(c), 1e-6);  // m/s
+  const double rest_speed = 1e-5 * cord_length * std::max(exact_stretch(c), 1e-6);  // m/s
   double before = 0.0;
-  for (int k = 0, calm_steps = 0; k < (is_thesis ? 300 : 1000) && calm_steps < 3; ++k) {
+  for (int k = 0, steps_at_rest = 0; k < (is_thesis ? 300 : 1000) && steps_at_rest < 3; ++k) {
     cord.step(dt, gravity);
     const double speed = cord.fastest();
-    calm_steps = speed < calm ? calm_steps + 1 : 0;
+    steps_at_rest = speed < rest_speed ? steps_at_rest + 1 : 0;
     if (speed < before) cord.stop();
     before = speed < before ? 0.0 : speed;
   }

@@ -18,7 +18,7 @@ Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support
   CoupledWorld world(method, plan.gravity);
   set_up(world);
   const std::vector<b2Body*> movers = movers_of(world.world);
-  world.calm(plan.calm_ticks);
+  world.settle(plan.calm_ticks);
   Recording recording;
   for (int tick = 0; tick < plan.ticks; ++tick) {
     const auto start = std::chrono::steady_clock::now();

@@ -16,7 +16,8 @@ void release(void* memory) {
 
 }  // namespace
 
-// The array forms call these. So does the nothrow form, but for AddressSanitizer's, whose memory is not free()'s.
+// The array forms call these. So does the nothrow form, except that of AddressSanitizer, whose memory is not for
+// free().
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
   ++allocations;
   return std::malloc(size == 0 ? 1 : size);

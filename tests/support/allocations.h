@@ -2,12 +2,12 @@
 
 namespace test_support {
 
-/// Counts calls of operator new in this program from its making on.
+/// Counts calls of operator new in this program since its construction.
 class AllocationCount {
  public:
   AllocationCount();
   long so_far() const;
-  /// By how many blocks more are held than then: what has been given back is not counted.
+  /// Returns the number of blocks allocated since then that are not yet freed.
   long held() const;
 
  private:

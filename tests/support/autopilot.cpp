@@ -9,10 +9,10 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double edge_of_start = 7.2;  // m, where it jumps off
-constexpr double landing = 27.5;       // m, where the ground begins again, and the hammock is not yet
+constexpr double edge_of_start = 7.2;  // m, where it jumps
+constexpr double landing = 27.5;       // m, on the ground before the hammock
 constexpr double landing_speed = 1.5;  // m/s
-constexpr double step_up = 39.6;       // m, where the way rises to the goal
+constexpr double step_up = 39.6;       // m, where the ground rises to the goal
 constexpr double let_go_angle = 0.62;  // horizontal part of the unit vector from the cord's top to the player
 constexpr double let_go_climb = 0.5;   // m/s, upwards, at least
 constexpr int most_ticks_on_cord = 900;
@@ -28,7 +28,7 @@ bool hangs_free(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId c
 
 }  // namespace
 
-const game::Level& first_swing() {
+const game::Level& first_swing_level() {
   static const game::Level level = game::load_level("first_swing");
   return level;
 }
@@ -64,7 +64,7 @@ std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
   if (!player.is_on_ground()) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const auto near = coupling.nearest_point(player.hand(), player.tuning().reach);
-    // Not the cord it has just left, which is the one within reach; and only cords that hang free.
+    // Not the cord that it has just left, which is still in range; and only cords with a free end.
     if (near && near->cord != last_cord_ && hangs_free(coupling, near->cord)) buttons |= game::button_grab;
   }
   return buttons;

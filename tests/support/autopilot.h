@@ -8,14 +8,14 @@
 namespace test_support {
 
 /// Returns the level first_swing, loaded once.
-const game::Level& first_swing();
+const game::Level& first_swing_level();
 
-/// Plays first_swing as a person would, from what is on screen: runs, jumps to the first cord, pumps, lets go on the
-/// way up, catches the next, lands before the hammock, and walks to the goal. It keeps recorded runs renewable when the
-/// physics changes.
+/// Plays first_swing by what is on screen: runs, jumps to the first cord, pumps, releases while rising, catches the
+/// next cord, lands before the hammock, and walks to the goal. With it recordings can be renewed when the physics
+/// changes.
 class Autopilot {
  public:
-  /// The buttons for the next tick.
+  /// Returns the buttons for the next tick.
   std::uint16_t buttons(const game::Simulation& simulation);
 
  private:

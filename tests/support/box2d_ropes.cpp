@@ -11,7 +11,7 @@ constexpr auto load_mass = static_cast<float>(heavy::load_mass);
 constexpr auto rope_length = static_cast<float>(heavy::length);
 const b2Vec2 gravity{0.0F, static_cast<float>(-heavy::gravity)};
 
-/// b2Rope tells where it is only by drawing itself.
+/// b2Rope gives its positions only by drawing itself.
 class PointCollector final : public b2Draw {
  public:
   explicit PointCollector(std::vector<b2Vec2>& points) : points_(points) {}
@@ -101,7 +101,7 @@ b2RopeTuning without_bending(b2StretchingModel model, float hertz) {
   tuning.stretchStiffness = 1.0F;
   tuning.stretchHertz = hertz;
   tuning.stretchDamping = 0.0F;
-  // None of the models that Box2D names: it then spends no time on bending.
+  // A value that is none of Box2D's models, so that it spends no time on bending.
   tuning.bendingModel = static_cast<b2BendingModel>(7);
   return tuning;
 }

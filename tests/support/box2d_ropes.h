@@ -7,15 +7,15 @@
 
 namespace test_support {
 
-/// The rope of the heavy_swing scene (tests/support/exact_chain.h) as Box2D's joints make it: rigid links without
-/// shapes, revolute joints between them, the load a body of its own. A link's moment of inertia is that of its mass at
-/// its two ends, so that the exact solution is that of the chain of points. Tried and left: bodies and joints in the
-/// reverse order (the same from 16 substeps on), a load that is part of the last link (0.89 instead of 0.94 m at 16
-/// substeps, worse at 64 and with the max-distance joint).
+/// The rope of the heavy_swing scene (tests/support/exact_chain.h) of Box2D's joints: rigid links without shapes,
+/// revolute joints between them, the load as a separate body. A link's moment of inertia is that of its mass at its two
+/// ends, so that the exact solution is that of the chain of points. Alternatives that are not used: bodies and joints
+/// in the reverse order (the same from 16 substeps on), a load that is part of the last link (0.89 instead of 0.94 m at
+/// 16 substeps, worse at 64 and with the max-distance joint).
 class Box2dChain {
  public:
   enum class Limit { none, max_distance };
-  /// `max_distance` adds a joint that keeps the load no further from the pin than the rope is long.
+  /// `max_distance` adds a joint that limits the distance of the load from the pin to the rope's length.
   explicit Box2dChain(Limit limit);
 
   void step(float dt, int velocity_iterations, int position_iterations) {
@@ -34,7 +34,7 @@ class Box2dChain {
   b2Body* load_ = nullptr;
 };
 
-/// The same rope as Box2D's own rope: point masses, position-based dynamics, stretch alone.
+/// The same rope as a b2Rope: point masses, position-based dynamics, stretch only.
 class Box2dRope {
  public:
   explicit Box2dRope(const b2RopeTuning& tuning);
@@ -46,7 +46,7 @@ class Box2dRope {
   b2Rope rope_;
 };
 
-/// Its tuning: stretch by `model`, neither damping nor bending. `hertz` is the stiffness of XPBD's stretch, as the
+/// Its tuning: stretch by `model`, without damping and bending. `hertz` is the stiffness of XPBD's stretch, as the
 /// frequency of two points on a link.
 b2RopeTuning without_bending(b2StretchingModel model, float hertz);
 

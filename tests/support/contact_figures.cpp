@@ -45,7 +45,7 @@ int side(Vec2 a, Vec2 b, Vec2 p) {
   return twice_area > 0.0 ? 1 : twice_area < 0.0 ? -1 : 0;
 }
 
-/// How far a and b are beyond `edge` along n, the nearer of them; below 0 if they are not.
+/// Returns how far the nearer one of a and b is beyond `edge` along n; negative if it is not beyond.
 double beyond(Vec2 n, Vec2 edge, Vec2 a, Vec2 b) { return std::min(dot(n, a - edge), dot(n, b - edge)); }
 
 double depth_in_circle(const b2CircleShape& circle, const b2Body& body, Vec2 a, Vec2 b) {
@@ -61,7 +61,7 @@ double depth_in_edge(const b2EdgeShape& edge, const b2Body& body, Vec2 a, Vec2 b
   return -std::min({ends, gap_between(c, a, b).distance, gap_between(d, a, b).distance});
 }
 
-/// Two convex shapes overlap by the least way along a normal of either that takes them apart (separating axes).
+/// Two convex shapes overlap by the least displacement along a normal of either that separates them (separating axes).
 double depth_in_polygon(const b2PolygonShape& polygon, const b2Body& body, Vec2 a, Vec2 b) {
   const Vec2 across = length(b - a) > 0.0 ? (1.0 / length(b - a)) * perp(b - a) : Vec2{0.0, 1.0};
   double least = std::numeric_limits<double>::infinity();

@@ -14,7 +14,7 @@ constexpr double pi = std::numbers::pi;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Links of equal length that sag evenly between two points at one height, from `a` on, `span` apart.
+/// Returns links of equal length that sag evenly between `a` and a point at the same height at the distance `span`.
 std::vector<Vec2> sagging(int points, double length, Vec2 a, double span) {
   const double link = length / (points - 1);
   const auto arc = [&](double half_angle) {
@@ -34,7 +34,7 @@ std::vector<Vec2> sagging(int points, double length, Vec2 a, double span) {
   return arc(high);
 }
 
-/// The rows of a ribbon beside a line, halves of `width` to either side: the second to its left.
+/// Returns two rows of a ribbon, at half of `width` to both sides of a line: the second one to its left.
 std::vector<Vec2> two_rows(const std::vector<Vec2>& line, double width) {
   std::vector<Vec2> both;
   for (std::size_t p = 0; p < line.size(); ++p) {
@@ -48,7 +48,7 @@ std::vector<Vec2> two_rows(const std::vector<Vec2>& line, double width) {
 
 constexpr double strip_width = 0.03;
 
-/// A cord along a line of equal links, or a ribbon: of rubber, E 1 MPa, 1 cm thick.
+/// A cord along a line of equal links, or a ribbon of rubber: E = 1 MPa, 1 cm thick.
 CordDef along(std::vector<Vec2> line, double link, int rows, double radius) {
   CordDef def;
   def.points = static_cast<int>(line.size());
@@ -105,7 +105,7 @@ b2Body& hang_bridge(CoupledWorld& world, double ratio, int settling) {
   world.add(def);
   const Vec2 middle = def.positions[20];
   b2Body& ball = world.add_circle(b2_dynamicBody, middle + Vec2{0.0, 0.28}, 0.25, 0.42 * ratio, 0.5);
-  world.calm(settling);
+  world.settle(settling);
   return ball;
 }
 
@@ -114,7 +114,7 @@ void wind_around_post(CoupledWorld& world, double angle, double friction) {
   def.radius = 0.01;
   def.friction = friction;
   const double reach = 0.5 + def.radius;
-  // Links touch the circle with their middles, and turn by the same angle from one to the next.
+  // The middles of the links touch the circle; the angle between links is constant.
   const int turning = static_cast<int>(std::lround(20.0 * angle / pi));
   const double half_turn = 0.5 * angle / turning;
   const double link = 2.0 * reach * std::tan(half_turn);
@@ -159,7 +159,7 @@ void hang_hall(CoupledWorld& world, unsigned seed) {
       world.add(def);
     }
   }
-  // Each between two rows of cords, and off the hanging ones.
+  // Each ball is between two rows of cords, beside the hanging ones.
   Dice dice(seed);
   for (int ball = 0; ball < 2 * side * side; ++ball) {
     const int column = ball % side;

@@ -15,7 +15,8 @@ using ribbon::Vec2;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
-/// J, without that of its springs, which as stiff as these hold next to none.
+/// Returns the energy of a cord of the thesis, J, without that of its springs, which is negligible for such
+/// stiffnesses.
 double energy_of(const ribbon::ThesisCord& cord, Vec2 gravity) {
   double sum = 0.0;
   for (std::size_t p = 0; p < cord.positions().size(); ++p) {
@@ -32,16 +33,16 @@ void slow_down(Cord& cord) {
   }
 }
 
-/// Where a cord without positions lies.
+/// Returns the default positions of a cord.
 std::vector<Vec2> laid_out(const ribbon::CordDef& def) {
   if (!def.positions.empty()) return def.positions;
   const ribbon::Cord cord(def);
   return {cord.positions().begin(), cord.positions().end()};
 }
 
-/// The same cord as the thesis makes it. Its springs are as stiff as give back their share of a link's error whatever
-/// the substeps: of stiffer ones, 0.9 and more, those across a cell make what meets circles hum, up to speeds of 100
-/// m/s.
+/// The same cord as a cord of the thesis. Its springs correct the same share of a link's error for any number of
+/// substeps. (With shares of 0.9 and more, the springs across a cell oscillate in contacts with circles, up to 100
+/// m/s.)
 ribbon::ThesisDef thesis_def(const ribbon::CordDef& def, const CordMethod& method) {
   const double inverse_substep = method.substeps / CoupledWorld::dt;
   ribbon::ThesisDef thesis;
@@ -170,10 +171,10 @@ void CoupledWorld::pull(int cord, int point, Vec2 force) {
   pulls_.push_back({cord, point, force});
 }
 
-void CoupledWorld::our_share() {
+void CoupledWorld::step_cords() {
   if (coupling.size() == 0) return;
   if (method_.thesis) pull_thesis_cords();
-  step_cords(coupling, world, dt);
+  test_support::step_cords(coupling, world, dt);
 }
 
 void CoupledWorld::pull_thesis_cords() {
@@ -246,7 +247,7 @@ double CoupledWorld::energy() const {
   }
   for (const Pull& pull : pulls_) {
     if (method_.thesis) sum -= dot(pull.force, points(pull.cord)[at(pull.point)]);
-    if (!method_.chain) continue;  // the cord's own energy has it
+    if (!method_.chain) continue;  // included in the cord's energy
     const Chain& chain = chains_[at(pull.cord)];
     sum -= dot(pull.force, to_double(chain.boxes.point(end_of(chain, pull.cord, pull.point))));
   }
@@ -268,7 +269,7 @@ double CoupledWorld::energy_scale() const {
   return force * longest;
 }
 
-void CoupledWorld::calm(int ticks) {
+void CoupledWorld::settle(int ticks) {
   damp_bodies(6.0F);
   for (int k = 0; k < ticks; ++k) {
     tick();

@@ -11,8 +11,8 @@
 
 namespace test_support {
 
-/// Watches the memory of a body that was destroyed, which its world keeps for the next one, while it lives: the test
-/// fails if anything writes there, and with the address sanitizer if anything reads there.
+/// Watches the memory of a destroyed body during its lifetime. (The world reuses that memory for the next body.) The
+/// test fails if anything writes there, and with the address sanitizer if anything reads there.
 class FreedBody {
  public:
   explicit FreedBody(const b2Body* body) : body_(body), before_(bytes()) {

@@ -7,7 +7,7 @@
 namespace test_support {
 
 /// A 10 m cord of 50 links and 1 kg with a load of 70 kg at its end, released at rest from the horizontal.
-/// `stiffness` is EA in N, infinity for a cord that does not stretch.
+/// `stiffness` is EA in N, infinity for an inextensible cord.
 ribbon::Cord heavy_swing(double stiffness, const ribbon::Accuracy& accuracy);
 
 struct HeavySwingRun {
@@ -17,7 +17,7 @@ struct HeavySwingRun {
   ribbon::CordReport report;       ///< summed over all ticks
 };
 
-/// Five seconds of it.
+/// Runs it for five seconds.
 HeavySwingRun run_heavy_swing(double stiffness, const ribbon::Accuracy& accuracy);
 
 /// The root of the mean square of the distances between two paths, m.

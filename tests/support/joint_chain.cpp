@@ -10,7 +10,7 @@ namespace {
 using ribbon::Vec2;
 using ribbon::box2d::to_float;
 
-/// A box's skin is half its thickness, for Box2D's own is a centimetre.
+/// A box's skin is half its thickness, because Box2D's own skin is a centimetre.
 void add_shape(b2Body& box, const ribbon::CordDef& def, double length, const b2Filter& filter) {
   const auto half_thickness = static_cast<float>(0.5 * def.radius);
   b2PolygonShape shape;
@@ -40,7 +40,7 @@ b2Body* make_box(b2World& world, const ribbon::CordDef& def, Vec2 a, Vec2 b, con
   return box;
 }
 
-/// Of neighbours in a row, at `place`.
+/// The definition of a joint between neighbours, at `place`.
 void join(b2World& world, b2Body* a, b2Body* b, b2Vec2 place, const ribbon::CordDef& def) {
   if (def.bending_stiffness == 0.0) {
     b2RevoluteJointDef joint;
@@ -57,7 +57,7 @@ void join(b2World& world, b2Body* a, b2Body* b, b2Vec2 place, const ribbon::Cord
   world.CreateJoint(&joint);
 }
 
-/// Whose members are open to it, as to any class that is derived from a joint's.
+/// A class derived from the joint, which has access to its protected members.
 template <typename Joint>
 struct Opened : Joint {
   static b2Vec2& first_anchor(Joint& joint) { return joint.*(&Opened::m_localAnchorA); }

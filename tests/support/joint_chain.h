@@ -8,25 +8,25 @@
 
 namespace test_support {
 
-/// A rope as Box2D's joints make it: a thin box for each link, as thick as the cord, with its friction, restitution and
-/// drag. Revolute joints hold them together; where the cord resists bending, soft weld joints, which are revolute ones
-/// with a spring of EI/l, damped as the cord is. A link's moment of inertia is that of its mass at its two ends, so
-/// that the exact motion is that of the cord's points. Its boxes live as long as the world.
+/// A rope of Box2D's joints: a thin box for each link, as thick as the cord, with its friction, restitution and drag.
+/// Revolute joints connect them; if the cord has bending stiffness, soft weld joints: revolute joints with a spring of
+/// EI/l and the cord's damping. A link's moment of inertia is that of its mass at its two ends, so that the exact
+/// motion is that of the cord's points. The boxes live as long as the world.
 class JointChain {
  public:
-  /// Where the definition's positions are. `filter` says what the boxes meet; neighbours never meet. What is pinned is
-  /// left to who holds it.
+  /// Creates the chain at the definition's positions. The boxes have `filter`; neighbours never collide. The caller
+  /// holds the pinned points.
   JointChain(b2World& world, const ribbon::CordDef& def, const b2Filter& filter);
 
-  /// One more than boxes.
+  /// Returns the number of boxes plus one.
   int points() const { return static_cast<int>(boxes_.size()) + 1; }
-  /// m, of point 0 … points() − 1: the front end of the first box, then all hind ends, so that joints that come apart
-  /// count as stretch.
+  /// Returns the position of point 0 … points() − 1, m: the front end of the first box, then all rear ends, so that
+  /// gaps of joints count as stretch.
   b2Vec2 point(int k) const;
-  /// The box that the point is an end of.
+  /// Returns the box with that point at its end.
   b2Body& box_of(int point) const { return *boxes_[index_of(point)]; }
 
-  /// Joins a body to a point of the chain, where both are: the body is the joint's first.
+  /// Joins a body to a point of the chain at their present positions: the body is the joint's body A.
   b2RevoluteJoint& hold(int point, b2Body& body) const;
 
  private:
@@ -37,8 +37,8 @@ class JointChain {
   std::vector<float> half_lengths_;  // m
 };
 
-/// Moves the place where a joint holds its first body, in the body's own frame. Box2D has no call for it, and a joint
-/// that is made anew forgets the impulses from which it starts the next step.
+/// Moves the local anchor of a joint on its body A. Box2D has no function for that, and a new joint would lose the
+/// impulses with which it starts the next step.
 void move_first_anchor(b2RevoluteJoint& joint, b2Vec2 local);
 void move_first_anchor(b2DistanceJoint& joint, b2Vec2 local);
 

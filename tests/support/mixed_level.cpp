@@ -8,9 +8,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double player_mass = 5.0;  // kg, what cords of the thesis's method carry without stretching much
+constexpr double player_mass = 5.0;  // kg, which cords of the thesis's method carry with little stretch
 
-/// A cord of the thesis's method with what this one has that both solvers know.
+/// A cord of the thesis's method with all properties of this one that both solvers have.
 json of_the_thesis(const json& properties) {
   json changed = json::array();
   for (const json& property : properties) {

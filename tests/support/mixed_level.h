@@ -6,8 +6,8 @@
 
 namespace test_support {
 
-/// The map of first_swing with its hanging cords moved by the thesis's solver, and a player whom they carry; its
-/// hammock stays with the direct one.
+/// The map of first_swing with the thesis's solver for its hanging cords and a player that they can carry; the hammock
+/// keeps the direct solver.
 std::string mixed_swing_map();
 game::Level mixed_swing();
 

@@ -13,13 +13,13 @@ using ribbon::Vec2;
 
 constexpr double gravity = 9.81;    // m/s²
 constexpr double span = 4.0;        // m, of the catenary
-constexpr double swing_out = 1e-4;  // m: ten times as much already makes the third mode a ten-thousandth slower
+constexpr double swing_out = 1e-4;  // m; ten times as much would make the third mode slower by 1e-4
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 Vec2 at(const Cord& cord, int point) { return cord.positions()[slot(point)]; }
 
-/// Rows of the two middle points of a column, the same one twice where rows are odd.
+/// Returns the rows of the two middle points of a column; the same one twice if the number of rows is odd.
 struct MiddleRows {
   int low, high;
 };
@@ -31,8 +31,8 @@ Vec2 middle(const Cord& cord, int column) {
   return 0.5 * (at(cord, cord.index(column, rows.low)) + at(cord, cord.index(column, rows.high)));
 }
 
-/// Of each point of the chain from the pin down. The k-th mass from below swings out as the Laguerre polynomial L_k at
-/// x = ω²·l/g: k·L_k = (2k − 1 − x)·L_{k−1} − (k − 1)·L_{k−2}.
+/// Returns the amplitudes of the points from the pin down. That of the k-th mass from below is the Laguerre polynomial
+/// L_k at x = ω²·l/g: k·L_k = (2k − 1 − x)·L_{k−1} − (k − 1)·L_{k−2}.
 std::array<double, hanging_masses + 1> mode_shape(int mode) {
   const double omega = hanging_frequencies[slot(mode)];
   const double x = omega * omega / hanging_masses;
@@ -54,7 +54,7 @@ void come_to_rest(Cord& cord, Vec2 g, int steps) {
   for (int k = 0; k < steps; ++k) cord.step(1.0, g);
 }
 
-/// A slack one starts as a V, so that none of its links is pushed together, a taut one straight.
+/// A slack cord starts as a V, so that no link is compressed; a taut one starts straight.
 CordDef hanging_between_pins(const Catenary& catenary, int links) {
   CordDef def;
   def.points = links + 1;
@@ -164,7 +164,7 @@ double measured_frequency(Cord& chain, int mode, int periods, double dt) {
     for (std::size_t p = 1; p < shape.size(); ++p) sum += shape[p] * values[p].x;
     return sum;
   };
-  const double omega = hanging_frequencies[slot(mode)] * std::sqrt(gravity);  // rad/s, to look back with
+  const double omega = hanging_frequencies[slot(mode)] * std::sqrt(gravity);  // rad/s, for the interpolation of zeros
   double before = of_mode(chain.positions());
   double first = 0.0;
   int zeros = 0;

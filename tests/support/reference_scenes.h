@@ -6,14 +6,14 @@
 
 namespace test_support {
 
-/// For cords at rest, where nothing but the solution counts.
+/// For cords at rest, where only the solution matters.
 inline ribbon::Accuracy tight() { return {ribbon::Integrator::tr_bdf2, 1, 12, 1e-11}; }
-/// Lets a cord come to rest: steps of a second are so strongly damped by an L-stable method that it soon has.
+/// Lets a cord come to rest, by steps of a second, which an L-stable method damps strongly.
 void come_to_rest(ribbon::Cord& cord, ribbon::Vec2 gravity, int steps = 3000);
 
 // --- catenary: a cord between two pins at equal heights
 
-/// A continuous one, by elliptic integrals and root finding.
+/// A continuous catenary, by elliptic integrals and root finding.
 struct Catenary {
   double slackness;  ///< rest length L / span D
   double give;       ///< weight / EA; 0 does not stretch
@@ -39,9 +39,11 @@ struct HangingShape {
 };
 
 ribbon::CordDef hanging_between_pins(const Catenary& catenary, int links);
-/// Once it has come to rest. The tension is the pin's force: of its link and of the half link that weighs on it alone.
+/// Returns the shape of a cord at rest. The tension is the force of the pin: that of its link plus the weight of half a
+/// link.
 HangingShape shape_of(const ribbon::Cord& cord);
-/// Of massless links between equal weights: the tangents of the links' angles grow evenly, tan θ_i = V_i / H.
+/// Returns the shape of massless links between equal weights: the tangents of the angles grow evenly, tan θ_i = V_i /
+/// H.
 HangingShape lumped_shape(const Catenary& catenary, int links);
 
 // --- cantilever: clamped at one end, a load across it at the other, no gravity
@@ -65,7 +67,7 @@ constexpr std::array<Cantilever, 5> cantilevers = {{
 /// wide and as stiff as a solid.
 ribbon::Cord clamped_beam(int columns, int rows, double width, const Cantilever& cantilever,
                           const ribbon::Accuracy& accuracy);
-/// Of the tip, at the middle of its last column, at rest: `inward` and `down`.
+/// Returns `inward` and `down` of the tip, at the middle of the last column, at rest.
 Cantilever bent(const ribbon::Cord& cord, double load);
 
 // --- hanging_modes: the small swings of ten equal masses on a massless chain of 1 m
@@ -74,14 +76,14 @@ constexpr int hanging_masses = 10;
 /// ω·√(L/g): ω² is g/l times the roots of the Laguerre polynomial of degree 10.
 constexpr std::array<double, 3> hanging_frequencies = {1.173855, 2.700842, 4.252462};
 
-/// Swung out by a tenth of a millimetre in a mode (0, 1, 2), at rest.
+/// A chain at rest, displaced by a tenth of a millimetre in a mode (0, 1, 2).
 ribbon::Cord swung_chain(int mode, const ribbon::Accuracy& accuracy);
-/// ω·√(L/g) of its swing, timed over `periods` from zero to zero, in steps of dt; 0 if it does not swing.
+/// Returns ω·√(L/g) of its swing, measured over `periods` between zeros, in steps of dt; 0 if it does not swing.
 double measured_frequency(ribbon::Cord& chain, int mode, int periods, double dt);
 
 // --- free_flight: a cord thrown so that every point has a velocity of its own
 
-/// Velocities up to `speed` m/s, not the same for any two points, and a heavy point in the middle.
+/// A cord whose points have different velocities up to `speed` m/s, and a heavy point in the middle.
 ribbon::Cord thrown(const ribbon::CordDef& def, double speed, double heavy_mass);
 ribbon::Vec2 momentum(const ribbon::Cord& cord);  ///< kg·m/s
 

@@ -25,7 +25,7 @@ bool line_is_held(const Simulation& simulation) {
   return simulation.player().line().state() == game::Line::State::held;
 }
 
-/// Of what the held cord hangs from, m.
+/// Returns the position that the held cord hangs from, m.
 Vec2 top_of_cord(const Simulation& simulation) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto held = coupling.held_by(simulation.player().body());

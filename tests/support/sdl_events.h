@@ -2,7 +2,7 @@
 
 #include "engine/window/window_input.h"
 
-/// A person at keyboard, mouse and gamepad, by way of SDL's queue of events.
+/// Events of keyboard, mouse and gamepad in SDL's queue.
 namespace test_support {
 
 void push_key(engine::Key key, bool down);
@@ -16,13 +16,13 @@ void push_focus_lost();
 /// A gamepad that is plugged in until the end of its scope.
 class VirtualPad {
  public:
-  /// SDL's video has to be open. Throws std::runtime_error if SDL cannot have one.
+  /// SDL's video must be open. Throws std::runtime_error if SDL cannot create one.
   VirtualPad();
   VirtualPad(const VirtualPad&) = delete;
   VirtualPad& operator=(const VirtualPad&) = delete;
   ~VirtualPad();
 
-  /// A trigger, or a stick's direction, goes all the way or to rest.
+  /// Moves a trigger or a stick's direction fully, or to rest.
   void press(engine::PadButton button, bool down);
 
  private:

@@ -10,8 +10,7 @@
 
 namespace test_support {
 
-/// A Box2D world of 60 ticks a second with cords in it, to put bodies of any shape into, which do not
-/// sleep.
+/// A Box2D world of 60 ticks per second with cords, and with bodies of any shape that do not sleep.
 struct ShapeWorld {
   explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(ribbon::box2d::to_float(gravity)) {}
 
@@ -22,7 +21,7 @@ struct ShapeWorld {
     for (int k = 0; k < times; ++k) tick();
   }
   b2Body* add_body(ribbon::Vec2 position, b2BodyType type = b2_dynamicBody);
-  /// A ball of this mass [kg].
+  /// Adds a ball of this mass [kg].
   b2Body* add_ball(ribbon::Vec2 position, double radius, double mass, double friction = 0.5);
   /// All of a tick but world.Step: gather, step and apply.
   void step_cords();

@@ -29,11 +29,11 @@ constexpr std::array<ThesisCondition, 4> thesis_conditions = {{
 
 void PrintTo(const ThesisCondition& condition, std::ostream* out);  // for GoogleTest
 
-/// The condition as SI values: spacing 5 cm, 2 g a point, and the stiffness that the printed coefficient k means at 8
-/// substeps, Ks = κm/(2δ²) with κ = k/(1 − k), whatever the substeps it is run at. Self-collision on.
+/// The condition in SI units: spacing 5 cm, 2 g per point, self-collision on. The stiffness is that of the printed
+/// coefficient k at 8 substeps, Ks = κm/(2δ²) with κ = k/(1 − k), for any number of substeps of the run.
 ribbon::ThesisDef thesis_def(const ThesisCondition& condition);
 
-/// The same, pinned by the points of its first column and hanging straight down from there.
+/// The same, pinned by its first column and hanging straight down.
 ribbon::ThesisDef hanging(const ThesisCondition& condition);
 
 double kinetic_energy(const ribbon::ThesisCord& cord);   ///< J

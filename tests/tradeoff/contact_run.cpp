@@ -152,7 +152,7 @@ Contestant contestant(const ContactContestant& how) {
           how.method.setting,
           points,
           how.goes_on ? std::function<void()>() : set_up,
-          [world] { (*world)->our_share(); },
+          [world] { (*world)->step_cords(); },
           [world, set_up, how] {
             set_up();
             return how.figures(**world);

@@ -19,7 +19,7 @@ bool is_below(const b2Body& ball, const CoupledWorld& world) {
 /// Ten seconds after it has come to rest: how far the ball goes from where it was, and the most that it moves in a tick
 /// of the last second.
 std::vector<double> figures(CoupledWorld& world) {
-  world.calm(1800);
+  world.settle(1800);
   const b2Body& ball = *world.world.GetBodyList();  // the last made is the first there
   const Vec2 start = ribbon::box2d::to_double(ball.GetPosition());
   Vec2 before = start;

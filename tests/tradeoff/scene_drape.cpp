@@ -53,7 +53,7 @@ std::vector<Contestant> contestants() {
                                    return with_speed(world, falling_bar);
                                  }}));
       list.push_back(contestant({method, setting + " at rest", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
-                                   world.calm(900);
+                                   world.settle(900);
                                    return with_speed(world, resting_bar);
                                  }}));
     }

@@ -70,7 +70,7 @@ TEST(CoupledWorld, AThesisCordHangsByItsPinOnCirclesThatItTouches) {
   EXPECT_GT(world.points(0)[5].y, 0.8);  // above the circle, which it would pass without contact
   EXPECT_LT(deepest, 0.01);
   EXPECT_LT(stretch(world, 0), 0.1);
-  world.calm(60);
+  world.settle(60);
   EXPECT_NEAR(length(world.coupling.cord(0).thesis().velocities()[10]), 0.0, 0.1);
 }
 

@@ -97,10 +97,10 @@ TEST(FlightRecorder, TakesNoMemoryInTicksThatAreAllRight) {
   conditions.max_speed = conditions.max_stretch = 1e6;
   FlightRecorder recorder(conditions, folder.prefix(), 5);
   world.coupling.watch(&recorder);
-  for (int k = 0; k < 3; ++k) world.our_share(), world.step_world();
+  for (int k = 0; k < 3; ++k) world.step_cords(), world.step_world();
   for (int k = 0; k < 30; ++k) {
     const test_support::AllocationCount count;
-    world.our_share();
+    world.step_cords();
     EXPECT_EQ(count.so_far(), 0) << "tick " << k;
     world.step_world();
   }

@@ -37,11 +37,11 @@ TEST(Workers, ASteadyTickTakesNoHeapMemory) {
     CoupledWorld world{test_support::CordMethod{}};
     test_support::hang_hall(world);
     world.coupling.use(workers.parallel_for());
-    world.calm(300);
+    world.settle(300);
     int touched = 0;
     for (int tick = 0; tick < 60; ++tick) {
       const test_support::AllocationCount allocations;
-      world.our_share();
+      world.step_cords();
       ASSERT_EQ(allocations.so_far(), 0) << count << " workers, tick " << tick;
       world.step_world();
       for (int c = 0; c < world.cords(); ++c) touched += world.coupling.cord(c).direct().touches().empty() ? 0 : 1;

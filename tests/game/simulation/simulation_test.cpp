@@ -15,14 +15,14 @@
 namespace game {
 namespace {
 
-using test_support::first_swing;
+using test_support::first_swing_level;
 
 /// Tests that hold for both solvers.
 class EitherLevel : public testing::TestWithParam<bool> {
  protected:
   static const Level& level() {
     static const Level mixed = test_support::mixed_swing();
-    return GetParam() ? mixed : first_swing();
+    return GetParam() ? mixed : first_swing_level();
   }
 };
 INSTANTIATE_TEST_SUITE_P(Simulation, EitherLevel, testing::Bool(),
@@ -37,7 +37,7 @@ engine::TickInput press(int buttons) {
 /// The inputs of the autopilot's winning run.
 const std::vector<engine::TickInput>& winning_inputs() {
   static const std::vector<engine::TickInput> inputs = [] {
-    Simulation simulation(first_swing());
+    Simulation simulation(first_swing_level());
     test_support::Autopilot autopilot;
     std::vector<engine::TickInput> recorded;
     while (!simulation.goal_ticks() && recorded.size() < 3600) {
@@ -51,7 +51,7 @@ const std::vector<engine::TickInput>& winning_inputs() {
 }
 
 TEST(Level, FirstSwingHasThreeCordsAndThreeLooseCircles) {
-  const Simulation simulation(first_swing());
+  const Simulation simulation(first_swing_level());
   EXPECT_GE(simulation.scene().coupling().size(), 3);
   int circles = 0;
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
@@ -66,7 +66,7 @@ TEST(Level, ThePlayerIsAsHeavyAsTheMapSays) {
   std::ofstream(path) << test_support::mixed_swing_map();
   const Level level = load_level(path);
   EXPECT_EQ(Simulation(level).player().body().GetMass(), 5.0F);
-  EXPECT_EQ(Simulation(first_swing()).player().body().GetMass(), 60.0F);
+  EXPECT_EQ(Simulation(first_swing_level()).player().body().GetMass(), 60.0F);
 }
 
 TEST_P(EitherLevel, CanBeWon) {
@@ -92,7 +92,7 @@ TEST_P(EitherLevel, SameBitsOfTheSameInputsDraggingAndRestartIncluded) {
 }
 
 TEST(Level, BallsRollFallAndAreCaughtByTheHammock) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   for (int k = 0; k < 600; ++k) simulation.tick({});
   int caught = 0;
   for (std::size_t b = 0; b < simulation.current().bodies.size(); ++b) {
@@ -111,7 +111,7 @@ struct AfterSomeTime {
 /// Runs the game's loop for nine seconds at a given frame rate; the inputs follow the clock.
 AfterSomeTime play_at(std::int64_t frames_per_second) {
   constexpr std::int64_t second = 1'000'000'000;  // ns
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   engine::FixedTick clock(ticks_per_second);
   for (std::int64_t frame = 0; frame < 9 * frames_per_second; ++frame) {
     int due = clock.advance((frame + 1) * second / frames_per_second - frame * second / frames_per_second);
@@ -132,8 +132,8 @@ TEST(SimulationSameBits, At20And60And144FramesASecond) {
 }
 
 TEST(SimulationSameBits, RestartBeginsTheVerySameRun) {
-  Simulation fresh(first_swing());
-  Simulation restarted(first_swing());
+  Simulation fresh(first_swing_level());
+  Simulation restarted(first_swing_level());
   for (int k = 0; k < 100; ++k) restarted.tick(press(button_right));
   restarted.tick(press(button_restart | button_right));
   fresh.tick(press(button_right));
@@ -150,20 +150,20 @@ TEST(SimulationSameBits, RestartBeginsTheVerySameRun) {
 }
 
 TEST(Simulation, HoldingRestartRestartsOnce) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   for (int k = 0; k < 10; ++k) simulation.tick(press(button_restart));
   EXPECT_EQ(simulation.run_ticks(), 10);
 }
 
 TEST(Simulation, AFallReturnsThePlayerToTheStart) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   for (int k = 0; k < 240 && simulation.falls() == 0; ++k) simulation.tick(press(button_right));
   EXPECT_EQ(simulation.falls(), 1);
-  EXPECT_NEAR(simulation.player().position().x, first_swing().player_start.x, 0.2);
+  EXPECT_NEAR(simulation.player().position().x, first_swing_level().player_start.x, 0.2);
 }
 
 Level first_swing_without_falls() {
-  Level level = first_swing();
+  Level level = first_swing_level();
   level.assists.no_fall = true;
   return level;
 }
@@ -201,7 +201,7 @@ TEST(NoFall, ARestartForgetsTheLastFooting) {
 TEST(NoFall, AReplayDeclaresItAndNothingElseTakesIt) {
   const Level level = first_swing_without_falls();
   const engine::ReplayHeader header = Simulation::replay_header(level);
-  Level other = first_swing();
+  Level other = first_swing_level();
   EXPECT_THROW(engine::check_header(header, Simulation::replay_header(other)), engine::ReplayError);
   Simulation::take_assists(other, header);
   EXPECT_TRUE(other.assists.no_fall);
@@ -233,7 +233,7 @@ TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
 }
 
 TEST(Simulation, ThePointerDragsACordNoFurtherThanItsLength) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto fastest = [&] {
     double most = 0.0;
@@ -260,7 +260,7 @@ TEST(Simulation, ThePointerDragsACordNoFurtherThanItsLength) {
 // --------------------------------------------------------------------------------------------------------
 
 TEST(Player, RunsUpToTheMaximumSpeedAndStops) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   for (int k = 0; k < 40; ++k) simulation.tick(press(button_right));
   EXPECT_NEAR(static_cast<double>(simulation.player().body().GetLinearVelocity().x), 6.0, 1e-3);
   for (int k = 0; k < 20; ++k) simulation.tick({});
@@ -268,7 +268,7 @@ TEST(Player, RunsUpToTheMaximumSpeedAndStops) {
 }
 
 TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   for (int k = 0; k < 10; ++k) simulation.tick({});
   const double ground = simulation.player().position().y;
   double highest = ground;

@@ -14,7 +14,7 @@
 namespace game {
 namespace {
 
-using test_support::first_swing;
+using test_support::first_swing_level;
 
 /// A player above a floor, and a ball of 16 kg that falls on the floor; heights are in m above the floor.
 Level drop(double player_height, double ball_height = 1.0, double ball_x = 14.0) {
@@ -93,7 +93,7 @@ Heard winning_run(Ear& ear, Simulation& simulation) {
 
 TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
   Ear ear;
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   const Heard heard = winning_run(ear, simulation);
   EXPECT_EQ(heard.count(Noise::goal), 1);
   EXPECT_GE(heard.count(Noise::catches), 2);
@@ -174,7 +174,7 @@ TEST(Ear, ALineIsHeardWhenThrownAttachedAndReeled) {
 TEST(Ear, ACheckpointIsHeardOnce) { EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1); }
 
 TEST(Ear, ARestartIsNotHeardAsAFallAThudOrARelease) {
-  Simulation simulation(first_swing());
+  Simulation simulation(first_swing_level());
   Ear ear;
   const engine::Replay golden = engine::load_replay(test_support::golden());
   for (const auto& tick : golden.ticks) {
@@ -191,8 +191,8 @@ TEST(Ear, ARestartIsNotHeardAsAFallAThudOrARelease) {
 
 TEST(Ear, TheSameRunIsHeardTheSameAgain) {
   Ear ear;
-  Simulation first(first_swing());
-  Simulation second(first_swing());
+  Simulation first(first_swing_level());
+  Simulation second(first_swing_level());
   const Heard once = winning_run(ear, first);
   Ear other;
   const Heard again = winning_run(other, second);

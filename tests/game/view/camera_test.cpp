@@ -109,7 +109,7 @@ TEST(Camera, MovesSmoothly) {
 }
 
 TEST(Camera, ShakesOnAHardLandingOnly) {
-  const auto shaken = [](double impact, bool calm) {
+  const auto shaken = [](double impact, bool reduced) {
     Camera still(level);
     Camera camera(level);
     CameraSubject subject = at({24.0, 9.0});
@@ -121,10 +121,11 @@ TEST(Camera, ShakesOnAHardLandingOnly) {
       subject.impact = impact;
       camera.tick(subject);
       still.tick(at({24.0, 9.0}));
-      most = std::max(
-          most, length(camera.view(1.0, width, height, calm).center - still.view(1.0, width, height, calm).center));
+      most = std::max(most, length(camera.view(1.0, width, height, reduced).center -
+                                   still.view(1.0, width, height, reduced).center));
     }
-    EXPECT_LT(length(camera.view(1.0, width, height, calm).center - still.view(1.0, width, height, calm).center), 0.01);
+    EXPECT_LT(length(camera.view(1.0, width, height, reduced).center - still.view(1.0, width, height, reduced).center),
+              0.01);
     return most;
   };
   EXPECT_GT(shaken(14.0, false), 0.03);

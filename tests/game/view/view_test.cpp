@@ -144,10 +144,10 @@ std::vector<std::uint32_t> picture(const ViewOptions& options, int ticks, int fr
 }
 
 TEST(View, TwoRunsGiveTheSamePictures) {
-  for (const bool calm : {false, true}) {
+  for (const bool reduced : {false, true}) {
     ViewOptions options;
-    options.reduced_motion = calm;
-    options.strain_tint = calm;
+    options.reduced_motion = reduced;
+    options.strain_tint = reduced;
     EXPECT_EQ(picture(options, 120, 2), picture(options, 120, 2));
   }
 }

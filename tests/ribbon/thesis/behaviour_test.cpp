@@ -110,13 +110,13 @@ TEST_P(LongConditions, YankedAboutWithoutGravityEveryLengthComesBack) {
 }
 
 /// Returns the largest |length ratio − 1| between the same connections of two cords.
-double worst_difference(const ThesisCord& cord, const ThesisCord& calm) {
+double worst_difference(const ThesisCord& cord, const ThesisCord& undisturbed) {
   double worst = 0.0;
   for (const Connection& bar : cord.mesh().connections) {
     const auto a = static_cast<std::size_t>(bar.a);
     const auto b = static_cast<std::size_t>(bar.b);
     const double now = length(cord.positions()[b] - cord.positions()[a]);
-    const double then = length(calm.positions()[b] - calm.positions()[a]);
+    const double then = length(undisturbed.positions()[b] - undisturbed.positions()[a]);
     worst = std::max(worst, std::abs(now / then - 1.0));
   }
   return worst;
@@ -124,8 +124,8 @@ double worst_difference(const ThesisCord& cord, const ThesisCord& calm) {
 
 /// Under gravity the material stretches: every length returns to that of a cord that was never dragged.
 TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
-  ThesisCord calm(test_support::hanging(GetParam()));
-  for (int frame = 0; frame < 3'000; ++frame) calm.step(frame_dt, earth_gravity);
+  ThesisCord undisturbed(test_support::hanging(GetParam()));
+  for (int frame = 0; frame < 3'000; ++frame) undisturbed.step(frame_dt, earth_gravity);
   double worst = 0.0;
   for (const unsigned seed : yank_seeds) {
     ThesisCord cord(test_support::hanging(GetParam()));
@@ -133,11 +133,11 @@ TEST_P(LongConditions, YankedAboutUnderGravityItHangsAsBefore) {
     EXPECT_TRUE(result.finite);
     EXPECT_LT(result.most_energy, plausible_energy(cord));
     EXPECT_EQ(test_support::inverted_triangles(cord), 0);
-    worst = std::max(worst, worst_difference(cord, calm));
+    worst = std::max(worst, worst_difference(cord, undisturbed));
   }
   EXPECT_LT(worst, 0.03);
   RecordProperty("worst_length_against_calm", std::to_string(worst));
-  RecordProperty("calm_length_ratio", std::to_string(test_support::length_ratio(calm)));
+  RecordProperty("undisturbed_length_ratio", std::to_string(test_support::length_ratio(undisturbed)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Thesis, LongConditions, testing::ValuesIn(thesis_conditions),
