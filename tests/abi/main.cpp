@@ -1,5 +1,5 @@
-// Somebody's program that uses Eigen its own way, compiled with flags of its own, against the libraries as they are
-// built here: what it is handed has to be laid out as it takes it to be, and the cords have to run as ever.
+// A user's program with other compiler flags and its own use of Eigen, linked with the libraries as they are built
+// here. The layout of all types at the interface must agree, and the cords must have the same bits.
 
 #include <Eigen/Dense>
 #include <cstdio>

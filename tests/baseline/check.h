@@ -7,12 +7,12 @@
 
 namespace baseline {
 
-/// Counts the work of the scenes and of all recorded runs and prints how it differs from the table's; 1 if any is
-/// worse, 0 otherwise. Throws std::runtime_error for a table that cannot be read, or a run that goes otherwise than
-/// recorded.
+/// Counts the work of the scenes and of all recorded runs, and prints the differences from the table. Returns 1 if any
+/// row is worse, 0 otherwise. Throws std::runtime_error for a table that cannot be read, or a run that differs from its
+/// recording.
 int check(const std::vector<tradeoff::Scene>& scenes, const std::filesystem::path& table);
 
-/// Writes the table anew, as it is counted now. Throws std::runtime_error as check does, or if it cannot be written.
+/// Rewrites the table with the present counts. Throws std::runtime_error as check does, or if it cannot be written.
 void accept(const std::vector<tradeoff::Scene>& scenes, const std::filesystem::path& table);
 
 }  // namespace baseline

@@ -19,13 +19,13 @@ std::string grouped(std::int64_t value) {
   return text;
 }
 
-/// By how much it is more, as a share of what it was, in percent.
+/// Returns the increase in percent of the previous value.
 double percent_more(std::int64_t now, std::int64_t before) {
   if (now == before) return 0.0;
   return 100.0 * (static_cast<double>(now) / static_cast<double>(before) - 1.0);
 }
 
-/// 12 % more; of no work before that is without bounds.
+/// "12 % more"; without a number if there was no work before.
 std::string in_words(double percent) {
   if (std::isinf(percent)) return "more than none";
   return study::significant(std::abs(percent), 3) + (percent > 0.0 ? " % more" : " % less");

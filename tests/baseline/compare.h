@@ -7,13 +7,13 @@
 
 namespace baseline {
 
-/// How much more work than the baseline's is taken: in all ticks, and in the tick that takes the most.
+/// The accepted increase of work over the baseline: in all ticks, and in the tick with the maximum.
 inline constexpr double allowed_percent = 5.0;
 
-/// What differs, a sentence each.
+/// The differences, one sentence each.
 struct Comparison {
-  std::vector<std::string> worse;   ///< more work than is allowed; other ticks; rows that only one of both has
-  std::vector<std::string> better;  ///< less work, by as much as more would not be allowed
+  std::vector<std::string> worse;   ///< more work than accepted; other number of ticks; missing and new rows
+  std::vector<std::string> better;  ///< less work, by more than the accepted increase
 };
 
 Comparison compare(const std::vector<Row>& baseline, const std::vector<Row>& counted);

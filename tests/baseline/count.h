@@ -9,15 +9,16 @@
 
 namespace baseline {
 
-/// The rows of a scene: of its contestants that count work, over the ticks that it times, or its counted_ticks, from
-/// where it times them. One row of those that have one name.
+/// Returns the rows of a scene: of its contestants that count work, over the timed ticks, or over counted_ticks from
+/// the first timed one. Contestants with the same name have one row.
 std::vector<Row> count(const tradeoff::Scene& scene);
 
-/// A recorded run, all of it: the cords of its level that the direct solver solves. Throws std::runtime_error if it
-/// goes otherwise than it was recorded.
+/// Returns the row of a whole recorded run, for the cords of the direct solver. Throws std::runtime_error if the run
+/// differs from its recording.
 Row count_run(const std::filesystem::path& replay);
 
-/// The scenes, then the recorded runs in the assets, by name. `progress` is told the share done, 0 … 1.
+/// Returns the rows of the scenes, then those of the recorded runs in the assets by name. Calls `progress` with the
+/// share done, 0 … 1.
 std::vector<Row> count_all(const std::vector<tradeoff::Scene>& scenes, const std::function<void(double)>& progress);
 
 }  // namespace baseline

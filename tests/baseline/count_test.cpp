@@ -14,7 +14,7 @@ namespace {
 using tradeoff::Contestant;
 using tradeoff::Scene;
 
-/// Does 1 in its first tick since it was put back, 2 in its second and so on, with 100 more in its 4th.
+/// Counts work 1 in the first tick after a reset, 2 in the second and so on, with 100 more in the fourth.
 Contestant worker(const std::string& setting, bool goes_on) {
   const auto tick = std::make_shared<int>(0);
   Contestant out;

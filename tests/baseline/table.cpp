@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view header = "scene,method,setting,points,ticks,work,worst_tick";
 constexpr std::size_t columns = 7;
 
-/// A line of a file, for what is said of it.
+/// A line of a file, for messages.
 struct Line {
   const std::filesystem::path& path;
   int number;

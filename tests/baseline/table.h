@@ -7,29 +7,29 @@
 
 namespace baseline {
 
-/// The work of a run, in a unit that is the same on every machine: CordReport::work.
+/// The work of a run by CordReport::work, which is the same on every machine.
 struct Row {
   std::string scene;    ///< or the level of a recorded run
   std::string method;   ///< cord, held, recorded run
-  std::string setting;  ///< balanced; what it simulates behind it, if the scene has several such; may be empty
+  std::string setting;  ///< balanced; followed by what is simulated if the scene has variants; may be empty
   int points = 0;       ///< of all cords; of a recorded run those at its start
   int ticks = 0;
   std::int64_t work = 0;        ///< of all ticks
-  std::int64_t worst_tick = 0;  ///< of the tick that takes the most
+  std::int64_t worst_tick = 0;  ///< maximum of a tick
 
   bool operator==(const Row&) const = default;
 };
 
-/// What tells it from others: strips cord fast meeting each other, 9900 points.
+/// Returns the unique name of a row: strips cord fast meeting each other, 9900 points.
 std::string name(const Row& row);
 
-/// A header and a line a row, in their order.
+/// Returns a header and a line per row, in their order.
 std::string to_csv(const std::vector<Row>& rows);
 
-/// Throws std::runtime_error for what to_csv has not written, or a row that is there twice: file, line, what is
+/// Throws std::runtime_error for text that is not from to_csv, or a duplicate row, with file, line and what is
 /// accepted.
 std::vector<Row> read_table(const std::filesystem::path& path);
-/// Throws std::runtime_error if it cannot.
+/// Throws std::runtime_error if it cannot be written.
 void write_table(const std::filesystem::path& path, const std::vector<Row>& rows);
 
 }  // namespace baseline

@@ -12,7 +12,7 @@ namespace {
 
 const std::string header = "scene,method,setting,points,ticks,work,worst_tick\n";
 
-/// A file with this in it; named by its test, for tests run side by side.
+/// Writes a file with this text; its name contains that of the test, so that tests can run at the same time.
 std::filesystem::path file_with(const std::string& text) {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("baseline_" + test + ".csv");

@@ -48,7 +48,7 @@ b2Body& add_box(BitWorld& scene, Vec2 position, float half_width, float half_hei
   return add_body(scene, box, position, type);
 }
 
-/// Who only holds cords.
+/// Adds a body that only holds cords.
 b2Body& add_holder(BitWorld& scene, Vec2 position, double radius) {
   b2Body& body = add_circle(scene, position, radius);
   b2Filter none;
@@ -59,7 +59,7 @@ b2Body& add_holder(BitWorld& scene, Vec2 position, double radius) {
 
 // --- cords -----------------------------------------------------------------------------------------------------------
 
-/// `points` on a straight line from `from` on, `step` apart, `rows` of them across.
+/// A cord of `points` columns on a straight line from `from` with the distance `step`, and `rows` rows across.
 CordDef line(Vec2 from, Vec2 step, int points, int rows = 1, double width = 0.0) {
   CordDef def;
   def.points = points;
@@ -82,7 +82,8 @@ CordDef strip(Vec2 from, Vec2 step, int points, int rows, double width) {
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 
-/// Bars alone, eliminated point by point: inextensible, elastic and damped, light and heavy loads, a reel, a hand.
+/// Bars only, eliminated point by point: inextensible, elastic and damped, light and heavy loads, a reel, a dragged
+/// point.
 void build_ropes(BitWorld& scene) {
   CordDef stiff = line({0.0, 0.0}, {0.2, 0.0}, 31);
   stiff.pins = {0};
@@ -151,7 +152,7 @@ void build_contacts(BitWorld& scene) {
   bridge.pins = {0, 40};
   for (std::size_t p = 0; p <= 40; ++p) {
     const double x = 0.1 * static_cast<double>(p) - 2.0;
-    bridge.positions[p] = {x, 0.05 * x * x};  // its links do not fit, and are drawn together in the first tick
+    bridge.positions[p] = {x, 0.05 * x * x};  // its links are too long, and contract in the first tick
   }
   scene.coupling.add(Cord(bridge));
   CordDef falling = line({-1.5, 1.5}, {0.1, 0.02}, 31);
@@ -168,8 +169,8 @@ void build_contacts(BitWorld& scene) {
   add_circle(scene, {0.9, -1.2}, 0.15, b2_kinematicBody).SetLinearVelocity({-0.3F, 0.1F});
 }
 
-/// Bodies that hold: one by one, between two points, several grips of one, two cords on one, climbing, slipping, torn
-/// off and let go; on ropes and a ribbon, one of them over a post.
+/// Bodies that hold: single ones, between two points, with several grips, on two cords, climbing, slipping, torn off
+/// and released; on ropes and a ribbon, one of them over a post.
 void build_grips(BitWorld& scene) {
   CordDef rope = line({0.0, 0.0}, {0.0, -0.2}, 26);
   rope.pins = {0};
@@ -195,7 +196,7 @@ void build_grips(BitWorld& scene) {
   add_circle(scene, {5.6, -1.0}, 0.3, b2_staticBody);
 }
 
-/// Moves a grip to a point of another cord. Only a changed state can do that: a body that holds again gets a new grip.
+/// Moves a grip to a point of another cord. Only a changed state can do that: a body that takes hold gets a new grip.
 void move_to_cord(BitWorld& scene, ribbon::box2d::GripId grip, ribbon::box2d::CordId cord, int point) {
   Coupling::State state = scene.coupling.save(scene.world);
   for (Coupling::State::Grip& held : state.grips) {
@@ -240,8 +241,8 @@ void build_self_contact(BitWorld& scene) {
   add_box(scene, {0.9, 0.5}, 0.1F, 0.8F, b2_staticBody);
 }
 
-/// The thesis's method with everything that it has, beside a cord of the direct solver: circles, a holder of each and
-/// one that a hand drags.
+/// The thesis's method with all its features, beside a cord of the direct solver: circles, a holder of each cord, and a
+/// dragged point.
 void build_thesis(BitWorld& scene) {
   for (int k = 0; k < 2; ++k) {
     ribbon::ThesisDef def;
@@ -273,8 +274,8 @@ void drive_thesis(BitWorld& scene, int tick) {
   if (tick == 90) scene.coupling.cord(1).free(0);
 }
 
-/// What no step resolves: a hand that yanks, another that pulls further than the cord is long, a whip, a load that
-/// comes and goes, cords let fall on what is inside them. The guards, searches, fallbacks and halvings.
+/// Motions that a step cannot resolve: a point that is yanked, one that is dragged beyond the cord's length, a whip, a
+/// load that is added and removed, cords that start with penetration. They need guards, searches, fallbacks, halvings.
 void build_rough(BitWorld& scene) {
   CordDef yanked = line({0.0, 0.0}, {0.1, 0.0}, 21);
   CordDef elastic = line({0.0, 1.0}, {0.1, 0.0}, 21);
@@ -285,7 +286,7 @@ void build_rough(BitWorld& scene) {
   ribbon.pins = {0};
   for (const CordDef& def : {yanked, elastic, ribbon}) scene.coupling.add(Cord(def));
   add_circle(scene, {1.02, -0.1}, 0.12, b2_staticBody);
-  add_circle(scene, {0.5, 1.0}, 0.1);  // born on the cord
+  add_circle(scene, {0.5, 1.0}, 0.1);  // starts on the cord
 }
 
 void drive_rough(BitWorld& scene, int tick) {
@@ -300,7 +301,7 @@ void drive_rough(BitWorld& scene, int tick) {
   if (tick % 30 == 10) coupling.cord(2).direct().set_velocity(35, {60.0 * back_and_forth, 80.0});
 }
 
-/// A lamp on a rope and a ball in a hammock, which fall asleep and are woken: by a blow, a reel, a hammock that goes.
+/// A lamp on a rope and a ball in a hammock fall asleep and are woken: by an impact, a reel, a removed hammock.
 void build_asleep(BitWorld& scene) {
   CordDef rope = line({0.0, 0.0}, {0.0, -0.1}, 21);
   rope.pins = {0};

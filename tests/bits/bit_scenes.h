@@ -9,8 +9,8 @@
 
 #include "ribbon/box2d/coupling.h"
 
-// Small worlds that between them take every way through the solvers, made of numbers that are the same everywhere: no
-// function of the C library but √ has a part in them.
+// Small worlds that together use every path of the solvers. Their numbers are the same everywhere: of the C library
+// they use no function but √.
 
 namespace bits {
 
@@ -22,7 +22,7 @@ struct BitWorld {
   ribbon::box2d::Coupling coupling;
 };
 
-/// What is done to a world before each tick.
+/// A scene: initial state, and changes before each tick.
 struct BitScene {
   std::string_view name;
   void (*build)(BitWorld&);
@@ -34,16 +34,16 @@ void PrintTo(const BitScene& scene, std::ostream* out);  // for GoogleTest
 
 std::span<const BitScene> bit_scenes();
 
-/// The n-th body that was made, from 0.
+/// Returns the n-th created body, from 0.
 b2Body& body(b2World& world, int n);
 
-/// One tick: drive, cords, world.
+/// Runs one tick: drive, cords, world.
 void tick(const BitScene& scene, BitWorld& world, int number);
 
-/// Of every bit of the coupling's state and of the bodies'.
+/// Returns the hash of all bits of the coupling's state and of the bodies.
 std::uint64_t hash_of(const ribbon::box2d::Coupling& coupling, const b2World& world);
 
-/// Of all of a scene's ticks.
+/// Returns the hash of all ticks of a scene.
 std::uint64_t hash_of_run(const BitScene& scene);
 
 }  // namespace bits

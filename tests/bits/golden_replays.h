@@ -26,12 +26,12 @@ inline std::vector<std::string> golden_replays() {
   return paths;
 }
 
-/// Of a test of each.
+/// The test name of each.
 inline std::string name_of_replay(const testing::TestParamInfo<std::string>& replay) {
   return std::filesystem::path(replay.param).stem().string();
 }
 
-/// A recorded run and its level, which agree.
+/// A recorded run and the level that it was recorded with.
 struct GoldenRun {
   explicit GoldenRun(const std::string& path)
       : replay(engine::load_replay(path)), level(game::load_level(replay.header.level)) {

@@ -11,7 +11,7 @@
 #include "tests/bits/bit_scenes.h"
 #include "tests/bits/golden_replays.h"
 
-// One hash a golden replay, whoever plays it.
+// Each golden replay has one hash, with any loop around it.
 
 namespace bits {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 class SameBitsReplay : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Golden, SameBitsReplay, testing::ValuesIn(golden_replays()), name_of_replay);
 
-/// The hash that it ends with, or why it does not verify.
+/// Returns the final hash, or why the replay does not verify.
 std::string played(const GoldenRun& run) {
   game::Simulation simulation(run.level);
   engine::ReplayVerifier verifier(run.replay);
@@ -47,7 +47,7 @@ TEST_P(SameBitsReplay, RepeatedlyAndInThreads) {
   }
 }
 
-/// The game's loop at a frame rate: each tick against the recorded one, drawn in between as the game does.
+/// Runs the game's loop at a frame rate, with drawing between ticks, and compares each tick with the recorded one.
 std::string played_at(const GoldenRun& run, std::int64_t frames_per_second) {
   constexpr std::int64_t second = 1'000'000'000;  // ns
   game::Simulation simulation(run.level);
@@ -69,7 +69,7 @@ TEST_P(SameBitsReplay, At20And60And144FramesASecond) {
   for (const int rate : {20, 60, 144}) EXPECT_EQ(played_at(run, rate), wanted(run)) << rate << " frames a second";
 }
 
-/// Everything once, in few seconds: what tests/bits/build compares builds by, in one line.
+/// One hash of everything, in a few seconds: tests/bits/build compares builds by this line.
 TEST(SameBitsAll, ScenesAndReplaysHaveOneHash) {
   ribbon::box2d::Hasher all;
   for (const BitScene& scene : bit_scenes()) {

@@ -10,14 +10,14 @@
 #include "tests/bits/bit_scenes.h"
 #include "tests/bits/golden_replays.h"
 
-// Save, step, restore, step again. Box2D's world has no state to take, so that there are two ways here: another world,
-// alike and at the same tick, whose coupling has been spoilt before; and the same world, whose bodies are put back to
-// where they were recorded to be.
+// Save, step, restore, step again. The state of a Box2D world cannot be saved, so there are two kinds of tests: with an
+// equal world at the same tick, whose coupling was changed before; and with the same world, whose bodies are set to
+// their recorded state.
 
 namespace bits {
 namespace {
 
-constexpr int together = 4;  // ticks that are held against each other after a restore
+constexpr int together = 4;  // ticks that are compared after a restore
 
 struct Velocity {
   b2Vec2 linear;
@@ -32,7 +32,7 @@ std::vector<Velocity> velocities_of(b2World& world) {
   return velocities;
 }
 
-/// Those that are other alone, for who is set a velocity is kept from falling asleep.
+/// Sets only velocities that differ, because setting a velocity keeps a body awake.
 void set_velocities(b2World& world, const std::vector<Velocity>& velocities) {
   auto before = velocities.begin();
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++before) {
@@ -41,8 +41,8 @@ void set_velocities(b2World& world, const std::vector<Velocity>& velocities) {
   }
 }
 
-/// Leaves nothing of a coupling as it was, but the world: it goes on from what it was long before, and then some ticks
-/// in which nothing else moves.
+/// Changes all of a coupling but not the world: restores a much older state, then runs some ticks in which nothing else
+/// moves.
 void spoil(ribbon::box2d::Coupling& coupling, b2World& world, const ribbon::box2d::Coupling::State& long_before) {
   const std::vector<Velocity> velocities = velocities_of(world);
   coupling.restore(long_before, world);
@@ -71,7 +71,7 @@ TEST_P(Restored, SavedIsWhatComesBack) {
   EXPECT_TRUE(world.coupling.save(world.world) == state);
 }
 
-/// Twins of a world, each of which is spoilt and restored in its turn, so that every tick is one that is restored at.
+/// Two equal worlds. They are changed and restored alternately, so that every tick follows a restore.
 TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
   const BitScene& scene = GetParam();
   BitWorld world;
@@ -107,7 +107,7 @@ TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
   ribbon::box2d::Coupling::State long_before = simulation.scene().coupling().save(simulation.scene().world());
   for (std::size_t k = 0; k < run.replay.ticks.size(); ++k) {
     const ribbon::box2d::Coupling::State state = simulation.scene().coupling().save(simulation.scene().world());
-    // Restored are cords that are there: where one comes into being or goes, what was before it is of no use.
+    // A state can only be restored with the same cords: after a cord is added or removed, older states are useless.
     if (state.cords.size() != long_before.cords.size()) long_before = state;
     engine::Scene& twin = twins[k % together]->scene();
     spoil(twin.coupling(), twin.world(), long_before);
@@ -125,7 +125,7 @@ TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
   }
 }
 
-/// What a coupling meets in a tick, recorded: its world stands in for one that goes on.
+/// The recorded surroundings of a coupling in a tick, which replace a running world.
 struct Frame {
   struct Body {
     b2Vec2 position;
@@ -154,7 +154,7 @@ std::vector<Frame> record(const GoldenRun& run) {
   return frames;
 }
 
-/// The level's cords in a world of which every tick is set, the player's hand with it.
+/// The level's cords in a world whose bodies, and the player's grip, are set in every tick.
 class Stand {
  public:
   explicit Stand(const game::Level& level) : scene_(level.make_scene()), player_(scene_->world(), level.player_start) {}
@@ -190,7 +190,7 @@ class Stand {
   game::Player player_;
 };
 
-/// The stand holds cords at points, so that it can follow runs in which nobody climbs or touches much.
+/// This test holds cords only at points, so that it can follow runs with little climbing and few contacts.
 TEST(RestoredRun, InItsOwnWorldAtEveryTickItStepsAgainToTheSameBits) {
   const GoldenRun run(game::assets_folder() + "/replays/first_swing.replay");
   const std::vector<Frame> frames = record(run);

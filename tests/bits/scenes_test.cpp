@@ -7,7 +7,7 @@
 #include "ribbon/box2d/state_hash.h"
 #include "tests/bits/bit_scenes.h"
 
-// The same bits of every scene: of any compiler and machine, again and again, and in threads.
+// The bits of every scene are the same with any compiler and machine, in repeated runs, and in threads.
 
 namespace bits {
 namespace {
@@ -16,13 +16,13 @@ class SameBits : public testing::TestWithParam<BitScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bit_scenes().begin(), bit_scenes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-/// A change of a method changes these: take over what the test prints, once the change is understood.
+/// A change of a method changes these. Once the change is understood, copy what the test prints.
 TEST_P(SameBits, OnEveryCompilerAndMachine) {
   EXPECT_EQ("0x" + ribbon::box2d::to_hex(hash_of_run(GetParam())), "0x" + ribbon::box2d::to_hex(GetParam().golden));
 }
 
-/// Again and again: all scenes in each of several threads, every thread beginning with another one, so that the same
-/// and different ones run at the same time.
+/// Each of several threads runs all scenes, starting with a different one, so that equal and different scenes run at
+/// the same time.
 TEST(SameBitsThreads, OfAnyNumberOfThreads) {
   const std::size_t count = bit_scenes().size();
   for (const std::size_t threads : {2U, 3U}) {
@@ -43,7 +43,7 @@ TEST(SameBitsThreads, OfAnyNumberOfThreads) {
   }
 }
 
-/// Golden hashes are worth what the scenes go through.
+/// The golden hashes cover only what the scenes use.
 TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
   ribbon::CordReport direct;
   ribbon::StepReport thesis;

@@ -11,15 +11,15 @@
 #include "engine/tick/workers.h"
 #include "tests/bits/bit_scenes.h"
 
-// The same bits however many workers there are, and whatever they do first.
+// The bits do not depend on the number of workers, nor on the order of their tasks.
 
 namespace bits {
 namespace {
 
 constexpr int ticks = 40;
 
-/// So many cords that gathering is divided, some of which meet each other, and balls that fall on them: many islands
-/// and some large ones.
+/// Enough cords for parallel gathering, some of them in contact with each other, and falling balls: many islands, some
+/// of them large.
 void build(BitWorld& made) {
   for (int k = 0; k < 160; ++k) {
     ribbon::CordDef def;
@@ -54,7 +54,7 @@ std::vector<std::uint64_t> hashes(const ribbon::ParallelFor& parallel_for) {
   return found;
 }
 
-/// Does things in an order that a seed shuffles, each by the next of some threads.
+/// Runs tasks in an order shuffled by a seed, each in the next one of several threads.
 struct Shuffled {
   static void run(void* context, int count, ribbon::ParallelFor::Task task, void* things) {
     auto& self = *static_cast<Shuffled*>(context);

@@ -22,7 +22,7 @@ Summary some_run(Preset preset) {
   return run;
 }
 
-/// The same of a solver that does not tell what it left, and stretches nothing by a hundredth.
+/// The same for a solver that does not report residuals, and never stretches a cord by a hundredth.
 Summary run_before(Preset preset) {
   Summary run = some_run(preset);
   run.left.reset();

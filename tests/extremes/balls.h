@@ -6,8 +6,8 @@
 
 namespace extremes {
 
-/// Circles that a cord of any method meets, moved as their owner would. Gravity is none of theirs: so they move the
-/// same whoever moves them.
+/// Circles in contact with a cord of any method. The class moves them by the results of the cord's step, without
+/// gravity, so that they move alike with all methods.
 class Balls {
  public:
   /// kg, 0 of one that goes its way at its velocity. Its index.

@@ -50,7 +50,7 @@ ribbon::CordDef cord_of(Kind kind) {
   return def;
 }
 
-/// What is done to a cord: told before each tick, it drives the cord and says what gravity is; false at its end.
+/// A drive of a cord. It is called before each tick, drives the cord and sets gravity; it returns false at its end.
 struct Event {
   std::string what;
   std::function<bool(Subject&, int tick, Vec2& gravity)> drive;

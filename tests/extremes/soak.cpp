@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 gravity{0.0, -9.81};
 
-/// Of vectors of who may touch, each as often as there are more of them than ever before: seldom and seldomer.
+/// Allocations by vectors of candidates, each when its size exceeds all earlier ones; that gets rarer with time.
 constexpr double most_allocations = 4.0;
 
 #if defined(__SSE2__)
@@ -59,7 +59,7 @@ ribbon::CordDef cord_of(int rows) {
   return def;
 }
 
-/// A cord with its weight on it, whose anchor is led along an eight of two metres once in 1.7 s, over a peg.
+/// A cord under gravity whose anchor moves along a figure eight of 2 m in 1.7 s, over a peg.
 Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& scope) {
   Subject cord(method, cord_of(rows), dt);
   cord.attach_load(1.0);

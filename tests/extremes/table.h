@@ -42,10 +42,10 @@ class Worst {
   Row row_;
 };
 
-/// How much is run: a part of each grid in a few seconds, or all of it; `progress` is told the share that is done.
+/// The extent of a run: a part of each grid, for a few seconds, or all of it. `progress` is called with the share done.
 struct Scope {
   bool full = false;
-  std::string part;  ///< only cases whose setting has this in it
+  std::string part;  ///< only cases whose setting contains this text
   std::function<void(double)> progress = [](double) {};
 
   bool wants(std::string_view setting) const { return setting.find(part) != std::string_view::npos; }

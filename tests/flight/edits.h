@@ -13,7 +13,8 @@ using Edit = std::function<bool(T&)>;
 
 /// Of the whole step: bodies that nothing refers to go, and gravity.
 const std::vector<Edit<engine::SolverStep>>& step_edits();
-/// Of a cord and what it meets: terms are switched off, what moves stands still, what is remembered is forgotten.
+/// Edits of a cord and its surroundings: terms are switched off, velocities set to zero, memory of earlier steps
+/// cleared.
 const std::vector<Edit<engine::SolverStep::Cord>>& cord_edits();
 /// Of a body.
 const std::vector<Edit<ribbon::RigidBody>>& body_edits();

@@ -37,7 +37,7 @@ Cord built(Bytes& bytes) {
   }
 }
 
-/// That no number tells: of being stretched though it cannot be, or of lying in itself.
+/// Returns whether the initial energy is unknown: an inextensible cord is stretched, or the cord overlaps itself.
 bool begins_with_energy(const ribbon::CordDef& def) {
   return !def.positions.empty() && (std::isinf(def.stretch_stiffness) || def.self_contact);
 }

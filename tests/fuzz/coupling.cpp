@@ -155,7 +155,7 @@ void Fuzzed::tick() {
   }
 }
 
-/// Bodies of Box2D that meet with an infinite restitution, or friction, are nowhere afterwards, cords or no cords.
+/// Bodies of Box2D that collide with infinite restitution or friction get NaN positions, with and without cords.
 bool Fuzzed::box2d_keeps_them() const {
   for (const b2Body* body : bodies_) {
     for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {

@@ -30,7 +30,7 @@ bool run(const fs::path& path) {
     return false;
   }
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  // Before it runs, for who aborts in it says nothing afterwards.
+  // Printed before the run, because an abort prints nothing.
   std::printf("%s\n", path.c_str());
   std::fflush(stdout);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

@@ -6,8 +6,8 @@
 
 namespace fuzz {
 
-/// A body of any type and shape. Box2D ends the process for numbers that are none: what it asserts is kept, and all
-/// that it lets through is tried.
+/// A body of any type and shape. Box2D aborts for NaN; this class satisfies its assertions, and tries all other
+/// numbers.
 b2Body& add_some_body(b2World& world, Bytes& bytes);
 /// Puts it elsewhere, or pushes it, switches it off or on, changes its type or its mass.
 void disturb(b2Body& body, Bytes& bytes);

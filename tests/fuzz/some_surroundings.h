@@ -7,7 +7,7 @@
 
 namespace fuzz {
 
-/// What a cord meets, made of a fuzzer's bytes: up to three bodies, and up to three of everything that belongs to them.
+/// The surroundings of a cord from a fuzzer's bytes: up to three bodies, and up to three of each kind of their parts.
 struct SomeSurroundings {
   /// Of a cord of so many points.
   SomeSurroundings(Bytes& bytes, int points);

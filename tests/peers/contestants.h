@@ -23,11 +23,11 @@ struct Engine {
   std::string kind;  ///< native, WebAssembly, JavaScript
 };
 
-/// All that take part, with versions as the packages tell them.
+/// Returns all engines, with the versions of their packages.
 std::vector<Engine> engines(const NodePlayer& node);
 
-/// All that can play a scene; ours first. `quick` leaves out all but one setting of each engine. A large scene has no
-/// settings with dials above 4: they would take minutes each.
+/// Returns all engines that can run a scene; ours first. `quick` leaves one setting of each engine. A large scene has
+/// no settings with parameters above 4, which would take minutes each.
 std::vector<Contestant> contestants(const Scene& scene, const NodePlayer& node, bool quick);
 
 /// The setting that costs are compared with.

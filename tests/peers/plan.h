@@ -41,8 +41,8 @@ struct CordPlan {
   std::vector<std::pair<int, int>> held{};  ///< a point and the body that holds it; pins are in `def`
 };
 
-/// A scene in a form that any engine can be told: ropes are given as cords and, of the same masses at the same places,
-/// as chains of links that hinges join.
+/// A scene in a form for any engine: ropes are given as cords, and as chains of hinged links with the same masses at
+/// the same places.
 struct Plan {
   ribbon::Vec2 gravity;  ///< m/s²
   int calm_ticks = 0;    ///< at the start, after each of which all that moves loses a tenth of its velocity

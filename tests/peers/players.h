@@ -11,13 +11,13 @@
 
 namespace peers {
 
-/// How an engine is set: its dials by name, such as substeps=4, each of which its player knows.
+/// A parameter of an engine by name, such as substeps=4; the engine's player knows the names.
 struct Dial {
   std::string name;
   double value = 0.0;
 };
 using Dials = std::vector<Dial>;
-/// The dial of that name, or what it is without.
+/// Returns the parameter with that name, or `fallback`.
 double dial_or(const Dials& dials, const std::string& name, double fallback);
 
 /// Ours, or Box2D 2.4's joints.

@@ -29,9 +29,8 @@ using Results = std::map<std::string, std::vector<Result>>;
 /// A line a setting and scene, `names` in their order.
 std::string csv_of(const std::vector<std::string>& names, const Results& results);
 
-/// Markdown: the engines, and two tables with a row per engine and a column per scene. A cell has the ends of the
-/// engine's front, the cheapest and the most exact of what no other of its settings is ahead of: error, and cost as a
-/// multiple of that of `balanced`.
+/// Returns Markdown: the engines, and two tables with a row per engine and a column per scene. A cell has the ends of
+/// the engine's Pareto front, its cheapest and its most exact setting: error, and cost relative to that of `balanced`.
 std::string table_of(const std::vector<Engine>& engines, const std::vector<std::string>& names, const Results& results);
 
 /// A page with a plot of error against cost.

@@ -24,7 +24,7 @@ constexpr double lost = 1e9;  // m, where a point is drawn that is no number any
 constexpr std::uint16_t meets_cords = 0x0004;  // categories of boxes: of cords that declare cord_contact,
 constexpr std::uint16_t meets_none = 0x0008;   // and of those that do not
 
-/// As the cord's own, which does not meet players.
+/// The filter of the cord, which does not collide with players.
 b2Filter filter_of(const ribbon::CordDef& def, int cord) {
   b2Filter filter;
   filter.categoryBits = def.cord_contact ? meets_cords : meets_none;
@@ -73,7 +73,8 @@ class ChainMover {
   }
 
  private:
-  /// Begins and ends the hand's joints as the player does. m, where the hand is, as seen from the player's middle.
+  /// Creates and destroys the hand's joints as the player grabs and releases. Returns the hand's position relative to
+  /// the player's middle, m.
   Vec2 follow_hand() {
     const auto held = scene_->coupling().held_by(player_->body());
     if (!held) {
@@ -88,8 +89,8 @@ class ChainMover {
     return to_double(hand_->GetLocalAnchorA());
   }
 
-  /// While he holds nothing he falls as in a single world step a tick, however many there are: how exactly the game
-  /// lets him fly is not what its cords are measured by.
+  /// Without a grip the player falls as with a single world step per tick, for any number of steps, so that the
+  /// accuracy of the flight has no part in the measurement of the cords.
   void pull_down_player(double dt) {
     b2Body& body = player_->body();
     body.SetGravityScale(hand_ == nullptr ? 0.0F : 1.0F);

@@ -32,7 +32,7 @@ std::vector<TickInput> pressed(std::size_t ticks, int buttons) {
   return std::vector<TickInput>(ticks, input);
 }
 
-/// With one cord, that goes from its pin along `way` [m], and the player's hand at three quarters of it.
+/// A level with one cord from its pin along `way` [m], and the player's hand at three quarters of it.
 game::Level one_cord(Vec2 way) {
   game::Level level = converged();
   std::erase_if(level.map.objects, [](const engine::MapObject& o) { return o.kind == "cord" && o.name != "cord 1"; });
@@ -72,7 +72,7 @@ TEST(ChainMover, APlayerSwingsOnAChainAsOnACord) {
   const game::Level level = one_cord(slanted);
   const std::vector<TickInput> inputs = pressed(60, game::button_grab);
   const Trace cords = run(level, inputs);
-  ASSERT_LT(cords.player.back().x, cords.player.front().x - 2.5);  // he swings
+  ASSERT_LT(cords.player.back().x, cords.player.front().x - 2.5);  // the player swings
   const Errors few = difference(run_chain(level, inputs, chain(4)), cords, 60);
   const Errors many = difference(run_chain(level, inputs, chain(64)), cords, 60);
   EXPECT_LT(many.player_m, 5e-3);
@@ -132,10 +132,10 @@ TEST(ChainMover, WhoLetsGoTakesHisJointsWithHim) {
   const Vec2 before = run.simulation().player().position();
   tick(20);
   EXPECT_EQ(run.simulation().scene().world().GetJointCount(), joints);
-  EXPECT_LT(run.simulation().player().position().y, before.y - 0.3);  // he falls
+  EXPECT_LT(run.simulation().player().position().y, before.y - 0.3);  // the player falls
 }
 
-/// Running, and jumps a tick after the feet have left the ground, which a player is allowed.
+/// Runs, and jumps a tick after the feet have left the ground, which the game allows.
 TEST(ChainMover, APlayerWithoutACordMovesAsEver) {
   std::vector<TickInput> inputs = pressed(30, game::button_right);
   for (const int buttons : {game::button_right | game::button_jump, 0 | game::button_right}) {
@@ -148,7 +148,7 @@ TEST(ChainMover, APlayerWithoutACordMovesAsEver) {
   const Trace cords = run(level, inputs);
   ASSERT_GT(cords.player[45].y, cords.player[29].y + 1.0);
   const Trace chains = run_chain(level, inputs, chain(4));
-  // Box2D stands him right where he is set down within the tick, and not in four.
+  // Box2D moves the player upright within the tick in which it lands, and not in four ticks.
   EXPECT_LT(difference(cords, chains, 60).player_m, 1e-3);
   EXPECT_NEAR(length(cords.player.back() - chains.player.back()), 0.0, 1e-3);
 }

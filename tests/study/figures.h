@@ -12,7 +12,7 @@ namespace study {
 
 inline constexpr double lacking = std::numeric_limits<double>::quiet_NaN();
 
-/// What all cords and bodies of a world are at a moment. What somebody lacks is no number.
+/// The figures of all cords and bodies of a world at a moment. Unavailable ones are NaN.
 struct Figures {
   /// N, the greatest of links of ropes and of bars of ribbons; the thesis's cords and cells have none.
   double tension = lacking;

@@ -10,7 +10,7 @@ namespace {
 
 bool counts(const Point& point) { return point.failure.empty() && !point.apart && std::isfinite(point.error_m); }
 
-/// The best by `better` of those that `meets`; the first of equals.
+/// Returns the best by `better` of those that satisfy `meets`; the first of equals.
 template <typename Meets, typename Better>
 std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Better better) {
   std::optional<std::size_t> found;

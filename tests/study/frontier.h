@@ -13,20 +13,19 @@ namespace study {
 /// What a setting came to.
 struct Point {
   std::string method;                                         ///< direct, thesis
-  std::string setting;                                        ///< the dials: tr_bdf2 substeps=1 tolerance=0.0005
+  std::string setting;                                        ///< tr_bdf2 substeps=1 tolerance=0.0005
   double cost_us = 0.0;                                       ///< a tick, the median
   double p99_us = 0.0;                                        ///< that 99 of 100 ticks stay below
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< the greatest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it does
-  bool apart = false;      ///< its error is against another motion than the others': told, and never compared
+  bool apart = false;      ///< its error is relative to another motion: reported, never compared
   std::string group = {};  ///< what was simulated, if a report has several such: ratio=100. Groups are not compared
 };
 
 /// The names of the points' groups, each once, in their order.
 std::vector<std::string> groups_of(std::span<const Point> points);
 
-/// Of what is promised, that a setting has to meet when it is measured: the rest is for another run, another machine's
-/// mood.
+/// The share of a limit that a setting may use when it is measured. The rest is a margin for other runs and machines.
 inline constexpr double kept_error = 0.8;
 inline constexpr double kept_budget = 0.75;
 

@@ -17,7 +17,7 @@ std::vector<Point> scene() {
   std::vector<Point> points;
   for (const double n : {8.0, 1.0, 4.0, 2.0, 16.0}) points.push_back(point(n, 1.0 / n));
   points.push_back(point(5.0, 0.3));              // behind 4 µs
-  points.push_back(point(0.5, 0.01, "blew up"));  // would be ahead of all
+  points.push_back(point(0.5, 0.01, "blew up"));  // would dominate all
   points.push_back(point(0.4, std::nan("")));     // without a number
   points.push_back(point(4.0, 0.25));             // as good as the first of that cost
   return points;
@@ -39,7 +39,7 @@ TEST(Frontier, WhatStandsApartIsNotCompared) {
 TEST(Frontier, GroupsAreNotCompared) {
   std::vector<Point> points = {point(1.0, 0.5), point(2.0, 0.1), point(3.0, 0.4), point(4.0, 0.3)};
   for (const std::size_t k : {0U, 2U, 3U}) points[k].group = "heavy";
-  points[1].group = "light";  // would be ahead of the other two
+  points[1].group = "light";  // would dominate the other two
   EXPECT_EQ(groups_of(points), (std::vector<std::string>{"heavy", "light"}));
   EXPECT_EQ(front(points), (std::vector<std::size_t>{0, 2, 3, 1}));
 }
@@ -53,7 +53,7 @@ bool is_direct(const std::string& method) { return method == "direct"; }
 
 TEST(Frontier, ABaselineOnItIsToldWithTheErrorsWhereItIsAhead) {
   std::vector<Point> points = scene();
-  EXPECT_TRUE(who_is_ahead(points, is_direct).empty());  // nobody to compare with
+  EXPECT_TRUE(who_is_ahead(points, is_direct).empty());  // nothing to compare with
   points.push_back(point(4.0, 0.3));
   points.back().method = "chain";
   EXPECT_EQ(who_is_ahead(points, is_direct), std::vector<std::string>{"At every error our settings are the front."});

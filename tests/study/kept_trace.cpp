@@ -66,7 +66,7 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-/// All that a trace has, by name: what is new in it does not compile until it is kept too.
+/// Visits all members of a trace by name. A new member does not compile until it is saved too.
 template <typename T, typename Visit>
 void visit_all(T& trace, Visit& visit) {
   auto& [lengths, places, player, stretch, figures, declared, passages, mass, gravity, work, contacts,

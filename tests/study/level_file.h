@@ -17,7 +17,7 @@ struct Variation {
   static constexpr double place = 0.1;   ///< m, that a cord is moved to each side, up and down
 };
 
-/// A level's file, to be read with other dials than it has, and to be written with them.
+/// A level's file, which can be read and written with other settings.
 class LevelFile {
  public:
   /// Throws engine::MapError for a file that is no level, and for one that has no cord.
@@ -46,8 +46,8 @@ class LevelFile {
   /// Whether a cord declares it, as something else than false or 0.
   bool declares(const std::string& property) const;
 
-  /// Puts these dials into the file, which keeps every other byte. Throws std::runtime_error, and leaves the file as
-  /// it was, if it cannot be written.
+  /// Writes these settings to the file and keeps every other byte. Throws std::runtime_error, and leaves the file as it
+  /// was, if it cannot be written.
   void apply(const Dials& dials) const;
 
  private:

@@ -61,9 +61,9 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  std::vector<Dials> grid;                       ///< what to measure, instead of what `quick` says, and no meshes
-  std::string folder;                            ///< where results are kept; empty: nowhere
-  std::function<bool()> stopped;                 ///< asked between runs
+  std::vector<Dials> grid;                       ///< settings to measure in place of those by `quick`, without meshes
+  std::string folder;                            ///< for saved results; empty: none
+  std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left
 };
 
@@ -71,7 +71,7 @@ struct StudyOptions {
 /// grid and program. Throws engine::ReplayError for a replay that is none, has no ticks or is of another level.
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
 
-/// The same of inputs that were not recorded; nothing is kept in a folder.
+/// The same for inputs that were not recorded; no results are saved.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
 
 /// Why a run does not count, in words: it blew up, let something through that its reference did not (see let_through),

@@ -13,7 +13,7 @@ namespace study {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, with a copy of a level and a replay in which nobody does anything.
+/// A folder of the test, with a copy of a level and a replay without inputs.
 class LevelStudy : public testing::Test {
  protected:
   LevelStudy() {
@@ -33,7 +33,7 @@ class LevelStudy : public testing::Test {
 
   using Json = nlohmann::ordered_json;
 
-  /// Writes the test's level: that of a file, its cords changed.
+  /// Writes the test's level: that of a file, with changed cords.
   void change_level(const std::string& from, const std::function<void(Json& cord)>& change) const {
     Json json = Json::parse(content_of(from));
     for (Json& layer : json["layers"]) {

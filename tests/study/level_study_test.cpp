@@ -83,7 +83,7 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
     }
     // A catch takes three ticks, in which the tension is that of an impulse; it begins between two points.
     EXPECT_LE(overstretched, 3 * (rows - 2));
-    EXPECT_GT(trace.player.back().y, 6.5);  // somebody hangs on one
+    EXPECT_GT(trace.player.back().y, 6.5);  // the player hangs on one
   }
 }
 
@@ -241,7 +241,7 @@ TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
   EXPECT_EQ(failure_of(trace, reference, 10), "blew up in tick 6");
 }
 
-/// The thesis's cords meet circles and no ground: let go above it, they fall through.
+/// Cords of the thesis collide with circles, but not with the ground: released above it, they fall through.
 TEST_F(LevelStudy, WhatFallsThroughTheGroundHasFailed) {
   auto json = nlohmann::ordered_json::parse(content_of(level_path));
   for (auto& layer : json["layers"]) {
@@ -293,7 +293,7 @@ TEST_F(LevelStudy, AnUnneededTermIsReported) {
   const auto result = [&](const std::string& term) {
     return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });
   };
-  EXPECT_EQ(result("cord_contact").shows_at, 0U);  // its cords do not meet in a third of a second
+  EXPECT_EQ(result("cord_contact").shows_at, 0U);  // its cords do not touch in a third of a second
   EXPECT_EQ(result("cord_contact").change.greatest_length(), 0.0);
   EXPECT_NE(verdict(result("cord_contact")).find("not needed"), std::string::npos);
   EXPECT_GT(result("bending_stiffness").shows_at, 0U);

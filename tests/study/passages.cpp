@@ -47,7 +47,7 @@ PassingLink passing_link(const PassageWatch::Moment& moment, std::size_t cord, s
   return {line[link], line[link + 1], moment.centers[fixture]};
 }
 
-/// By column of a cord: whether somebody drives a point of it.
+/// Returns for each column of a cord whether one of its points is driven.
 std::vector<char> driven_columns(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
   const ribbon::box2d::CordShape shape = coupling.cord(cord).shape();
   std::vector<char> driven(static_cast<std::size_t>(shape.columns), 0);
@@ -57,7 +57,7 @@ std::vector<char> driven_columns(const ribbon::box2d::Coupling& coupling, ribbon
   return driven;
 }
 
-/// Whether the link is, or was, where it can have met the fixture.
+/// Returns whether the link is, or was, so near that it may have crossed the fixture.
 bool may_meet(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is) {
   b2AABB box;
   fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), 0);

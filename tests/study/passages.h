@@ -25,7 +25,7 @@ Passages declared_contacts(const ribbon::box2d::Coupling& coupling);
 /// Looks after every tick for what cords went through. What only sinks in does not count: a middle line that crosses an
 /// edge, is deeper in a polygon than half the cord's thickness, or nearer to a circle's centre does; and so does one
 /// that the centre of a circle or polygon crossed on the straight way from one tick to the next. Links at a point that
-/// somebody drives may be anywhere.
+/// is driven may be anywhere.
 class PassageWatch {
  public:
   /// `filter` is that of the cords.
@@ -33,7 +33,7 @@ class PassageWatch {
   /// Of what was seen before: the next world is a new one.
   void forget() { before_ = {}; }
 
-  /// Where all is: the cords' middle lines, and the centres of what they can meet.
+  /// The positions at a moment: the cords' middle lines, and the centres of fixtures that they collide with.
   struct Moment {
     std::vector<std::vector<ribbon::Vec2>> lines;
     std::vector<ribbon::Vec2> centers;

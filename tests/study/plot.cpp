@@ -15,7 +15,7 @@
 namespace study {
 namespace {
 
-/// Told apart by who does not see red and green alike too.
+/// Colours that can be distinguished with red-green colour blindness.
 constexpr std::array<const char*, 8> colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                "#e69f00", "#56b4e9", "#7f3c8d", "#666666"};
 

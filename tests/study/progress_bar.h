@@ -4,8 +4,7 @@
 
 namespace study {
 
-/// A bar on the terminal's error stream, so that what is printed stays clean; with the seconds that are left, if
-/// somebody knows.
+/// Draws a bar on the error stream, so that the output stays clean; with the remaining seconds, if they are known.
 void show_progress(const char* what, double share, std::optional<double> seconds_left = std::nullopt);
 
 }  // namespace study

@@ -10,7 +10,7 @@
 
 namespace study {
 
-/// How often what was recommended kept its word.
+/// The number of recommendations that held.
 struct Tally {
   int found = 0;  ///< tries in which there was a setting to recommend
   int kept = 0;   ///< of these
@@ -35,15 +35,15 @@ struct PromiseOptions {
 using Measure =
     std::function<Study(const LevelFile&, const std::vector<engine::TickInput>& inputs, const StudyOptions& options)>;
 
-/// Random players in variations of the levels, which take turns: settings are chosen on the input of one player for the
-/// error and for the budget, and measured anew on the input of another in the same variation. One that fails there has
-/// not kept its word, whatever its error and cost. `measure_level` is `measure`, or a test's own.
+/// Uses random players in variations of the levels, in turn. Settings are chosen with the input of one player, for the
+/// error and for the budget, and measured again with the input of another player in the same variation. A setting that
+/// fails there has not held, for any error and cost. `measure_level` is `measure`, or a test's substitute.
 Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
                       const std::function<void(double)>& progress, const Measure& measure_level);
 Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
                       const std::function<void(double)>& progress);
 
-/// The buttons of somebody who presses them at random for so many ticks; the same for the same seed.
+/// Returns random buttons for a number of ticks; the same for the same seed.
 std::vector<engine::TickInput> random_inputs(unsigned seed, int ticks);
 
 }  // namespace study

@@ -43,9 +43,9 @@ struct Page {
   std::function<int()> write;
 };
 
-/// Writes one after the other, and calls `add` with the names of those that are written after each. What gnuplot could
-/// not draw is told once, at the end, and keeps no page from being written. The program's exit status: 1 if a plot is
-/// missing, or that of a page if it is not 0, after which there is no other.
+/// Writes one page after the other, and calls `add` with the names of those written so far after each. A failure of
+/// gnuplot is reported once, at the end, and prevents no page. Returns the program's exit status: 1 if a plot is
+/// missing, or that of a page if it is not 0, which is then the last page.
 int write_pages(const std::vector<Page>& pages, const std::function<void(const std::vector<std::string>& done)>& add);
 
 /// A page with the plots of reports in folders of these names beside it. Makes the folder.

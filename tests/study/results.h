@@ -10,21 +10,20 @@
 
 namespace study {
 
-/// What has been measured so far, so that whoever is interrupted goes on where he was: a line of JSON a setting in
-/// results.jsonl of a folder, and a file a converged run. What is of another level, replay, grid or program is not
-/// used.
+/// Saved measurements, so that an interrupted study can continue: a line of JSON per setting in results.jsonl of a
+/// folder, and a file per converged run. Results of another level, replay, grid or program are not used.
 class Results {
  public:
-  /// Makes the folder. Without one, keeps nothing. Throws std::runtime_error if it cannot be written.
+  /// Creates the folder. Without a folder, saves nothing. Throws std::runtime_error if it cannot be written.
   Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path, bool quick);
 
-  /// Null if it is not known yet.
+  /// Returns null if it is not yet known.
   const Measured* find(const Dials& dials) const;
   void add(const Measured& measured);
 
-  /// A run of that name; none if it is not known yet.
+  /// Returns the run with that name; none if it is not yet known.
   std::optional<Trace> run(const std::string& name) const;
-  /// What cannot be written is run again another time.
+  /// A result that cannot be written is measured again the next time.
   void add_run(const std::string& name, const Trace& trace);
 
  private:

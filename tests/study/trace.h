@@ -35,7 +35,7 @@ struct Trace {
   std::string failure;                            ///< what became of it, if it ended before its time
 };
 
-/// Who moves a level's cords, if they do not move themselves.
+/// A substitute that moves a level's cords in place of their own solver.
 struct Method {
   game::MakeMover make_mover = {};
   std::function<void()> show = {};  ///< lays the cords where they have been moved to; before every look at them
@@ -50,7 +50,7 @@ class LevelRun {
       : level_(&level), inputs_(inputs), method_(std::move(method)) {}
 
   void reset();
-  /// After a tick somebody has to `show` what it did.
+  /// After a tick the caller must call `show`.
   void tick();
   void show() const;
   const game::Simulation& simulation() const { return *simulation_; }
@@ -82,8 +82,8 @@ Trace run_from(const game::Level& level, std::span<const engine::TickInput> inpu
 
 /// How far a run is from a reference, each error of its own kind. What one of the runs lacks is no number.
 ///
-/// Energy and momentum are no drifts: who plays gives a level both, and takes them, so that each is compared with the
-/// reference's in the same tick.
+/// Energy and momentum are not drifts: the player adds and removes both, so each is compared with that of the reference
+/// in the same tick.
 struct Errors {
   double position_m = 0.0;       ///< RMS over all stations and ticks
   double position_share = 0.0;   ///< the same of each cord's own length

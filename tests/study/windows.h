@@ -25,8 +25,8 @@ class Windows {
  public:
   static constexpr std::size_t ticks = 15;  ///< of a window
 
-  /// Runs the references of `most` windows, evenly along a run, or as many as there is room for: `fine` and `finer` are
-  /// accuracies of converged motions. Keeps references to level and inputs.
+  /// Runs the references of up to `most` windows, evenly spaced along a run: `fine` and `finer` are accuracies of
+  /// converged motions. Keeps references to level and inputs.
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 
@@ -44,8 +44,8 @@ class Windows {
   struct Window {
     std::size_t begin;       // tick
     Trace reference;         // from there on
-    std::size_t cords = 0;   // of its ticks, in which these are compared,
-    std::size_t player = 0;  // and he
+    std::size_t cords = 0;   // number of ticks in which cords are compared
+    std::size_t player = 0;  // number of ticks in which players are compared
   };
   double share(std::size_t Window::*compared) const;
   template <typename Run>

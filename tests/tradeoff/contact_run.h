@@ -47,12 +47,12 @@ struct ContactFigures {
 ContactFigures run(test_support::CoupledWorld& world, int ticks,
                    const std::function<void(test_support::CoupledWorld&)>& after_tick = {});
 
-/// By contact_columns: what our share of a tick may cost, and what came of it; crossings only of cords that are to meet
-/// themselves, or each other. Any more come behind.
+/// The cells for contact_columns: the cost of our part of a tick, and the results; crossings only for cords with
+/// self-contact or contact with each other. Further cells follow.
 std::vector<double> figures_of(const test_support::CoupledWorld& world, const ContactFigures& figures,
                                std::optional<double> bar_us = std::nullopt);
 
-/// A world set up anew before every repeat, or one that goes on where its figures left it.
+/// A world that is set up again before every repeat, or one that continues after its figures.
 struct ContactContestant {
   NamedMethod method;
   std::string group;
@@ -64,7 +64,7 @@ struct ContactContestant {
 };
 Contestant contestant(const ContactContestant& how);
 
-/// For the reports of all scenes in which something is met.
+/// A note for the reports of all scenes with contacts.
 inline constexpr const char* thesis_strip =
     "The thesis's cord is a strip of square cells, a link wide, and has no friction; penetration is into the strip.";
 inline constexpr const char* no_b2_rope = "b2Rope meets no bodies, and takes no part.";

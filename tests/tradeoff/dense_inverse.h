@@ -7,7 +7,7 @@
 namespace tradeoff {
 
 /// The baseline that the thesis measured: M2⁻¹ as a dense matrix, times F2 (Goto 2017, Eq. 3.18). O(n³) a substep.
-/// Given its best: Eigen may vectorise, and its memory is kept from call to call.
+/// For a fair comparison Eigen may vectorise, and memory is reused from call to call.
 class DenseInverse final : public ribbon::LinearSolver {
  public:
   bool solve(ribbon::BandedMatrix& a, std::span<double> b) override;

@@ -37,7 +37,7 @@ void repeat_once(const Timed& contestant, int ticks, Samples& samples) {
     samples.ticks.push_back(microseconds(now - last));
     last = now;
   }
-  // Of the processor's time, so that whoever shares it takes no part; what has a rest is divided by the other clock.
+  // By processor time, which excludes other processes. The other clock separates the rest of a tick.
   const double spent_us = 1e6 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   samples.means.push_back((contestant.rest ? microseconds(last - start) : spent_us) / ticks);
   samples.share_means.push_back(microseconds(share) / ticks);

@@ -12,8 +12,7 @@ using Tick = std::function<void()>;
 struct Timed {
   std::function<void()> reset;  ///< back to the start before every repeat, so that all do the same work; empty: goes on
   Tick tick;
-  Tick rest = {};  ///< what belongs to the tick and is to be told apart from it: b2World::Step after our share; may be
-                   ///< empty
+  Tick rest = {};  ///< a part of the tick that is timed separately: b2World::Step after our part; may be empty
 };
 
 struct Timing {
@@ -25,14 +24,14 @@ struct Timing {
   double share_us = 0.0;      ///< of the median's: the tick without its rest
   double rest_us = 0.0;       ///< and the rest
   double share_p99_us = 0.0;  ///< that 99 of 100 single ticks without their rest stay below
-  double worst_us = 0.0;  ///< the dearest tick of a repeat without its rest: each taken as its median over the repeats
+  double worst_us = 0.0;      ///< the most expensive tick without its rest; of each tick the median over the repeats
 };
 
 /// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.
 double quantile(std::vector<double> values, double share);
 
 /// They take turns, `ticks` at a time, `repeats` times over, so that a slow moment of a shared machine strikes all of
-/// them alike. `progress` is told the share done, 0 … 1.
+/// them alike. `progress` is called with the share done, 0 … 1.
 std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
                                         const std::function<void(double)>& progress);
 

@@ -8,7 +8,7 @@
 namespace tradeoff {
 namespace {
 
-constexpr double known_depth = 1e-6;  // m, below which nobody sees a difference
+constexpr double known_depth = 1e-6;  // m, below which differences are invisible
 
 std::string text(double value) {
   if (std::isnan(value)) return {};

@@ -12,7 +12,7 @@ namespace tradeoff {
 /// One way of running a scene.
 struct Contestant {
   std::string method;   ///< cord, box2d_chain, dense_inverse
-  std::string setting;  ///< the dials: substeps=8
+  std::string setting;  ///< substeps=8
   int points = 0;
   std::function<void()> reset;  ///< see Timed
   Tick tick;
@@ -23,7 +23,7 @@ struct Contestant {
   std::function<std::int64_t()> work = {};       ///< CordReport::work of the last tick; empty if it counts none
 };
 
-/// What is told of a contestant.
+/// The results of a contestant.
 struct Row {
   const Contestant& contestant;
   Timing timing;
@@ -39,7 +39,7 @@ struct Column {
 Column us_per_tick();
 Column p99_us();
 Column frames_per_second();
-// Of contestants that tell the rest of a tick apart, see Timing:
+// For contestants that time the rest of a tick separately, see Timing:
 Column our_us();
 Column our_worst_us();
 Column world_step_us();
@@ -57,7 +57,7 @@ struct Scene {
   std::function<std::vector<Contestant>()> contestants;
   std::vector<Column> columns = {us_per_tick(), p99_us()};
   std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
-  std::vector<std::string> notes = {};  ///< sentences for its report: who takes no part, and why
+  std::vector<std::string> notes = {};  ///< sentences for its report: which contestants are missing, and why
   std::vector<std::string> slow = {};   ///< settings that a quick report leaves out
   int report_repeats = 9;               ///< of the standard report, unless others are asked for
   int counted_ticks = 0;                ///< of the baseline of work, where `ticks` would take long; 0: as many as those

@@ -282,7 +282,7 @@ Column ns_a_cord() {
           [](const Row& row) { return 1e3 * (row.timing.share_us + row.figures[0]) / row.figures[2]; }};
 }
 
-/// Cords that meet nothing, in a world that goes on.
+/// Cords without contacts, in a continuing world.
 Contestant free_cords(int count) {
   const auto workers = std::make_shared<engine::Workers>(count);
   const auto place = std::make_shared<Place>(1000, false);

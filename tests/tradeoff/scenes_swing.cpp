@@ -80,8 +80,8 @@ void add_presets(std::vector<Contestant>& list) {
   list.push_back(cord("accurate", infinity, Accuracy::accurate()));
 }
 
-/// One dial at a time away from `balanced`, and substeps for every stiffness. Its one row of no difference shows how
-/// far two times can be trusted.
+/// `balanced` with one parameter changed at a time, and substeps for every stiffness. The row without a change shows
+/// the repeatability of times.
 void add_dials(std::vector<Contestant>& list) {
   for (const double stiffness : {infinity, 1e8, 1e7}) {
     for (const int substeps : {1, 2, 4, 8}) {

@@ -14,7 +14,7 @@ struct StandardReport {
 };
 
 /// Scenes that others are measured on too, and all levels of the game: a page each in folders of their names, and one
-/// of contents, written anew with each. The program's exit status: 1 if it was interrupted, or if a plot
+/// of contents, rewritten with each. Returns the program's exit status: 1 if it was interrupted, or if a plot
 /// could not be drawn, which keeps no page from being written. Throws std::runtime_error
 /// for a folder that is none or cannot be written.
 int write(const StandardReport& report);

@@ -37,7 +37,7 @@ Lengths lengths(const ribbon::box2d::Coupling& coupling);
 /// Corners of cells that are inside out, of ribbons with area stiffness.
 int inverted(const ribbon::box2d::Coupling& coupling);
 
-/// Newton steps of the last tick, each island counted once; where islands cannot be told apart, at least their sum.
+/// Returns the Newton steps of the last tick. Each island counts once, if islands can be distinguished.
 int work(const ribbon::box2d::Coupling& coupling);
 /// Substeps of the last tick, of all islands.
 int unconverged(const ribbon::box2d::Coupling& coupling);

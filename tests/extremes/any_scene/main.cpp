@@ -58,7 +58,7 @@ std::vector<Which> wanted(const Options& options, unsigned first, unsigned last)
   return scenes;
 }
 
-/// What tells one run from another.
+/// The key of a run.
 std::tuple<unsigned, Family, any_scene::Mood, Preset> key(const Which& which) {
   return {which.seed, which.family, which.mood, which.preset.value_or(static_cast<Preset>(which.seed % 3))};
 }

@@ -6,7 +6,7 @@ namespace any_scene {
 
 // What must never be, found from where things are at successive ticks, without the solver's help.
 
-/// A cord and what it meets: itself, another cord or a solid.
+/// A cord and what it crosses: itself, another cord or a solid.
 struct Meeting {
   int cord = 0;
   int other = 0;         ///< a cord's index, or a solid's

@@ -163,7 +163,7 @@ std::string label(const char* when, const Histogram& histogram, double height, c
   return out.str();
 }
 
-/// The axis of shares, with room for labels above 1, or above what is drawn. Returns where bars begin.
+/// Sets the axis of shares, with space for labels above 1, or above the highest bar. Returns the base of the bars.
 double set_shares(std::ostream& out, const Kind& kind, const Histogram& before, const Histogram& now) {
   if (kind.log_share) {
     const double least = 0.5 / static_cast<double>(std::max({before.all, now.all, 1L}));

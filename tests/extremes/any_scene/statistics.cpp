@@ -9,7 +9,7 @@
 namespace any_scene {
 namespace {
 
-/// The value below or at which the share lies.
+/// Returns the quantile for a share.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());

@@ -38,8 +38,7 @@ struct Summary {
   int worst_tick = 0;         ///< that of max_work
   int first_bad = -1;  ///< the first tick with an unconverged substep, a crossing, an inversion or no finite number
   std::map<int, int> work;  ///< how many ticks took so many Newton steps
-  /// How many ticks were left unsolved, by bin_of what was left [m]; those that converged are not among them. Nothing
-  /// if the solver did not tell.
+  /// The number of unconverged ticks, by bin_of their residual [m]. No value if the solver did not report it.
   std::optional<std::map<int, int>> left = std::map<int, int>();
 };
 
@@ -54,8 +53,8 @@ int all_crossings(const Summary& summary);
 std::string csv_header();
 /// The same runs have the same lines but for the times.
 std::string to_csv(const Summary& summary);
-/// Throws std::invalid_argument for what to_csv has not written. A line may lack its last column: the solver before
-/// contacts were posed once did not tell what it had left unsolved.
+/// Throws std::invalid_argument for text that is not from to_csv. The last column may be missing: an older solver did
+/// not report residuals.
 Summary from_csv(std::string_view line);
 
 }  // namespace any_scene
