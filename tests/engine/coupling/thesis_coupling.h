@@ -10,7 +10,6 @@ namespace engine {
 
 using ribbon::ThesisDef;
 using ribbon::Vec2;
-using test_support::filter;
 
 constexpr double dt = 1.0 / 60.0;
 
