@@ -105,6 +105,8 @@ TEST_F(Journey, AFinishedRunIsWatchedAndVerified) {
   EXPECT_EQ(screen(), "results");
 }
 
+}  // namespace
+
 /// Plays from the title to the goal and back to the levels by a gamepad, which is unplugged four times.
 void Journey::play_by_gamepad() {
   open();
@@ -150,6 +152,8 @@ void Journey::play_by_gamepad() {
   press(PadButton::b);
   EXPECT_EQ(screen(), "levels");
 }
+
+namespace {
 
 TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) { play_by_gamepad(); }
 
