@@ -15,6 +15,7 @@ namespace {
 
 using test_support::refusal;
 using test_support::says;
+using test_support::starts_with;
 
 using Property = std::pair<std::string, std::string>;  // name and value, as in the file
 
