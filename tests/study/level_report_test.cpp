@@ -28,7 +28,7 @@ TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
   command.folder = home + "/report";
   command.quick = true;
   command.repeats = 1;
-  refusal<std::exception>([&] { run(command); });  // without gnuplot, of the plots
+  refusal<std::exception>([&] { run(command); });  // without gnuplot it throws for the plots
   const std::string csv = content_of(command.folder + "/points.csv");
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(csv);
