@@ -19,19 +19,19 @@ struct Figures {
   /// The deepest that a cord is in a circle, edge or polygon, as a share of its radius; of cords of the direct solver
   /// that have a radius.
   double penetration = lacking;
-  double stretch = 0.0;     ///< the cords' mean, of the whole length of each, as a share
-  double energy = lacking;  ///< J, kinetic, elastic and potential; the thesis's cords have no elastic energy
+  double stretch = 0.0;     ///< mean of the cords' stretches, relative to each whole length
+  double energy = lacking;  ///< J, kinetic, elastic and potential; cords of the thesis have no elastic energy
   double kinetic = 0.0;     ///< J, of cords and dynamic bodies
-  ribbon::Vec2 momentum{};  ///< kg·m/s, linear, of both
+  ribbon::Vec2 momentum{};  ///< kg·m/s, linear, of cords and dynamic bodies
 };
 
-/// kg, of all cords and dynamic bodies.
+/// Returns the mass of all cords and dynamic bodies, kg.
 double mass_of(const b2World& world, const ribbon::box2d::Coupling& coupling);
 
-/// All but the stretch, which needs the lengths at rest. `filter` is that of the cords.
+/// Returns all figures but the stretch, which needs the rest lengths. `filter` is that of the cords.
 Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter);
 
-/// What of a cord of either solver can be touched.
+/// Returns the collision geometry of a cord of either solver.
 test_support::Outline outline_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 }  // namespace study

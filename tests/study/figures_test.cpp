@@ -14,9 +14,9 @@ using ribbon::Vec2;
 using test_support::depth;
 using test_support::penetration;
 
-constexpr double single = 1e-6;  // to which Box2D knows a place, m
+constexpr double single = 1e-6;  // m, accuracy of positions in Box2D
 
-/// A rope of 2 kg and 2 m along x at this height, pinned at its first point.
+/// A rope of 2 kg and 2 m along x at height y, pinned at its first point.
 ribbon::CordDef rope(double y) {
   ribbon::CordDef def;
   def.points = 5;

@@ -47,7 +47,7 @@ void add_who_is_ahead(std::span<const Point> points, const std::string& group,
   const auto others = [&](const Point& p) { return counts(p) && p.group == group && !is_ours(p.method); };
   if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return;
   const std::size_t told = sentences.size();
-  const Point* before = nullptr;  // on the front: what is cheaper, and enough where its error is allowed
+  const Point* before = nullptr;  // the cheaper neighbour on the front
   for (const std::size_t k : front_of(points, group)) {
     const Point& p = points[k];
     if (!is_ours(p.method)) {

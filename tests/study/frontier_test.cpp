@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// A scene whose errors and costs are known: 1 m / n in n microseconds.
+// A scene with known errors and costs: 1 m / n in n microseconds.
 
 namespace study {
 namespace {

@@ -11,7 +11,7 @@
 namespace study {
 namespace {
 
-/// Puts values behind each other as they stand in memory: files are for the program that wrote them.
+/// Writes values in their memory layout: only the program that wrote a file reads it.
 class Writer {
  public:
   template <typename T>
@@ -34,7 +34,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Takes them from there; what it reads has been found to be whole.
+/// Reads values that write has written; the caller has checked that they are complete.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(&bytes) {}
@@ -86,7 +86,7 @@ void visit_all(T& trace, Visit& visit) {
   visit(failure);
 }
 
-/// What stands before it: the key, and the hash of what follows.
+/// The header of a file: the key, and the hash of the rest.
 std::string head_of(const std::string& key, const std::string& content) {
   return key + ' ' + std::to_string(ribbon::box2d::hash_bytes(content)) + '\n';
 }

@@ -7,10 +7,10 @@
 
 namespace study {
 
-/// Writes a run to a file, all of it or nothing. `key` is what it is a run of. False if it cannot be written.
+/// Writes a run to a file, completely or not at all. `key` identifies the run. Returns false if it cannot be written.
 bool keep(const Trace& trace, const std::string& key, const std::string& path);
 
-/// The run that a file keeps, to the same bits; none if there is no such file, or it is not whole, or of another key.
+/// Returns the run in a file, with the same bits; none if the file is missing, incomplete, or has another key.
 std::optional<Trace> kept(const std::string& key, const std::string& path);
 
 }  // namespace study

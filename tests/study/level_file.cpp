@@ -64,7 +64,7 @@ const LevelFile::Json* LevelFile::find(const Json& cord, const std::string& name
   return nullptr;
 }
 
-/// Null takes the property away.
+/// Null removes the property.
 void LevelFile::set(Json& cord, const std::string& name, const Json& value) {
   if (!cord.contains("properties")) cord["properties"] = Json::array();
   Json& properties = cord["properties"];
@@ -91,7 +91,7 @@ void LevelFile::multiply_links(Json& cord, double times) {
 
 void LevelFile::set_dials(Json& cord, const Dials& dials) const {
   if (dials.points != 1.0) multiply_links(cord, dials.points);
-  if (is_box2d(dials)) return;  // the cords are its measure, and are not stepped
+  if (is_box2d(dials)) return;  // the cords only give the geometry, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
   if (dials.solver == "thesis") {
@@ -99,7 +99,7 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) const {
     set(cord, "substeps", dials.substeps);
     return;
   }
-  if (is_thesis) return;  // its material is no cord's of the direct solver
+  if (is_thesis) return;  // its material is not that of the direct solver
   if (dials.rows > 1) make_ribbon(cord, dials.rows);
   set(cord, "accuracy", nullptr);
   set(cord, "integrator", dials.integrator);
@@ -109,7 +109,7 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) const {
 }
 
 double LevelFile::ribbon_stiffness() const {
-  constexpr double loads = 5.0;  // a swing pulls with three weights, a catch with more
+  constexpr double loads = 5.0;  // weights; a swing pulls with three, a catch with more
   constexpr double stretch = 1e-4;
   const game::Level own = level();
   const auto scene = own.make_scene();
@@ -117,7 +117,7 @@ double LevelFile::ribbon_stiffness() const {
   return loads * mass * static_cast<double>(scene->world().GetGravity().Length()) / stretch;
 }
 
-/// The ribbon of the rope's mass, bending and thickness: a surface of half the radius on both sides of its width.
+/// A ribbon with the rope's mass, bending stiffness and thickness: half the radius on both sides of its width.
 void LevelFile::make_ribbon(Json& cord, int rows) const {
   const Json* own_rows = find(cord, "rows");
   if (own_rows != nullptr && own_rows->get<int>() > 1) return;
@@ -129,12 +129,12 @@ void LevelFile::make_ribbon(Json& cord, int rows) const {
     set(cord, "width", radius);
   }
   if (find(cord, "stretch_stiffness") == nullptr) set(cord, "stretch_stiffness", std::max(ribbon_stiffness(), 1.0));
-  if (rows > 2 && find(cord, "bending_stiffness") == nullptr) set(cord, "bending_stiffness", 1e-6);  // it needs one
+  if (rows > 2 && find(cord, "bending_stiffness") == nullptr) set(cord, "bending_stiffness", 1e-6);  // required
   set(cord, "tension_only", nullptr);
 }
 
-/// The thesis's cord of the same mass and columns, its springs as stiff and its bars as damped as substeps of a
-/// sixtieth bear (the spring correction then leaves what its sweeps leave, and no more).
+/// A cord of the thesis with the same mass and columns. Its springs are as stiff and its bars as damped as substeps of
+/// 1/60 s allow. (The remaining error is then that of the sweeps of the spring correction.)
 void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   const int columns = find(cord, "columns")->get<int>();
   const Json* rows = find(cord, "rows");
@@ -155,7 +155,7 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
 
 game::Level LevelFile::level() const {
   game::Level level = level_of(json_);
-  level.map.content_hash = hash_;  // which recordings know it by
+  level.map.content_hash = hash_;  // identifies the level in recordings
   return level;
 }
 
@@ -182,7 +182,7 @@ void LevelFile::displace(Json& cord, double offset) const {
 
 LevelFile LevelFile::varied(unsigned seed) const {
   std::mt19937 random(seed);
-  const auto between = [&random](double low, double high) {  // the same bits with every library, as std's are not
+  const auto between = [&random](double low, double high) {  // the same bits with every library, unlike std's
     return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
   };
   const auto factor = [&between](double most) { return std::exp(between(-std::log(most), std::log(most))); };
@@ -202,7 +202,7 @@ LevelFile LevelFile::varied(unsigned seed) const {
     }
   });
   other.hash_ = ribbon::box2d::hash_bytes(other.json_.dump());
-  other.level();  // what cannot be built is refused here
+  other.level();  // throws if it cannot be built
   return other;
 }
 
@@ -239,7 +239,7 @@ bool LevelFile::declares(const std::string& property) const {
   return found;
 }
 
-/// The text with what differs between two versions of a cord, and nothing else, changed.
+/// Returns the text with only the differences between two versions of a cord changed.
 std::string LevelFile::with_changes(const std::string& text, const Json& before, const Json& after) {
   const int id = before["id"].get<int>();
   std::string changed = text;
@@ -265,7 +265,7 @@ void LevelFile::apply(const Dials& dials) const {
     set_dials(cord, dials);
     text = with_changes(text, before, cord);
   });
-  game::level_of(engine::parse_tiled_map(text, path_));  // what cannot be built is not written
+  game::level_of(engine::parse_tiled_map(text, path_));  // throws if it cannot be built
   engine::replace_file(path_, text);
 }
 

@@ -10,40 +10,40 @@
 
 namespace study {
 
-/// How far LevelFile::varied goes. Factors are drawn evenly in their logarithm.
+/// The range of LevelFile::varied. The logarithms of factors are uniformly distributed.
 struct Variation {
   static constexpr double factor = 4.0;  ///< mass, drag, damping, bending, and the player's mass: ¼ … 4 times
-  static constexpr double links = 2.0;   ///< ½ … 2 times as many
-  static constexpr double place = 0.1;   ///< m, that a cord is moved to each side, up and down
+  static constexpr double links = 2.0;   ///< number of links: ½ … 2 times
+  static constexpr double place = 0.1;   ///< m, maximum displacement of a cord in x and y
 };
 
 /// A level's file, which can be read and written with other settings.
 class LevelFile {
  public:
-  /// Throws engine::MapError for a file that is no level, and for one that has no cord.
+  /// Throws engine::MapError for a file that is not a level, or has no cord.
   explicit LevelFile(const std::string& path);
 
   const std::string& path() const { return path_; }
   std::uint64_t hash() const { return hash_; }
 
-  /// The level as it is.
+  /// Returns the level without changes.
   game::Level level() const;
-  /// N, the stretch stiffness of the ribbons that stand in for ropes without one: with five times the weight of all
-  /// that moves on one of them it stretches by a ten thousandth.
+  /// Returns the stretch stiffness of ribbons in place of inextensible ropes, N: five times the weight of everything
+  /// that moves stretches one of them by 1e-4.
   double ribbon_stiffness() const;
-  /// With all its cords solved so. Throws engine::MapError if that cannot be built.
+  /// Returns the level with a setting for all cords. Throws engine::MapError if it cannot be built.
   game::Level with(const Dials& dials) const;
-  /// The same, the cords moved by `offset` [m] to the right.
+  /// The same, with the cords moved by `offset` [m] to the right.
   game::Level moved(const Dials& dials, double offset) const;
-  /// As it is, but for cords moved by `offset` [m] to the right.
+  /// Returns the level with its cords moved by `offset` [m] to the right.
   game::Level displaced(double offset) const;
-  /// The same level otherwise, the same for the same seed: each of its cords, and the player, within Variation.
+  /// Returns a random variation of the level: each cord, and the player, within Variation; the same for the same seed.
   LevelFile varied(unsigned seed) const;
-  /// With a property of all its cords set, or without it if the value is null.
+  /// Returns the level with a property of all cords set, or removed if the value is null.
   game::Level with_property(const std::string& name, const nlohmann::ordered_json& value) const;
-  /// With a property set on those of its cords that can be built with it; nothing if there are none.
+  /// Returns the level with a property set for those cords that can be built with it; none if there are no such cords.
   std::optional<game::Level> switched_on(const std::string& name, const nlohmann::ordered_json& value) const;
-  /// Whether a cord declares it, as something else than false or 0.
+  /// Returns whether a cord declares the property with a value other than false or 0.
   bool declares(const std::string& property) const;
 
   /// Writes these settings to the file and keeps every other byte. Throws std::runtime_error, and leaves the file as it

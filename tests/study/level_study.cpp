@@ -15,13 +15,13 @@ namespace study {
 namespace {
 
 constexpr double disturbance = 1e-10;  // m
-constexpr double grown = 1e-2;         // m, to which it may grow
-constexpr double agreed = 1e-4;        // m, to which converged runs of different substeps do, while they are compared
+constexpr double grown = 1e-2;         // m, accepted growth of the disturbance
+constexpr double agreed = 1e-4;        // m, accepted difference of converged runs with different substeps
 constexpr double finer_mesh = 4.0;
 constexpr std::size_t many_windows = 20;
 constexpr std::size_t few_windows = 8;
 
-/// Work done and to be done, in substeps of so many points.
+/// Work done and remaining, in substeps times points.
 class Progress {
  public:
   Progress(const StudyOptions& options, double all) : options_(&options), all_(all) {}
@@ -40,7 +40,7 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// In substeps of a cord of the level's points.
+/// In substeps of a cord with the level's points.
 double work_of(const Dials& dials) {
   if (is_box2d(dials)) return 1.0 + 0.1 * dials.substeps * dials.iterations;
   return dials.points * (1.0 + 0.7 * dials.substeps) * (dials.rows > 1 ? 3.0 * dials.rows : 1.0);
@@ -138,7 +138,7 @@ class LevelStudy {
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
 
-  /// With the cords moved by `offset` [m]; as the folder keeps it, if it does.
+  /// Runs with the cords moved by `offset` [m]; returns the saved run if the folder has one.
   Trace converged_run(const Dials& dials, double offset) {
     const std::string name = name_of(dials) + (offset == 0.0 ? "" : " disturbed");
     if (std::optional<Trace> known = results_->run(name)) return *known;
@@ -182,7 +182,7 @@ class LevelStudy {
     Measured measured;
     measured.dials = dials;
     measured.error = difference(trace, own.trace, own.about.ticks);
-    measured.mesh = difference(own.trace, fine, own.about.ticks);  // none, if there is no finer one
+    measured.mesh = difference(own.trace, fine, own.about.ticks);  // none without a finer mesh
     measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.known_to_m = 10.0 * own.about.agreement_m;
     if (dials.solver == "direct" && mesh_of(dials) == Mesh{}) {
@@ -196,7 +196,7 @@ class LevelStudy {
     return measured;
   }
 
-  /// False if it was stopped: then nothing is timed.
+  /// Returns false if it was stopped; then nothing is timed.
   bool time(std::vector<Measured>& settings) {
     std::vector<game::Level> levels;
     levels.reserve(settings.size());

@@ -13,14 +13,14 @@
 
 namespace study {
 
-/// A setting of the grid, as measured.
+/// The measurement of a setting of the grid.
 struct Measured {
   Dials dials;
-  Errors error;             ///< of time and solver: against the converged motion of the same points
-  Errors mesh;              ///< of the points: of that motion against the converged one of four times as many links
-  Statistics later;         ///< after what is compared: how far from the converged motion's
-  double known_to_m = 0.0;  ///< below which the error is not known
-  WindowErrors windows;     ///< of time and solver, in windows of the level as it is; of its own cords only
+  Errors error;             ///< of time and solver: relative to the converged motion of the same points
+  Errors mesh;              ///< of the mesh: of that motion relative to the converged one with four times as many links
+  Statistics later;         ///< after the compared ticks: difference from the converged motion
+  double known_to_m = 0.0;  ///< smaller errors are unknown
+  WindowErrors windows;     ///< of time and solver, in windows; only for the level's own cords
   double windows_known_to_m = 0.0;
   ribbon::CordReport work;
   int contacts = 0;
@@ -32,13 +32,13 @@ struct Measured {
   Point point() const;
 };
 
-/// What the converged runs of a level say.
+/// The results of the converged runs of a level.
 struct Reference {
   Mesh mesh;
-  std::size_t ticks = 0;      ///< in which 1e-10 m do not grow to 1 cm, nor the runs differ by 0.1 mm; or all
-  double agreement_m = 0.0;   ///< of two converged runs of different substeps in them
-  Statistics later;           ///< of these two after them: how far apart
-  int unconverged_ticks = 0;  ///< of the one that others are compared with
+  std::size_t ticks = 0;      ///< while 1e-10 m grow to less than 1 cm, and the runs differ by less than 0.1 mm
+  double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
+  Statistics later;           ///< difference of these two runs after these ticks
+  int unconverged_ticks = 0;  ///< of the reference
 };
 
 struct Study {
@@ -47,12 +47,12 @@ struct Study {
   std::size_t ticks = 0;
   std::vector<Reference> references;
   std::size_t windows = 0;
-  WindowErrors agreement;         ///< of the references of windows
-  double compared_cords = 0.0;    ///< of all windows' ticks, in which these are compared,
-  double compared_players = 0.0;  ///< and these
+  WindowErrors agreement;         ///< difference of the two references in windows
+  double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
+  double compared_players = 0.0;  ///< share of the windows' ticks in which players are compared
   std::vector<Measured> settings;
-  int runs = 0;           ///< of the level, to find errors: those that the folder knew were not run again
-  std::string no_chains;  ///< why none of Box2D's chains are among them; empty if they are
+  int runs = 0;           ///< number of runs for errors, without those that were saved in the folder
+  std::string no_chains;  ///< why chains of Box2D are missing; empty if they are present
   bool complete = false;  ///< false if it was interrupted
 
   std::vector<Point> points() const;
@@ -64,22 +64,22 @@ struct StudyOptions {
   std::vector<Dials> grid;                       ///< settings to measure in place of those by `quick`, without meshes
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
-  std::function<void(double, double)> progress;  ///< the share done, and the seconds that are left
+  std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds
 };
 
-/// Measures a level and its recorded input over the grid. Continues what the folder holds of the same level, replay,
-/// grid and program. Throws engine::ReplayError for a replay that is none, has no ticks or is of another level.
+/// Measures a level and its recorded input over the grid. Continues saved results of the same level, replay, grid and
+/// program. Throws engine::ReplayError for a file that is not a replay, has no ticks or is of another level.
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
 
 /// The same for inputs that were not recorded; no results are saved.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
 
-/// Why a run does not count, in words: it blew up, let something through that its reference did not (see let_through),
-/// or did not converge in all ticks; empty if it does.
+/// Returns why a run does not count: it became unstable, let something through that its reference did not (see
+/// let_through), or did not converge in all ticks; empty if it counts.
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
 
-/// The settings that a level's own cords can have, by the greater of their errors from the start and in windows: those
-/// of other solvers and meshes stand apart, for they would be other cords.
+/// Returns the settings of a level's own cords, by the larger of their errors from the start and in windows. Those of
+/// other solvers and meshes are separate, because they are other cords.
 std::vector<Point> applicable(const Study& study);
 
 }  // namespace study

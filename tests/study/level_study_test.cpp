@@ -74,14 +74,14 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
     std::vector<engine::TickInput> inputs(100, right);
     for (std::size_t k = 20; k < 100; k += 20) inputs[k].buttons |= game::button_jump;
     const Trace trace = run(level, inputs);
-    // Of three rows what is pulled at is the middle one, and the others, as soft as it bends, give way to a hand. Two
-    // swing along their length for some ticks after a catch.
+    // Of three rows the middle one is pulled, and the soft outer ones yield. Two rows oscillate along their length for
+    // some ticks after a catch.
     int overstretched = 0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const double stretch = rows == 2 ? trace.stretch[k] : trace.figures[k].tension / file.ribbon_stiffness();
       overstretched += stretch < 2e-4 ? 0 : 1;
     }
-    // A catch takes three ticks, in which the tension is that of an impulse; it begins between two points.
+    // A catch takes three ticks with the tension of an impulse; it begins between two points.
     EXPECT_LE(overstretched, 3 * (rows - 2));
     EXPECT_GT(trace.player.back().y, 6.5);  // the player hangs on one
   }
@@ -108,7 +108,7 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   };
   const double one = error_of({});
   const double four = error_of({"direct", "tr_bdf2", 4, 1e-4});
-  EXPECT_NEAR(std::log(one / four) / std::log(4.0), 2.0, 0.4);  // its order
+  EXPECT_NEAR(std::log(one / four) / std::log(4.0), 2.0, 0.4);  // the order of the integrator
   const double euler = error_of({"direct", "implicit_euler", 1, 5e-4});
   const double euler_four = error_of({"direct", "implicit_euler", 4, 5e-4});
   EXPECT_NEAR(std::log(euler / euler_four) / std::log(4.0), 1.0, 0.2);
@@ -119,7 +119,7 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   }
 }
 
-/// All that does not come from the clock.
+/// Compares everything that does not depend on the clock.
 void expect_the_same(const Measured& a, const Measured& b) {
   for (const auto member : {&Errors::position_m, &Errors::position_share, &Errors::player_m, &Errors::stretch,
                             &Errors::tension, &Errors::penetration, &Errors::energy, &Errors::momentum}) {
@@ -236,7 +236,7 @@ TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
   EXPECT_EQ(failure_of(trace, reference, 10), "2 ticks not converged");
   trace.passages[4] = {through_body};
   EXPECT_EQ(failure_of(trace, reference, 10), "cord 1 went through a body in tick 5");
-  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference did so too
+  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference lets the same through
   trace.failure = "blew up in tick 6";
   EXPECT_EQ(failure_of(trace, reference, 10), "blew up in tick 6");
 }
@@ -298,15 +298,15 @@ TEST_F(LevelStudy, AnUnneededTermIsReported) {
   EXPECT_NE(verdict(result("cord_contact")).find("not needed"), std::string::npos);
   EXPECT_GT(result("bending_stiffness").shows_at, 0U);
   EXPECT_NE(verdict(result("bending_stiffness")).find("from tick"), std::string::npos);
-  ASSERT_EQ(terms.lacking.size(), 1U);  // the bridge falls, and its links push
+  ASSERT_EQ(terms.lacking.size(), 1U);  // links of the falling bridge push
   EXPECT_EQ(terms.lacking[0].term, "tension_only");
-  const TermResult self = result("self_contact");  // which no cord declares
+  const TermResult self = result("self_contact");  // no cord declares it
   EXPECT_FALSE(self.declared);
   EXPECT_EQ(self.shows_at, 0U);
   EXPECT_GT(self.cost_share, 0.0);
   EXPECT_NE(verdict(self).find("not needed: with it"), std::string::npos);
   EXPECT_TRUE(result("tension_only").can_be_built);
-  EXPECT_FALSE(result("area_stiffness").can_be_built);  // its cords are no ribbons
+  EXPECT_FALSE(result("area_stiffness").can_be_built);  // the level has no ribbons
   EXPECT_NE(verdict(result("area_stiffness")).find("left out"), std::string::npos);
 }
 
@@ -334,7 +334,7 @@ TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
   EXPECT_FALSE(pushes(simulation.scene().coupling().cord(0).direct(), 9.81));
 }
 
-/// Of cords of two rows, which are no ropes, the first alone is made one.
+/// The first cord is a rope; the others have two rows and are not.
 TEST_F(LevelStudy, ATermIsSwitchedOnWhereItCanBe) {
   int cords = 0;
   change_level(level_path, [&cords](Json& cord) {

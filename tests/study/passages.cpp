@@ -16,7 +16,7 @@ using ribbon::Vec2;
 using ribbon::box2d::to_double;
 using Line = std::vector<Vec2>;
 
-constexpr std::size_t lag = 15;  // ticks, by which a run's motion may differ from its reference's
+constexpr std::size_t lag = 15;  // ticks, accepted delay between a run and its reference
 
 bool is_circle(const b2Fixture& fixture) { return fixture.GetType() == b2Shape::e_circle; }
 
@@ -70,7 +70,7 @@ bool may_meet(const b2Fixture& fixture, const PassingLink& was, const PassingLin
          bottom <= std::max(high.y, to_double(box.upperBound).y);
 }
 
-/// Whether a link of this half thickness is on both sides of the fixture, or came to its other side.
+/// Returns whether a link of this half thickness is on both sides of the fixture, or moved to its other side.
 bool is_through(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is, double half_thickness) {
   if (!may_meet(fixture, was, is)) return false;
   const double depth = test_support::depth(fixture, is.a, is.b);
@@ -88,7 +88,7 @@ bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::siz
   return false;
 }
 
-/// What the thesis's cords should not cross is known to others only.
+/// Cords of the thesis do not declare contacts, so the caller says what they must not cross.
 bool may_declare(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, bool ribbon::CordDef::*contact) {
   return coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis || coupling.cord(cord).direct().def().*contact;
 }
@@ -116,7 +116,7 @@ void mark_crossings(Passages& passages, const ribbon::box2d::Coupling& coupling,
 }  // namespace
 
 bool passes(const PassingLink& before, const PassingLink& after) {
-  // As seen from c, with p and q the ends: p + t·dp, q + t·dq, and on one line with c where their cross product is 0.
+  // Relative to c the ends are p + t·dp and q + t·dq. They are in line with c where their cross product is 0.
   const Vec2 p = before.a - before.c;
   const Vec2 q = before.b - before.c;
   const Vec2 dp = after.a - after.c - p;
@@ -127,7 +127,7 @@ bool passes(const PassingLink& before, const PassingLink& after) {
   const auto is_between = [&](double t) { return t > 0.0 && t <= 1.0 && dot(p + t * dp, q + t * dq) < 0.0; };
   const double root = std::sqrt(std::max(c1 * c1 - 4.0 * c2 * c0, 0.0));
   if (c1 * c1 < 4.0 * c2 * c0) return false;
-  // Both without the difference of near numbers; one is none where nothing bends.
+  // Both roots without cancellation; one is NaN if the equation is linear.
   const double sum = -0.5 * (c1 + std::copysign(root, c1));
   return (sum != 0.0 && is_between(c0 / sum)) || (c2 != 0.0 && is_between(sum / c2));
 }

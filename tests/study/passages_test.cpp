@@ -36,14 +36,14 @@ TEST(Passages, ACircleThatIsOnTheOtherSideAfterATickHasPassed) {
   PassageWatch watch;
   const auto look = [&] { return watch.look(world.world, world.coupling, {})[0]; };
   EXPECT_EQ(look(), 0);
-  ball.SetTransform({0.75F, 0.09F}, 0.0F);  // sunk in, and no more
+  ball.SetTransform({0.75F, 0.09F}, 0.0F);  // only penetrates
   EXPECT_EQ(look(), 0);
   ball.SetTransform({0.75F, -0.3F}, 0.0F);
   EXPECT_EQ(look(), through_body);
   EXPECT_EQ(look(), 0);
   watch.forget();
   ball.SetTransform({0.75F, 0.3F}, 0.0F);
-  EXPECT_EQ(look(), 0);                      // it was put there
+  EXPECT_EQ(look(), 0);                      // a new start
   ball.SetTransform({0.75F, 0.005F}, 0.0F);  // nearer to the line than the cord's radius
   EXPECT_EQ(look(), through_body);
   b2Filter none;
@@ -61,7 +61,7 @@ TEST(Passages, AnEdgeIsPassedByWhatCrossesIt) {
 }
 
 TEST(Passages, APolygonIsPassedByWhatIsInsideWithAllItsThickness) {
-  for (const double depth : {0.005, 0.015}) {  // of the middle line; the radius is 0.01
+  for (const double depth : {0.005, 0.015}) {  // m, of the middle line; the radius is 0.01
     test_support::CoupledWorld world({}, {});
     world.add(rope());
     b2PolygonShape shape;

@@ -31,7 +31,7 @@ std::vector<std::string> methods_of(std::span<const Point> points) {
   return methods;
 }
 
-/// The least and the greatest error above 0 that is drawn; 1 if there is none.
+/// The smallest and largest drawn error above 0; 1 if there is none.
 std::pair<double, double> range_of(std::span<const Point> points) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
@@ -43,7 +43,7 @@ std::pair<double, double> range_of(std::span<const Point> points) {
   return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
 }
 
-/// The least and the greatest cost that is drawn, the same for all groups, µs.
+/// The smallest and largest drawn cost of all groups, µs.
 std::pair<double, double> costs_of(std::span<const Point> points) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
@@ -55,7 +55,7 @@ std::pair<double, double> costs_of(std::span<const Point> points) {
   return most > 0.0 ? std::pair{least, most} : std::pair{1.0, 1.0};
 }
 
-/// As one word for a shell, whatever is in it.
+/// Quotes any text as one word for a shell.
 std::string in_shell_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -74,7 +74,7 @@ std::string color_of(std::size_t method) {
 
 std::string mark_of(std::size_t method) { return "points pointtype " + std::to_string(method + 4) + color_of(method); }
 
-/// What the marks are, once for all groups.
+/// The definitions of the marks, once for all groups.
 std::string legend_of(std::span<const Point> points, const std::vector<std::string>& methods) {
   std::string legend = ", keyentry with lines linewidth 2 linecolor 'black' title 'front'";
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -89,7 +89,7 @@ std::string legend_of(std::span<const Point> points, const std::vector<std::stri
   return legend;
 }
 
-/// One group's plot: blocks of data under names of its own, and what draws them.
+/// The plot of a group: blocks of data with their names, and the commands that draw them.
 class Panel {
  public:
   Panel(std::span<const Point> points, const std::string& group, std::size_t index)
@@ -101,7 +101,7 @@ class Panel {
     top_ = 4.0 * most;
   }
 
-  /// `methods` are those of all groups, so that each looks the same in all of them.
+  /// `methods` are those of all groups, so that each has the same mark in all of them.
   std::string text(const std::vector<std::string>& methods, const std::string& legend) {
     std::vector<Point> best;
     for (const std::size_t k : front(points_)) best.push_back(points_[k]);
@@ -126,7 +126,7 @@ class Panel {
   }
 
  private:
-  /// A logarithm has no 0: that is drawn below the least.
+  /// On a logarithmic axis 0 is drawn below the smallest value.
   void add(const std::string& name, const std::vector<Point>& points, const std::string& style) {
     if (points.empty()) return;
     data_ << '$' << name << suffix_ << " << END\n";
@@ -146,14 +146,14 @@ class Panel {
   std::string layers_;
 };
 
-/// px, that the legend takes beside its marks.
+/// Returns the width of the legend without its marks, px.
 double width_of(const std::vector<std::string>& names) {
   std::size_t longest = 12;  // not compared
   for (const std::string& name : names) longest = std::max(longest, name.size());
   return 95.0 + 8.5 * static_cast<double>(longest);
 }
 
-/// Room for panels of equal size, two beside each other, and for the legend to their right.
+/// The layout of panels of equal size, two per row, and of the legend to their right.
 std::string layout_of(std::size_t panels, double legend, const std::string& name) {
   const std::size_t columns = panels > 1 ? 2 : 1;
   const std::size_t rows = (panels + columns - 1) / columns;

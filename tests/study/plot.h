@@ -7,11 +7,11 @@
 
 namespace study {
 
-/// What gnuplot draws NAME.svg from: the points' errors against their costs, their front, and failures at the top; a
-/// plot a group, beside each other. What has no number is left out.
+/// Returns the gnuplot commands for NAME.svg: the points' errors against their costs, their front, and failures at the
+/// top, one plot per group. NaN is not drawn.
 std::string plot_of(std::span<const Point> points, const std::string& axis, const std::string& name);
 
-/// Has gnuplot draw NAME.gp in a folder. False if it could not; then gnuplot.log is there.
+/// Runs gnuplot with NAME.gp in a folder. Returns false on failure; then the folder has gnuplot.log.
 bool draw(const std::string& folder, const std::string& name);
 
 }  // namespace study

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int repeats = 3;
 
-/// The quick grid, of it what a level's own cords can have.
+/// The settings of the quick grid for a level's own cords.
 std::vector<Dials> own_settings() {
   std::vector<Dials> own;
   const std::vector<Dials> all = grid(true);
@@ -29,7 +29,7 @@ StudyOptions options_of(std::vector<Dials> settings) {
   return options;
 }
 
-/// What is measured again of what was chosen; the same setting may be both.
+/// The chosen settings to measure again; both may be the same setting.
 struct Chosen {
   std::optional<std::size_t> cheapest;
   std::optional<std::size_t> most_exact;
@@ -42,7 +42,7 @@ struct Chosen {
   }
 };
 
-/// Counts what became of a promise: `value` of the setting is to be at most `most`.
+/// Counts the result of a promise: `value` of the setting must be at most `most`.
 void count(Tally& tally, const Point& again, double Point::*value, double most, const std::string& what,
            std::vector<std::string>& broken) {
   ++tally.found;
@@ -69,7 +69,7 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<engine::TickInput> inputs(static_cast<std::size_t>(count));
   std::uint16_t buttons = game::button_right;
-  for (engine::TickInput& input : inputs) {  // levels go to the right, and cords are there to be caught
+  for (engine::TickInput& input : inputs) {  // mostly right and grab, because levels go to the right
     if (random() % held_for == 0) {
       buttons = 0;
       for (const auto& [button, eighths] : {std::pair{game::button_left, 1U},

@@ -12,24 +12,24 @@ namespace study {
 
 /// The number of recommendations that held.
 struct Tally {
-  int found = 0;  ///< tries in which there was a setting to recommend
-  int kept = 0;   ///< of these
-  int none = 0;   ///< tries in which there was none
+  int found = 0;  ///< tries with a recommended setting
+  int kept = 0;   ///< of these, tries in which it held
+  int none = 0;   ///< tries without a recommendation
 };
 
 struct Promises {
   Tally error;
   Tally budget;
   int held = 0;                     ///< tries in which the other player held a cord
-  std::vector<std::string> broken;  ///< each, in words
+  std::vector<std::string> broken;  ///< a sentence for each
 };
 
-/// What is promised, and how often that is tried.
+/// The promised limits, and the number of tries.
 struct PromiseOptions {
   double max_error_m = 1e-2;
   double budget_us = 100.0;
   int tries = 100;
-  int ticks = 120;  ///< that each player plays
+  int ticks = 120;  ///< of each player
 };
 
 using Measure =

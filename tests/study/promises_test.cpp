@@ -12,14 +12,14 @@ namespace {
 // --- arithmetic: a level whose settings come to what the test says
 // ----------------------------------------------------
 
-constexpr double found_at = 0.5;  // of what is promised, in the first measurement: below each margin
+constexpr double found_at = 0.5;  // relative to the promise, in the first measurement: below each margin
 
-/// Each setting of the grid costs and errs half of what is promised; in the second measurement as `again` says.
+/// Each setting of the grid has half of the promised cost and error; in the second measurement those of `again`.
 Promises promises_of(int tries, const std::function<void(int k, Measured&)>& first,
                      const std::function<void(int k, Measured&)>& again) {
   int k = -1;
   const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
-    const bool is_first = options.grid.size() > 2;  // of a try; what was chosen is one or two
+    const bool is_first = options.grid.size() > 2;  // in a try; the chosen settings are one or two
     k += is_first ? 1 : 0;
     Study study;
     study.level = "some";
@@ -127,7 +127,7 @@ TEST(Promises, LevelsTakeTurnsAndEachTryIsAnother) {
   ASSERT_EQ(hashes.size(), 6U);
   EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 3U);
   EXPECT_EQ(hashes[0], level.varied(0).hash());
-  EXPECT_EQ(hashes[1], hashes[0]);  // both players of a try are in the same one
+  EXPECT_EQ(hashes[1], hashes[0]);  // both players of a try have the same variation
   EXPECT_EQ(hashes[2], level.varied(1000).varied(2).hash());
   EXPECT_EQ(hashes[4], level.varied(4).hash());
   for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -161,7 +161,7 @@ TEST(Variation, IsTheSameForTheSameSeed) {
   EXPECT_EQ(file.level().map.content_hash, game::load_level(file.path()).map.content_hash);
 }
 
-/// Least and greatest of what was seen, as a share of the level's own.
+/// Smallest and largest value, relative to that of the level.
 struct Range {
   double least = 1e9;
   double most = 0.0;

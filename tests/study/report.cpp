@@ -88,7 +88,7 @@ std::string head_of(const std::string& title) {
          escaped(title) + "</h1>\n";
 }
 
-/// True too if there is nothing to draw.
+/// Returns true also if there is nothing to draw.
 bool plot(const std::string& folder, const std::vector<Point>& points, const std::string& axis,
           const std::string& name) {
   if (std::none_of(points.begin(), points.end(), is_shown)) return true;

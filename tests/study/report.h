@@ -12,21 +12,21 @@ namespace study {
 /// One kind of error, to be drawn against the cost.
 struct Metric {
   std::string name;            ///< penetration_m
-  std::vector<double> values;  ///< by point; what is no number is not drawn
+  std::vector<double> values;  ///< by point; NaN is not drawn
 };
 
-/// What a report shows.
+/// The content of a report.
 struct Report {
   std::string title;                              ///< heavy_swing
-  std::vector<std::string> notes;                 ///< sentences, to stand above the table
+  std::vector<std::string> notes;                 ///< sentences above the table
   std::vector<Point> points;                      ///< settings and baselines
   std::vector<std::string> columns;               ///< names of further columns, by point in `cells`
   std::vector<std::vector<std::string>> cells{};  ///< their texts
-  std::vector<Metric> metrics{};                  ///< further plots: errors of another kind are never made one
-  std::string axis = "error [m]";                 ///< what the points' own error is
+  std::vector<Metric> metrics{};                  ///< further plots: different kinds of errors are not combined
+  std::string axis = "error [m]";                 ///< the label of the points' own error
 };
 
-/// What no plot could be drawn for lack of: all else is written.
+/// Thrown if a plot could not be drawn; all other files are written.
 class PlotError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ class PlotError : public std::runtime_error {
 /// cannot be written, and PlotError, with everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
 
-/// A page of several, and what writes it; that returns the program's exit status.
+/// A page and the function that writes it, which returns the program's exit status.
 struct Page {
   std::string name;
   std::function<int()> write;
@@ -48,7 +48,7 @@ struct Page {
 /// missing, or that of a page if it is not 0, which is then the last page.
 int write_pages(const std::vector<Page>& pages, const std::function<void(const std::vector<std::string>& done)>& add);
 
-/// A page with the plots of reports in folders of these names beside it. Makes the folder.
+/// Writes a page with the plots of the reports in folders of these names beside it. Creates the folder.
 void write_contents(const std::string& title, const std::vector<std::string>& notes,
                     const std::vector<std::string>& folders, const std::string& folder);
 

@@ -22,7 +22,7 @@ Json json_of(const Errors& e) {
       {e.position_m, e.position_share, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
 }
 
-/// JSON has no number that is none: it writes null.
+/// JSON writes null for NaN.
 double number_of(const Json& j) { return j.is_null() ? lacking : j.get<double>(); }
 
 Errors errors_of(const Json& j) {
@@ -87,7 +87,7 @@ Results::Results(const std::string& folder, std::uint64_t level_hash, const std:
   const std::string path = folder + "/results.jsonl";
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
-    const Json json = Json::parse(line, nullptr, false);  // the last line may be half a line
+    const Json json = Json::parse(line, nullptr, false);  // the last line may be incomplete
     if (json.is_object() && json.value("key", "") == key_) known_.push_back(measured_of(json.at("measured")));
   }
   out_.open(path, std::ios::app);

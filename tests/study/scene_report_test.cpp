@@ -5,14 +5,14 @@
 #include <cmath>
 #include <map>
 
-// What a scene's figures mean for its settings.
+// From the figures of a scene to the points of its report.
 
 namespace tradeoff {
 namespace {
 
 using Figures = std::map<std::string, double>;
 
-/// One setting that came to these figures, and to nothing else of a scene's.
+/// A setting with these figures and no others.
 study::Report report_of_one(const Figures& figures) {
   Scene scene;
   scene.name = "scene";
@@ -57,7 +57,7 @@ TEST(SceneReport, EachKindOfErrorStandsByItself) {
   const study::Report report =
       report_of_one({{"penetration_m", 2e-9}, {"max_stretch_pct", -3.0}, {"jitter_m", 4.0}, {"our_us", 5.0}});
   EXPECT_EQ(report.axis, "penetration_m");
-  EXPECT_EQ(report.points.at(0).error_m, 1e-6);  // depths below a micrometre are none
+  EXPECT_EQ(report.points.at(0).error_m, 1e-6);  // smaller depths count as a micrometre
   ASSERT_EQ(report.metrics.size(), 2U);
   EXPECT_EQ(report.metrics[0].name, "max_stretch_pct");
   EXPECT_EQ(report.metrics[0].values, std::vector<double>{3.0});

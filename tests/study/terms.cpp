@@ -24,7 +24,7 @@ constexpr std::array<const char*, 10> switchable = {
     "friction", "restitution", "self_contact",      "cord_contact",  "tension_only",
     "drag",     "damping",     "bending_stiffness", "poisson_ratio", "area_stiffness"};
 
-/// What can be switched on.
+/// Terms that can be switched on.
 struct Switch {
   const char* term;
   std::variant<bool, double> value;
@@ -67,7 +67,7 @@ bool any_mutual_crossing(const std::vector<std::vector<Vec2>>& lines) {
   return false;
 }
 
-/// Cells whose corners are in another order than they should.
+/// Returns the number of cells with inverted corners.
 bool any_inverted_cell(const ribbon::box2d::Coupling& coupling) {
   for (int c = 0; c < coupling.size(); ++c) {
     const int rows = coupling.cord(c).shape().rows;
@@ -109,7 +109,7 @@ std::vector<Symptom> find_symptoms(const LevelFile& file, std::span<const engine
   return seen;
 }
 
-/// A level to be compared with the one as it is, and what comes of it.
+/// A changed level, and its comparison with the original one.
 struct Trial {
   TermResult result;
   std::optional<game::Level> level;
@@ -166,7 +166,7 @@ void time(std::vector<Trial>& trials, const game::Level& as_it_is, std::span<con
   }
 }
 
-/// At 12 % more cost; nothing is made of what is noise.
+/// "at 12 % more cost"; empty if the difference is noise.
 std::string cost_in_words(double share) {
   if (std::abs(share - 1.0) <= noise_share) return "at about the same cost";
   return "at " + fixed(100.0 * std::abs(share - 1.0), 0) + " % " + (share > 1.0 ? "more" : "less") + " cost";

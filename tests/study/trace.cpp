@@ -16,7 +16,7 @@ double length_of(const std::vector<Vec2>& line) {
   return sum;
 }
 
-/// Evenly by the columns, which are evenly along the cord at rest.
+/// Evenly spaced by columns, which are evenly spaced on the cord at rest.
 void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
   for (int s = 0; s < Trace::stations; ++s) {
     const double along = static_cast<double>(line.size() - 1) * s / (Trace::stations - 1);
@@ -28,7 +28,7 @@ void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
 
 double peak(std::span<const double> values) { return *std::max_element(values.begin(), values.end()); }
 
-/// No number if any is none.
+/// NaN if any value is NaN.
 template <typename Value>
 double greatest(std::size_t count, Value&& value) {
   double most = value(0);
@@ -73,14 +73,14 @@ void add_figures(Errors& errors, std::span<const Figures> run, const Trace& refe
                     (reference.mass * speed);
 }
 
-/// That of game::Level's cords, which do not bump into players, nor into what moves them.
+/// The filter of game::Level's cords, which do not collide with players, nor with a substitute for the cords.
 b2Filter cord_filter(const Method& method) {
   b2Filter filter;
   filter.maskBits = static_cast<std::uint16_t>(~(game::player_category | method.categories));
   return filter;
 }
 
-/// What cords that do not move themselves know of positions only.
+/// Removes the figures that need more than positions, for cords that a substitute moves.
 Figures figures_of(const engine::Scene& scene, const Method& method) {
   Figures figures = study::figures_of(scene.world(), scene.coupling(), cord_filter(method));
   if (!method.make_mover) return figures;
@@ -110,7 +110,7 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
   trace.player.push_back(simulation.player().position());
 }
 
-/// A run that has not begun.
+/// A run at its start.
 Trace trace_of(const engine::Scene& start) {
   Trace trace;
   for (int c = 0; c < start.coupling().size(); ++c) {
@@ -169,7 +169,7 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, c
     run.tick();
     run.show();
     add_tick(trace, run.simulation(), method);
-    if (run.simulation().run_ticks() == 1) watch.forget();  // the player has begun again
+    if (run.simulation().run_ticks() == 1) watch.forget();  // after a restart
     const engine::Scene& now = run.simulation().scene();
     trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter(method)));
     if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_somewhere)) {

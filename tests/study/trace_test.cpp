@@ -118,7 +118,7 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
   EXPECT_TRUE(trace.failure.empty());
 }
 
-/// A ball that flies over the pin of a hanging cord, to its other side; 64 pixels are a metre, y is down.
+/// A ball flies over the pin of a hanging cord to the other side; 64 pixels are a metre, y is down.
 constexpr const char* thrown_over = R"({
  "type": "map", "orientation": "orthogonal", "width": 20, "height": 20, "tilewidth": 32, "tileheight": 32,
  "layers": [{"type": "objectgroup", "name": "all", "objects": [

@@ -6,9 +6,9 @@
 namespace study {
 namespace {
 
-constexpr double agreed = 1e-4;  // m
+constexpr double agreed = 1e-4;  // m, accepted difference of the references
 
-/// Evenly along a run, each window whole if the run is as long as one.
+/// Evenly spaced along a run; each window is complete if the run is long enough.
 std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
   if (ticks <= Windows::ticks) return {0};
   const std::size_t room = ticks - Windows::ticks;
@@ -69,7 +69,7 @@ WindowErrors Windows::errors(const ribbon::Accuracy& accuracy) const {
   });
 }
 
-/// RMS over the ticks of all windows that are compared.
+/// RMS over the compared ticks of all windows.
 template <typename Run>
 WindowErrors Windows::pooled(Run&& run) const {
   double cords = 0.0;

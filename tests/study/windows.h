@@ -9,7 +9,7 @@
 
 namespace study {
 
-/// m, RMS. What is not compared is no number.
+/// RMS errors, m; NaN if not compared.
 struct WindowErrors {
   double position_m = lacking;  ///< over all stations
   double player_m = lacking;
@@ -18,24 +18,24 @@ struct WindowErrors {
   double greatest() const;
 };
 
-/// What a setting gets wrong in a quarter of a second, begun again and again from where the level's own cords are, all
-/// along a run (multiple shooting). So short a time often ends before chance has its say, and so what comes after the
-/// first catch is looked at too.
+/// The errors of a setting in windows of a quarter of a second along a run, each started from the state of the level's
+/// own cords (multiple shooting). In so short a time the motion often is not yet chaotic, so that motion after the
+/// first catch is compared too.
 class Windows {
  public:
-  static constexpr std::size_t ticks = 15;  ///< of a window
+  static constexpr std::size_t ticks = 15;  ///< length of a window
 
   /// Runs the references of up to `most` windows, evenly spaced along a run: `fine` and `finer` are accuracies of
   /// converged motions. Keeps references to level and inputs.
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 
-  /// Of cords solved so, against the finer reference, in all ticks that are compared.
+  /// Returns the errors with a setting relative to the finer reference, in all compared ticks.
   WindowErrors errors(const ribbon::Accuracy& accuracy) const;
-  /// How far the references are apart in them; below ten times that an error is not known.
+  /// Returns the differences of the references in these ticks. Errors below ten times that are unknown.
   WindowErrors agreement() const { return agreement_; }
-  /// Of all windows' ticks, the share in which cords are compared, and players: as long as the references are a tenth
-  /// of a millimetre apart at most, RMS.
+  /// Return the share of the windows' ticks in which cords and players are compared: while the references differ by at
+  /// most 0.1 mm, RMS.
   double compared_cords() const { return share(&Window::cords); }
   double compared_players() const { return share(&Window::player); }
   std::size_t count() const { return windows_.size(); }
@@ -57,8 +57,8 @@ class Windows {
   WindowErrors agreement_;
 };
 
-/// In how many ticks, from the first on, two runs are no further apart than `most` [m]: their cords, RMS over all
-/// stations; and their players.
+/// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations, and
+/// their players.
 std::size_t cords_together(const Trace& a, const Trace& b, double most);
 std::size_t players_together(const Trace& a, const Trace& b, double most);
 

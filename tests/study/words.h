@@ -4,13 +4,13 @@
 
 namespace study {
 
-/// A number with so many significant digits: 0.00123, 1e+08.
+/// Returns a number with a number of significant digits: 0.00123, 1e+08.
 std::string significant(double value, int digits);
-/// With so many decimals: 8.45.
+/// Returns a number with a number of decimals: 8.45.
 std::string fixed(double value, int decimals);
 /// 1 tick, 2 ticks.
 std::string count_of(int count, const std::string& what);
-/// What a file has in it; empty if it cannot be read.
+/// Returns the content of a file; empty if it cannot be read.
 std::string content_of(const std::string& path);
 
 }  // namespace study

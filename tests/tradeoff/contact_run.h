@@ -10,40 +10,40 @@
 
 namespace tradeoff {
 
-/// A way of making cords, by name.
+/// A representation of cords, with its name.
 struct NamedMethod {
   std::string method;   ///< cord, box2d_chain, thesis
   std::string setting;  ///< balanced, substeps=4 iterations=8/3
   test_support::CordMethod how;
 };
 
-/// The presets named.
+/// Returns the presets with these names.
 std::vector<NamedMethod> presets(const std::vector<std::string>& names);
-/// Box2D's chains, with substeps of 8 and 3 iterations.
+/// Returns Box2D's chains, with substeps of 8 and 3 iterations.
 std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_itself = false);
-/// The thesis's cords, with so many iterations and springs that give back so much (see CordMethod): its own k was 0.45.
+/// Returns cords of the thesis with numbers of iterations and spring shares (see CordMethod). The thesis uses k = 0.45.
 std::vector<NamedMethod> thesis_cords(const std::vector<int>& substeps, double spring_share);
-/// Both lists, one after the other.
+/// Returns both lists, one after the other.
 std::vector<NamedMethod> together(std::vector<NamedMethod> a, const std::vector<NamedMethod>& b);
 
-/// What a scene sets up.
+/// Sets up a scene.
 using SetUp = std::function<void(test_support::CoupledWorld&)>;
 
-/// What came of some ticks.
+/// The results of some ticks.
 struct ContactFigures {
-  double max_stretch = 0.0;  ///< of a rope, the most after any tick, as a share
-  double energy_gain = 0.0;  ///< the most that energy rose above the lowest before, as a share of energy_scale
-  double penetration = 0.0;  ///< m, the most after any tick
-  int unconverged = 0;       ///< ticks in which a substep of a cord's island was left unconverged, of all cords; of the
-                             ///< thesis's, in which one was left to the springs
-  int mended = 0;            ///< the same of searches, fallbacks, energy gains and halvings; of points held back
-  int blew_up = 0;  ///< the tick, from 1, in which a point was no number or 10 km away: the last one run; 0: none
-  int self_crossings = 0;  ///< these three after the last tick
+  double max_stretch = 0.0;  ///< of a rope, relative, maximum after any tick
+  double energy_gain = 0.0;  ///< maximum rise above the lowest earlier energy, relative to energy_scale
+  double penetration = 0.0;  ///< m, maximum after any tick
+  int unconverged = 0;       ///< ticks with an unconverged substep of a cord's island, summed over cords; for the
+                             ///< thesis's method with one that only the springs solved
+  int mended = 0;            ///< the same with searches, fallbacks, energy gains and halvings; with limited motion
+  int blew_up = 0;         ///< the tick, from 1, in which a point was NaN or 10 km away, which is the last one; 0: none
+  int self_crossings = 0;  ///< this and the next two after the last tick
   int mutual_crossings = 0;
   int inverted = 0;
 };
 
-/// Runs on.
+/// Runs the world for some ticks.
 ContactFigures run(test_support::CoupledWorld& world, int ticks,
                    const std::function<void(test_support::CoupledWorld&)>& after_tick = {});
 
@@ -59,7 +59,7 @@ struct ContactContestant {
   SetUp set_up;
   bool goes_on = false;
   ribbon::Vec2 gravity{0.0, -9.81};
-  /// Finds the figures in a world just set up.
+  /// Computes the figures in a new world.
   std::function<std::vector<double>(test_support::CoupledWorld&)> figures;
 };
 Contestant contestant(const ContactContestant& how);
@@ -69,7 +69,8 @@ inline constexpr const char* thesis_strip =
     "The thesis's cord is a strip of square cells, a link wide, and has no friction; penetration is into the strip.";
 inline constexpr const char* no_b2_rope = "b2Rope meets no bodies, and takes no part.";
 
-/// The whole tick, our share of it and b2World::Step's, then what came of it. `more` are the names of further figures.
+/// Returns the columns: times of the whole tick, of our part and of b2World::Step, then the results. `more` are the
+/// names of further figures.
 std::vector<Column> contact_columns(const std::vector<std::string>& more = {});
 
 }  // namespace tradeoff

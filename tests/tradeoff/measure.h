@@ -5,33 +5,33 @@
 
 namespace tradeoff {
 
-/// Called once a tick.
+/// Called once per tick.
 using Tick = std::function<void()>;
 
-/// One thing to time.
+/// A contestant to time.
 struct Timed {
-  std::function<void()> reset;  ///< back to the start before every repeat, so that all do the same work; empty: goes on
+  std::function<void()> reset;  ///< restores the start before every repeat, for equal work; empty: the run continues
   Tick tick;
   Tick rest = {};  ///< a part of the tick that is timed separately: b2World::Step after our part; may be empty
 };
 
 struct Timing {
-  double median_us = 0.0;  ///< a tick and its rest: the median over the repeats of a repeat's mean; without a rest of
-                           ///< the time that the program itself was running
-  double p99_us = 0.0;  ///< that 99 of 100 single ticks of all repeats stay below. The clock is read after each, which
-                        ///< costs it some 0.03 µs
-  // If there is a rest:
-  double share_us = 0.0;      ///< of the median's: the tick without its rest
-  double rest_us = 0.0;       ///< and the rest
-  double share_p99_us = 0.0;  ///< that 99 of 100 single ticks without their rest stay below
+  double median_us = 0.0;  ///< a tick with its rest: median over the repeats of the mean; without a rest in processor
+                           ///< time
+  double p99_us = 0.0;     ///< 99th percentile of single ticks of all repeats. Reading the clock after each adds some
+                           ///< 0.03 µs
+  // With a rest:
+  double share_us = 0.0;      ///< part of the median: the tick without its rest
+  double rest_us = 0.0;       ///< part of the median: the rest
+  double share_p99_us = 0.0;  ///< 99th percentile of single ticks without their rest
   double worst_us = 0.0;      ///< the most expensive tick without its rest; of each tick the median over the repeats
 };
 
 /// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.
 double quantile(std::vector<double> values, double share);
 
-/// They take turns, `ticks` at a time, `repeats` times over, so that a slow moment of a shared machine strikes all of
-/// them alike. `progress` is called with the share done, 0 … 1.
+/// Times contestants in turn, `ticks` at a time, `repeats` times, so that a slow moment of a shared machine affects all
+/// of them alike. `progress` is called with the share done, 0 … 1.
 std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
                                         const std::function<void(double)>& progress);
 

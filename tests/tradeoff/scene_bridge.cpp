@@ -16,11 +16,10 @@ bool is_below(const b2Body& ball, const CoupledWorld& world) {
   return std::all_of(x.begin(), x.end(), [&](Vec2 p) { return ribbon::box2d::to_double(ball.GetPosition()).y < p.y; });
 }
 
-/// Ten seconds after it has come to rest: how far the ball goes from where it was, and the most that it moves in a tick
-/// of the last second.
+/// Ten seconds from rest: the maximum displacement of the ball, and its maximum motion in a tick of the last second.
 std::vector<double> figures(CoupledWorld& world) {
   world.settle(1800);
-  const b2Body& ball = *world.world.GetBodyList();  // the last made is the first there
+  const b2Body& ball = *world.world.GetBodyList();  // the newest body is the first
   const Vec2 start = ribbon::box2d::to_double(ball.GetPosition());
   Vec2 before = start;
   double drift = 0.0;

@@ -20,14 +20,14 @@ constexpr double pi = std::numbers::pi;
 
 int last_point(const CoupledWorld& world) { return world.def(0).points - 1; }
 
-/// Along the cord's end, outwards.
+/// The outward direction of the cord's end.
 Vec2 taut_direction(const CoupledWorld& world) {
   const std::vector<Vec2> x = world.points(0);
   const Vec2 along = x.back() - x[x.size() - 2];
   return (1.0 / length(along)) * along;
 }
 
-/// Its last point is dragged along by a body that nothing pushes.
+/// A kinematic body drags the last point.
 void set_up(CoupledWorld& world, double angle) {
   test_support::wind_around_post(world, angle, friction);
   world.pull(0, 0, {0.0, -slack_pull});
@@ -36,8 +36,8 @@ void set_up(CoupledWorld& world, double angle) {
   world.hold(0, last_point(world), hand);
 }
 
-/// m, how far the slack end goes in eight seconds after two, with the other pulled as hard as makes it slip at a share
-/// of the angle: it should stay.
+/// Returns the displacement of the slack end in eight seconds after the first two, m. The pull at the other end is that
+/// for slipping at a part of the angle, so the cord should stick.
 double creep(const NamedMethod& method, double angle, double share) {
   CoupledWorld world(method.how, {});
   test_support::wind_around_post(world, angle, friction);
@@ -49,7 +49,7 @@ double creep(const NamedMethod& method, double angle, double share) {
   return length(world.points(0).front() - start);
 }
 
-/// Two seconds of slipping, of which the last gives the mean tensions.
+/// Two seconds of slipping; the mean tensions are those of the last second.
 std::vector<double> figures(CoupledWorld& world, const NamedMethod& method, double angle) {
   double taut = 0.0;
   int tick = 0;

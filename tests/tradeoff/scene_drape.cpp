@@ -33,8 +33,8 @@ std::vector<double> with_speed(CoupledWorld& world, double bar) {
   return figures;
 }
 
-/// The first two seconds; two more after eight, when only the ends still swing; and two after it has been calmed. What
-/// is timed goes on from there.
+/// The first two seconds; two more after eight, when only the ends still swing; and two after it has settled. The timed
+/// ticks follow these.
 std::vector<Contestant> contestants() {
   std::vector<Contestant> list;
   for (const double friction : {0.0, 0.5}) {
@@ -47,7 +47,7 @@ std::vector<Contestant> contestants() {
       list.push_back(contestant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
                                    return with_speed(world, falling_bar);
                                  }}));
-      if (friction == 0.0) continue;  // it slides off, sooner or later
+      if (friction == 0.0) continue;  // it slides off
       list.push_back(contestant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
                                    for (int k = 0; k < 480; ++k) world.tick();
                                    return with_speed(world, falling_bar);

@@ -18,10 +18,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cord_length = 3.0;  // m, of hang_load's
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Ten seconds from the start, and one more for the jitter: the most that the body moves in a tick, and the mean pull.
+/// Ten seconds from the start, and one more for the jitter: the maximum motion of the body in a tick, and the mean
+/// pull.
 std::vector<double> figures(CoupledWorld& world, double ratio, double stiffness) {
   const auto run_figures = run(world, 600);
-  const b2Body& load = *world.world.GetBodyList();  // the last made is the first there
+  const b2Body& load = *world.world.GetBodyList();  // the newest body is the first
   const int last = world.def(0).points - 1;
   Vec2 before = ribbon::box2d::to_double(load.GetPosition());
   double jitter = 0.0;

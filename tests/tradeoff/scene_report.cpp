@@ -25,7 +25,7 @@ double value_of(const Scene& scene, const Row& row, const char* name) {
 
 bool is_cord(const std::string& method) { return method.starts_with("cord") || method == "held"; }
 
-/// Why a setting does not count; empty if it does.
+/// Returns why a setting does not count; empty if it counts.
 std::string failure_of(const Scene& scene, const Row& row) {
   const double tick = value_of(scene, row, "blew_up");
   if (tick > 0.0) return "blew up in tick " + text(tick);

@@ -25,7 +25,7 @@ constexpr int converged_substeps = 1024;
 
 using Path = std::vector<std::vector<Vec2>>;  // by tick and point
 
-/// Held by its first column, and let go from the horizontal.
+/// A cord that is held by its first column and released from the horizontal.
 ThesisDef thesis_swing(const ThesisCondition& condition, int substeps) {
   ThesisDef def = test_support::thesis_def(condition);
   def.substeps = substeps;
@@ -34,7 +34,7 @@ ThesisDef thesis_swing(const ThesisCondition& condition, int substeps) {
   return def;
 }
 
-/// The same ribbon of the direct solver: as heavy, and as stiff along its rows as the springs are.
+/// The same ribbon of the direct solver, with the same mass and the springs' stiffness along its rows.
 CordDef cord_swing(const ThesisCondition& condition, const Accuracy& accuracy) {
   const ThesisDef thesis = thesis_swing(condition, condition.substeps);
   CordDef def;
@@ -69,7 +69,7 @@ double rms(const Path& a, const Path& b) {
   return std::sqrt(sum / static_cast<double>(a.size() * a[0].size()));
 }
 
-/// The motion of a method's finest setting, found when it is first asked for.
+/// Returns the motion of a method's finest setting; computed in the first call.
 using Converged = std::function<const Path&()>;
 
 template <typename Method>
@@ -128,7 +128,7 @@ void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
   }
 }
 
-/// D is C at another number of iterations.
+/// D is C with another number of iterations.
 std::vector<Contestant> contestants() {
   std::vector<Contestant> list;
   for (const ThesisCondition& condition : std::span(test_support::thesis_conditions).first(3)) {

@@ -9,18 +9,18 @@
 
 namespace tradeoff {
 
-/// One way of running a scene.
+/// A method and setting that runs a scene.
 struct Contestant {
   std::string method;   ///< cord, box2d_chain, dense_inverse
   std::string setting;  ///< substeps=8
   int points = 0;
   std::function<void()> reset;  ///< see Timed
   Tick tick;
-  std::function<std::vector<double>()> figures;  ///< what comes of it, found before any timing: those that the scene's
-                                                 ///< columns ask for. Empty if they ask for none
+  std::function<std::vector<double>()> figures;  ///< the results for the scene's columns, computed before any timing;
+                                                 ///< empty if there are no such columns
   Tick rest = {};                                ///< see Timed
-  std::string group = {};                        ///< what it simulates, if a scene has several such: ratio=100
-  std::function<std::int64_t()> work = {};       ///< CordReport::work of the last tick; empty if it counts none
+  std::string group = {};                        ///< variant of the scene: ratio=100
+  std::function<std::int64_t()> work = {};       ///< CordReport::work of the last tick; empty if not counted
 };
 
 /// The results of a contestant.
@@ -43,28 +43,28 @@ Column frames_per_second();
 Column our_us();
 Column our_worst_us();
 Column world_step_us();
-/// The index-th of a contestant's figures.
+/// Returns the column of the index-th figure.
 Column figure(std::string name, std::size_t index);
 
-/// As it stands in a setting: 0.001, 1e+08, inf.
+/// Formats a number as in a setting: 0.001, 1e+08, inf.
 std::string number(double value);
 
-/// A scene and the ways of running it, to be timed side by side.
+/// A scene and its contestants, which are timed in turn.
 struct Scene {
   std::string name;
   std::string description;
-  int ticks = 0;  ///< a repeat
+  int ticks = 0;  ///< per repeat
   std::function<std::vector<Contestant>()> contestants;
   std::vector<Column> columns = {us_per_tick(), p99_us()};
   std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
   std::vector<std::string> notes = {};  ///< sentences for its report: which contestants are missing, and why
   std::vector<std::string> slow = {};   ///< settings that a quick report leaves out
-  int report_repeats = 9;               ///< of the standard report, unless others are asked for
-  int counted_ticks = 0;                ///< of the baseline of work, where `ticks` would take long; 0: as many as those
+  int report_repeats = 9;               ///< default for the standard report
+  int counted_ticks = 0;                ///< for the baseline of work if `ticks` would take too long; 0: `ticks`
 };
 
 const std::vector<Scene>& scenes();
-/// Null if there is none of that name.
+/// Returns null for an unknown name.
 const Scene* find_scene(const std::string& name);
 
 }  // namespace tradeoff

@@ -4,7 +4,7 @@
 
 namespace tradeoff {
 
-// Each in a file of its own.
+// One file per scene.
 Scene mass_ratio_scene();
 Scene drape_scene();
 Scene bridge_scene();
@@ -12,7 +12,7 @@ Scene capstan_scene();
 Scene cords_and_circles_scene();
 Scene coil_scene();
 Scene strips_scene();
-// As the standard report runs them, for it has minutes and not an hour:
+// Shorter versions for the standard report:
 Scene short_coil_scene();
 Scene short_strips_scene();
 

@@ -18,7 +18,7 @@ using ribbon::Vec2;
 using test_support::earth_gravity;
 using test_support::frame_dt;
 
-/// Some cords stepped one after the other, and what they reported since they were put back.
+/// Cords that are stepped one after the other, and their reports since the last reset.
 class Herd {
  public:
   Herd(const Cord& start, int count) : state_(start.save()) {
@@ -49,7 +49,7 @@ class Herd {
   std::int64_t work_ = 0;
 };
 
-/// Figures: Newton iterations a tick and cord, and what was mended and what was not, in a whole repeat.
+/// Figures of a whole repeat: Newton iterations per tick and cord, corrections, and unconverged substeps.
 Contestant contestant(const char* method, std::string setting, const Cord& start, int count, int ticks) {
   const auto herd = std::make_shared<Herd>(start, count);
   return {method,
@@ -72,7 +72,7 @@ Contestant contestant(const char* method, std::string setting, const Cord& start
 
 constexpr int scaling_ticks = 20;
 
-/// Straight down from its pin, with links of 0.2 m as in heavy_swing.
+/// A cord straight down from its pin, with links of 0.2 m as in heavy_swing.
 CordDef plumb_line(int points) {
   CordDef def;
   def.points = points;
@@ -82,15 +82,15 @@ CordDef plumb_line(int points) {
   return def;
 }
 
-/// All of it moves sideways, up to a metre a second.
+/// Sets sideways velocities up to 1 m/s.
 Cord swaying(int points) {
   Cord cord(plumb_line(points));
   for (int p = 0; p < points; ++p) cord.set_velocity(p, {std::sin(2.0 * std::numbers::pi * p / points), 0.0});
   return cord;
 }
 
-/// A load as heavy as itself is struck: what the rest of it feels falls off link by link, to numbers too small to
-/// matter and, below 1e-308, slow to compute with.
+/// A load with the cord's mass is struck. The disturbance decays from link to link to irrelevant numbers, of which
+/// those below 1e-308 are slow to compute with.
 Cord struck(int points) {
   const CordDef def = plumb_line(points);
   Cord cord(def);
@@ -117,7 +117,7 @@ Column ns_a_point_and_iteration() {
 
 constexpr int ribbon_ticks = 120;
 
-/// Held by its first column and let go from the horizontal: a strip of rubber, E 1 MPa, 1 cm thick, 2 g a point.
+/// A strip of rubber, held by its first column and released from the horizontal: E = 1 MPa, 1 cm thick, 2 g per point.
 Cord swinging_ribbon(int columns, int rows, double width, double modulus, const Accuracy& accuracy) {
   CordDef def;
   def.points = columns;

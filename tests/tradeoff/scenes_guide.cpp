@@ -15,7 +15,7 @@ using test_support::frame_dt;
 
 constexpr int ticks_of_terms = 120;
 
-/// 5 m of rope, a tenth of a metre a link, let go from the horizontal, with a load as heavy as itself at its end.
+/// A rope of 5 m with links of 0.1 m, released from the horizontal, with a load of the rope's mass at its end.
 CordDef swinging() {
   CordDef def;
   def.length = 5.0;
@@ -23,7 +23,7 @@ CordDef swinging() {
   return def;
 }
 
-/// Held by its first column.
+/// A ribbon that is held by its first column.
 CordDef strip(int rows) {
   CordDef def = swinging();
   def.rows = rows;
@@ -33,7 +33,7 @@ CordDef strip(int rows) {
   return def;
 }
 
-/// One that is made, timed, and followed once for its Newton iterations a tick and what did not converge.
+/// A cord that is created and timed, and run once for its Newton iterations per tick and unconverged substeps.
 Contestant swing(std::string setting, const CordDef& def) {
   Cord start(def);
   start.attach_mass(start.index(def.points - 1, def.rows / 2), def.mass_per_length * def.length);
@@ -85,7 +85,7 @@ std::vector<Contestant> terms() {
   return list;
 }
 
-/// The sag of a rope half as long again as its span, against the continuous catenary's.
+/// The error of the sag of a rope of 1.5 times its span, relative to the continuous catenary.
 Contestant hung(int links) {
   const auto& exact = test_support::catenaries[2];
   const CordDef def = test_support::hanging_between_pins(exact, links);

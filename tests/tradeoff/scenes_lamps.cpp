@@ -19,7 +19,7 @@ constexpr int lamps_count = 100;
 constexpr int ticks_of_lamps = 120;
 constexpr int ticks_to_rest = 1200;
 
-/// Lamps of a kilogram on ropes of 2 m, a metre apart, a little pushed at first and at rest now.
+/// Lamps of 1 kg on ropes of 2 m, one metre apart, at rest after a small initial push.
 struct Lamps {
   explicit Lamps(bool may_sleep) {
     for (int k = 0; k < lamps_count; ++k) add_lamp(static_cast<double>(k), may_sleep);
@@ -61,7 +61,7 @@ double iterations(const ribbon::box2d::Coupling& coupling) {
   return sum / coupling.size();
 }
 
-/// m, the furthest that a point of one is from the same of the other.
+/// Returns the largest distance between the same points of both, m.
 double furthest(const ribbon::box2d::Coupling& a, const ribbon::box2d::Coupling& b) {
   double most = 0.0;
   for (int c = 0; c < a.size(); ++c) {

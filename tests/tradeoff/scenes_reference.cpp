@@ -14,7 +14,7 @@ using ribbon::Vec2;
 using test_support::earth_gravity;
 using test_support::frame_dt;
 
-/// Timed is a copy of the cord as it starts out, a sixtieth of a second a tick.
+/// Times a copy of the cord from its start, with ticks of 1/60 s.
 Contestant contestant(std::string setting, const Cord& start, Vec2 gravity,
                       std::function<std::vector<double>()> figures) {
   const auto cord = std::make_shared<Cord>(start.def());

@@ -66,7 +66,7 @@ class Place {
     }
   }
   int cords() const { return coupling_.size(); }
-  /// µs, of a step of the cords and of the world's: medians.
+  /// Returns the median times of a step of the cords and of the world, µs.
   std::pair<double, double> step_and_world() {
     std::vector<double> steps;
     std::vector<double> worlds;
@@ -78,11 +78,11 @@ class Place {
     return {quantile(steps, 0.5), quantile(worlds, 0.5)};
   }
 
-  /// As many as 10,000 static boxes, a metre apart.
+  /// Adds up to 10,000 static boxes, one metre apart.
   void add_boxes_far_away() {
     for (int k = 0; k < many_boxes; ++k) add_box(far_place(k));
   }
-  /// The same wherever no cord is, on the area that the cords hang on.
+  /// The same on the area of the cords, where no cord is.
   void add_boxes_among() {
     test_support::Dice dice(1);
     const double side = spacing * columns_;
@@ -94,7 +94,7 @@ class Place {
       }
     }
   }
-  /// A chain of 20,000 edges of half a metre, below the first cord.
+  /// Adds a chain of 20,000 edges of half a metre below the first cord.
   void add_chain() {
     std::vector<b2Vec2> vertices;
     for (int k = 0; k <= many_edges; ++k) {
@@ -116,7 +116,7 @@ class Place {
       add_circle(def);
     }
   }
-  /// They fly around in a circle of 6 m about the first cord, 20 m/s.
+  /// Adds bodies that fly in a circle of 6 m around the first cord at 20 m/s.
   void add_fast() {
     for (int k = 0; k < many_fast; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / many_fast;
@@ -149,7 +149,7 @@ class Place {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// A metre from the next, a hundred in a row.
+  /// One metre apart, a hundred per row.
   static Vec2 far_place(int k) {
     const int row = k / 100;
     return {far_away + k % 100, static_cast<double>(row)};
@@ -210,7 +210,7 @@ struct Layout {
 };
 
 Contestant contestant(const Layout& layout) {
-  // Made when it is first asked for: some of them are large.
+  // Created at the first use, because some of them are large.
   const auto made = std::make_shared<std::unique_ptr<Place>>();
   const auto place = [made, layout]() -> Place& {
     if (*made == nullptr) {

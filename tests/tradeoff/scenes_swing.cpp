@@ -27,8 +27,8 @@ const std::vector<Vec2>& exact_load() {
   return path;
 }
 
-/// The load of an elastic cord in 512 substeps, converged to a tenth of a millimetre; of one that does not stretch, the
-/// exact chain.
+/// The path of the load of an elastic cord with 512 substeps, converged to 0.1 mm; of an inextensible one by the exact
+/// chain.
 const std::vector<Vec2>& converged_load(double stiffness) {
   if (stiffness == infinity) return exact_load();
   static std::map<double, std::vector<Vec2>> known;
@@ -37,9 +37,8 @@ const std::vector<Vec2>& converged_load(double stiffness) {
   return known[stiffness] = test_support::run_heavy_swing(stiffness, {Integrator::tr_bdf2, 512, 8, 1e-9}).load;
 }
 
-/// By the columns of the scene. The chain that does not stretch is also what every baseline converges to, or would if
-/// single precision let it, so that the error of its own is asked of our elastic cords alone, and of a baseline left
-/// out.
+/// The results by the scene's columns. Every baseline converges to the inextensible chain (apart from single
+/// precision), so the error relative to the own converged motion is given only for our elastic cords.
 std::vector<double> figures_of(Swing& swing, double own_stiffness) {
   const SwingFigures run_figures = run(swing);
   const double own =
@@ -111,7 +110,7 @@ void add_chain(std::vector<Contestant>& list, const char* method, Box2dChain::Li
                             box2d_chain(limit, dials)));
 }
 
-/// More iterations in the proportion of Box2D's own 8 to 3.
+/// More iterations in Box2D's ratio of 8 to 3.
 void add_chains(std::vector<Contestant>& list) {
   for (const int substeps : {1, 4, 16, 64}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 8, 3});
   for (const int substeps : {1, 4}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 128, 48});
@@ -128,8 +127,9 @@ struct RopeDials {
   int iterations;
 };
 
-/// The best at each cost. XPBD is best at 1 to 2 kHz; damping, or the load as the first point, gains nothing. With more
-/// substeps all are worse: single precision rounds away what a point moves in one.
+/// The best settings at each cost. XPBD is best at 1 to 2 kHz; damping, or the load as the first point, has no
+/// advantage. With more substeps all are worse, because single precision rounds away the motion of a point in a
+/// substep.
 constexpr std::array<RopeDials, 13> rope_dials = {{
     {b2_pbdStretchingModel, 0.0F, 1, 50},
     {b2_pbdStretchingModel, 0.0F, 16, 1},
@@ -173,8 +173,8 @@ std::vector<Contestant> heavy_swing() {
   return list;
 }
 
-/// The load a body of Box2D's, held by the cord; beside the same cord with a point mass, and the world by itself, which
-/// has no path to compare. The load of the chains and of the thesis's cord is a body in any case.
+/// The load is a body of Box2D that holds the cord; beside the same cord with a point mass, and the world alone, which
+/// has no path to compare. The load of the chains and of the thesis's cord is always a body.
 std::vector<Contestant> held_swings() {
   std::vector<Contestant> list;
   const std::shared_ptr<Swing> alone = falling_body();

@@ -31,7 +31,7 @@ std::vector<Contestant> thesis_condition() {
   return both;
 }
 
-/// The same material, longer and longer, without collision: what a point costs.
+/// The same material with increasing length, without collision: the cost per point.
 std::vector<Contestant> scaling() {
   std::vector<Contestant> lengths;
   for (const int w : {25, 250, 2500}) {

@@ -5,8 +5,8 @@
 
 namespace tradeoff {
 
-/// What the standard report runs. Unless `repeats` says otherwise, costs are the median of 1 in a quick one, and of 9
-/// or what a scene says in a whole one.
+/// The options of the standard report. Without `repeats`, costs are from 1 repeat in a quick report, and medians of 9,
+/// or of the number in the scene, in a full one.
 struct StandardReport {
   std::string folder;
   bool quick = false;

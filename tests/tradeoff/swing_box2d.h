@@ -7,7 +7,7 @@
 
 namespace tradeoff {
 
-/// A substep is a b2World::Step of its own, as often a tick as asked for.
+/// Each substep is a b2World::Step.
 struct Box2dDials {
   int substeps = 1;
   int velocity_iterations = 8;
@@ -15,7 +15,7 @@ struct Box2dDials {
 };
 
 std::unique_ptr<Swing> box2d_chain(test_support::Box2dChain::Limit limit, Box2dDials dials);
-/// `iterations` a substep.
+/// `iterations` per substep.
 std::unique_ptr<Swing> box2d_rope(const b2RopeTuning& tuning, int substeps, int iterations);
 
 }  // namespace tradeoff

@@ -84,7 +84,7 @@ class ThesisSwing final : public Swing {
     return points;
   }
 
-  /// Without that of its springs, which as stiff as this hold next to none. Heights are those above the start.
+  /// Without the energy of its springs, which is negligible for such a stiffness. Heights are relative to the start.
   double energy() override {
     double sum = energy_of(heavy::load_mass, load_.position, load_.velocity);
     for (std::size_t p = 0; p < cord_.positions().size(); ++p) {
@@ -93,7 +93,7 @@ class ThesisSwing final : public Swing {
     return sum;
   }
 
-  /// Its substeps whose matrix was not positive definite: those it left to the springs.
+  /// Counts substeps without a positive definite matrix, which only the springs solved.
   std::optional<int> unconverged() const override { return skipped_; }
 
  private:

@@ -7,9 +7,9 @@
 
 namespace tradeoff {
 
-/// A cord that does not stretch, coupled to a Box2D world whose one body it carries: the whole tick of both.
+/// An inextensible cord, coupled to a Box2D world whose only body it carries: the whole tick of both.
 std::unique_ptr<Swing> held_swing(const ribbon::Accuracy& accuracy);
-/// That world without the cord: what b2World::Step costs by itself.
+/// That world without the cord: the cost of b2World::Step alone.
 std::unique_ptr<Swing> falling_body();
 
 }  // namespace tradeoff

@@ -6,8 +6,8 @@
 
 namespace tradeoff {
 
-/// Prints rows to the standard output: as comma-separated values, or as a table with what a point costs and how many
-/// times the scene's yardstick.
+/// Prints rows to the standard output: as comma-separated values, or as a table with the cost per point and relative to
+/// the scene's yardstick.
 void print_csv(const Scene& scene, const std::vector<Row>& rows);
 void print_table(const Scene& scene, const std::vector<Row>& rows);
 

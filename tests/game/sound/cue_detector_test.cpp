@@ -91,8 +91,8 @@ Heard winning_run(CueDetector& detector, Simulation& simulation) {
   return heard;
 }
 
-TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
-  Ear ear;
+TEST(CueDetector, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
+  CueDetector detector;
   Simulation simulation(first_swing_level());
   const Heard heard = winning_run(ear, simulation);
   EXPECT_EQ(heard.count(Noise::goal), 1);
@@ -111,7 +111,7 @@ TEST(Ear, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
   }
 }
 
-TEST(CueDetector, WhoLandsFromHigherIsHeardLouder) {
+TEST(CueDetector, AHigherFallIsLouder) {
   double last = 0.0;
   for (const double height : {0.2, 0.6, 1.8}) {
     const Heard heard = heard_of(drop(height), 90);
@@ -125,7 +125,7 @@ TEST(CueDetector, WhoLandsFromHigherIsHeardLouder) {
   }
 }
 
-TEST(CueDetector, WhatIsFurtherIsQuieterAndOnItsSide) {
+TEST(CueDetector, DistantSoundsAreQuieterAndOnTheirSide) {
   const auto thud_of_ball = [](double x) {
     for (const Cue& cue : heard_of(drop(0.0, 1.0, x), 60).cues) {
       if (cue.noise == Noise::thud && cue.how.pan != 0.0) return cue.how;
@@ -141,7 +141,7 @@ TEST(CueDetector, WhatIsFurtherIsQuieterAndOnItsSide) {
   EXPECT_LT(left.pan, 0.0);
 }
 
-TEST(CueDetector, WhoStandsOrLiesIsSilent) {
+TEST(CueDetector, BodiesAtRestAreSilent) {
   CueDetector detector;
   const Level level = drop(0.0, 0.0);
   Simulation simulation(level);
@@ -156,7 +156,7 @@ TEST(CueDetector, RunningIsHeardInStepsThatComeWithTheSpeed) {
   EXPECT_NEAR(heard.count(Noise::footstep), 2.0 * 6.0 / 1.05, 2.0);
 }
 
-TEST(CueDetector, ALineIsHeardThrownTakingHoldAndReeled) {
+TEST(CueDetector, ALineIsHeardWhenThrownAttachedAndReeled) {
   CueDetector detector;
   const Level level = drop(0.0);
   Simulation simulation(level);
@@ -175,9 +175,9 @@ TEST(CueDetector, ACheckpointIsHeardOnce) {
   EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1);
 }
 
-TEST(Ear, ARestartIsNotHeardAsAFallAThudOrARelease) {
+TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrARelease) {
   Simulation simulation(first_swing_level());
-  Ear ear;
+  CueDetector detector;
   const engine::Replay golden = engine::load_replay(test_support::golden());
   for (const auto& tick : golden.ticks) {
     simulation.tick(tick.input);
@@ -191,8 +191,8 @@ TEST(Ear, ARestartIsNotHeardAsAFallAThudOrARelease) {
   EXPECT_TRUE(detector.cues().empty());
 }
 
-TEST(Ear, TheSameRunIsHeardTheSameAgain) {
-  Ear ear;
+TEST(CueDetector, TheSameRunIsHeardTheSameAgain) {
+  CueDetector detector;
   Simulation first(first_swing_level());
   Simulation second(first_swing_level());
   const Heard once = winning_run(ear, first);
