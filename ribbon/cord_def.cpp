@@ -62,6 +62,7 @@ void check(const CordDef& def) {
   check_range("area_stiffness", def.area_stiffness, 0.0, 1e3);
   check_range("damping", def.damping, 0.0, 1e3);
   check_range("drag", def.drag, 0.0, 1e6);
+  check_range("gravity_scale", def.gravity_scale, -1e3, 1e3);
   check_range("friction", def.friction, 0.0, 10.0);
   check_range("restitution", def.restitution, 0.0, 1.0);
   check(def.accuracy);

@@ -41,7 +41,8 @@ Box swept_aabb(const ThesisCord& cord, Vec2 gravity, double dt) {
 Box swept_aabb(const Cord& cord, Vec2 gravity, double dt) {
   const Cord::Sweep sweep = cord.sweep();
   const double snap2 = 2.0 * snap * snap * sweep.elastic / (cord.def().mass_per_length * cord.def().length);
-  const double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), gravity, dt);
+  const Vec2 fall = cord.def().gravity_scale * gravity;
+  const double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), fall, dt);
   return widened(sweep.box, distance + cord.rest_length(0) + cord.def().radius);
 }
 

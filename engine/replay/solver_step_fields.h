@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 2;
+inline constexpr int solver_step_version = 3;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -42,7 +42,7 @@ void fields(Archive& archive, T& accuracy) {
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
   auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, tension_only, friction, restitution, self_contact, cord_contact, allow_sleep,
+         area_stiffness, damping, drag, gravity_scale, tension_only, friction, restitution, self_contact, cord_contact, allow_sleep,
          elements, accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
@@ -56,6 +56,7 @@ void fields(Archive& archive, T& def) {
   archive("area_stiffness", area_stiffness);
   archive("damping", damping);
   archive("drag", drag);
+  archive("gravity_scale", gravity_scale);
   archive("tension_only", tension_only);
   archive("friction", friction);
   archive("restitution", restitution);

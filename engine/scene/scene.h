@@ -34,13 +34,12 @@ struct SceneBody {
 ///   - "thesis" (ribbon/thesis/thesis_def.h), by default 2 rows: spring_stiffness [N/m], bar_damping [N·s/m],
 ///     area_stiffness, self_collision.
 ///   - "direct" (ribbon/cord_def.h), by default 1 row: stretch_stiffness [N; a rope without it is inextensible, a
-///   ribbon
-///     requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], tension_only, radius [m],
-///     width [m, by default that of square cells], friction, restitution, self_contact, cord_contact (with other cords
-///     that declare it), allow_sleep, accuracy ("fast", "balanced", the default, or "accurate"), and overrides of it:
-///     integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (Newton steps per
-///     solve), soft_contacts (by default true for implicit_euler). All links are straight and of equal length, so the
-///     cord is a little shorter than a polyline with corners.
+///     ribbon requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], gravity_scale (1 by
+///     default), tension_only, radius [m], width [m, by default that of square cells], friction, restitution,
+///     self_contact, cord_contact (with other cords that declare it), allow_sleep, accuracy ("fast", "balanced", the
+///     default, or "accurate"), and overrides of it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m],
+///     max_work, max_iterations (Newton steps per solve), soft_contacts (by default true for implicit_euler). All links
+///     are straight and of equal length, so the cord is a little shorter than a polyline with corners.
 /// - `ribbon`: like cord with 2 rows or more, by default 3.
 /// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
 /// default.

@@ -17,11 +17,11 @@ const Choices thesis_properties = {"solver",      "columns",  "rows",           
                                    "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
                                    "pin_first",   "pin_last", "solid"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",       "mass",         "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",    "drag",         "tension_only",      "radius",
-    "width",         "accuracy",       "integrator", "substeps",     "tolerance",         "max_iterations",
-    "pin_first",     "pin_last",       "friction",   "restitution",  "self_contact",      "cord_contact",
-    "allow_sleep",   "max_work",       "solid",      "soft_contacts"};
+    "solver",        "columns",        "rows",       "mass",          "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",    "drag",          "tension_only",      "radius",
+    "width",         "accuracy",       "integrator", "substeps",      "tolerance",         "max_iterations",
+    "pin_first",     "pin_last",       "friction",   "restitution",   "self_contact",      "cord_contact",
+    "allow_sleep",   "max_work",       "solid",      "soft_contacts", "gravity_scale"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -150,6 +150,7 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.area_stiffness = p.number_or("area_stiffness", 0.0, {0.0, 1e3});
   def.damping = p.number_or("damping", 0.0, {0.0, 1e3});
   def.drag = drag_of(p);
+  def.gravity_scale = p.number_or("gravity_scale", 1.0, {-1e3, 1e3});
   def.tension_only = p.boolean_or("tension_only", false);
   def.friction = p.number_or("friction", 0.0, {0.0, 10.0});
   def.restitution = p.number_or("restitution", 0.0, {0.0, 1.0});

@@ -47,7 +47,7 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
   for (const RigidSegment& segment : surroundings.segments) include(segment.body);
   const double turned = dt * (turned_share * std::sqrt(own2) + std::sqrt(other2));
   const double pull = std::min(cord.rest[0], dt * dt * pulled);  // links stop what would go further
-  return link_share * cord.rest[0] + 2.0 * dt * dt * length(gravity) + turned + pull;
+  return link_share * cord.rest[0] + 2.0 * dt * dt * length(parts.def.gravity_scale * gravity) + turned + pull;
 }
 
 void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }
@@ -64,7 +64,7 @@ void MotionBounds::find(const IslandState& state) {
   ends_.resize(state.points);
   for (std::size_t p = 0; p < state.points; ++p) {
     ends_[p] = state.positions[p] + state.dt * state.velocities[p];
-    if (state.constrained[p] == 0) ends_[p] += (state.dt * state.dt) * state.gravity;
+    if (state.constrained[p] == 0) ends_[p] += (state.dt * state.dt) * state.free_accelerations[p];
   }
   body_bound_ = 0.0;
   for (std::size_t m = 0; m < state.members.size(); ++m) {

@@ -30,11 +30,15 @@ void EnergyGuard::begin_step(const IslandState& state) {
 void EnergyGuard::find_scale(const IslandState& state) {
   double mass = 0.0;
   double longest = 0.0;
-  for (const Member& member : state.members) longest = std::max(longest, member.cord->def.length);
+  double gravity = 0.0;
+  for (const Member& member : state.members) {
+    longest = std::max(longest, member.cord->def.length);
+    gravity = std::max(gravity, length(member.cord->def.gravity_scale * state.gravity));
+  }
   for (std::size_t p = 0; p < state.points; ++p) mass += state.masses[p];
   for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
   const double noise = noise_displacement * state.tolerance / state.dt;
-  weight_scale_ = mass * (length(state.gravity) * longest + noise * noise);
+  weight_scale_ = mass * (gravity * longest + noise * noise);
 }
 
 void EnergyGuard::store(const IslandState& state) const {
@@ -61,10 +65,11 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   for (std::size_t p = 0; p < state.slots(); ++p) {
     sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);
   }
-  for (std::size_t p = 0; p < state.points; ++p) sum.potential -= state.masses[p] * dot(state.gravity, x[p]);
+  for (std::size_t p = 0; p < state.points; ++p)
+    sum.potential -= state.masses[p] * dot(state.free_accelerations[p], x[p]);
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const std::size_t center = state.center(k);
-    sum.potential -= state.masses[center] * dot(state.bodies[k].acceleration, x[center]);
+    sum.potential -= state.masses[center] * dot(state.free_accelerations[center], x[center]);
   }
   if (!contacts.empty()) {
     contacts.active.update(contacts.scene, x);

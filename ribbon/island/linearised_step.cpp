@@ -25,7 +25,7 @@ double time_to_impact(const StepContext& context, double start, double max) {
       if (state.constrained[p] != 0) {
         displacement = max * state.drive_velocities[p];
       } else {
-        displacement += (max * max) * state.gravity;
+        displacement += (max * max) * state.free_accelerations[p];
       }
     }
     end[p] = state.positions[p] + displacement;

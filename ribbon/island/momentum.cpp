@@ -15,20 +15,24 @@ struct Spin {
   double inertia = 0.0;
 };
 
-/// Returns whether nothing but gravity acts on the island from outside.
+/// Returns whether nothing but the same gravity for all acts on the island from outside.
 bool is_free(const IslandState& state) {
   const auto is_zero = [](char constrained) { return constrained == 0; };
-  const auto falls = [&](const SolvedBody& body) { return body.acceleration == state.gravity; };
+  const Vec2 fall = state.free_accelerations[0];
+  const auto falls = [&](Vec2 acceleration) { return acceleration == fall; };
   const auto is_unloaded = [](const Member& member) {
     return member.cord->state.loads.empty() && member.cord->def.drag == 0.0;
   };
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
-    if (state.constrained[state.center(k)] != 0) return false;
+    const std::size_t center = state.center(k);
+    if (state.constrained[center] != 0 || !falls(state.free_accelerations[center])) return false;
   }
-  const auto points_end = state.constrained.begin() + static_cast<std::ptrdiff_t>(state.points);
+  const auto points = static_cast<std::ptrdiff_t>(state.points);
+  const auto points_end = state.constrained.begin() + points;
+  const auto falls_end = state.free_accelerations.begin() + points;
   return std::all_of(state.constrained.begin(), points_end, is_zero) &&
          std::all_of(state.members.begin(), state.members.end(), is_unloaded) &&
-         std::all_of(state.bodies.begin(), state.bodies.end(), falls);
+         std::all_of(state.free_accelerations.begin(), falls_end, falls);
 }
 
 /// Returns the mean of points and bodies, weighted by mass.
@@ -96,7 +100,8 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
   const Spin after = spin(state, state.positions, state.velocities);
   const double turning = (before.momentum - after.momentum) / after.inertia;
   const Vec2 middle = mean(state, state.positions);
-  const Vec2 lost = mean(state, start.velocities) + start.dt * state.gravity - mean(state, state.velocities);
+  const Vec2 lost =
+      mean(state, start.velocities) + start.dt * state.free_accelerations[0] - mean(state, state.velocities);
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (!state.is_angle(p)) {
       state.velocities[p] += lost + turning * perp(state.positions[p] - middle);
@@ -107,7 +112,9 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
 }
 
 bool limit_speeds(IslandState& state) {
-  const double max = highest_start_speed(state) + length(state.gravity) * state.dt;
+  double gravity = 0.0;
+  for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
+  const double max = highest_start_speed(state) + gravity * state.dt;
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {

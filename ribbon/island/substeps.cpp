@@ -23,12 +23,8 @@ bool will_touch(const StepContext& context, double time, double dt) {
   const SubstepStart& start = state.start;
   std::vector<Vec2>& end = context.stages.trial();
   context.contacts.scene.anchors.set_kinematic_targets(time + dt);
-  const Vec2 fall = (dt * dt) * state.gravity;
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    end[p] = start.positions[p] + dt * start.velocities[p] + (p < state.points ? fall : Vec2{});
-  }
-  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
-    end[state.center(k)] += (dt * dt) * state.bodies[k].acceleration;
+    end[p] = start.positions[p] + dt * start.velocities[p] + (dt * dt) * state.free_accelerations[p];
   }
   return context.contacts.sweep.collision_free_fraction(context.contacts.scene, start.positions, end,
                                                         KinematicTime::target) < 1.0;

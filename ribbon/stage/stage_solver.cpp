@@ -54,13 +54,9 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
   const double inverse_q2 = 1.0 / (request.q * request.q);
   for (std::size_t p = 0; p < state.slots(); ++p) {
     inertia_[p] = state.masses[p] * inverse_q2;
-    force_[p] = state.masses[p] * state.gravity;
+    force_[p] = state.masses[p] * state.free_accelerations[p];
   }
   for (HeldBody& held : state.held) held.share = request.time / state.dt;
-  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
-    force_[state.center(k)] = state.masses[state.center(k)] * state.bodies[k].acceleration;
-    force_[state.angle(k)] = {};
-  }
   place_driven(state, request.time);
   for (const Member& member : state.members) {
     load_member(state, member, request);

@@ -75,7 +75,7 @@ Cord::Energy CordParts::energy(Vec2 gravity) const {
   sum.elastic = elasticity->energy(motion, state.tensions);
   for (std::size_t p = 0; p < size(); ++p) {
     sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);
-    sum.potential -= state.masses[p] * dot(gravity, state.positions[p]);
+    sum.potential -= state.masses[p] * dot(def.gravity_scale * gravity, state.positions[p]);
   }
   for (std::size_t p = 0; p < state.loads.size(); ++p) sum.potential -= dot(state.loads[p], state.positions[p]);
   return sum;

@@ -263,7 +263,7 @@ double grip_work(const IslandState& state) {
     const double dt = state.start.dt;
     const Vec2 acceleration = (1.0 / dt) * (state.velocities[c] - state.start.velocities[c]);
     const Vec2 pull = state.coupled ? grip_pull(state, state.tensions, k)
-                                    : state.masses[c] * (acceleration - state.bodies[held.body].acceleration);
+                                    : state.masses[c] * (acceleration - state.free_accelerations[c]);
     sum += 2.0 * length(pull) * held.displacement * dt / state.dt;
   }
   return sum;

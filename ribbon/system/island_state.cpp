@@ -17,7 +17,7 @@ std::size_t IslandState::solved_body(int index) {
     if (bodies[k].index == index) return k;
   }
   const RigidBody& body = rigid[at(index)];
-  bodies.push_back({index, body.inverse_inertia > 0.0, body.acceleration});
+  bodies.push_back({index, body.inverse_inertia > 0.0});
   return bodies.size() - 1;
 }
 
@@ -31,8 +31,8 @@ void IslandState::drive(std::size_t slot, Vec2 velocity) {
 }
 
 void IslandState::resize(std::size_t slots, std::size_t tension_count) {
-  for (auto* all : {&positions, &velocities, &accelerations, &drive_starts, &drive_velocities, &start.positions,
-                    &start.velocities}) {
+  for (auto* all : {&positions, &velocities, &accelerations, &free_accelerations, &drive_starts, &drive_velocities,
+                    &start.positions, &start.velocities}) {
     all->resize(slots);
   }
   masses.resize(slots);

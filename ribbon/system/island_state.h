@@ -34,9 +34,8 @@ struct Member {
 
 /// A body that is solved with the cords.
 struct SolvedBody {
-  int index;          ///< into the step's bodies
-  bool turns;         ///< its moment of inertia is finite
-  Vec2 acceleration;  ///< m/s², of free motion
+  int index;   ///< into the step's bodies
+  bool turns;  ///< its moment of inertia is finite
 };
 
 /// The state at the start of a substep.
@@ -77,6 +76,7 @@ struct IslandState {
   std::vector<Vec2> positions;
   std::vector<Vec2> velocities;
   std::vector<Vec2> accelerations;
+  std::vector<Vec2> free_accelerations;  ///< m/s², of free motion: gravity and, of bodies, what the user expects
   std::vector<double> masses;
   std::vector<char> constrained;
   // Of constrained slots: where the step found them, and their constant velocity in it.

@@ -68,6 +68,8 @@ void load_motion(IslandState& state, const Member& member) {
   copy_to(IslandState::points_of(member, state.velocities), cord.state.velocities);
   copy_to(IslandState::points_of(member, state.accelerations), cord.state.accelerations);
   copy_to(IslandState::points_of(member, state.masses), cord.state.masses);
+  const auto falls = IslandState::points_of(member, state.free_accelerations);
+  std::fill(falls.begin(), falls.end(), cord.def.gravity_scale * state.gravity);
   state.restart = state.restart || cord.state.restart;
 }
 
@@ -146,6 +148,8 @@ void load_body(IslandState& state, std::size_t k) {
   state.velocities[angle] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
   state.accelerations[center] = {};
   state.accelerations[angle] = {};
+  state.free_accelerations[center] = body.acceleration;
+  state.free_accelerations[angle] = {};
   const bool kinematic = body.inverse_mass == 0.0;
   state.masses[center] = kinematic ? 0.0 : 1.0 / body.inverse_mass;
   state.masses[angle] = kinematic ? 0.0 : solved.turns ? 1.0 / body.inverse_inertia : 1.0;

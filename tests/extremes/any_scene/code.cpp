@@ -83,6 +83,7 @@ std::string code_of(const ribbon::CordDef& def, const std::string& object) {
   lines.set("area_stiffness", def.area_stiffness, plain.area_stiffness);
   lines.set("damping", def.damping, plain.damping);
   lines.set("drag", def.drag, plain.drag);
+  lines.set("gravity_scale", def.gravity_scale, plain.gravity_scale);
   lines.set("tension_only", def.tension_only, plain.tension_only);
   lines.set("friction", def.friction, plain.friction);
   lines.set("restitution", def.restitution, plain.restitution);

@@ -94,7 +94,7 @@ Heard winning_run(CueDetector& detector, Simulation& simulation) {
 TEST(CueDetector, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
   CueDetector detector;
   Simulation simulation(first_swing_level());
-  const Heard heard = winning_run(ear, simulation);
+  const Heard heard = winning_run(detector, simulation);
   EXPECT_EQ(heard.count(Noise::goal), 1);
   EXPECT_GE(heard.count(Noise::catches), 2);
   EXPECT_EQ(heard.count(Noise::catches), heard.count(Noise::lets_go));
@@ -195,8 +195,8 @@ TEST(CueDetector, TheSameRunIsHeardTheSameAgain) {
   CueDetector detector;
   Simulation first(first_swing_level());
   Simulation second(first_swing_level());
-  const Heard once = winning_run(ear, first);
-  Ear other;
+  const Heard once = winning_run(detector, first);
+  CueDetector other;
   const Heard again = winning_run(other, second);
   ASSERT_EQ(once.cues.size(), again.cues.size());
   for (std::size_t k = 0; k < once.cues.size(); ++k) {
