@@ -38,9 +38,9 @@ double longest_link(const IslandState& state, const Member& member) {
 
 /// Returns whether a link is constrained within contact distance of a circle. If neither moves, nothing that the cord
 /// could do would part them: a bridge hangs from the corner of a rock.
-bool is_fixed_in(const IslandState& state, const ContactPair& link, Vec2 center, double reach) {
+bool is_fixed_in(const IslandState& state, const ContactPair& link, Vec2 center, double contact_distance) {
   const auto is_in = [&](int end) {
-    return state.constrained[at(end)] != 0 && length(state.positions[at(end)] - center) < reach;
+    return state.constrained[at(end)] != 0 && length(state.positions[at(end)] - center) < contact_distance;
   };
   return is_in(link.a) || is_in(link.b);
 }
@@ -113,11 +113,11 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
   IslandState& state = search.state;
   const Member& member = search.member;
   const RigidBody& body = state.rigid[at(circle.body)];
-  const double reach = circle.radius + member.cord->def.radius;
-  const Box box = widened(search.bounds.anchor_box(state, body, circle.offset), reach);
+  const double contact_distance = circle.radius + member.cord->def.radius;
+  const Box box = widened(search.bounds.anchor_box(state, body, circle.offset), contact_distance);
   if (!overlap(box, swept_aabb_)) return;
   const Box near = widened(box, search.bound);
-  const bool by_points = reach >= large_circle * longest_link;
+  const bool by_points = contact_distance >= large_circle * longest_link;
   const int points = static_cast<int>(member.cord->outline.size());
   const int count = by_points ? points : outline_links(*member.cord);
   int disc = -1;
@@ -126,10 +126,10 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
     const Box& end = outline_boxes_[at(by_points ? k : k + 1 < points ? k + 1 : 0)];
     if (!overlap(joined(start, end), near)) continue;
     ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
-    if (body.inverse_mass == 0.0 && is_fixed_in(state, pair, body.position + circle.offset, reach)) continue;
+    if (body.inverse_mass == 0.0 && is_fixed_in(state, pair, body.position + circle.offset, contact_distance)) continue;
     if (disc < 0) disc = add_anchor(state, search.contacts, circle.body, circle.offset);
     pair.disc = disc;
-    pair.contact_distance = reach;
+    pair.contact_distance = contact_distance;
     pair.disc_radius = circle.radius;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
@@ -143,10 +143,10 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
   const Member& member = search.member;
   const CordParts& cord = *member.cord;
   const RigidBody& body = state.rigid[at(segment.body)];
-  const double reach = segment.radius + cord.def.radius;
+  const double contact_distance = segment.radius + cord.def.radius;
   const Box box = widened(
       joined(search.bounds.anchor_box(state, body, segment.a), search.bounds.anchor_box(state, body, segment.b)),
-      reach);
+      contact_distance);
   if (!overlap(box, swept_aabb_)) return;
   const Box near = widened(box, search.bound);
   int a = -1;
@@ -164,7 +164,7 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
     pair.a = a;
     pair.b = b;
     pair.owns_ends = false;
-    pair.contact_distance = reach;
+    pair.contact_distance = contact_distance;
     pair.disc_radius = cord.def.radius;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
@@ -251,10 +251,10 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const CordDef& def = member.cord->def;
   if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def.cord_contact) return;
   const std::size_t disc = outline_slot(member, k);
-  const double reach = def.radius + other.cord->def.radius;
+  const double contact_distance = def.radius + other.cord->def.radius;
   const double bound =
       itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
-  if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, reach + bound)) return;
+  if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound)) return;
   if (itself && are_neighbours(def, k, link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
@@ -262,7 +262,7 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   // At a fold the next link may be the point's neighbour. Then this link alone decides whether it touches.
   if (itself && are_neighbours(def, k, link.link - 1)) pair.previous = -1;
   if (itself && are_neighbours(def, k, link.link + 1)) pair.next = -1;
-  pair.contact_distance = reach;
+  pair.contact_distance = contact_distance;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;
   pair.touch.feature = 2 * k + 1;

@@ -84,7 +84,7 @@ void disturb(World& world, Dice& dice) {
   const bool exists = cord.is_valid() && cord.is_enabled();
   switch (kind) {
     case 0: world.add_ball(place, 0.1, 0.2); break;
-    case 1: add_shape(world.add_body(place, b2_staticBody), test_support::box(0.1, 0.1), 0.0, 0.5); break;
+    case 1: test_support::add_shape(world.add_body(place, b2_staticBody), test_support::box(0.1, 0.1), 0.0, 0.5); break;
     case 2:
       if (b2Body* const body = world.world.GetBodyList()) world.coupling.destroy(world.world, *body);
       break;
@@ -107,7 +107,7 @@ void disturb(World& world, Dice& dice) {
     case 9:
       if (exists) {
         b2Body* const held = world.add_ball({place.x, -0.7}, 0.05, 1.0);
-        world.coupling.hold(id, 7, *held);
+        world.coupling.hold(id, 7, *held, b2Vec2_zero);
       }
       break;
     case 10: world.coupling.restore(world.coupling.save(world.world), world.world); break;
@@ -119,7 +119,7 @@ void disturb(World& world, Dice& dice) {
       break;
     default: {
       b2Body* const body = world.add_body({place.x, 6.0});
-      add_shape(body, test_support::circle(0.1), 1.0, 0.5);
+      test_support::add_shape(body, test_support::circle(0.1), 1.0, 0.5);
       body->SetLinearVelocity({0.0F, -20.0F});
       break;
     }

@@ -224,7 +224,7 @@ TEST(Replay, AReadingErrorIsNotTakenForTheEnd) {
 
 TEST(Replay, OtherVersionsAndOtherFilesAreRefused) {
   std::string other = recorded(1, true, "version");
-  other.replace(17, 1, "2");
+  other[17] = '2';
   EXPECT_EQ(error_of(other), "swing.replay: byte 17: the version is \"2\", accepted is \"1\"");
   other.replace(17, 1, "10");
   EXPECT_TRUE(says(error_of(other), "the version is \"10\""));
