@@ -107,8 +107,9 @@ CordId CordTable::add(CoupledCord cord) {
   cord.reserve();
   cords_.push_back(std::make_unique<CoupledCord>(std::move(cord)));
   ids_.push_back(next_);
+  active_.reserve(cords_.capacity());
   active_.push_back(cords_.back().get());
-  resting_.reserve(active_.capacity());
+  resting_.reserve(cords_.capacity());
   return next_++;
 }
 

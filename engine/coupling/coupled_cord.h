@@ -29,6 +29,7 @@ struct CoupledCord {
   CordId id = -1;
   bool enabled = true;
   bool resting = false;  // see CordTable
+  Box resting_box{};     // m, of the cord when it began to rest
   b2Filter filter;
   std::vector<NearShape> near{};  // the fixtures found in this tick
   std::variant<ThesisCord, Cord> cord;
@@ -170,7 +171,7 @@ class CordTable {
     if (to.size() == before) return;
     ++resting_version_;
     const auto by_id = [](const CoupledCord* a, const CoupledCord* b) { return a->id < b->id; };
-    std::inplace_merge(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(before), to.end(), by_id);
+    std::sort(to.begin(), to.end(), by_id);
   }
   std::size_t place(CordId id) const;
 

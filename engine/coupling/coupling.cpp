@@ -63,13 +63,6 @@ void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
   if (CoupledCord* const cord = cords.find(entry.thesis_cord)) cord->thesis().add_momentum(rigid.impulse - given);
 }
 
-/// Returns whether the next ticks need not step a cord as long as nothing comes near it.
-bool may_rest(const CoupledCord& cord) {
-  if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().def().cord_contact)
-    return false;
-  return cord.near.empty() && cord.grips.empty() && cord.touching.empty() && cord.touched.empty();
-}
-
 /// Releases the grips that were pulled with more than their strength.
 void release_overloaded(CouplingParts& parts) {
   for (std::size_t k = 0; k < parts.grips.all().size();) {
@@ -193,12 +186,21 @@ void Coupling::step() {
     throw CallError("step does not follow gather; accepted is gather, step, apply");
   }
   parts_->phase = TickPhase::between_ticks;  // also if something throws
+  Gatherer::activate_changed(parts_->cords);
   step_thesis();
   step_direct();
   parts_->grips.follow(parts_->cords);
   parts_->touches.find_events(parts_->cords, parts_->fixtures);
+  CouplingParts& parts = *parts_;
+  parts.islands = parts.solver.islands() + static_cast<int>(parts.cords.resting().size());
   // What watches steps sees those of all cords.
-  if (!parts_->probe && parts_->watcher == nullptr) parts_->cords.rest_if(may_rest);
+  if (!parts.probe && parts.watcher == nullptr) {
+    parts.cords.rest_if([&](CoupledCord& cord) {
+      if (!Gatherer::may_rest(cord, parts.conditions)) return false;
+      cord.resting_box = cord.direct().sweep().box;
+      return true;
+    });
+  }
   parts_->phase = TickPhase::stepped;
 }
 
@@ -272,9 +274,7 @@ void Coupling::use(const ParallelFor& parallel_for) {
 }
 
 const CordReport& Coupling::tick_report() const { return parts_->solver.total(); }
-int Coupling::islands() const {
-  return parts_->solver.islands() + static_cast<int>(std::as_const(parts_->cords).resting().size());
-}
+int Coupling::islands() const { return parts_->islands; }
 
 void Coupling::estimate_errors(bool wanted) {
   if (wanted == estimates_errors()) return;

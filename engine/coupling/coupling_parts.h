@@ -34,6 +34,7 @@ struct CouplingParts {
   TickPhase phase = TickPhase::between_ticks;
   bool may_have_left_bodies = false;  // a cord was disabled or removed, and bodies that touched it may sleep
   StepConditions conditions;
+  int islands = 0;  // of the last step, with those of resting cords
   TickBodies bodies;
   // Tools and memory:
   BodyFinder finder;

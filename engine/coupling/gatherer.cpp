@@ -97,7 +97,8 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
                              const ParallelFor& parallel_for) {
   const bool same_conditions = conditions.gravity == conditions_.gravity && conditions.dt == conditions_.dt;
   conditions_ = conditions;
-  cords.activate_if([&](const CoupledCord& cord) { return !same_conditions || !cord.direct().remembers_sweep(); });
+  if (!same_conditions) cords.activate_if([](const CoupledCord&) { return true; });
+  activate_changed(cords);
   load_resting_queries(cords);
   for (CoupledCord& cord : cords.active()) {
     cord.near.clear();
@@ -107,19 +108,39 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
         [&](const auto& of_solver) { return swept_aabb(of_solver, conditions.gravity, conditions.dt); }, cord.cord);
     queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
   }
-  near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
+  try {
+    near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
+  } catch (...) {  // of the user's ParallelFor: what was found is cleared for active cords only
+    cords.activate_if([](const CoupledCord&) { return true; });
+    throw;
+  }
   cords.activate_if([](const CoupledCord& cord) { return !cord.near.empty(); });
   number_new_fixtures(world, cords, fixtures);
 }
 
+void Gatherer::activate_changed(CordTable& cords) {
+  cords.activate_if([](const CoupledCord& coupled) {
+    const Cord& cord = coupled.direct();
+    return !cord.is_asleep() || !cord.remembers_sweep() || !(cord.sweep().box == coupled.resting_box);
+  });
+}
+
+bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& conditions) {
+  if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().def().cord_contact)
+    return false;
+  if (!cord.near.empty() || !cord.grips.empty() || !cord.touching.empty() || !cord.touched.empty()) return false;
+  return swept_aabb(cord.direct(), conditions.gravity, conditions.dt) == cord.swept_aabb;
+}
+
 void Gatherer::load_resting_queries(CordTable& cords) {
   if (resting_version_ != cords.resting_version()) {
-    resting_version_ = cords.resting_version();
+    resting_count_ = 0;
     queries_.clear();
     for (CoupledCord& cord : cords.resting()) {
       queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
     }
     resting_count_ = queries_.size();
+    resting_version_ = cords.resting_version();
   }
   queries_.resize(resting_count_);
 }

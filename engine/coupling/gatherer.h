@@ -22,6 +22,11 @@ class Gatherer {
   /// Finds the fixtures that each enabled cord may touch in the tick, and their numbers.
   void find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
                      const ParallelFor& parallel_for);
+  /// Makes the resting cords active that were changed since the last step.
+  static void activate_changed(CordTable& cords);
+  /// Returns whether the next ticks need not step a cord, which was stepped last, as long as nothing comes near it: it
+  /// sleeps, nothing is near it, and that was looked for where it is now.
+  static bool may_rest(const CoupledCord& cord, const StepConditions& conditions);
   /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. `index_of` returns the index of a
   /// body in the step.
   static void add_shapes_of(CoupledCord& cord, const StepConditions& conditions,

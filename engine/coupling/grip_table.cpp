@@ -172,6 +172,7 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     const b2Body& body = *held.body;
     if (!can_be_met(body)) continue;
     CoupledCord& cord = cords.at(held.cord);
+    cords.activate(cord);
     const Vec2 center = to_double(body.GetWorldCenter());
     const Vec2 anchor = to_double(body.GetWorldPoint(held.local_anchor)) - center;
     const Vec2 travel = to_double(body.GetWorldVector(held.next_anchor - held.local_anchor));

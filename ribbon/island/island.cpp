@@ -99,6 +99,8 @@ void Island::resize(std::size_t slots, std::size_t tensions) {
   state_.resize(slots, tensions);
   stages_.resize(slots, tensions, state_.held.size());
   substeps_.resize(slots, tensions);
+  linearised_step_.resize(slots, tensions);
+  restitution_.resize(slots);
 }
 
 void Island::reserve(const CordParts& cord, std::size_t grips) {

@@ -13,6 +13,7 @@ namespace ribbon {
 /// of pieces, or of linear systems, the rest of the step is taken as it comes.
 class LinearisedStep {
  public:
+  void resize(std::size_t slots, std::size_t tensions) { rollback_.resize(slots, tensions); }
   void take(const StepContext& context, Restitution& restitution);
 
  private:

@@ -10,6 +10,7 @@ namespace ribbon {
 /// impulse for that is one linear solve with the mass of everything involved. Lengths change as they did.
 class Restitution {
  public:
+  void resize(std::size_t slots) { velocities_.resize(slots); }
   /// Changes the velocities, by less if the energy has risen since `before`.
   void apply(const StepContext& context, const Cord::Energy& before, double dt);
 

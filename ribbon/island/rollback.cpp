@@ -13,6 +13,12 @@ constexpr double tolerated_gain = 1e-3;  // of the scene's energy
 
 }  // namespace
 
+void Rollback::resize(std::size_t slots, std::size_t tensions) {
+  end_positions_.resize(slots);
+  end_velocities_.resize(slots);
+  offsets_.resize(tensions);
+}
+
 bool Rollback::apply(const StepContext& context, const Cord::Energy& before) {
   IslandState& state = context.state;
   if (state.driven) return limit_speeds(state);

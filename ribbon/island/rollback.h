@@ -10,6 +10,7 @@ namespace ribbon {
 /// it came.
 class Rollback {
  public:
+  void resize(std::size_t slots, std::size_t tensions);
   /// Goes back by halves, and in the end to the start of the piece, until neither energy was gained since `before` nor
   /// an inextensible cord is stretched. While something drives the island, energy tells nothing, and only speeds are
   /// limited. Returns whether something was changed.

@@ -12,6 +12,7 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
+#include "ribbon/layout.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
@@ -47,6 +48,16 @@ CordDef hanging(int k) {
   def.drag = 4.0;
   def.allow_sleep = true;
   def.pins = {0};
+  if (k % 3 == 1) def.stretch_stiffness = 200.0;
+  if (k % 3 == 2) def.bending_stiffness = 1e-3;
+  if (k == 4) {
+    def.rows = 2;
+    def.width = 0.1;
+    def.bending_stiffness = 1e-3;
+    def.damping = 0.05;
+    ribbon::lay_along(def, std::vector<Vec2>{{spacing * k, 0.0}, {spacing * k + 0.7, 0.0}});
+    return def;
+  }
   def.positions = test_support::equally_spaced(def.points, {spacing * k, 0.0}, {0.0, -0.1});
   return def;
 }
@@ -150,6 +161,48 @@ TEST(CouplingRest, HasTheBitsOfACouplingThatStepsAllCordsInRandomScenes) {
   EXPECT_EQ(most_asleep, cords) << "or the scenes test nothing";
 }
 
+TEST(CouplingRest, ACordThatIsHeldBetweenGatherAndStepWakes) {
+  World world;
+  world.tick(300);
+  ASSERT_EQ(world.asleep(), cords);
+  b2Body* const ground = world.add_body({0.0, -2.0}, b2_staticBody);  // without a fixture
+  world.coupling.gather(world.world, World::dt);
+  world.coupling.hold(0, 7, *ground, b2Vec2_zero);
+  world.coupling.step();
+  world.coupling.apply();
+  world.tick(2);
+  EXPECT_FALSE(world.coupling.cord(0).direct().is_asleep());
+}
+
+TEST(CouplingRest, ACordThatIsChangedBetweenGatherAndStepMovesInThatStep) {
+  World world;
+  world.tick(300);
+  ASSERT_EQ(world.asleep(), cords);
+  world.coupling.gather(world.world, World::dt);
+  world.coupling.cord(0).direct().set_velocity(5, {1.0, 0.0});
+  const Vec2 before = world.coupling.cord(0).positions()[5];
+  world.coupling.step();
+  world.coupling.apply();
+  EXPECT_GT(world.coupling.cord(0).positions()[5].x, before.x);
+}
+
+TEST(CouplingRest, ACordThatSleepsWhenItIsAddedIsFoundWhereItIs) {
+  World world;
+  world.tick(300);
+  ASSERT_EQ(world.asleep(), cords);
+  ribbon::Cord sleeping(hanging(0));
+  sleeping.restore(world.coupling.cord(0).direct().save());
+  world.coupling.gather(world.world, World::dt);
+  const CordId added = world.coupling.add(std::move(sleeping));
+  world.coupling.step();
+  world.coupling.apply();
+  world.tick(5);
+  EXPECT_TRUE(world.coupling.cord(added).direct().is_asleep());
+  world.add_ball({0.15, -0.4}, 0.1, 0.2);
+  world.tick();
+  EXPECT_FALSE(world.coupling.cord(added).direct().is_asleep());
+}
+
 TEST(CouplingRest, OnlyCordsWithSomethingNearAreStepped) {
   World world;
   Counter counter;
@@ -157,7 +210,6 @@ TEST(CouplingRest, OnlyCordsWithSomethingNearAreStepped) {
   ASSERT_EQ(world.asleep(), cords);
   world.add_ball({0.15, -0.4}, 0.1, 0.2);
   world.tick();
-  // The watcher has all cords stepped, so the report of the tick tells: the five others are not solved.
   EXPECT_FALSE(world.coupling.cord(0).direct().is_asleep());
   EXPECT_EQ(world.coupling.tick_report(), world.coupling.cord(0).island_report());
   EXPECT_EQ(world.asleep(), cords - 1);
