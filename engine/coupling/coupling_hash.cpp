@@ -148,8 +148,8 @@ void add_to(Hasher& hasher, const ThesisCord::State& state) {
 
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested,
-               asleep, still_among] = state;
+               rest_speeds, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift,
+               damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
@@ -175,13 +175,13 @@ void add_to(Hasher& hasher, const Cord::State& state) {
     hasher.add(normal);
   }
   hasher.add(static_cast<int>(touch_changed));
-  hasher.add(ledger);
-  hasher.add(balance);
-  hasher.add(static_cast<int>(damping_apart));
+  hasher.add(regainable_energy);
+  hasher.add(energy_drift);
+  hasher.add(static_cast<int>(damping_excluded));
   hasher.add(static_cast<int>(restart));
-  hasher.add(rested);
+  hasher.add(rest_time);
   hasher.add(static_cast<int>(asleep));
-  hasher.add(still_among);
+  hasher.add(surroundings_hash);
 }
 
 }  // namespace ribbon::box2d

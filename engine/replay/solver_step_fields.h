@@ -42,8 +42,8 @@ void fields(Archive& archive, T& accuracy) {
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
   auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, gravity_scale, tension_only, friction, restitution, self_contact, cord_contact, allow_sleep,
-         elements, accuracy, positions, pins] = def;
+         area_stiffness, damping, drag, gravity_scale, tension_only, friction, restitution, self_contact, cord_contact,
+         allow_sleep, elements, accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);
@@ -98,8 +98,8 @@ void fields(Archive& archive, T& touch) {
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         unlocked, holders, touches, touch_changed, ledger, balance, damping_apart, restart, rested, asleep,
-         still_among] = state;
+         unlocked, holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart,
+         rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -115,13 +115,13 @@ void fields(Archive& archive, T& state) {
   archive("holders", holders);
   archive("touches", touches);
   archive("touch_changed", touch_changed);
-  archive("ledger", ledger);
-  archive("balance", balance);
-  archive("damping_apart", damping_apart);
+  archive("regainable_energy", regainable_energy);
+  archive("energy_drift", energy_drift);
+  archive("damping_excluded", damping_excluded);
   archive("restart", restart);
-  archive("rested", rested);
+  archive("rest_time", rest_time);
   archive("asleep", asleep);
-  archive("still_among", still_among);
+  archive("surroundings_hash", surroundings_hash);
 }
 
 template <typename Archive, Is<ribbon::RigidBody> T>

@@ -329,9 +329,9 @@ TEST(SceneHash, SeesEachPartOfADirectCordsState) {
       {"touches.normal", [](State& s) { s.touches[0].normal.y += 1e-9; }},
       {"touches", [](State& s) { s.touches.clear(); }},
       {"touch_changed", [](State& s) { s.touch_changed = !s.touch_changed; }},
-      {"ledger", [](State& s) { s.regainable_energy += 1e-9; }},
-      {"balance", [](State& s) { s.energy_drift += 1e-9; }},
-      {"damping_apart", [](State& s) { s.damping_excluded = !s.damping_excluded; }},
+      {"regainable_energy", [](State& s) { s.regainable_energy += 1e-9; }},
+      {"energy_drift", [](State& s) { s.energy_drift += 1e-9; }},
+      {"damping_excluded", [](State& s) { s.damping_excluded = !s.damping_excluded; }},
       {"restart", [](State& s) { s.restart = !s.restart; }},
   };
   SwingingRibbon ribbon;
