@@ -197,8 +197,9 @@ class Cord {
   /// Throws DefinitionError unless the state fits this cord's size and terms and all its values are in range.
   void check_state(const State& state) const;
 
-  /// For the solver only: what the cord consists of, without any checks.
+  /// Returns what the cord consists of, for the solver: its type is internal.
   CordParts& parts() { return *parts_; }
+  /// Returns the same, unchangeable.
   const CordParts& parts() const { return *parts_; }
 
  private:

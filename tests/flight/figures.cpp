@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/replay/cord_extremes.h"
-#include "ribbon/system/held_body.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
+#include "ribbon/system/held_body.h"
 
 namespace flight {
 namespace {

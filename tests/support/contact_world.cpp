@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ribbon/system/held_body.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
+#include "ribbon/system/held_body.h"
 
 namespace test_support {
 
