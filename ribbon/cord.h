@@ -199,8 +199,7 @@ class Cord {
 
   /// Returns what the cord consists of, for the solver: its type is internal.
   CordParts& parts() { return *parts_; }
-  /// Returns the same, unchangeable.
-  const CordParts& parts() const { return *parts_; }
+  const CordParts& parts() const { return *parts_; }  ///< the same, unchangeable
 
  private:
   static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
