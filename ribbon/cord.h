@@ -29,7 +29,7 @@ struct CordReport {
                          ///< without a cause; not checked while a point of the cord is driven
   int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
   int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
-  int posed = 0;         ///< substeps whose contacts were linearised once, because Newton steps did not converge
+  int posed = 0;         ///< steps whose contacts were linearised once, because Newton steps did not converge
   int cuts = 0;  ///< parts of posed substeps in which a point was stopped to prevent penetration or an energy gain, and
                  ///< lost velocity
   int unlocked = 0;     ///< steps in which inverted cells were turned back

@@ -25,7 +25,7 @@ struct CoupledCord {
   CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
       : filter(cord_filter), cord(std::move(of_solver)) {}
 
-  // What a tick reads of a cord at rest comes first: a thousand of them cost little else than this memory.
+  // What a tick reads of a resting cord comes first, because most of its cost is reading this memory.
   CordId id = -1;
   bool enabled = true;
   bool resting = false;  // see CordTable

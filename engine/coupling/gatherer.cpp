@@ -36,8 +36,8 @@ Box swept_aabb(const ThesisCord& cord, Vec2 gravity, double dt) {
   return widened(box, distance_in_tick(speed2, gravity, dt) + cord.mesh().spacing);
 }
 
-/// The same for the direct solver, which uses the same margin itself and enlarges it if it is too small. A cord that
-/// is stretched may become faster than it is now.
+/// The same for the direct solver, which bounds motions itself. A cord that is stretched may become faster than it is
+/// now.
 Box swept_aabb(const Cord& cord, Vec2 gravity, double dt) {
   const Cord::Sweep sweep = cord.sweep();
   const double snap2 = 2.0 * snap * snap * sweep.elastic / (cord.def().mass_per_length * cord.def().length);

@@ -13,19 +13,20 @@
 
 namespace ribbon::box2d {
 
-/// Finds the environment of each cord in a tick: the circles and edges that it may touch. Between ticks
-/// it stores memory, and the queries of resting cords.
+/// Finds the surroundings of each cord in a tick: the circles and edges that it may touch. Between ticks it stores
+/// memory, and the queries of resting cords.
 class Gatherer {
  public:
   /// Reserves memory for so many fixtures near a cord and for so many cords.
   void reserve(std::size_t fixtures, std::size_t cords);
-  /// Finds the fixtures that each enabled cord may touch in the tick, and their numbers.
+  /// Finds and numbers the fixtures that each enabled cord may touch. Makes resting cords active if they or the
+  /// conditions changed, or something came near.
   void find_fixtures(b2World& world, const StepConditions& conditions, CordTable& cords, FixtureIds& fixtures,
                      const ParallelFor& parallel_for);
   /// Makes the resting cords active that were changed since the last step.
   static void activate_changed(CordTable& cords);
-  /// Returns whether the next ticks need not step a cord, which was stepped last, as long as nothing comes near it: it
-  /// sleeps, nothing is near it, and that was looked for where it is now.
+  /// Returns whether a cord, which was stepped last, may rest: it sleeps, has no grip, touch or cord_contact, and
+  /// nothing was found near where it is now.
   static bool may_rest(const CoupledCord& cord, const StepConditions& conditions);
   /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. `index_of` returns the index of a
   /// body in the step.

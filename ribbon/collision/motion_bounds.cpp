@@ -47,7 +47,8 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
   for (const RigidSegment& segment : surroundings.segments) include(segment.body);
   const double turned = dt * (turned_share * std::sqrt(own2) + std::sqrt(other2));
   const double pull = std::min(cord.rest[0], dt * dt * pulled);  // links stop what would go further
-  return link_share * cord.rest[0] + 2.0 * dt * dt * length(parts.def.gravity_scale * gravity) + turned + pull;
+  return link_share * cord.rest[0] +
+         2.0 * dt * dt * std::max(1.0, std::abs(parts.def.gravity_scale)) * length(gravity) + turned + pull;
 }
 
 void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }

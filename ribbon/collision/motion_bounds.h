@@ -12,8 +12,8 @@ namespace ribbon {
 /// within these bounds. A step in which something leaves its bound is redone with a larger one.
 class MotionBounds {
  public:
-  /// Returns the bound of a cord that nothing hits hard, m: a quarter of a link, the fall, part of its own
-  /// displacement, the displacement by its loads, and all of that of what may push it.
+  /// Returns the bound of a cord that nothing hits hard, m: a quarter of a link, twice the fall, 0.3 of its own
+  /// displacement, that by its loads (at most a link), and that of the fastest body near it.
   static double bound_of(const CordParts& cord, const Surroundings& surroundings, std::span<const RigidBody> bodies,
                          double dt, Vec2 gravity);
 
@@ -31,7 +31,7 @@ class MotionBounds {
 
   /// Returns the bound of the points of a member, m.
   double of(std::size_t member) const { return bounds_[member].all; }
-  /// Returns how much further than a point near it along the outline a point of a member may move, m.
+  /// Returns how much the displacements of two points near each other along the outline may differ, m.
   double near_of(std::size_t member) const { return bounds_[member].near; }
   /// Returns where the points are at the end of their free motion, m.
   std::span<const Vec2> ends() const { return ends_; }
@@ -41,8 +41,8 @@ class MotionBounds {
   /// After an attempt: enlarges the bounds that something left, as far as it went. Returns false if nothing did, or the
   /// bounds are as large as they get.
   bool enlarge(const IslandState& state);
-  /// Reduces the shares of groups [0 … 1] of the displacement from `from` that would take a slot out of its bound.
-  /// Returns false if one was reduced.
+  /// Reduces `shares` [0 … 1], by group, of the displacement since `from`, so that no slot leaves its bound. Returns
+  /// false if one was reduced.
   bool limit(const IslandState& state, std::span<const Vec2> from, std::span<const int> groups,
              std::span<double> shares) const;
 

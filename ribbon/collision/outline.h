@@ -18,9 +18,9 @@ std::size_t outline_slot(const Member& member, int k);
 ContactPair pair_with_link(const Member& member, int k);
 /// Returns a contact pair with point k as its segment, which has no length.
 ContactPair pair_with_point(const Member& member, int k);
-/// Returns whether point k and both ends of a link are at most `close_links` apart along the outline. Such points move
-/// nearly alike, so they have a motion bound of their own: MotionBounds::near_of.
+/// Links along the outline, within which points move nearly alike, so that their difference has a bound of its own.
 inline constexpr int close_links = 6;
+/// Returns whether point k and both ends of a link are at most `close_links` apart; see MotionBounds::near_of.
 bool are_close(const CordParts& cord, int k, int link);
 /// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
 bool are_neighbours(const CordDef& def, int k, int link);

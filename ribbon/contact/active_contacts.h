@@ -16,8 +16,8 @@ struct ActiveContact {
   Separation gap;
 };
 
-/// The pairs that are in contact in a state (narrow phase): those nearer than their active distance where that distance
-/// has a local minimum along the polyline. A vertex is in contact only if it belongs to both of its segments.
+/// The pairs that are in contact in a state (narrow phase): those nearer than their active distance at a local
+/// minimum of the distance along the polyline. A vertex is in contact only if it is the nearest point of both segments.
 class ActiveContacts {
  public:
   void clear();

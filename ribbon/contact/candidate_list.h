@@ -17,11 +17,10 @@ class CandidateList {
  public:
   /// Forgets the list. The number of checks remains.
   void clear();
-  /// Takes the memory for so many pairs and anchors.
+  /// Reserves memory for so many pairs and anchors.
   void reserve(std::size_t pairs, std::size_t anchors);
-  /// Makes the list valid for straight motion of the anchors between these positions, m. If they leave their skins,
-  /// these become as large as the motion, and at least twice as large as the last one, because Newton steps become
-  /// shorter.
+  /// Makes the list valid for straight motion of the anchors between these positions, m. If one leaves its skin,
+  /// the new skin is twice the motion, or twice the last displacement (at most the old skin) if that is larger.
   void update(const ContactPairs& pairs, std::span<const Vec2> from, std::span<const Vec2> to);
 
   /// Indices of the pairs in the list, ascending.

@@ -62,8 +62,8 @@ class CompliantContacts {
   /// Returns whether forces agree with those of the last linear solve to a thousandth of all forces, or to what moves
   /// a body by `tolerance` [m] in a step.
   static bool are_settled(const ContactState& state, const ContactForces& forces, double tolerance);
-  /// Stores the forces and the elongations of friction springs with the pairs; `normal_forces` [N] by pair are used
-  /// where the depth does not tell them, and may be empty.
+  /// Stores the forces and the elongations of friction springs with the pairs; `normal_forces` [N], by pair, replace
+  /// those of the depths unless empty.
   static void store(const ContactState& state, std::span<const double> normal_forces, ContactPairs& pairs);
 
  private:

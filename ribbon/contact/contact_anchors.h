@@ -10,8 +10,8 @@
 
 namespace ribbon {
 
-/// A point fixed to a body. A dynamic body is an unknown of the solve. A kinematic one has a prescribed motion: in a
-/// stage its anchor moves from `start` to `target`.
+/// A point fixed to a body. A dynamic body is an unknown of the solve. One that cannot be pushed (static or
+/// kinematic, here called kinematic) has a prescribed motion: in a stage its anchor moves from `start` to `target`.
 struct BodyAnchor {
   int center = -1;  ///< slot of the centre of mass, followed by that of the angle; −1 for a kinematic body
   Vec2 arm;         ///< m, from the centre of mass, at the start of the step

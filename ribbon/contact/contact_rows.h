@@ -15,7 +15,7 @@ SlotRow normal_row(const AnchorState& state, const ContactPair& pair, const Sepa
 /// Returns the derivative of the slip: how far the disc moves along the segment. The lever of a body ends at the axis
 /// of the cord, because points of a cord cannot take a torque.
 SlotRow tangent_row(const AnchorState& state, const ContactPair& pair, const Separation& gap);
-/// Returns d·E/L − U, with E, L and U as in gap.h. It is the part of
+/// Returns d·E/L − U, with E, L and U as in ribbon/geometry/separation.h. It is the part of
 ///
 ///     −δ²d = ((d·E/L − U)² − U²)/d
 ///

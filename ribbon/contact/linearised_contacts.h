@@ -10,15 +10,15 @@
 
 namespace ribbon {
 
-/// Contacts that are linearised once and kept: each keeps its normal, its tangent and its place along the segment. So
-/// every linearisation of the cords leaves a convex problem.
+/// Contacts that are linearised once: each keeps its normal, its tangent and its place along the segment, while the
+/// cords are linearised again and again. So every linearisation of the cords leaves a convex problem.
 class LinearisedContacts {
  public:
   /// Starts a substep, in which the contacts are not linearised yet.
   void begin_substep(const ContactScene& scene, const ContactForces& forces);
   /// Linearises the pairs that may press on the sweep's path, each where it ends, or, if the pair would pass through
-  /// each other, where it touches first. Pairs that have a force remain as they were. Returns whether other pairs are
-  /// linearised than before.
+  /// each other, where it touches first. A pair that has a force and is not found again stays. Returns whether other
+  /// pairs are linearised than before.
   bool find(ContactScene& scene, const ContactSweep& sweep, const ContactForces& forces);
   /// Linearises anew, or in addition, the pairs that overlap on the sweep's path, or end deeper than their force
   /// explains by more than `tolerance` [m]: their rotation or slip is too large for their rows. Returns whether there

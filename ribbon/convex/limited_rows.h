@@ -11,9 +11,9 @@ namespace ribbon {
 
 /// A spring of limited force along a length that is linear in a step δ. With z = value + J·δ its force along J is
 ///
-///     f = clamp(−z/compliance, low, high),     the slope of a convex potential.
+///     f = clamp(−z/compliance, low, high) = −φ′(z),     φ convex.
 ///
-/// A contact has low = 0 and high = ∞; friction and a slipping grip have −S and S.
+/// A contact has low = 0 and high = ∞; friction and a slipping grip have −S and S, S being the largest force.
 struct LimitedRow {
   SlotRow row;        ///< J
   double value;       ///< m, z without a step
@@ -40,7 +40,7 @@ class LimitedRows {
   std::span<LimitedRow> rows() { return rows_; }
   bool empty() const { return rows_.empty(); }
 
-  /// Calls visit(a, b) for every two slots of a row, in both orders.
+  /// Calls visit(a, b) for every two slots of a row, in both orders, and for each with itself.
   template <typename Visit>
   void for_each_pair(Visit&& visit) const {
     for (const LimitedRow& limited : rows_) {

@@ -53,8 +53,6 @@ struct SlotRow {
   }
   std::span<const int> slots() const { return std::span(slot).first(at(size)); }
   std::span<const Vec2> derivatives() const { return std::span(by).first(at(size)); }
-
- private:
 };
 
 }  // namespace ribbon

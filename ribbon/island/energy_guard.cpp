@@ -30,15 +30,15 @@ void EnergyGuard::begin_step(const IslandState& state) {
 void EnergyGuard::find_scale(const IslandState& state) {
   double mass = 0.0;
   double longest = 0.0;
-  double gravity = 0.0;
+  double scale = 1.0;  // bodies fall with the world's gravity
   for (const Member& member : state.members) {
     longest = std::max(longest, member.cord->def.length);
-    gravity = std::max(gravity, length(member.cord->def.gravity_scale * state.gravity));
+    scale = std::max(scale, std::abs(member.cord->def.gravity_scale));
   }
   for (std::size_t p = 0; p < state.points; ++p) mass += state.masses[p];
   for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
   const double noise = noise_displacement * state.tolerance / state.dt;
-  weight_scale_ = mass * (gravity * longest + noise * noise);
+  weight_scale_ = mass * (scale * length(state.gravity) * longest + noise * noise);
 }
 
 void EnergyGuard::store(const IslandState& state) const {

@@ -6,9 +6,8 @@
 
 namespace ribbon {
 
-/// Watches the energy of an island over the substeps. What waves have lost in recent substeps they may regain. Beyond
-/// that rounding and the tolerance may add a little, until as much has been lost again: that is all that a cord which
-/// nothing drives can ever gain.
+/// Watches the energy of an island. A substep may regain what recent substeps lost. Rounding and the tolerance may add
+/// a little more, which must be lost again before more is gained. That bounds the gain of a cord that nothing drives.
 class EnergyGuard {
  public:
   using Energy = Cord::Energy;

@@ -21,6 +21,7 @@ class Integrators {
   bool sdirk2(const StepContext& context, double time, double dt);
   /// TR-BDF2 with implicit Euler as its first stage, for a substep in which a contact begins or ends.
   bool euler_bdf2(const StepContext& context, double time, double dt);
+  /// One stage over dt, which damps most.
   static bool implicit_euler(const StepContext& context, double time, double dt);
 
  private:

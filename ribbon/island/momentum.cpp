@@ -112,7 +112,7 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
 }
 
 bool limit_speeds(IslandState& state) {
-  double gravity = 0.0;
+  double gravity = length(state.gravity);
   for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
   const double max = highest_start_speed(state) + gravity * state.dt;
   bool any = false;

@@ -7,7 +7,8 @@
 namespace ribbon {
 
 /// Restitution after a substep: contacts that were hit open at their share of the speed with which they were hit. The
-/// impulse for that is one linear solve with the mass of everything involved. Lengths change as they did.
+/// impulse for that is one linear solve with the mass of everything involved. The rates at which links change length
+/// stay.
 class Restitution {
  public:
   void resize(std::size_t slots) { velocities_.resize(slots); }

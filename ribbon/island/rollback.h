@@ -6,8 +6,8 @@
 
 namespace ribbon {
 
-/// The last resort for a linearised piece with energy from nowhere that is not in velocities: it goes back the way that
-/// it came.
+/// The last resort for a linearised piece that gained energy in anything but velocities, or stretched: it takes the
+/// motion back. It does nothing if a cord was stretched at the start of the piece.
 class Rollback {
  public:
   void resize(std::size_t slots, std::size_t tensions);

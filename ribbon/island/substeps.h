@@ -11,8 +11,8 @@ namespace ribbon {
 class Substeps {
  public:
   void resize(std::size_t slots, std::size_t tensions);
-  /// Takes the substep that begins `time` seconds after the step. Returns false if it did not converge and the contacts
-  /// of the step have to be linearised once.
+  /// Takes the substep that begins `time` seconds after the start of the step. Returns false if it did not converge and
+  /// LinearisedStep has to take the whole step.
   bool take(const StepContext& context, double time, double dt, Restitution& restitution);
 
  private:

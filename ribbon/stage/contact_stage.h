@@ -27,9 +27,9 @@ class ContactStage {
   /// How one Newton step was taken.
   struct Taken {
     double fraction;  // of the direction; 0 if none reduces the energy
-    bool small;       // it is within the tolerance and nothing is in the way
+    bool small;       // within the tolerance, and collision-free in full
     bool full;        // it was taken without a search
-    bool crawls;      // contacts are not as expected
+    bool crawls;      // much less than the collision-free step was taken
   };
   void begin(const StageContext& context, const StageRequest& request);
   void advance_drives(const StageContext& context, const Stage& stage);
@@ -38,7 +38,7 @@ class ContactStage {
   double search(const StageContext& context, const Stage& stage, double fraction, int iteration);
   bool is_solution(const StageContext& context, const StageRequest& request) const;
 
-  double drive_left_ = 0.0;     // share of the displacement of what is driven
+  double drive_left_ = 0.0;     // share of the displacement of what is driven that is still to come
   std::vector<double> values_;  // of the energy, in the last iterations
 };
 

@@ -27,7 +27,7 @@ class NewtonSolver {
   bool find_coupled_direction(IslandState& state, const Stage& stage, Contacts& contacts);
   /// Takes over the solution of the coupled system. Returns false if it is not finite.
   bool take_solution(IslandState& state, const Stage& stage);
-  /// Returns how far the point or grip moves that moves most, m; not finite if something is not.
+  /// Returns the largest displacement of a point, grip or (coupled) body centre, m; not finite if one is not.
   double largest_displacement(const IslandState& state) const;
   /// Writes the positions after a fraction of the direction. Bodies move straight, so that forces balance and momentum
   /// is conserved to the last bits; the separation that this leaves at an arm is of second order, in a step below the
@@ -37,13 +37,13 @@ class NewtonSolver {
   static void close_arms(const IslandState& state, std::span<Vec2> x);
   /// Returns whether a grip began to slip in the last linear solve.
   bool slip_began() const { return slip_began_; }
-  /// Returns whether no bar was taken for slack or taut that is not, so that this iteration may be the last. After some
+  /// Returns whether each bar was rightly taken for slack or taut, so that this iteration may be the last. After some
   /// iterations it returns true: where nothing pulls, a bar may be either.
   bool are_bars_settled(IslandState& state, const Stage& stage, int iteration) const;
 
   /// Resets the slopes of the exact penalty.
   void reset_penalty();
-  /// Raises them to twice the tensions of the last linear solve.
+  /// Raises them to at least twice the tensions of the last linear solve; never lowers them.
   void raise_penalty();
   /// Returns what the stage minimises, J, except the energy of contacts. With `with_grips` it includes that of grips.
   double potential(IslandState& state, const Stage& stage, std::span<const Vec2> x, bool with_grips) const;

@@ -19,8 +19,8 @@ enum class ContactSolve {
 /// that follow from the positions.
 class StageSolver {
  public:
-  /// x̃ [m] and ṽ [m/s] of a stage, by slot, which an integrator writes. The Newton steps begin at the state's
-  /// positions.
+  /// x̃ [m] and ṽ [m/s] of a stage, by slot, which an integrator writes. The state's positions are the first
+  /// guess.
   struct Prediction {
     std::vector<Vec2> positions;
     std::vector<Vec2> velocities;

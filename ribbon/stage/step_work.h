@@ -25,9 +25,9 @@ class StepWork {
   /// Returns whether there is so much work to spend that a substep that does not converge is halved before its contacts
   /// are linearised once.
   bool is_patient() const;
-  /// Returns whether as much work has been done in the attempt as is worth doing before contacts are linearised once.
+  /// Returns whether the attempt, or all attempts together, have done enough work to linearise contacts once.
   bool is_tried() const;
-  /// Returns whether the work that may be done by halving substeps is spent. Cells that are being turned back take all.
+  /// Returns whether halving has spent half of the work or, unless cells are being turned back, 180 linear systems.
   bool is_halved_out(bool unlocking) const;
   /// Returns whether no piece of a linearised step is redone any more.
   bool is_enough() const;

@@ -29,13 +29,13 @@ class BlockSystem {
 
   /// Loads the matrix and the right-hand side of all that is neither a contact nor a limited row.
   void load(const IslandState& state, const Stage& stage);
-  /// Solves the system. The right-hand side becomes the solution. Returns false if the matrix is not definite.
+  /// Solves the system. The right-hand side becomes the solution. Returns false if a pivot has the wrong sign.
   bool solve(const IslandState& state);
   /// Solves the factorised system for another right-hand side.
   void solve_again(const IslandState& state);
   /// Copies the solution's part for points and bodies.
   void copy_direction(std::span<Vec2> direction) const;
-  /// Writes the tensions and the pulls of the solution to `next`. Returns whether a grip has begun to slip.
+  /// Writes the tensions, and the pulls of grips, of the solution to `next`. Returns whether a grip has begun to slip.
   bool update(IslandState& state, const Stage& stage, std::vector<Vec2>& direction, std::vector<double>& next);
 
   BlockLdlt& matrix() { return matrix_; }

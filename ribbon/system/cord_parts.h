@@ -19,13 +19,13 @@ struct CordParts {
   bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
   /// Returns the energies under `gravity` [m/s²].
   Cord::Energy energy(Vec2 gravity) const;
-  /// Returns the bounds of the cord's position and motion. O(points).
+  /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
   Cord::Sweep find_sweep() const;
 
   /// Call it after a change from outside: the next step starts anew, and the cord is awake.
   void disturb();
   void wake();
-  /// Stops what is left of the cord's motion.
+  /// Puts the cord to sleep: stops what is left of its motion.
   void fall_asleep();
   /// Takes the damping part out of the tensions. That part jumps with a velocity that is set from outside; the elastic
   /// part does not.

@@ -22,7 +22,7 @@ std::array<int, 4> grip_slots(const IslandState& state, const HeldBody& held);
 Vec2 grip_separation(const IslandState& state, const HeldBody& held, std::span<const Vec2> x);
 /// Returns the pull of the cord on the body, N, from an array of tensions.
 Vec2 grip_pull(const IslandState& state, std::span<const double> tensions, std::size_t grip);
-/// Returns the same from the motion of the body, if its grip is not solved as an unknown. `dt` is that of the step.
+/// Returns the same; if the system is not coupled, from the motion of the body in the step.
 Vec2 grip_reaction(const IslandState& state, std::size_t grip);
 
 /// Adds the grips to the coupled system. The pull λ on the body is an unknown.
@@ -33,7 +33,7 @@ bool update_grips(IslandState& state, std::span<const Vec2> solution, std::span<
 /// Returns the part of the grips in what a stage minimises, J. `max_tensions` are the slopes of the exact penalty.
 double grip_potential(const IslandState& state, std::span<const double> max_tensions, std::span<const Vec2> x);
 
-/// Appends a row for each grip that may slip: along the cord it yields by next to nothing up to its strength.
+/// Appends a row for each grip that may slip: a very stiff spring along the cord, limited to its strength.
 void append_slip_rows(const IslandState& state, std::span<const double> inertia, LimitedRows& rows);
 /// Takes over the forces of these rows, which are the last ones, and whether the grips slip.
 void take_slip_rows(IslandState& state, const LimitedRows& rows);
@@ -41,7 +41,7 @@ void take_slip_rows(IslandState& state, const LimitedRows& rows);
 /// Writes to each grip how far it has slipped in the step.
 void find_slips(IslandState& state);
 /// Returns the largest work, J, that anchors which move on their bodies or along a cord can have done in the substep.
-/// It is twice the pull at its end, or the mean pull if nothing else moves the body, times the displacement.
+/// It is twice the pull times the displacement. The pull is that at the end, or the mean one if it is not coupled.
 double grip_work(const IslandState& state);
 
 }  // namespace ribbon

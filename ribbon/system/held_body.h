@@ -9,10 +9,10 @@
 
 namespace ribbon {
 
-/// A body that holds a point of a cord, solved with it. Where its centre of mass is, X = x − s, follows from the point
-/// x and the arm s, from the centre of mass to the hand, that has turned by φ; so the body brings the cord one more
-/// unknown, φ, and that is eliminated on the spot. With M = m/q² and J = I/q² its inertia, R and P the residuals of X
-/// and φ, u = perp(s) = −∂X/∂φ and p = P − u·R:
+/// A grip: a body that holds a place of a cord. In the solve of a single cord, whose grips are at points, its centre of
+/// mass X = x − s follows from the point x and the arm s, from the centre of mass to the anchor, turned by φ. So the
+/// body adds one unknown, φ, which is eliminated at that point. With M = m/q², J = I/q² (q: see Stage), R and P the
+/// residuals of X and φ, u = perp(s) = −∂X/∂φ and p = P − u·R:
 ///
 ///     D = J + M·|s|² + max(0, −R·s)                the last term geometric: of an arm that is pulled outwards
 ///     A_x ← A_x + M − M²·u·uᵀ/D        r_x ← r_x + R + M·u·p/D        δφ = (p + M·u·δx)/D
@@ -58,7 +58,7 @@ struct HeldStep {
   double turning(Vec2 step) const { return compliance * (moment + inertia * dot(u, step)); }
 };
 
-/// `arm` s, M, J, and the residuals of X [N] and φ [N·m].
+/// Returns the step for `arm` s, inertias M and J, and the residuals of X [N] and φ [N·m].
 HeldStep held_step(const HeldBody& held, Vec2 arm, double inertia, double angular_inertia, Vec2 residual,
                    double angular_residual);
 

@@ -26,7 +26,7 @@ struct Member {
   std::size_t first_dual = 0;  ///< of the tensions that are unknowns of the linear system
   std::size_t first_grip = 0;
   std::size_t end_grip = 0;
-  double pressing_mass = 0.0;  ///< kg, what may press where the cord touches something
+  double pressing_mass = 0.0;  ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
 
   std::size_t end_point() const { return first_point + points; }
   bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }
@@ -55,9 +55,9 @@ struct IslandState {
   double dt = 0.0;  ///< s
   Vec2 gravity;     ///< m/s²
   std::span<RigidBody> rigid;
-  Accuracy accuracy;           ///< the highest that one of the cords declares
+  Accuracy accuracy;           ///< of each field the most accurate value of all cords
   double tolerance = 0.0;      ///< m
-  double min_tolerance = 0.0;  ///< m, what rounding leaves of the largest coordinate
+  double min_tolerance = 0.0;  ///< m, 16 rounding errors of the largest coordinate
 
   // What is solved:
   std::vector<Member> members;
@@ -66,7 +66,7 @@ struct IslandState {
   std::size_t points = 0;      ///< of all cords
   std::size_t duals = 0;       ///< tensions that are unknowns of the linear system
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
-  bool driven = false;     ///< something moves that the energy guard does not know
+  bool driven = false;     ///< drives, reels or unlocked cells change the energy: the guard pauses
   bool reeling = false;    ///< a reel changes rest lengths
   bool unlocking = false;  ///< inverted cells are turned back in this step
   bool restart = false;    ///< the accelerations are out of date
@@ -76,7 +76,7 @@ struct IslandState {
   std::vector<Vec2> positions;
   std::vector<Vec2> velocities;
   std::vector<Vec2> accelerations;
-  std::vector<Vec2> free_accelerations;  ///< m/s², of free motion: gravity and, of bodies, what the user expects
+  std::vector<Vec2> free_accelerations;  ///< m/s², of free motion: gravity, and RigidBody::acceleration
   std::vector<double> masses;
   std::vector<char> constrained;
   // Of constrained slots: where the step found them, and their constant velocity in it.
@@ -115,8 +115,8 @@ struct IslandState {
   void resize(std::size_t slots, std::size_t tension_count);
   void begin_substep(double time, double substep_dt);
   void return_to_start();
-  /// Adds `sign` times the damping part of the tensions at the current velocities. A change of velocities outside a
-  /// stage leaves the elastic part as it is.
+  /// Adds `sign` times the damping part of the tensions. Call it with −1 before and with +1 after a change of
+  /// velocities outside a stage.
   void add_damping(double sign);
   /// Sets the tensions of the cords to those of their shapes at rest. The pulls of grips are left.
   void find_tensions();

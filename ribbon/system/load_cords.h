@@ -7,8 +7,8 @@
 
 namespace ribbon {
 
-/// Reads the cords at the start of an island's step: their points, tensions, targets, reels and grips. Whatever looks
-/// for contacts reads their environment.
+/// Reads the cords at the start of an island's step: points, tensions, targets, reels and grips, but not the circles
+/// and edges near them.
 void load_cords(IslandState& state, std::span<const IslandCord> cords);
 /// Reads the bodies that hold or may touch the cords, after all of them were added and the state was resized.
 void load_bodies(IslandState& state);

@@ -23,7 +23,7 @@ std::filesystem::path file_with(const std::string& text) {
 /// Returns the message that such a file is refused with, without the file's path.
 std::string refusal_of(const std::string& text) {
   const std::filesystem::path path = file_with(text);
-  const std::string message = test_support::refusal<std::runtime_error>([&] { read_table(path); });
+  std::string message = test_support::refusal<std::runtime_error>([&] { read_table(path); });
   if (!test_support::starts_with(message, path.string())) return message;
   return message.substr(path.string().size());
 }

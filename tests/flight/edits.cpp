@@ -152,6 +152,7 @@ const std::vector<Edit<Cord>>& cord_edits() {
       [](Cord& cord) { return set(cord.def.poisson_ratio, 0.0); },
       [](Cord& cord) { return set(cord.def.damping, 0.0); },
       [](Cord& cord) { return set(cord.def.drag, 0.0); },
+      [](Cord& cord) { return set(cord.def.gravity_scale, 1.0); },
       [](Cord& cord) { return set(cord.def.tension_only, false); },
       [](Cord& cord) { return set(cord.def.friction, 0.0); },
       [](Cord& cord) { return set(cord.def.restitution, 0.0); },

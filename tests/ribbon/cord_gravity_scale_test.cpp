@@ -86,6 +86,27 @@ TEST(CordGravityScale, CordsOfOneIslandHaveTheirOwn) {
   EXPECT_GT(above.positions()[5].y, below.positions()[5].y + 0.035);
 }
 
+TEST(CordGravityScale, AHeavyBodySwingsOnAWeightlessCord) {
+  CordDef def = rope(0.0);
+  def.pins = {0};
+  Cord cord(def);
+  RigidBody body;
+  body.position = {1.0, 0.0};
+  body.inverse_mass = 0.1;
+  body.acceleration = gravity;
+  const std::array grips = {Grip{10, 0, {}}};
+  double lowest = 0.0;
+  for (int k = 0; k < 120; ++k) {
+    std::array bodies = {body};
+    const CordReport report = cord.step(dt, gravity, {bodies, {}, grips});
+    EXPECT_EQ(report.unconverged + report.energy_gains + report.fallbacks, 0) << k;
+    body.velocity += dt * body.acceleration + body.inverse_mass * bodies[0].impulse;
+    body.position += bodies[0].moved;
+    lowest = std::min(lowest, body.position.y);
+  }
+  EXPECT_NEAR(lowest, -1.0, 0.01);
+}
+
 TEST(CordGravityScale, OutOfRangeIsRefused) {
   for (const double scale : {-1001.0, 1001.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(Cord{rope(scale)}, DefinitionError) << scale;

@@ -17,7 +17,6 @@ namespace {
 using test_support::refusal;
 using test_support::starts_with;
 
-constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

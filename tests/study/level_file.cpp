@@ -140,10 +140,26 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   const Json* rows = find(cord, "rows");
   const int own_rows = rows == nullptr ? 1 : rows->get<int>();
   const double mass = find(cord, "mass")->get<double>();
-  for (const char* name :
-       {"stretch_stiffness", "bending_stiffness", "poisson_ratio", "damping", "tension_only", "radius", "width",
-        "accuracy", "integrator", "tolerance", "max_iterations", "max_work", "friction", "restitution", "self_contact",
-        "cord_contact", "area_stiffness", "allow_sleep"}) {
+  for (const char* name : {"stretch_stiffness",
+                           "bending_stiffness",
+                           "poisson_ratio",
+                           "damping",
+                           "tension_only",
+                           "radius",
+                           "width",
+                           "accuracy",
+                           "integrator",
+                           "tolerance",
+                           "max_iterations",
+                           "max_work",
+                           "friction",
+                           "restitution",
+                           "self_contact",
+                           "cord_contact",
+                           "area_stiffness",
+                           "allow_sleep",
+                           "soft_contacts",
+                           "gravity_scale"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);

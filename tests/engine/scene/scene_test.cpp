@@ -79,10 +79,10 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       direct_properties + "," + whole("rows", "3") + "," + number("width", "0.6") + "," + number("radius", "0.03") +
       "," + number("stretch_stiffness", "5000") + "," + number("bending_stiffness", "7") + "," +
       number("poisson_ratio", "0.3") + "," + number("area_stiffness", "1.5") + "," + number("damping", "0.02") + "," +
-      number("drag", "0.1") + "," + number("friction", "0.4") + "," + number("restitution", "0.7") + "," +
-      yes("self_contact") + "," + yes("cord_contact") + "," + yes("allow_sleep") + "," + text("accuracy", "accurate") +
-      "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") + "," + whole("max_work", "77") + "," +
-      yes("pin_last");
+      number("drag", "0.1") + "," + number("gravity_scale", "-0.5") + "," + number("friction", "0.4") + "," +
+      number("restitution", "0.7") + "," + yes("self_contact") + "," + yes("cord_contact") + "," + yes("allow_sleep") +
+      "," + text("accuracy", "accurate") + "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") +
+      "," + whole("max_work", "77") + "," + yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
   const ribbon::Cord& cord = scene.coupling().cord(0).direct();
   const ribbon::CordDef& def = cord.def();
@@ -98,6 +98,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_EQ(def.area_stiffness, 1.5);
   EXPECT_EQ(def.damping, 0.02);
   EXPECT_EQ(def.drag, 0.1);
+  EXPECT_EQ(def.gravity_scale, -0.5);
   EXPECT_EQ(def.friction, 0.4);
   EXPECT_EQ(def.restitution, 0.7);
   EXPECT_TRUE(def.self_contact);
@@ -126,6 +127,7 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_EQ(def.stretch_stiffness, std::numeric_limits<double>::infinity());
   EXPECT_EQ(def.bending_stiffness + def.area_stiffness + def.damping + def.drag, 0.0);
   EXPECT_EQ(def.friction + def.restitution, 0.0);
+  EXPECT_EQ(def.gravity_scale, 1.0);
   EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact || def.allow_sleep);
   EXPECT_EQ(def.accuracy, ribbon::Accuracy::balanced());
   EXPECT_TRUE(def.pins.empty());
@@ -245,6 +247,7 @@ TEST(Scene, RefusesADirectCordThatItCannotBuild) {
   refused(number("friction", "-0.1"), "friction");
   refused(number("friction", "10.5"), "friction");
   refused(number("restitution", "1.1"), "restitution");
+  refused(number("gravity_scale", "1001"), "gravity_scale");
   refused(number("self_contact", "1"), "self_contact");
   refused(number("allow_sleep", "1"), "allow_sleep");
   refused(number("width", "0.1"), "rope");  // what the definition's own check says

@@ -162,6 +162,7 @@ std::span<const CordEdit> term_edits() {
       [](SceneCord& cord) { cord.def.restitution = 0.0; },
       [](SceneCord& cord) { cord.def.damping = 0.0; },
       [](SceneCord& cord) { cord.def.drag = 0.0; },
+      [](SceneCord& cord) { cord.def.gravity_scale = 1.0; },
       [](SceneCord& cord) { cord.def.tension_only = false; },
       [](SceneCord& cord) { cord.def.allow_sleep = false; },
       [](SceneCord& cord) { cord.def.poisson_ratio = 0.0; },
