@@ -152,7 +152,7 @@ void hold_again(Scene& scene) {
 }
 
 std::span<const CordEdit> term_edits() {
-  static const std::array<CordEdit, 17> edits = {
+  static const std::array<CordEdit, 18> edits = {
       straighten,
       [](SceneCord& cord) { cord.velocity = {}; },
       [](SceneCord& cord) { cord.def.self_contact = false; },
