@@ -15,8 +15,8 @@ struct Dials {
   int substeps = 1;
   double tolerance = 5e-4;  ///< m, for the direct solver
   double points = 1.0;      ///< relative to the number of links of the level's cords
-  int iterations = 0;  ///< limit: of Newton iterations per solve (0: 8); for chains, velocity iterations per substep,
-                       ///< and 3/8 of it position iterations
+  int iterations = 0;  ///< greatest number of Newton iterations per solve (0: 8); for chains, of velocity iterations
+                       ///< per substep, with 3/8 as many position iterations
   int rows = 1;        ///< of the ribbon that replaces each rope
 
   bool operator==(const Dials&) const = default;

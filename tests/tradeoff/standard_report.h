@@ -15,8 +15,8 @@ struct StandardReport {
 
 /// Writes a page for each standard scene and for each level of the game, in a folder of its name, and a page of
 /// contents after each. Writes all pages even if a plot cannot be drawn. Returns the program's exit status: 1 if it was
-/// interrupted, or if a plot is missing.
-/// Throws std::runtime_error if the folder is not one or cannot be written.
+/// interrupted, or if a plot is missing. Throws std::runtime_error if the path is not a folder or cannot be
+/// written.
 int write(const StandardReport& report);
 
 }  // namespace tradeoff
