@@ -20,7 +20,7 @@ std::string command(const std::filesystem::path& table) {
 }  // namespace
 
 int check(const std::vector<tradeoff::Scene>& scenes, const std::filesystem::path& table) {
-  const std::vector<Row> before = read_table(table);  // before minutes are spent
+  const std::vector<Row> before = read_table(table);  // fails early, before minutes of counting
   const std::vector<Row> now = count_with_progress(scenes);
   const Comparison found = compare(before, now);
   for (const std::string& sentence : found.better) std::printf("better: %s\n", sentence.c_str());

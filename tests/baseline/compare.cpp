@@ -8,7 +8,7 @@
 namespace baseline {
 namespace {
 
-/// 12,345,678
+/// Formats with thousands separators: 12,345,678.
 std::string grouped(std::int64_t value) {
   const std::string digits = std::to_string(value);
   std::string text;
@@ -25,7 +25,7 @@ double percent_more(std::int64_t now, std::int64_t before) {
   return 100.0 * (static_cast<double>(now) / static_cast<double>(before) - 1.0);
 }
 
-/// "12 % more"; without a number if there was no work before.
+/// Returns "12 % more"; without a number if there was no work before.
 std::string in_words(double percent) {
   if (std::isinf(percent)) return "more than none";
   return study::significant(std::abs(percent), 3) + (percent > 0.0 ? " % more" : " % less");

@@ -15,7 +15,7 @@ void add_tick(Row& row, std::int64_t work) {
   row.worst_tick = std::max(row.worst_tick, work);
 }
 
-/// A contestant that continues from its figures computes these first.
+/// Prepares a contestant. One that continues from its figures computes them first.
 void begin(const tradeoff::Contestant& contestant) {
   if (contestant.reset) {
     contestant.reset();

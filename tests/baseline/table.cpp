@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view header = "scene,method,setting,points,ticks,work,worst_tick";
 constexpr std::size_t columns = 7;
 
-/// A line of a file, for messages.
+/// A line of a file and its place, for error messages.
 struct Line {
   const std::filesystem::path& path;
   int number;

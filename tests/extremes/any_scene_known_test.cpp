@@ -4,14 +4,14 @@
 
 #include "tests/extremes/any_scene/runs.h"
 
-// Scenes made at random that the solver once left unsolved, stretched, with energy from nowhere or gone through. Each
-// shows one of its parts at work: without it the figure is above its bar.
+// Random scenes that an earlier solver failed: unconverged, stretched, with energy gain or crossed. Each tests one part
+// of the solver: without this part the figure exceeds its bar.
 
 namespace any_scene {
 namespace {
 
 struct Known {
-  const char* part;  ///< of the solver
+  const char* part;  ///< the part of the solver
   Which which;
   const char* figure;
   double (*value)(const Summary& run);

@@ -7,14 +7,14 @@
 #include "tests/extremes/any_scene/oracles.h"
 #include "tests/extremes/any_scene/play.h"
 
-// The oracles find what is planted by hand between two ticks, and nothing else.
+// The oracles report exactly the events planted between two ticks.
 
 namespace any_scene {
 namespace {
 
 using ribbon::Vec2;
 
-/// A rope of 11 points and 1 m along +x from `start`.
+/// Returns a rope of 11 points and 1 m along +x from `start`.
 SceneCord rope(Vec2 start) {
   SceneCord cord;
   cord.def.points = 11;
@@ -53,7 +53,7 @@ std::size_t crossings(const Scene& scene, const Snapshot& before, const Snapshot
 
 class Obstacle : public testing::TestWithParam<Solid> {};
 
-/// A rope 0.3 m above it moves down: to touch, into it, and through it.
+/// A rope starts 0.3 m above the obstacle and moves down: into contact, into it, and through it.
 TEST_P(Obstacle, IsCrossedByARopeThatGoesIntoItOrThroughIt) {
   Scene scene;
   scene.cords = {rope({-0.5, 0.3})};

@@ -11,7 +11,7 @@
 namespace any_scene {
 namespace {
 
-/// Four ticks of 0 to 200 linear systems, of which one was left 1 cm unsolved.
+/// Returns four ticks of 0 to 200 linear systems; one has a residual of 1 cm.
 Summary some_run(Preset preset) {
   Summary run;
   run.preset = preset;
@@ -22,7 +22,7 @@ Summary some_run(Preset preset) {
   return run;
 }
 
-/// The same for a solver that does not report residuals, and never stretches a cord by a hundredth.
+/// Returns the same for a solver that does not report residuals; its stretch stays below 1 %.
 Summary run_before(Preset preset) {
   Summary run = some_run(preset);
   run.left.reset();
@@ -39,7 +39,7 @@ void expect_part(const std::string& text, const std::string& part) {
 
 TEST(AnyScenePlot, BarsAreSharesOfTicks) {
   const std::string text = plot_of({some_run(Preset::fast), some_run(Preset::fast)}, {}, "some.svg");
-  // Eight ticks, of which half a one is the axis: a quarter took 0, half 3, a quarter 189 to 235.
+  // Eight ticks, with the axis at half a tick: a quarter take 0, half take 3, a quarter take 189 to 235.
   expect_part(text,
               "$work_fast_now << END\n"
               "0.25 0.0625\n0.25 0.25\n0.5 0.25\n0.5 0.0625\n"

@@ -1,4 +1,4 @@
-// The random scenes as a group of the table of extremes.
+// Random scenes as a group of the table of extremes.
 
 #include <array>
 #include <limits>
@@ -12,15 +12,15 @@ namespace {
 
 using any_scene::Summary;
 
-constexpr double no_bar = 1e300;  // looked at
+constexpr double no_bar = 1e300;  // reported, not bounded
 
-/// A figure of a run, and its bar.
+/// A figure of a run, and its upper bound.
 struct Figure {
   const char* name;
   double (*value)(const Summary& run);
   double bar = no_bar;
 };
-/// One that was cut had no more time on this machine.
+/// A cut run counts as whole: it only exceeded its time on this machine.
 bool is_whole(any_scene::End end) { return end == any_scene::End::whole || end == any_scene::End::cut; }
 
 constexpr std::array figures = {

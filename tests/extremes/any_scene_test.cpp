@@ -12,7 +12,7 @@
 #include "tests/extremes/any_scene/shrink.h"
 #include "tests/extremes/any_scene/world.h"
 
-// The scenes made at random: the generator, shrinking and printing. What the solver makes of them is no matter here.
+// Generator, shrinker and printer of random scenes. The solver's results do not matter here.
 
 namespace any_scene {
 namespace {
@@ -45,7 +45,7 @@ TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
     const Lengths worst = lengths(world.coupling());
     EXPECT_LT(worst.stretch, 1e-12) << seed;
     for (int c = 0; c < world.coupling().size(); ++c) {
-      // The rows of a ribbon on an arc are of different lengths.
+      // The rows of a ribbon on an arc have different lengths.
       if (world.coupling().cord(c).direct().def().rows == 1) continue;
       EXPECT_LT(worst.strain, 0.5) << seed;
     }
@@ -64,7 +64,7 @@ TEST_P(AnyFamily, EveryWildSceneIsAccepted) {
 INSTANTIATE_TEST_SUITE_P(All, AnyFamily, testing::ValuesIn(all_families),
                          [](const auto& family) { return std::string(name(family.param)); });
 
-/// A scene in which every field of everything is other than by default.
+/// Returns a scene in which every field differs from its default.
 Scene full_scene() {
   Scene scene;
   scene.gravity = {0.5, -3.0};
@@ -232,7 +232,7 @@ TEST(AnySceneRuns, SayThatADefinitionIsRefused) {
   EXPECT_EQ(run_guarded({}, scene, 1.0).end, End::refused);
 }
 
-/// The planted failure: a fast heavy circle among much that has nothing to do with it.
+/// The planted failure is a fast heavy circle among many unrelated objects.
 TEST(AnySceneShrink, LeavesOnlyWhatFails) {
   Scene scene = generate({7, Family::mixed, Mood::gentle, {}});
   Solid planted;
@@ -258,7 +258,7 @@ TEST(AnySceneShrink, LeavesOnlyWhatFails) {
   EXPECT_NO_THROW(World{small});
 }
 
-/// What refers to cords and solids that go, goes, and the rest refers to the same ones as before.
+/// References to removed cords and solids are removed; all others refer to the same ones as before.
 TEST(AnySceneShrink, KeepsEveryStepAcceptable) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Scene scene = generate({seed, Family::mixed, Mood::wild, {}});

@@ -7,14 +7,14 @@
 namespace extremes {
 
 /// Circles in contact with a cord of any method. The class moves them by the results of the cord's step, without
-/// gravity, so that they move alike with all methods.
+/// gravity, in the same way for all methods.
 class Balls {
  public:
-  /// kg, 0 of one that goes its way at its velocity. Its index.
+  /// Adds a circle and returns its index. The mass is in kg; 0 makes it kinematic.
   int add(ribbon::Vec2 position, double radius, double mass, double friction = 0.3);
   ribbon::RigidBody& at(int index) { return bodies_[static_cast<std::size_t>(index)]; }
 
-  /// One tick of the cord and the balls.
+  /// Advances the cord and the circles by one tick.
   void step(Subject& cord, double dt, ribbon::Vec2 gravity);
   bool is_finite() const;
 

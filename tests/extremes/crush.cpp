@@ -8,7 +8,7 @@
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
 
-// Cords between circles that nothing stops, and circles that are born where a cord is. No gravity, nothing pinned.
+// Cords between kinematic circles, and circles that appear inside a cord. No gravity, no pins.
 
 namespace extremes {
 namespace {
@@ -28,7 +28,7 @@ const char* name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// 1 m and half a kilogramme, along +x from the origin.
+/// Returns a cord of 1 m and 0.5 kg along +x from the origin.
 ribbon::CordDef cord_of(Kind kind) {
   ribbon::CordDef def;
   def.points = links + 1;
@@ -47,7 +47,7 @@ ribbon::CordDef cord_of(Kind kind) {
   return def;
 }
 
-/// m, from side to side.
+/// Returns the thickness of the cord, m.
 double thickness(const Subject& cord, Kind kind) {
   if (cord.method() == Method::thesis) return link * (cord.rows() - 1);
   return cord_of(kind).width + 2.0 * cord_of(kind).radius;
@@ -60,7 +60,7 @@ struct Figures {
   std::array<Worst*, 3> all() { return {&speed, &strain, &inverted}; }
 };
 
-/// Two seconds in which its motion is taken away.
+/// Damps the motion for two seconds, then takes the figures.
 void take(Subject& cord, const Balls& balls, double speed, const std::string& setting, Figures& figures) {
   for (int k = 0; k < 120 && cord.is_finite(); ++k) {
     for (int p = 0; p < cord.columns() * cord.rows(); ++p) {
@@ -75,7 +75,7 @@ void take(Subject& cord, const Balls& balls, double speed, const std::string& se
   for (Worst* figure : figures.all()) figure->add(cord.counts());
 }
 
-/// Two circles come together at half a metre a second, to 5 % of the cord's thickness, wait and part.
+/// Two circles approach at 0.5 m/s until the gap is 5 % of the cord's thickness, wait and part.
 void squeeze(Method method, Kind kind, double radius, const std::string& setting, Figures& figures) {
   Subject cord(method, cord_of(kind), dt);
   Balls balls;
@@ -99,7 +99,7 @@ void squeeze(Method method, Kind kind, double radius, const std::string& setting
   take(cord, balls, fastest, setting, figures);
 }
 
-/// A ball of the cord's mass is there at once, and free.
+/// A free ball of the cord's mass appears inside it.
 void bear(Method method, Kind kind, double radius, Vec2 center, const std::string& setting, Figures& figures) {
   Subject cord(method, cord_of(kind), dt);
   Balls balls;
@@ -118,7 +118,7 @@ std::string text(Kind kind, double radius, const char* where) {
   return setting;
 }
 
-/// Of a method, over all kinds of cord.
+/// The rows of one method, over all kinds of cord.
 struct Rows {
   Figures crushed, born, inside, around;
 };
@@ -133,7 +133,7 @@ void run(Method method, Kind kind, const Scope& scope, Rows& rows) {
     const std::string setting = text(kind, ratio * link, where);
     if (scope.wants(setting)) bear(method, kind, ratio * link, center, setting, figures);
   };
-  const double x = 0.5 * links * link;  // of the middle column
+  const double x = 0.5 * links * link;  // position of the middle column
   const double width = cord_of(kind).width;
   const double top = method == Method::thesis ? width : width + cord_of(kind).radius;
   for (const double ratio : {10.0, 1e2, 1e3}) {

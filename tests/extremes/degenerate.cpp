@@ -5,7 +5,7 @@
 
 #include "tests/extremes/table.h"
 
-// Points without a distance, lengths that are refused.
+// Coincident points and invalid lengths.
 
 namespace extremes {
 namespace {
@@ -33,7 +33,7 @@ ribbon::CordDef cord_of(int rows) {
   return def;
 }
 
-/// Two neighbours, along or across, at the very same place.
+/// Places two neighbours, along or across, at the same point.
 void coincide(Method method, int rows, bool across, const std::string& setting, Worst& strain) {
   ribbon::CordDef def = cord_of(rows);
   const std::size_t a = 5 * static_cast<std::size_t>(rows);
@@ -49,7 +49,7 @@ void coincide(Method method, int rows, bool across, const std::string& setting, 
   strain.add(cord.counts());
 }
 
-/// 0 if it is refused by name, with the value and what is accepted.
+/// Returns 0 if the error names the field and the accepted range, 1 otherwise.
 double refusal(const auto& make, const std::string& field) {
   try {
     make();

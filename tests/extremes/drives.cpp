@@ -6,7 +6,7 @@
 
 #include "tests/extremes/table.h"
 
-// Anchors, rest lengths and gravity that change as nothing in a level does.
+// Anchors, rest lengths and gravity that change more abruptly than in any level.
 
 namespace extremes {
 namespace {
@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double dt = 1.0 / 60.0;
 constexpr double cord_length = 5.0;
 constexpr Vec2 earth{0.0, -9.81};
-/// Of M·g·L, that the solver's energy guard lets back of what was lost lately; see ribbon's README.
+/// The energy that the solver's energy guard may return, divided by M·g·L; see ribbon's README.
 constexpr double guarded_gain = 5e-4;
 
 enum class Kind : unsigned char { rope, elastic, pulling, bending, ribbon };
@@ -28,7 +28,7 @@ std::string name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Hangs straight down from its first column; 1 kg with ten times its weight on it.
+/// Returns a cord of 1 kg that hangs straight down from its first column, with ten times its weight at its end.
 ribbon::CordDef cord_of(Kind kind) {
   ribbon::CordDef def;
   def.points = 26;
@@ -50,7 +50,7 @@ ribbon::CordDef cord_of(Kind kind) {
   return def;
 }
 
-/// A drive of a cord. It is called before each tick, drives the cord and sets gravity; it returns false at its end.
+/// A drive of a cord, called before each tick. It drives the cord and sets gravity; it returns false at its end.
 struct Event {
   std::string what;
   std::function<bool(Subject&, int tick, Vec2& gravity)> drive;
@@ -90,8 +90,7 @@ Event reel() {
           }};
 }
 
-/// The event, then two seconds in which nothing drives it, under gravity as it was, and two more in which its motion is
-/// taken away.
+/// Runs the event, then two seconds without a drive under the initial gravity, then two seconds of damped motion.
 void run(Method method, Kind kind, const Event& event, Worst& gain, Worst& strain) {
   Subject cord(method, cord_of(kind), dt);
   cord.attach_load(10.0);
@@ -135,7 +134,7 @@ std::vector<Row> run_drives(const Scope& scope) {
   double done = 0.0;
   for (const Method method : all_methods) {
     for (const Event& event : events) {
-      if (method == Method::thesis && event.what.starts_with("reel")) continue;  // it has no reel
+      if (method == Method::thesis && event.what.starts_with("reel")) continue;  // that method has no reel
       Worst gain(event.what, "energy gained after / MgL", method, guarded_gain);
       Worst strain(event.what, "strain in the end", method, method == Method::thesis ? 0.1 : 0.01);
       for (const Kind kind : all_kinds) {

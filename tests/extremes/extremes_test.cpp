@@ -4,15 +4,15 @@
 
 #include "tests/extremes/table.h"
 
-// A part of each grid; `extremes --full` runs all of it.
+// Runs a part of each grid; `extremes --full` runs all of it.
 
 namespace extremes {
 namespace {
 
 class Extremes : public testing::TestWithParam<Group> {};
 
-/// Of the thesis's, which may stretch, gain and lose shape, only that its figures are looked at, that it stays finite,
-/// for it has no infinite figure, and that its steps have reported what is lost.
+/// The thesis's method may stretch, gain energy and lose its shape. The test checks only that its figures are finite,
+/// and that its steps report what is lost.
 TEST_P(Extremes, EveryRowIsWithinItsBar) {
   for (const Row& row : GetParam().run({})) {
     const std::string what = std::string(name(row.method)) + ", " + row.what + ", at " + row.setting;

@@ -7,7 +7,7 @@
 #include "tests/extremes/table.h"
 #include "tests/study/progress_bar.h"
 
-/// 0 if every row that has to hold does, 1 if one does not, 2 for a bad argument.
+/// Returns 0 if all required rows pass, 1 if one fails, 2 for a bad argument.
 int main(int argc, char** argv) {
   CLI::App app{
       "Where numerical stability is lost: every stepper at its limits, and the worst of each figure. `ok` is within "

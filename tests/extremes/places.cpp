@@ -7,7 +7,7 @@
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
 
-// The same motion far from the origin, and in a world that is turned.
+// The same motion far from the origin and in a rotated world.
 
 namespace extremes {
 namespace {
@@ -19,7 +19,7 @@ constexpr double dt = 1.0 / 60.0;
 
 struct Place {
   Vec2 origin;
-  Vec2 turn{1.0, 0.0};  ///< a complex number
+  Vec2 turn{1.0, 0.0};  ///< a rotation, as a complex number
   Vec2 at(Vec2 p) const { return origin + times(turn, p); }
   Vec2 back(Vec2 p) const { return times({turn.x, -turn.y}, p - origin); }
 };
@@ -32,7 +32,7 @@ const char* name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Let go from the horizontal with its weight on its end; a ball that nothing pulls is in its way.
+/// Swings a cord with a load from the horizontal. A free ball without gravity is in its path.
 std::vector<Vec2> motion(Method method, Kind kind, const Place& place, bool with_ball, Counts& counts) {
   ribbon::CordDef def;
   def.points = 21;

@@ -7,7 +7,7 @@
 #include "tests/extremes/table.h"
 #include "tests/support/allocations.h"
 
-// A lively scene that goes on and on: what it takes and holds must not grow.
+// A lively scene over a long time: its cost and memory must not grow.
 
 namespace extremes {
 namespace {
@@ -18,11 +18,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 gravity{0.0, -9.81};
 
-/// Allocations by vectors of candidates, each when its size exceeds all earlier ones; that gets rarer with time.
+/// Allocations of the candidate vectors: one whenever a size exceeds its maximum so far, which becomes rarer with time.
 constexpr double most_allocations = 4.0;
 
 #if defined(__SSE2__)
-constexpr unsigned met_subnormal = 0x12;  // as an operand, as a result
+constexpr unsigned met_subnormal = 0x12;  // flags: as an operand, as a result
 void forget_subnormals() { __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() & ~met_subnormal); }
 bool were_subnormals() { return (__builtin_ia32_stmxcsr() & met_subnormal) != 0; }
 #else
@@ -31,10 +31,10 @@ bool were_subnormals() { return false; }
 #endif
 
 struct Figures {
-  double energy = 0.0;       // its range within the last tenth of the ticks over that within the first
+  double energy = 0.0;       // its range within the last tenth of the ticks, divided by that within the first
   double allocations = 0.0;  // in the second half
-  double cost = 0.0;         // Newton steps in the last tenth of the ticks over those in the first
-  double peak = 0.0;         // of a tick, over the mean
+  double cost = 0.0;         // Newton steps in the last tenth of the ticks, divided by those in the first
+  double peak = 0.0;         // the longest tick, divided by the mean
   double subnormals = 0.0;   // share of ticks
 };
 
@@ -59,7 +59,7 @@ ribbon::CordDef cord_of(int rows) {
   return def;
 }
 
-/// A cord under gravity whose anchor moves along a figure eight of 2 m in 1.7 s, over a peg.
+/// A cord over a peg, under gravity; its anchor moves along a figure eight of 2 m in 1.7 s.
 Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& scope) {
   Subject cord(method, cord_of(rows), dt);
   cord.attach_load(1.0);

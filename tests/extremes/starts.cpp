@@ -7,7 +7,7 @@
 #include "tests/extremes/table.h"
 #include "tests/support/dice.h"
 
-// Starts that no motion leads to. Nothing drives the cord and nothing pulls: all that it has is what it is stretched.
+// Starts that no motion reaches. No drive and no gravity: the only energy is that of the initial strain.
 
 namespace extremes {
 namespace {
@@ -35,7 +35,7 @@ std::string_view name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Where a point of the cord at rest starts.
+/// Returns the start position of a point of the cord.
 Vec2 started(Start start, Vec2 rest, double length, Dice& dice) {
   const Vec2 off{1e-3 * dice(), 1e-3 * dice()};
   switch (start) {
@@ -69,7 +69,7 @@ ribbon::CordDef cord_of(Kind kind, Start start, unsigned seed) {
   return def;
 }
 
-/// What is bounded, over all kinds of a start.
+/// The bounded figures, over all kinds of cord at one start.
 struct Figures {
   Worst gain, speed, strain, inverted;
 };
@@ -109,7 +109,7 @@ std::vector<Row> run_starts(const Scope& scope) {
                       {what, "strain in the end", method, 1e-3},
                       {what, "corners inside out", method, 0.0}};
       for (const Kind kind : all_kinds) {
-        if (method == Method::thesis && kind <= Kind::bending_rope) continue;  // are the strip
+        if (method == Method::thesis && kind <= Kind::bending_rope) continue;  // these are the same strip
         for (unsigned seed = 0; seed < seeds; ++seed) {
           const std::string setting = std::string(name(kind)) + ", seed " + std::to_string(seed);
           if (scope.wants(setting)) run(method, kind, start, seed, setting, figures);

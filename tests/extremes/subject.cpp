@@ -13,7 +13,7 @@ using ribbon::Vec2;
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-/// The second row of a rope that the thesis's method needs, a link to its right.
+/// Returns the second row of a rope, which the thesis's method needs, one link to its right.
 std::vector<Vec2> with_second_row(const std::vector<Vec2>& line, double spacing) {
   std::vector<Vec2> both;
   for (std::size_t p = 0; p < line.size(); ++p) {
@@ -32,7 +32,7 @@ ribbon::ThesisDef thesis_of(const ribbon::CordDef& def, double dt) {
   thesis.spacing = def.length / (def.points - 1);
   thesis.point_mass = def.mass_per_length * def.length / (thesis.w * thesis.h);
   const double inverse_substep = thesis.substeps / dt;
-  // κ = k/(1 − k) of Ks = κ·m/(2δ²) is 1 for half of the error.
+  // κ = k/(1 − k) of Ks = κ·m/(2δ²) is 1 if a substep corrects half of the error.
   const double stiffest = 0.5 * thesis.point_mass * inverse_substep * inverse_substep;
   thesis.spring_stiffness = std::clamp(def.stretch_stiffness / (thesis.spacing * thesis.h), 0.0, stiffest);
   thesis.bar_damping = thesis.point_mass * inverse_substep;
@@ -59,7 +59,7 @@ std::string_view name(Method method) {
   return names[static_cast<std::size_t>(method)];
 }
 
-/// With as much work as it takes to solve all: what bounded work leaves is measured in scenes made at random.
+/// The work is unlimited: random scenes measure what limited work leaves unsolved.
 ribbon::Accuracy accuracy_of(Method method) {
   ribbon::Accuracy accuracy = method == Method::fast       ? ribbon::Accuracy::fast()
                               : method == Method::accurate ? ribbon::Accuracy::accurate()
@@ -128,7 +128,7 @@ void Subject::step(double dt, Vec2 gravity, const ribbon::Surroundings& surround
   }
 }
 
-/// The loads go behind the bodies that are there.
+/// The loads follow the existing bodies.
 void Subject::step_thesis(double dt, Vec2 gravity, const ribbon::Surroundings& surroundings) {
   bodies_.assign(surroundings.bodies.begin(), surroundings.bodies.end());
   grips_.assign(surroundings.grips.begin(), surroundings.grips.end());
@@ -194,7 +194,7 @@ double Subject::length() const {
   return ribbon::length((1.0 / rows_) * sum);
 }
 
-/// Of links, or sides and diagonals of cells, over their lengths at rest.
+/// Ratios of links, or of sides and diagonals of cells, to their rest lengths.
 Subject::Lengths Subject::lengths() const {
   Lengths lengths;
   const auto x = positions();

@@ -12,14 +12,14 @@
 
 namespace extremes {
 
-/// The steppers: the direct solver's presets and the thesis's.
+/// The solvers: the direct solver's presets and the thesis's method.
 enum class Method : unsigned char { fast, balanced, accurate, thesis };
 constexpr std::array<Method, 4> all_methods = {Method::fast, Method::balanced, Method::accurate, Method::thesis};
 std::string_view name(Method method);
-/// Of the direct solver's.
+/// Returns the accuracy of a preset of the direct solver.
 ribbon::Accuracy accuracy_of(Method method);
 
-/// What the steps of either solver report, summed up.
+/// The sum of what the steps of either solver report.
 struct Counts {
   long steps = 0;
   ribbon::CordReport direct;
@@ -28,20 +28,20 @@ struct Counts {
   Counts& operator+=(const Counts& other);
 };
 
-/// A cord of any method, made of one definition.
+/// A cord of any method, built from one definition.
 class Subject {
  public:
-  /// With the thesis's method a rope is a strip of two rows, EA becomes that of its springs along it (none stiffer than
-  /// give back half of a link's error in a substep of a step of dt, which stands for infinity too), and attached masses
-  /// are bodies that hold its points. Otherwise `dt` is not looked at.
+  /// With the thesis's method a rope is a strip of two rows; EA becomes the stiffness of its springs along it, limited
+  /// (also for infinity) to one that corrects half of a link's error in a substep of a step of dt; attached masses are
+  /// bodies that hold its points. The other methods ignore `dt`.
   Subject(Method method, ribbon::CordDef def, double dt);
 
-  /// Attaches kg to the last column, each row its share of the width. Once.
+  /// Attaches a mass [kg] to the last column; each row carries its share of the width. Call it once.
   void attach_load(double mass);
   void operate(int point, ribbon::Vec2 target);
   void release(int point);
   void set_velocity(int point, ribbon::Vec2 velocity);
-  void stop();  ///< takes all velocity from everything
+  void stop();  ///< sets all velocities to zero
   void step(double dt, ribbon::Vec2 gravity, const ribbon::Surroundings& surroundings = {});
 
   Method method() const { return method_; }
@@ -55,16 +55,15 @@ class Subject {
   double energy(ribbon::Vec2 gravity) const;  ///< J
   bool is_finite() const;
   double fastest() const;  ///< m/s
-  double length() const;   ///< m, from the middle of the first column to that of the last, straight
-  /// How far a link, or a side or diagonal of a cell, is off its rest length, relative; if it `may_be_slack`, longer
-  /// only.
+  double length() const;   ///< m, the straight distance from the middle of the first column to that of the last
+  /// Returns the greatest relative length error of a link, or of a cell's side or diagonal. If it `may_be_slack`, only
+  /// elongation counts.
   double worst_strain(bool may_be_slack = false) const;
-  /// What its shape has become, if it is not as it was made: "inside out", "collapsed" or "stretched", whichever is
-  /// worst.
+  /// Returns the worst change of shape: "inside out", "collapsed" or "stretched"; empty if the shape is as built.
   std::string_view shape() const;
-  int inverted() const;  ///< corners of cells, or triangles, that are turned inside out
+  int inverted() const;  ///< number of inverted corners of cells, or of inverted triangles
   const Counts& counts() const { return counts_; }
-  /// Of the direct solver only.
+  /// The direct solver's cord; not for the thesis's method.
   ribbon::Cord& direct() { return *direct_; }
 
  private:
@@ -85,7 +84,7 @@ class Subject {
   ribbon::Vec2 cell_;  // m, at rest
   std::optional<ribbon::Cord> direct_;
   std::optional<ribbon::ThesisCord> thesis_;
-  std::vector<Load> loads_;  // of the thesis's
+  std::vector<Load> loads_;  // of the thesis's method
   std::vector<ribbon::RigidBody> bodies_;
   std::vector<ribbon::Grip> grips_;
   Counts counts_;

@@ -7,7 +7,7 @@
 
 #include "tests/extremes/table.h"
 
-// Every length, width, load, stiffness and step.
+// All combinations of length, width, load, stiffness and step.
 
 namespace extremes {
 namespace {
@@ -22,7 +22,7 @@ constexpr Vec2 gravity{0.0, -g};
 struct Case {
   int points;
   int rows;
-  double load;       // kg, of 1 kg of cord
+  double load;       // kg, for a cord of 1 kg
   double stiffness;  // EA / (M·g)
   double dt;         // s
 };
@@ -33,7 +33,7 @@ std::string text(const Case& c) {
   return line;
 }
 
-/// Cells are at most 5 cm high, but square for the thesis's method.
+/// Returns a cord with cells at most 5 cm high; cells are square for the thesis's method.
 ribbon::CordDef cord_of(Method method, const Case& c, Vec2 along) {
   ribbon::CordDef def;
   def.points = c.points;
@@ -54,10 +54,10 @@ ribbon::CordDef cord_of(Method method, const Case& c, Vec2 along) {
   return def;
 }
 
-/// Of a cord that hangs straight down, relative: from (load + cord) · g at its top to load · g at its end.
+/// Relative stretch of a hanging cord. The tension falls from (load + cord) · g at its top to load · g at its end.
 double exact_stretch(const Case& c) { return (c.load + 0.5) / (1.0 + c.load) / c.stiffness; }
 
-/// Let go from the horizontal. The scale of its energy is M·g·(L + what it is stretched by at rest).
+/// Swings the cord from the horizontal. The energy's scale is M·g·(L + static stretch).
 void swing(Method method, const Case& c, int ticks, Worst& gain) {
   Subject cord(method, cord_of(method, c, {1.0, 0.0}), c.dt);
   cord.attach_load(c.load);
@@ -72,16 +72,16 @@ void swing(Method method, const Case& c, int ticks, Worst& gain) {
   gain.add(cord.counts());
 }
 
-/// How far its stretch is off what it has to be, as a share of that and of a millionth of its length, whichever is
-/// more.
+/// Returns the error of the stretch, divided by the exact stretch or by a millionth of the length, whichever is
+/// greater.
 double stretch_error(const Subject& cord, const Case& c) {
   const double exact = exact_stretch(c);
   const double error = std::abs(cord.length() / cord_length - 1.0 - exact) / std::max(exact, 1e-6);
   return std::isfinite(error) ? error : infinity;
 }
 
-/// Brings it to rest: it is stopped whenever it becomes slower (kinetic relaxation). The direct solver's takes steps of
-/// a second for it.
+/// Brings the cord to rest by kinetic relaxation: sets velocities to zero when the cord slows down. The direct solver
+/// uses steps of a second.
 void come_to_rest(Subject& cord, const Case& c) {
   const bool is_thesis = cord.method() == Method::thesis;
   const double dt = is_thesis ? c.dt : 1.0;
@@ -99,7 +99,7 @@ void come_to_rest(Subject& cord, const Case& c) {
 
 constexpr std::array<double, 4> steps = {1e-5, 1e-3, 1.0 / 60.0, 1.0};  // s
 
-/// It hangs still in steps of this length.
+/// Checks that the cord hangs still in steps of this length.
 void hang(Subject& cord, const Case& c, Worst& off) {
   double error = 0.0;
   for (int k = 0; k < 5; ++k) {
@@ -110,7 +110,7 @@ void hang(Subject& cord, const Case& c, Worst& off) {
   off.add(cord.counts());
 }
 
-/// The presets rest alike: by the same steps of a second.
+/// All presets start from the same rest state, found in steps of a second.
 void hang_direct(Case c, const Scope& scope, std::array<Worst, 4>& off) {
   Subject resting(Method::fast, cord_of(Method::fast, c, {0.0, -1.0}), 1.0);
   resting.attach_load(c.load);
@@ -127,7 +127,7 @@ void hang_direct(Case c, const Scope& scope, std::array<Worst, 4>& off) {
   }
 }
 
-/// Shorter steps would need hours.
+/// Omits shorter steps, which would take hours.
 void hang_thesis(Case c, const Scope& scope, Worst& off) {
   for (const double dt : {steps[2], steps[3]}) {
     c.dt = dt;
@@ -139,19 +139,19 @@ void hang_thesis(Case c, const Scope& scope, Worst& off) {
   }
 }
 
-/// Whether the thesis's method has such a case: two rows at least, and not so many points, which take it hours.
+/// Returns whether the thesis's method runs this case: at least two rows, and at most 50 points to limit the time.
 bool has_thesis(const Case& c, bool full) {
   return c.rows > 1 && c.points <= 50 && (full || (c.load != 1e6 && (c.stiffness == 1e-3 || c.stiffness == 1e3)));
 }
 
-/// Whether it is one of the part that takes seconds.
+/// Returns whether the case is in the part that takes seconds.
 bool is_short(const Case& c) {
   if (c.load == 1.0 || c.stiffness == 1.0 || c.stiffness == 1e9) return false;
   if (c.points <= 50) return true;
   return c.rows == 1 && c.load != 1e3 && (c.stiffness == 1e3 || c.stiffness == infinity);
 }
 
-/// All but the step.
+/// Returns all cases, without the step.
 std::vector<Case> cases(bool full) {
   std::vector<Case> all;
   for (const int points : {2, 50, 1000, 5000}) {

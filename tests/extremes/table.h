@@ -9,31 +9,31 @@
 
 namespace extremes {
 
-/// A line of the table: the worst of a figure over some cases, and what the steps counted in all of them.
+/// A row of the table: the worst value of a figure over some cases, and the sum of what their steps report.
 struct Row {
-  std::string what;    ///< was done
-  std::string figure;  ///< is bounded, and its unit
+  std::string what;    ///< the action
+  std::string figure;  ///< the bounded figure and its unit
   Method method = Method::balanced;
-  int cases = 0;  ///< that the figure was looked at
+  int cases = 0;  ///< number of values taken
   double worst = 0.0;
   std::string setting;  ///< of the worst case
-  std::string how;      ///< it is lost there, if it is
-  double bar = 0.0;     ///< the figure may not be above
+  std::string how;      ///< how the figure fails there, if it does
+  double bar = 0.0;     ///< the upper bound of the figure
   Counts counts;
 
-  /// Not if the figure is no number, or a substep stayed unconverged.
+  /// Returns false if the figure is not a number, or a substep stayed unconverged.
   bool passed() const { return worst <= bar && counts.direct.unconverged == 0; }
-  /// Whether it may not fail.
+  /// Returns whether a failure of this row is an error.
   bool held() const { return method != Method::thesis; }
-  /// Whether a step has reported that it is not to be trusted.
+  /// Returns whether a step has reported that its result is not valid.
   bool is_reported() const;
 };
 
-/// Finds the worst of a figure.
+/// Finds the greatest value of a figure.
 class Worst {
  public:
   Worst(std::string what, std::string figure, Method method, double bar);
-  /// `how` says what has happened if the value is above the bar; of an infinite one it is taken to be "diverged".
+  /// `how` names the failure of a value above the bar; the default for an infinite value is "diverged".
   void take(double value, std::string_view setting, std::string_view how = {});
   void add(const Counts& counts) { row_.counts += counts; }
   const Row& row() const { return row_; }
@@ -42,10 +42,10 @@ class Worst {
   Row row_;
 };
 
-/// The extent of a run: a part of each grid, for a few seconds, or all of it. `progress` is called with the share done.
+/// The extent of a run: a part of each grid, for a few seconds, or all of it. `progress` receives the share done.
 struct Scope {
   bool full = false;
-  std::string part;  ///< only cases whose setting contains this text
+  std::string part;  ///< run only cases whose setting contains this text
   std::function<void(double)> progress = [](double) {};
 
   bool wants(std::string_view setting) const { return setting.find(part) != std::string_view::npos; }
@@ -67,10 +67,10 @@ std::vector<Row> run_places(const Scope& scope);
 std::vector<Row> run_soak(const Scope& scope);
 std::vector<Row> run_any_scene(const Scope& scope);
 
-/// "ok", or what is lost: "FAIL: …" if it has to hold, "lost: …" of the thesis's method.
+/// Returns "ok", "FAIL: …" for a required row, or "lost: …" for the thesis's method.
 std::string verdict(const Row& row);
 
-/// In columns of equal width; no row without a case.
+/// Prints rows in aligned columns; omits rows without a case.
 void print_rows(const std::vector<Row>& rows);
 
 }  // namespace extremes

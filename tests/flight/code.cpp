@@ -53,7 +53,7 @@ requires std::is_enum_v<Enum> std::string expression(Enum value) {
   return type_name<Enum> + std::string(engine::step_fields::names_of<Enum>[static_cast<std::size_t>(value)]);
 }
 
-/// In braces, broken into lines.
+/// Formats a list in braces, wrapped into lines.
 template <typename T>
 std::string list_expression(const std::vector<T>& values) {
   std::string text = "{";
@@ -68,7 +68,7 @@ std::string list_expression(const std::vector<T>& values) {
   return text + "}";
 }
 
-/// Assignments to the fields of what `path` names.
+/// Writes assignments to the fields of the object named `path`.
 class Statements {
  public:
   explicit Statements(std::string path) : path_(std::move(path)) {}

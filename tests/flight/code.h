@@ -6,8 +6,8 @@
 
 namespace flight {
 
-/// A step as C++ that stands by itself: a GoogleTest that takes it, wants it to converge, and with no more work than
-/// `max_work`. Numbers are exact, and what is as in a new definition is left out.
+/// Returns a self-contained GoogleTest in C++ that takes the step and expects convergence with at most `max_work` work.
+/// Numbers are exact; fields with their default value are omitted.
 std::string code_of(const engine::SolverStep& step, std::int64_t max_work);
 
 }  // namespace flight

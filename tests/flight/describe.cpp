@@ -13,9 +13,9 @@
 namespace flight {
 namespace {
 
-constexpr double bar_after = 1.0;  // s, of work that shows no bar
+constexpr double bar_after = 1.0;  // s; shorter work shows no progress bar
 
-/// The work, and what else is not 0.
+/// Prints the work and all other counts that are not 0.
 void print_report(const std::string& what, const ribbon::CordReport& report) {
   std::printf("%s: work %lld", what.c_str(), static_cast<long long>(report.work));
   const std::pair<const char*, int> counts[] = {{"stages", report.stages},

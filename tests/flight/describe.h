@@ -5,11 +5,11 @@
 
 namespace flight {
 
-/// Prints what a step was recorded for and what is in it.
+/// Prints the reason of a recording, and its contents.
 void print_step(const engine::SolverStep& step);
-/// Takes it, and prints whether it did as recorded, figures from before and after it, and the report of each island.
+/// Takes the step. Prints whether the result is as recorded, figures before and after, and the report of each island.
 void print_replay(const engine::SolverStep& step, Replay& replay);
-/// Takes it so many times, and prints the median and the least of the milliseconds, and what they were spent on.
+/// Takes the step `repeats` times. Prints the median and the least time in milliseconds, and the time of each part.
 void print_profile(Replay& replay, int repeats);
 
 }  // namespace flight

@@ -12,7 +12,7 @@ using ribbon::RigidBody;
 using ribbon::Vec2;
 using Cord = SolverStep::Cord;
 
-/// Whether that changed anything.
+/// Returns whether the assignment changed the value.
 template <typename T>
 bool set(T& value, const std::type_identity_t<T>& simple) {
   return !(std::exchange(value, simple) == simple);
@@ -67,7 +67,7 @@ bool drop_area_stiffness(Cord& cord) {
   return set(cord.def.area_stiffness, 0.0);
 }
 
-/// Of all circles and segments.
+/// Removes friction and restitution of all circles and segments.
 bool smooth(Cord& cord) {
   bool changed = false;
   for (auto& circle : cord.circles) {

@@ -7,19 +7,19 @@
 
 namespace flight {
 
-/// Makes something simpler; false if it is so already.
+/// Makes an object simpler; returns false if the edit changes nothing.
 template <typename T>
 using Edit = std::function<bool(T&)>;
 
-/// Of the whole step: bodies that nothing refers to go, and gravity.
+/// Edits of the whole step: they remove unreferenced bodies, and gravity.
 const std::vector<Edit<engine::SolverStep>>& step_edits();
 /// Edits of a cord and its surroundings: terms are switched off, velocities set to zero, memory of earlier steps
 /// cleared.
 const std::vector<Edit<engine::SolverStep::Cord>>& cord_edits();
-/// Of a body.
+/// Edits of a body.
 const std::vector<Edit<ribbon::RigidBody>>& body_edits();
 
-/// Takes so many points off an end of a rope, with what holds them; false for a ribbon, and if two would not be left.
+/// Removes `many` points and their holds from an end of a rope. Returns false for a ribbon, or if too few would remain.
 bool cut_rope(engine::SolverStep::Cord& cord, int many, bool at_front);
 
 }  // namespace flight

@@ -17,10 +17,10 @@ using ribbon::Vec2;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A body and what is fixed to it.
+/// The pose of a body.
 struct Place {
   RigidBody body;
-  Vec2 turn{1.0, 0.0};  ///< by which its directions have turned
+  Vec2 turn{1.0, 0.0};  ///< rotation, as a complex number
 
   Vec2 of(Vec2 offset) const { return body.position + times(turn, offset); }
 };
@@ -52,7 +52,7 @@ struct Link {
   int column;
 };
 
-/// The links of a rope, or of the outer rows of a ribbon and its ends.
+/// Returns the links of a rope, or of a ribbon's outline.
 std::vector<Link> outline(const Cord& cord) {
   std::vector<Link> links;
   const ribbon::CordDef& def = cord.def();
@@ -68,7 +68,7 @@ std::vector<Link> outline(const Cord& cord) {
   return links;
 }
 
-/// m, or `within` if they are not nearer than that.
+/// Returns the distance of two links, m; `within` if it is greater.
 double distance(const Link& p, const Link& q, double within) {
   double nearest = within;
   const auto take = [&nearest](Vec2 point, const Link& link) {
@@ -84,7 +84,7 @@ double distance(const Link& p, const Link& q, double within) {
   return cross_each_other ? 0.0 : nearest;
 }
 
-/// m, of links that are near each other along the cord nothing.
+/// Returns the penetration of two cords, m; ignores links that are near each other along one cord.
 double depth_between(const Cord& a, const Cord& b, bool is_same) {
   const std::vector<Link> links_a = outline(a);
   const std::vector<Link> links_b = is_same ? links_a : outline(b);

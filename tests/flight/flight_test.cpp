@@ -15,7 +15,7 @@
 namespace flight {
 namespace {
 
-/// Keeps the last step, with what came of it.
+/// Stores the last step and its result.
 class LastStep : public ribbon::box2d::StepWatcher {
  public:
   void before(const ribbon::box2d::SolverInput& input) noexcept override { engine::capture(input, step); }
@@ -33,7 +33,7 @@ class FlightOf : public testing::TestWithParam<bits::BitScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, FlightOf, testing::ValuesIn(bits::bit_scenes().begin(), bits::bit_scenes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-/// Every third tick is captured, written, read and taken again.
+/// Captures, writes, reads and replays every third tick.
 TEST_P(FlightOf, GivesTheBitsOfTheCouplingsOwnStep) {
   bits::BitWorld world;
   GetParam().build(world);
@@ -56,7 +56,7 @@ TEST_P(FlightOf, GivesTheBitsOfTheCouplingsOwnStep) {
   }
 }
 
-/// A file with a wrong byte is refused with a sentence, or holds another step that can be taken.
+/// A file with a wrong byte is either refused with a message or contains another valid step.
 TEST(Flight, TakesOrRefusesAFileWithAWrongByte) {
   for (const bits::BitScene& scene : bits::bit_scenes()) {
     bits::BitWorld world;
@@ -83,7 +83,7 @@ TEST(Flight, TakesOrRefusesAFileWithAWrongByte) {
   }
 }
 
-/// A rope over pegs with a load in a grip, and a second rope far from it.
+/// Returns a rope over pegs with a load in a grip, and a distant second rope.
 engine::SolverStep swinging_step() {
   engine::SolverStep step;
   step.dt = 1.0 / 60.0;

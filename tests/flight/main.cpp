@@ -1,6 +1,6 @@
-// A recorded step of the direct solver, taken again:
-//   build/release/bin/flight bad/1.json                       what it does, and what can be seen of it from outside
-//   build/release/bin/flight bad/1.json --profile             how long it takes
+// Replays a recorded step of the direct solver:
+//   build/release/bin/flight bad/1.json                       the result and figures computed without the solver
+//   build/release/bin/flight bad/1.json --profile             the time that it takes
 //   build/release/bin/flight bad/1.json --shrink small.json   the smallest step that does not converge
 //   build/release/bin/flight bad/1.json --code                the step as a test in C++
 #include <CLI/CLI.hpp>

@@ -6,10 +6,10 @@
 #include "engine/replay/solver_step.h"
 #include "ribbon/direct_solver.h"
 
-/// Recorded steps of the direct solver: taken again, looked at, made smaller and printed.
+/// Recorded steps of the direct solver: replay, inspection, shrinking and printing.
 namespace flight {
 
-/// A recorded step that can be taken, as often as wanted.
+/// A recorded step that can be taken any number of times.
 class Replay {
  public:
   /// Throws ribbon::DefinitionError for a step that engine::check refuses.
@@ -18,21 +18,20 @@ class Replay {
   Replay(const Replay&) = delete;
   Replay& operator=(const Replay&) = delete;
 
-  /// Puts everything where it was before the step.
+  /// Restores the state before the step.
   void reset();
-  /// Takes the step.
   void run();
 
   const std::vector<ribbon::Cord>& cords() const { return cords_; }
-  /// As the solver left them: see ribbon::RigidBody.
+  /// The bodies after the step: see ribbon::RigidBody.
   const std::vector<ribbon::RigidBody>& bodies() const { return bodies_; }
-  /// By cord, of its island.
+  /// By cord: the report of its island.
   const std::vector<ribbon::CordReport>& reports() const { return reports_; }
   const ribbon::CordReport& total() const { return solver_.total(); }
   int islands() const { return solver_.islands(); }
   /// engine::hash_of_positions.
   std::uint64_t hash() const { return engine::hash_of_positions(island_cords_); }
-  /// Whether it did what was recorded, to the bit.
+  /// Returns whether the result equals the recorded one bit for bit.
   bool is_as_recorded() const;
 
  private:

@@ -40,7 +40,7 @@ class Shrinker {
     try {
       fails = still_fails_(candidate);
     } catch (const std::exception&) {
-      fails = false;  // it cannot be taken, which is another failure
+      fails = false;  // the step is invalid, which is another failure
     }
     if (fails) {
       step_ = std::move(candidate);
@@ -50,7 +50,7 @@ class Shrinker {
     return fails;
   }
 
-  /// Takes out halves, quarters, … of a list, and in the end single entries.
+  /// Removes halves, quarters, … of a list, and finally single entries.
   template <typename ListOf>
   void shrink_list(ListOf list_of) {
     for (std::size_t many = list_of(step_).size(); many > 0; many /= 2) {

@@ -1,5 +1,5 @@
-// Scenes made at random, by seed, family and mood, and then changed in a few numbers: each is played, or refused; and
-// cords and bodies stay finite.
+// Random scenes by seed, family and mood, with a few numbers changed. Each scene plays or is refused; cords and bodies
+// stay finite.
 
 #include <cstddef>
 #include <cstdint>

@@ -8,8 +8,8 @@
 
 namespace fuzz {
 
-/// What a fuzzer's input is made into: a sequence of small decisions and of numbers, most of them where they are
-/// accepted. At the end of the input everything is 0.
+/// Decodes a fuzzer's input as a sequence of small decisions and of numbers, most of them in the accepted range. Behind
+/// the end of the input everything is 0.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : left_(data, size) {}
@@ -17,13 +17,13 @@ class Bytes {
   bool empty() const { return left_.empty(); }
   std::uint8_t byte();
   bool yes() { return (byte() & 1U) != 0; }
-  /// 0 … n − 1.
+  /// Returns an integer in 0 … n − 1.
   int below(int n) { return byte() % n; }
-  /// Mostly low … high, at times just outside, −1, 0, or the greatest and least there are.
+  /// Returns mostly an integer in low … high; sometimes one just outside, −1, 0, or the least or greatest int.
   int whole(int low, int high);
-  /// Mostly low … high, geometrically if both are above 0, and often one of the two; at times `hostile`.
+  /// Returns mostly a number in low … high, log-uniform if both are above 0, often an end; sometimes `hostile`.
   double number(double low, double high);
-  /// Not a number, infinite, huge, tiny, negative, or any eight bytes.
+  /// Returns NaN, an infinite, huge, tiny or negative number, or any eight bytes.
   double hostile();
   ribbon::Vec2 vector(double low, double high);
 

@@ -1,5 +1,5 @@
-// ribbon::Cord, its calls in any order with any numbers: each is done, or refused with nothing changed; and after every
-// step the cord is finite, has not gained energy by itself, and is the same that a restored copy of it becomes.
+// Calls ribbon::Cord in any order with any numbers. Each call succeeds, or throws and changes nothing. After every step
+// the cord is finite, has gained no energy without a cause, and equals a restored copy after the same step.
 
 #include "ribbon/cord.h"
 
@@ -59,7 +59,7 @@ class Fuzzed {
   Bytes& bytes_;
   Cord cord_;
   Cord::State saved_;
-  bool driven_;  // since it was made
+  bool driven_;  // since its construction
 };
 
 void Fuzzed::call() {
@@ -110,7 +110,7 @@ void Fuzzed::step(const ribbon::Surroundings& met) {
   if (!driven_ && report.unlocked == 0 && report.unconverged == 0) demand_no_gain(before.total(), after.total(), after);
 }
 
-/// By the guard a hundredth of what there is, and the rounding of what is far from the origin.
+/// Allows 5 % of the energy's scale, for the energy guard, and the rounding error of positions far from the origin.
 void Fuzzed::demand_no_gain(double before, double after, const Cord::Energy& then) const {
   double mass = 0.0;
   for (int p = 0; p < cord_.size(); ++p) mass += cord_.mass(p);

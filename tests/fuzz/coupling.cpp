@@ -1,5 +1,5 @@
-// ribbon::box2d::Coupling, its calls in any order with any numbers, on cords of both solvers among bodies that come and
-// go: each is done, or refused with nothing changed; and cords and bodies stay finite.
+// Calls ribbon::box2d::Coupling in any order with any numbers, on cords of both solvers, and adds and removes bodies.
+// Each call succeeds, or throws and changes nothing; cords and bodies stay finite.
 
 #include "ribbon/box2d/coupling.h"
 
@@ -27,7 +27,7 @@ using ribbon::box2d::Coupling;
 constexpr int most_calls = 10;
 constexpr std::size_t most_bodies = 6;
 
-/// Everything that a refused call could have changed.
+/// The state that a refused call must not change.
 struct Seen {
   std::vector<std::variant<ribbon::ThesisCord::State, ribbon::Cord::State>> cords;
   std::vector<int> holds;    // cord and point by body
@@ -56,7 +56,7 @@ class Fuzzed {
   template <typename Do>
   bool accepts(Do&& what);
 
-  ribbon::box2d::CordId cord() { return bytes_.whole(0, 3); }  // of one that was there, is, or never will be
+  ribbon::box2d::CordId cord() { return bytes_.whole(0, 3); }  // an id of a former, present or unknown cord
   int point() { return bytes_.whole(0, 15); }
   ribbon::box2d::GripId grip() { return bytes_.whole(0, 8); }
   b2Body* body() { return bodies_.empty() ? nullptr : bodies_[bytes_.byte() % bodies_.size()]; }

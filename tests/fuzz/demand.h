@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-/// Ends the process with what was not so: a finding, as a crash is.
+/// Aborts the process with a message if the condition is false, so that the fuzzer reports it as a crash.
 inline void demand(bool is_so, std::string_view what, std::string_view detail = {}) {
   if (is_so) return;
   std::string sentence = "not so: " + std::string(what);
@@ -18,7 +18,7 @@ inline void demand(bool is_so, std::string_view what, std::string_view detail = 
   std::abort();
 }
 
-/// Of an error's sentence: begins with where it is, and can be shown, for every byte below a blank is written as \xNN.
+/// Checks an error message: it begins with its place, and has no control characters (they are escaped as \xNN).
 inline void demand_sentence(std::string_view sentence, std::string_view begins_with) {
   demand(sentence.starts_with(begins_with), "the sentence names its file", sentence);
   demand(sentence.size() > begins_with.size() + 10 && sentence.size() < 4096, "the sentence can be read", sentence);

@@ -1,4 +1,4 @@
-// Level files: a text is a level, or is refused in a sentence that names the file.
+// Level files: any text loads as a level, or is refused with a message that names the file.
 
 #include <cmath>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 namespace fuzz {
 
-/// Does it to a cord. False if that was refused: in a sentence that says what is accepted, and with nothing changed.
+/// Calls `what`. Returns false if it throws; then the message names the accepted range, and the cord is unchanged.
 template <typename Cord, typename Do>
 bool accepts(Cord& cord, Do&& what) {
   const auto before = cord.save();

@@ -1,5 +1,5 @@
-// Replay files: a file is read, or refused in a sentence that names it; what was read is verified against itself; and
-// no complete one stays so with a bit turned over, or with its end cut off.
+// Replay files: a file loads, or is refused with a message that names it. A loaded replay verifies against itself. No
+// complete replay stays complete with a flipped bit or a missing end.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +39,7 @@ void verify(const engine::Replay& replay) {
          result.message());
 }
 
-/// Against the ticks one later.
+/// Verifies against the ticks one later; the verifier must find each difference.
 void verify_otherwise(const engine::Replay& replay) {
   engine::ReplayVerifier verifier(replay);
   for (std::size_t k = 1; k < replay.ticks.size() && !verifier.done(); ++k) {
@@ -58,7 +58,7 @@ void check_headers(const engine::ReplayHeader& header) {
   }
 }
 
-/// `where` is any number.
+/// Flips a bit, and cuts the file, at `where` modulo the size.
 void damage(std::string_view bytes, const engine::Replay& replay, std::size_t where) {
   std::string damaged(bytes);
   char& byte = damaged[where % damaged.size()];

@@ -1,5 +1,5 @@
-// Hardly any change of a replay gets past its checksums. Here most are followed by new ones, so that what is behind
-// them is tried too. Only fuzzers need it: their finds are whole files.
+// Most mutations of a replay fail at its checksums. This mutator mostly rewrites the checksums, so that the code behind
+// them is tested too. Only fuzzers need it: the inputs that they find are whole files.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 namespace format = engine::replay_format;
 
-/// Writes the checksums of whatever records there are, as a reader would look for them.
+/// Rewrites the checksums of all records that a reader would find.
 class Sealer {
  public:
   explicit Sealer(std::span<std::uint8_t> file) : file_(file) {}

@@ -1,4 +1,4 @@
-// In builds without a fuzzer: runs a target over files, and all files of folders, once each.
+// For builds without a fuzzer: runs a target once for each given file, and for all files of given folders.
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ bool run(const fs::path& path) {
     return false;
   }
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  // Printed before the run, because an abort prints nothing.
+  // Print before the run, because an abort prints nothing.
   std::printf("%s\n", path.c_str());
   std::fflush(stdout);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

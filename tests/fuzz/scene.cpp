@@ -1,5 +1,4 @@
-// A level that is played: what a map can say of bodies and cords is built or refused, and what is built runs under any
-// input, and stays finite.
+// Plays a level. Each body and cord of a map is built or refused; the result runs under any input and stays finite.
 
 #include <box2d/box2d.h>
 
@@ -25,9 +24,9 @@ using fuzz::demand;
 using ribbon::Vec2;
 
 constexpr int most_ticks = 8;
-constexpr double furthest = 1e10;  // m, that a map can say
+constexpr double furthest = 1e10;  // m, the greatest value in a map
 
-/// What a file can say is finite.
+/// Returns a finite number, because a map has finite numbers only.
 double some_number(Bytes& bytes, double low, double high) {
   const double value = bytes.number(low, high);
   return std::isfinite(value) ? value : 0.0;

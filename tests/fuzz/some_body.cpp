@@ -7,7 +7,7 @@
 namespace fuzz {
 namespace {
 
-constexpr double furthest = 1e6;  // m, m/s: beyond, Box2D itself loses what it collides
+constexpr double furthest = 1e6;  // m, m/s: beyond this Box2D itself loses collisions
 
 float single(double value) { return static_cast<float>(value); }
 

@@ -9,9 +9,9 @@ namespace fuzz {
 /// A body of any type and shape. Box2D aborts for NaN; this class satisfies its assertions, and tries all other
 /// numbers.
 b2Body& add_some_body(b2World& world, Bytes& bytes);
-/// Puts it elsewhere, or pushes it, switches it off or on, changes its type or its mass.
+/// Moves, pushes, disables or enables a body, or changes its type or mass.
 void disturb(b2Body& body, Bytes& bytes);
-/// Anything: this is for our own doors.
+/// Returns any vector, also NaN: the coupling has to check it.
 b2Vec2 some_hand(Bytes& bytes);
 
 }  // namespace fuzz

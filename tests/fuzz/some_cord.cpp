@@ -3,15 +3,15 @@
 namespace fuzz {
 namespace {
 
-/// Declares a number three times out of four.
+/// Sets a field in three of four cases.
 void may_be(Bytes& bytes, double& field, double low, double high) {
   if (bytes.below(4) != 0) field = bytes.number(low, high);
 }
 
-/// 0 for a cord that cannot be.
+/// Returns the number of points; 0 for an invalid cord.
 int count(int points, int rows) { return points > 0 && points < 100 && rows > 0 && rows < 100 ? points * rows : 0; }
 
-/// From end to end, or anywhere.
+/// Returns no positions (a straight cord), or random ones.
 std::vector<ribbon::Vec2> some_positions(Bytes& bytes, int points) {
   std::vector<ribbon::Vec2> positions;
   const int choice = bytes.below(8);
@@ -53,7 +53,7 @@ ribbon::CordDef some_cord(Bytes& bytes) {
   if (def.rows > 1 || bytes.yes()) def.stretch_stiffness = bytes.number(1e-3, 1e12);
   if (bytes.yes()) {
     def.bending_stiffness = bytes.number(1e-6, 1e3);
-    // What more than two rows take.
+    // The bending stiffness that more than two rows accept.
     if (bytes.yes()) def.bending_stiffness = 1e-4 * def.stretch_stiffness * def.width * def.width;
   }
   if (bytes.yes()) {

@@ -6,9 +6,9 @@
 
 namespace fuzz {
 
-/// Small cords of all kinds, made of a fuzzer's bytes; about half of them cannot be built.
+/// Returns a small cord of any kind from a fuzzer's bytes; about half of these cords are invalid.
 ribbon::CordDef some_cord(Bytes& bytes);
-/// A rope as a game has it, which can be built and is solved in microseconds.
+/// Returns a valid rope as in a game, which is solved in microseconds.
 ribbon::CordDef some_mild_cord(Bytes& bytes);
 ribbon::ThesisDef some_thesis_cord(Bytes& bytes);
 ribbon::Accuracy some_accuracy(Bytes& bytes);

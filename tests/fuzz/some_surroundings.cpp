@@ -9,7 +9,7 @@ ribbon::RigidBody some_body(Bytes& bytes) {
   ribbon::RigidBody body;
   body.position = bytes.vector(-2.0, 2.0);
   body.velocity = bytes.vector(-10.0, 10.0);
-  if (bytes.yes()) return body;  // nothing pushes it
+  if (bytes.yes()) return body;  // kinematic
   body.angular_velocity = bytes.number(-10.0, 10.0);
   body.inverse_mass = bytes.number(1e-4, 1e4);
   if (bytes.yes()) body.inverse_inertia = bytes.number(1e-4, 1e4);

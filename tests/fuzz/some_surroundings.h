@@ -9,7 +9,7 @@ namespace fuzz {
 
 /// The surroundings of a cord from a fuzzer's bytes: up to three bodies, and up to three of each kind of their parts.
 struct SomeSurroundings {
-  /// Of a cord of so many points.
+  /// `points` is the number of points of the cord.
   SomeSurroundings(Bytes& bytes, int points);
 
   ribbon::Surroundings view() { return {bodies, circles, grips, segments}; }

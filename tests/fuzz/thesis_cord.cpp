@@ -1,5 +1,5 @@
-// ribbon::ThesisCord, its calls in any order with any numbers: each is done, or refused with nothing changed; and after
-// every step the cord is finite, and the same that a restored copy of it becomes.
+// Calls ribbon::ThesisCord in any order with any numbers. Each call succeeds, or throws and changes nothing. After
+// every step the cord is finite, and equals a restored copy after the same step.
 
 #include "ribbon/thesis/thesis_cord.h"
 

@@ -1,4 +1,4 @@
-// Prints a hash of every bit of a ribbon and a rope in a Box2D world, after a second with a ball that falls on them.
+// Prints a hash of all bits of a ribbon and a rope in a Box2D world, one second after a ball starts to fall on them.
 #include <box2d/box2d.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Compiles if the header says of the version what has found it says, EXPECTED.
+// Compiles if the header has the same version as the build system that found it, EXPECTED.
 #include "ribbon/version.h"
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Box2D 3, compiled to WebAssembly with SIMD, on one thread. Dials: substeps (4), which are its iterations too.
+// Box2D 3, compiled to WebAssembly with SIMD, one thread. Parameters: substeps (4), which are also its iterations.
 import Box2DFactory from 'box2d3-wasm';
 
 export const packages = { box2d3: 'box2d3-wasm' };

@@ -12,12 +12,12 @@ namespace {
 using ribbon::Vec2;
 
 constexpr cpBitmask link_category = 2;
-constexpr double slop = 0.005;  // m, of overlap that is left alone, as Box2D's; Chipmunk's own is of pixels
+constexpr double slop = 0.005;  // m, tolerated overlap, as in Box2D; Chipmunk's default is in pixels
 
 cpVect to_cp(Vec2 v) { return cpv(v.x, v.y); }
 Vec2 to_vec2(cpVect v) { return {v.x, v.y}; }
 
-/// The plan in a space of Chipmunk's, which frees nothing itself.
+/// Builds the plan in a Chipmunk space. Frees all objects, because Chipmunk frees none.
 class Space {
  public:
   Space(const Plan& plan, int iterations) : plan_(&plan), space_(cpSpaceNew()) {
@@ -93,7 +93,7 @@ class Space {
     }
   }
 
-  /// Chipmunk multiplies the frictions of two shapes, where the others take the root of that.
+  /// Takes the root, because Chipmunk multiplies the frictions of two shapes and the others take the geometric mean.
   void add(cpShape* shape, double friction) {
     cpShapeSetFriction(shape, std::sqrt(friction));
     shapes_.push_back(cpSpaceAddShape(space_, shape));

@@ -17,7 +17,7 @@ constexpr const char* chipmunk_name = "Chipmunk";
 std::string words_of(const Dials& dials) {
   std::string words;
   for (const Dial& dial : dials) {
-    if (dial.name == "joints") continue;  // the engine's name says it
+    if (dial.name == "joints") continue;  // part of the engine's name
     words += (words.empty() ? "" : " ") + dial.name + "=" + study::significant(dial.value, 6);
   }
   return words;
@@ -34,7 +34,7 @@ bool is_affordable(const Dials& dials, const Plan& plan) {
 
 struct NodeEngine {
   const char* name;
-  const char* module;  ///< of tests/peers/play.mjs
+  const char* module;  ///< in tests/peers/play.mjs
   const char* kind;
   std::vector<Dials> settings;
   bool plays_ropes = true;
@@ -46,7 +46,7 @@ Dials with(Dials dials, const std::string& name, double value) {
   return dials;
 }
 
-/// Each at several substeps, and with more iterations at the last.
+/// Returns settings with several numbers of substeps, and with more iterations at the last.
 std::vector<Dials> by_substeps(const Dials& always, double more_iterations) {
   std::vector<Dials> list;
   for (const double substeps : {1.0, 4.0, 16.0, 64.0}) list.push_back(with(always, "substeps", substeps));

@@ -9,14 +9,14 @@
 
 namespace peers {
 
-/// An engine at a setting.
+/// An engine with a setting.
 struct Contestant {
   std::string engine;   ///< ours, Box2D 2.4, Rapier
   std::string setting;  ///< balanced, substeps=16
   std::function<Recording(const Scene&, const Plan&)> play;
 };
 
-/// What runs and how: for the page.
+/// The description of an engine, for the page.
 struct Engine {
   std::string name;
   std::string version;
@@ -30,7 +30,7 @@ std::vector<Engine> engines(const NodePlayer& node);
 /// no settings with parameters above 4, which would take minutes each.
 std::vector<Contestant> contestants(const Scene& scene, const NodePlayer& node, bool quick);
 
-/// The setting that costs are compared with.
+/// The engine whose cost is the reference.
 inline constexpr const char* our_name = "ours";
 inline constexpr const char* compared_setting = "balanced";
 

@@ -24,7 +24,7 @@ double stretch_m(const CordPlan& cord, const std::vector<Vec2>& points) {
   return along - cord.def.length;
 }
 
-/// std::max passes over what is no number if it comes second.
+/// std::max ignores NaN as its second argument.
 void raise(double& most, double value) { most = std::max(value, most); }
 
 int crossings_of(const Plan& plan, const Frame& frame) {

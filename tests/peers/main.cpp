@@ -28,12 +28,12 @@ std::vector<double> times_of(const peers::Recording& recording) {
   return times;
 }
 
-/// What a setting comes to in a scene: figures of its first run, times of all.
+/// The runs of a setting in a scene: figures of the first one, times of all.
 struct Runs {
   Result result;
   std::vector<double> medians;
   std::vector<double> p99s;
-  bool takes_long = false;  ///< and is not played again
+  bool takes_long = false;  ///< then it is not repeated
 };
 
 constexpr double long_seconds = 20.0;
@@ -64,7 +64,7 @@ void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& co
   }
 }
 
-/// All settings take turns, so that a slow moment of a shared machine strikes all alike.
+/// Interleaves all settings, so that a slow moment of a shared machine affects all of them alike.
 std::vector<Result> play(const Scene& scene, const std::vector<Contestant>& contestants, int rounds) {
   const peers::Plan plan = peers::plan_of(scene.set_up, scene.calm_ticks, scene.ticks);
   std::vector<Runs> runs(contestants.size());
@@ -104,7 +104,7 @@ int run(const Options& options) {
   std::filesystem::create_directories(options.folder);
   const peers::NodePlayer node(options.script, options.folder);
   const std::vector<peers::Engine> engines = peers::engines(node);
-  std::vector<std::string> names;  // of scenes, each once
+  std::vector<std::string> names;  // of scenes, unique
   std::map<std::string, std::vector<Result>> results;
   for (const Scene& scene : peers::scenes()) {
     if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), scene.name) == options.only.end())
@@ -129,7 +129,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-/// 0 if all was measured and drawn, 1 if a plot could not be, or a file, 2 for a bad argument.
+/// Returns 0 on success, 1 if a plot or a file could not be written, 2 for a bad argument.
 int main(int argc, char** argv) {
   CLI::App app{"Our cords and other engines' ropes in the same scenes, by the same measures"};
   Options options;

@@ -1,4 +1,4 @@
-// Matter.js: bodies that constraints hold together. Dials: substeps (1), and iterations (6) of positions and of
+// Matter.js: bodies connected by constraints. Parameters: substeps (1), and iterations (6) of positions and of
 // constraints.
 import Matter from 'matter-js';
 
@@ -6,7 +6,7 @@ export const packages = { matter: 'matter-js' };
 
 const { Bodies, Body, Composite, Constraint, Engine } = Matter;
 
-const pixels = 100; // a metre, for its tolerances are in pixels
+const pixels = 100; // per metre; its tolerances are in pixels
 const linkCategory = 2;
 const edgeThickness = 0.5; // m, behind an edge
 
@@ -29,7 +29,7 @@ export async function make(plan, dials) {
     } else if (from.radius > 0) {
       body = Bodies.circle(x, y, from.radius * pixels, options);
     } else {
-      options.collisionFilter = { group: 0, category: 0, mask: 0 }; // a place to hang from, or a load
+      options.collisionFilter = { group: 0, category: 0, mask: 0 }; // an anchor or a load, without collision
       body = Bodies.rectangle(x, y, 1, 1, options);
     }
     if (from.dynamic) {
@@ -38,7 +38,7 @@ export async function make(plan, dials) {
     }
     Body.setAngle(body, from.angle);
     parts.push(body);
-    // What is inside of an edge is to its left.
+    // The interior of an edge is on its left.
     for (const [a, b] of from.edges) {
       const along = [b[0] - a[0], b[1] - a[1]];
       const length = Math.hypot(...along);

@@ -10,7 +10,7 @@
 namespace peers {
 namespace {
 
-/// What Node says went wrong: the first line that names an error, or the last that says anything.
+/// Returns the error message of Node: the first line that contains "Error", or else the last line.
 std::string fault_of(const std::string& text) {
   std::istringstream lines(text);
   std::string last;

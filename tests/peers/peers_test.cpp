@@ -36,7 +36,7 @@ Vec2 end_of(const BodyPlan& link, double side) {
   return link.position + side * link.half_length * Vec2{std::cos(link.angle), std::sin(link.angle)};
 }
 
-/// Everything where the plan puts it.
+/// Returns a frame with all objects at their start.
 Frame at_start(const Plan& plan) {
   Frame frame;
   frame.us = 1.0;

@@ -15,7 +15,7 @@ using ribbon::Vec2;
 using ribbon::box2d::to_double;
 using test_support::CoupledWorld;
 
-/// Box2D lists the newest first.
+/// Returns the bodies in order of creation; Box2D lists the newest first.
 std::vector<const b2Body*> in_order_of_making(const b2World& world) {
   std::vector<const b2Body*> bodies;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) bodies.push_back(body);
@@ -58,7 +58,7 @@ BodyPlan body_plan(const b2Body& body) {
   return plan;
 }
 
-/// Links are made cord by cord, each from its first point on.
+/// Assigns the links to cords. Links are created cord by cord, each from the first point on.
 void share_out_links(Plan& plan, const std::vector<const b2Body*>& bodies) {
   std::size_t next = 0;
   for (CordPlan& cord : plan.cords) {
@@ -73,11 +73,11 @@ void share_out_links(Plan& plan, const std::vector<const b2Body*>& bodies) {
   }
 }
 
-/// Which point of its cord a hinge of a link is at: a chain is held by its ends.
+/// Returns the point of a cord at which a link's hinge is: only the ends of a chain are held.
 int point_of(const CordPlan& cord, int link) { return link == cord.links.front() ? 0 : cord.def.points - 1; }
 
 void add_hinges(Plan& plan, const std::vector<const b2Body*>& bodies, b2World& world) {
-  std::map<const b2Body*, int> places;  // looked up in, never walked through
+  std::map<const b2Body*, int> places;  // for lookup only: the order of pointers is not deterministic
   for (std::size_t k = 0; k < bodies.size(); ++k) places[bodies[k]] = static_cast<int>(k);
   for (b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext()) {
     plan.hinges.push_back({places.at(joint->GetBodyA()), places.at(joint->GetBodyB()), to_double(joint->GetAnchorB())});
@@ -144,7 +144,7 @@ std::vector<int> Plan::movers() const {
 }
 
 Plan plan_of(const SetUp& set_up, int calm_ticks, int ticks) {
-  // Ribbons have no chain, so what they are is asked first.
+  // Create the cords first, because ribbons have no chain.
   CoupledWorld cords(test_support::CordMethod{});
   set_up(cords);
   test_support::CordMethod how;

@@ -1,4 +1,4 @@
-// Planck, a JavaScript port of Box2D 2.4. Dials: substeps (1), and iterations (8) of velocities; 3 of positions.
+// Planck, a JavaScript port of Box2D 2.4. Parameters: substeps (1), and iterations (8) of velocities; 3 of positions.
 import * as planck from 'planck';
 
 export const packages = { planck: 'planck' };
@@ -15,7 +15,7 @@ export async function make(plan, dials) {
     });
     const add = (shape, filter = {}) => body.createFixture({ shape, friction: from.friction, density: 1, ...filter });
     if (from.halfLength > 0) {
-      // As Box2D's links in tests/support/joint_chain.h: half the thickness is the box's, half its skin's.
+      // As in tests/support/joint_chain.h: half the thickness is the box's, half its skin's.
       const box = new planck.BoxShape(from.halfLength, 0.5 * from.radius);
       box.m_radius = 0.5 * from.radius;
       add(box, { filterCategoryBits: linkCategory, filterMaskBits: 0xffff & ~linkCategory });

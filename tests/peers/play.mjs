@@ -1,14 +1,14 @@
-// play.mjs ENGINE PLAN RECORDING [dial=value …]: plays a plan (tests/peers/plan.h) with an engine from npm, and writes
-// what each tick took and where all was after it (tests/peers/recording.h).
+// play.mjs ENGINE PLAN RECORDING [parameter=value …]: plays a plan (tests/peers/plan.h) with an engine from npm. Writes
+// the time of each tick and the positions after it (tests/peers/recording.h).
 // play.mjs ENGINE --version
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-// An engine's module exports packages: { name: the npm package } and, as make(plan, dials, name), makes what has
-//   step()             a tick
-//   pose(body, out)    x, y and angle of a body of the plan into out
+// An engine's module exports packages: { name: npm package } and make(plan, dials, name), which returns an object with
+//   step()             takes a tick
+//   pose(body, out)    writes x, y and angle of a body of the plan into out
 //   slowDown(share)    multiplies all velocities
-//   points(cord, out)  optional: a cord's points into out, if the plan's cords are no chains of links
+//   points(cord, out)  optional: writes a cord's points into out, if cords are not chains of links
 const modules = {
   box2d3: './box2d3.mjs',
   rapier: './rapier.mjs',
@@ -24,7 +24,7 @@ if (!modules[name]) {
 }
 const engine = await import(modules[name]);
 if (planPath === '--version') {
-  // Not every package lets its package.json be imported.
+  // Not every package allows an import of its package.json.
   const require = createRequire(import.meta.url);
   const folders = require.resolve.paths(engine.packages[name]);
   for (const folder of folders) {
@@ -44,7 +44,7 @@ const dials = Object.fromEntries(settings.map((text) => {
 
 const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.movers.length);
 
-/// Where each cord's points are, or the front end of its first link and the hind ends of all.
+/// Writes the points of each cord, or the front end of its first link and the rear ends of all links.
 function record(world, row) {
   let at = 1;
   const pose = [0, 0, 0];
@@ -90,7 +90,7 @@ async function play() {
   return frames;
 }
 
-// The first run warms up what compiles the code, and the second is recorded, unless that would take long.
+// The first run warms up the compiler; the second is recorded, unless it would take too long.
 const began = process.hrtime.bigint();
 let frames = await play();
 if (Number(process.hrtime.bigint() - began) < 5e9) frames = await play();

@@ -7,7 +7,7 @@
 #include "tests/peers/recording.h"
 #include "tests/support/coupled_world.h"
 
-// The engines, each of which plays a scene and records it.
+// The engines. Each one plays a scene and records it.
 
 namespace peers {
 
@@ -20,21 +20,21 @@ using Dials = std::vector<Dial>;
 /// Returns the parameter with that name, or `fallback`.
 double dial_or(const Dials& dials, const std::string& name, double fallback);
 
-/// Ours, or Box2D 2.4's joints.
+/// Plays with our cords, or with Box2D 2.4's joints.
 Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support::CordMethod& method);
 
-/// Chipmunk's pivot joints between segments. Dials: substeps (1) and iterations (10).
+/// Plays with Chipmunk's pivot joints between segments. Parameters: substeps (1) and iterations (10).
 Recording play_chipmunk(const Plan& plan, const Dials& dials);
-/// 7.0.3
+/// Returns "7.0.3" or the like.
 std::string chipmunk_version();
 
-/// Another program that reads a plan and writes a recording: tests/peers/play.mjs.
+/// Runs another program, tests/peers/play.mjs, which reads a plan and writes a recording.
 class NodePlayer {
  public:
-  /// Scratch files go to `folder`, which is there.
+  /// `folder` exists and receives scratch files.
   NodePlayer(std::string script, std::string folder) : script_(std::move(script)), folder_(std::move(folder)) {}
 
-  /// Throws std::runtime_error with the fault that the program named, if it fails or takes more than ten minutes.
+  /// Throws std::runtime_error with the program's error message if it fails or takes more than ten minutes.
   Recording play(const std::string& engine, const Plan& plan, const Dials& dials) const;
   std::string version(const std::string& engine) const;
 

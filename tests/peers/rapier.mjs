@@ -1,13 +1,13 @@
-// Rapier, compiled to WebAssembly: `rapier`, and `rapier_simd`, which is older and has no soft bodies. Dials: substeps
+// Rapier, compiled to WebAssembly: `rapier`, and the older `rapier_simd` without soft bodies. Parameters: substeps
 // (1), iterations (4) of the solver, and one of
 //   joints=1  impulse joints between links
-//   joints=2  multibody joints, which have no coordinates in which a chain could stretch; a loop is closed by an
-//             impulse joint
+//   joints=2  multibody joints in reduced coordinates, in which a chain cannot stretch; an impulse joint closes a
+//             loop
 //   joints=0  soft bodies: a rope's points are particles, a ribbon's cells are triangles of `young` Pa
-// `hertz` is how stiff the edges of a soft rope are (1000).
+// `hertz` is the stiffness of the edges of a soft rope (1000).
 export const packages = { rapier: '@dimforge/rapier2d-compat', rapier_simd: '@dimforge/rapier2d-simd-compat' };
 
-const linkGroups = 0x0002_fffd; // is of group 2, and meets all others
+const linkGroups = 0x0002_fffd; // member of group 2; collides with all others
 const otherGroups = 0x0001_ffff;
 
 const vec = ([x, y]) => ({ x, y });
@@ -16,14 +16,14 @@ function addBodies(RAPIER, world, plan, withLinks) {
   return plan.bodies.map((from) => {
     if (from.halfLength > 0 && !withLinks) return null;
     const desc = from.dynamic ? RAPIER.RigidBodyDesc.dynamic() : RAPIER.RigidBodyDesc.fixed();
-    // Not turned, but its shape: a multibody joint takes two bodies to be turned alike at first.
+    // Rotate the shape, not the body: a multibody joint assumes that both bodies start with the same angle.
     desc.setTranslation(...from.position).setCanSleep(false);
     if (from.dynamic) desc.setAdditionalMassProperties(from.mass, { x: 0, y: 0 }, from.inertia);
     const body = world.createRigidBody(desc);
     const add = (shape, groups) => world.createCollider(
       shape.setDensity(0).setFriction(from.friction).setCollisionGroups(groups), body);
     if (from.halfLength > 0) {
-      // Its capsules stand upright.
+      // Rapier's capsules are vertical.
       add(RAPIER.ColliderDesc.capsule(from.halfLength, from.radius).setRotation(from.angle - 0.5 * Math.PI), linkGroups);
     } else if (from.radius > 0) {
       add(RAPIER.ColliderDesc.ball(from.radius), otherGroups);
@@ -52,7 +52,7 @@ function addHinges(RAPIER, world, plan, bodies, asMultibody) {
     for (const hinge of plan.hinges) join(hinge, hinge.a, hinge.b, false);
     return;
   }
-  // A multibody is a tree that is made from its root on.
+  // A multibody is a tree; create it from its root.
   const hingesOf = plan.bodies.map(() => []);
   for (const hinge of plan.hinges) {
     hingesOf[hinge.a].push(hinge);
@@ -74,8 +74,8 @@ function addHinges(RAPIER, world, plan, bodies, asMultibody) {
       }
     }
   };
-  // Each pinned place is fixed by a body of its own: all cords that hang from one would be one multibody. A cord's
-  // second pin closes a loop.
+  // A separate body fixes each pin; otherwise all cords at one body would form one multibody. A cord's second pin
+  // closes a loop.
   for (const pin of plan.hinges.filter(({ a }) => !plan.bodies[a].dynamic)) {
     const fixed = world.createRigidBody(RAPIER.RigidBodyDesc.fixed().setTranslation(...plan.bodies[pin.a].position));
     done.add(pin);
@@ -87,7 +87,7 @@ function addHinges(RAPIER, world, plan, bodies, asMultibody) {
   }
 }
 
-/// A cord's edges, of its points in rows across, and the triangles of a ribbon.
+/// Returns a cord's edges, with points in rows across, and the triangles of a ribbon.
 function lattice(cord) {
   const at = (i, j) => i * cord.rows + j;
   const edges = [];
@@ -104,7 +104,7 @@ function lattice(cord) {
   return { edges, cells };
 }
 
-/// Counter-clockwise around a ribbon; along a rope.
+/// Returns the boundary: counter-clockwise around a ribbon, along a rope.
 function surface(cord) {
   const along = [...Array(cord.points).keys()];
   if (cord.rows === 1) return along.slice(1).flatMap((i) => [i - 1, i]);
@@ -118,7 +118,7 @@ function addSoftCord(RAPIER, world, cord, bodies, dials) {
   const desc = new RAPIER.SoftBodyDesc(new Float32Array(cord.positions.flat()));
   desc.setSurface(surface(cord));
   if (cord.rows === 1) {
-    // Half a link's mass at each of its ends.
+    // Half of a link's mass is at each of its ends.
     const share = cord.mass / (cord.points - 1);
     desc.setEdges(edges).setSoftness(hertz, 1).setMasses(cord.positions.map((_, p) => (
       p === 0 || p === cord.points - 1 ? 0.5 * share : share)));

@@ -8,25 +8,25 @@
 
 namespace peers {
 
-/// What a tick took, and where everything was after it.
+/// The duration of a tick, and the positions after it.
 struct Frame {
   double us = 0.0;
   std::vector<std::vector<ribbon::Vec2>> cords{};  ///< by cord: its points, or the ends of its chain's links
   std::vector<ribbon::Vec2> movers{};              ///< by Plan::movers
 };
 
-/// A scene as an engine played it: a frame a tick, without those of the plan's calm_ticks. It may end early.
+/// A recorded scene: one frame per tick, without the plan's calm_ticks. It may end early.
 using Recording = std::vector<Frame>;
 
-/// m, beyond which nothing of a scene has any business: what gets there blew up, and so did what is no number.
+/// m; a position beyond this, or NaN, counts as a blow-up.
 inline constexpr double furthest = 1e4;
 bool is_somewhere(const Frame& frame);
 
-/// Points of all cords, in a frame.
+/// Returns the number of points of all cords in a frame.
 int points_of(const Plan& plan);
 
-/// From a file of 64-bit floating-point numbers, frame after frame: us, then x and y of each cord's points and of each
-/// mover. Throws std::runtime_error if it cannot be read, or is not of the plan.
+/// Reads a file of 64-bit floating-point numbers, frame after frame: us, then x and y of each cord's points and of each
+/// mover. Throws std::runtime_error if it cannot be read, or does not fit the plan.
 Recording read_recording(const std::string& path, const Plan& plan);
 
 }  // namespace peers

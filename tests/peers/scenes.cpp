@@ -21,7 +21,7 @@ void hang_heavy_swing(CoupledWorld& world) {
   def.mass_per_length = heavy::rope_mass / heavy::length;
   def.pins = {0};
   const int cord = world.add(def);
-  constexpr double inertia = 0.1 * heavy::load_mass;  // it hangs by its centre: without effect
+  constexpr double inertia = 0.1 * heavy::load_mass;  // no effect: the cord holds the load at its centre
   world.hold(cord, heavy::links, world.add_load(b2_dynamicBody, {heavy::length, 0.0}, heavy::load_mass, inertia));
 }
 

@@ -16,7 +16,7 @@ const Scene& scene_of(const std::string& name) {
   return *std::find_if(scenes().begin(), scenes().end(), [&](const Scene& s) { return s.name == name; });
 }
 
-/// A length as a reader would say it.
+/// Formats a length with a suitable unit.
 std::string metres(double value) {
   if (!std::isfinite(value)) return "—";
   if (value >= 1.0) return study::significant(value, 3) + " m";
@@ -26,7 +26,7 @@ std::string metres(double value) {
   return study::significant(1e6 * value, 2) + " µm";
 }
 
-/// ×0.56, ×3.8, ×230: two digits.
+/// Formats a ratio with two digits: ×0.56, ×3.8, ×230.
 std::string times(double ratio) {
   return "×" + (ratio < 99.5 ? study::significant(ratio, 2) : study::fixed(10.0 * std::round(ratio / 10.0), 0));
 }

@@ -11,29 +11,29 @@
 
 namespace peers {
 
-/// What a setting came to in a scene.
+/// The result of a setting in a scene.
 struct Result {
   std::string engine;
   std::string setting;
   std::string group;
-  double cost_us = Figures::none;  ///< a tick, the median
-  double p99_us = Figures::none;   ///< that 99 of 100 ticks stay below
+  double cost_us = Figures::none;  ///< per tick, median
+  double p99_us = Figures::none;   ///< per tick, 99th percentile
   double error_m = Figures::none;  ///< Scene::error
   Figures figures{};
-  std::string failure{};  ///< why it does not count; empty if it does
+  std::string failure{};  ///< why it does not count; empty if it counts
 };
 
-/// By the name of its scene.
+/// By name of the scene.
 using Results = std::map<std::string, std::vector<Result>>;
 
-/// A line a setting and scene, `names` in their order.
+/// Returns CSV with a line per setting and scene, in the order of `names`.
 std::string csv_of(const std::vector<std::string>& names, const Results& results);
 
 /// Returns Markdown: the engines, and two tables with a row per engine and a column per scene. A cell has the ends of
 /// the engine's Pareto front, its cheapest and its most exact setting: error, and cost relative to that of `balanced`.
 std::string table_of(const std::vector<Engine>& engines, const std::vector<std::string>& names, const Results& results);
 
-/// A page with a plot of error against cost.
+/// Returns a page with a plot of error against cost.
 study::Report report_of(const std::string& name, const std::vector<Engine>& engines,
                         const std::vector<Result>& results);
 

@@ -19,10 +19,10 @@ using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 using test_support::JointChain;
 
-constexpr double lost = 1e9;  // m, where a point is drawn that is no number any more
+constexpr double lost = 1e9;  // m, the drawn position of a NaN point
 
-constexpr std::uint16_t meets_cords = 0x0004;  // categories of boxes: of cords that declare cord_contact,
-constexpr std::uint16_t meets_none = 0x0008;   // and of those that do not
+constexpr std::uint16_t meets_cords = 0x0004;  // categories of boxes: of cords with cord_contact,
+constexpr std::uint16_t meets_none = 0x0008;   // and of cords without it
 
 /// The filter of the cord, which does not collide with players.
 b2Filter filter_of(const ribbon::CordDef& def, int cord) {

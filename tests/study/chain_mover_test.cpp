@@ -32,7 +32,7 @@ std::vector<TickInput> pressed(std::size_t ticks, int buttons) {
   return std::vector<TickInput>(ticks, input);
 }
 
-/// A level with one cord from its pin along `way` [m], and the player's hand at three quarters of it.
+/// Returns a level with one cord from its pin along `way` [m], and the player's hand at three quarters of it.
 game::Level one_cord(Vec2 way) {
   game::Level level = converged();
   std::erase_if(level.map.objects, [](const engine::MapObject& o) { return o.kind == "cord" && o.name != "cord 1"; });
@@ -54,7 +54,7 @@ TEST(ChainMover, AChainThatNobodyTouchesMovesAsTheCord) {
   const Trace cords = run(level, nothing);
   const double one = difference(run_chain(level, nothing, chain(1)), cords, 20).position_m;
   const double sixteen = difference(run_chain(level, nothing, chain(16)), cords, 20).position_m;
-  EXPECT_LT(sixteen, 2e-3);  // of the hammock's corner, for the springs of joints are others where they bend far
+  EXPECT_LT(sixteen, 2e-3);  // at the hammock's corner, because the springs of joints differ where they bend far
   EXPECT_GT(one, 20.0 * sixteen);
 }
 
@@ -135,7 +135,7 @@ TEST(ChainMover, WhoLetsGoTakesHisJointsWithHim) {
   EXPECT_LT(run.simulation().player().position().y, before.y - 0.3);  // the player falls
 }
 
-/// Runs, and jumps a tick after the feet have left the ground, which the game allows.
+/// The player runs, and jumps one tick after its feet have left the ground, which the game allows.
 TEST(ChainMover, APlayerWithoutACordMovesAsEver) {
   std::vector<TickInput> inputs = pressed(30, game::button_right);
   for (const int buttons : {game::button_right | game::button_jump, 0 | game::button_right}) {

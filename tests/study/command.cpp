@@ -33,7 +33,7 @@ std::string replay_of(const Command& command, const LevelFile& file) {
   return path;
 }
 
-/// 1 times the links in 2 rows
+/// Returns the name of a mesh: 1 times the links in 2 rows.
 std::string name_of(const Mesh& mesh) {
   return significant(mesh.points, 6) + " times the links" +
          (mesh.rows > 1 ? " in " + std::to_string(mesh.rows) + " rows" : "");
@@ -63,7 +63,7 @@ std::string windows_of(const Study& study) {
          " m). What is recommended keeps its word by the greater of the errors from the start and in windows.";
 }
 
-/// What two converged runs differ by where all is chance: no setting can be known to be nearer.
+/// Returns the difference of two converged runs in their chaotic part. Smaller differences do not rank settings.
 std::string yardstick_of(const Reference& reference) {
   std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
   for (std::size_t k = 0; k < Statistics::count; ++k) {
@@ -86,7 +86,7 @@ void add_later_notes(Report& report, const Study& study) {
   }
 }
 
-/// Empty for what is no number.
+/// Returns the text of a cell; empty for NaN.
 std::string cell(double value) { return std::isnan(value) ? "" : significant(value, 3); }
 
 std::vector<std::string> notes_on_baselines(const Study& study) {
@@ -179,7 +179,7 @@ void print_table(const Report& report) {
   }
 }
 
-/// False if nothing keeps what was asked for.
+/// Returns false if no setting meets the request.
 bool recommend(const Command& command, const LevelFile& file, const Study& study) {
   if (!command.max_error_m && !command.budget_us) return true;
   std::vector<Point> points = applicable(study);
@@ -216,7 +216,7 @@ void print_tally(const std::string& promise, const Tally& tally) {
   std::putchar('\n');
 }
 
-/// What is asked for, or a centimetre and a tenth of a millisecond.
+/// Verifies recommendations for the requested limits; the defaults are a centimetre and a tenth of a millisecond.
 int tell_promises(const Command& command) {
   const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
   const std::vector<LevelFile> levels(names.begin(), names.end());

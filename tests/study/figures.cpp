@@ -10,7 +10,7 @@ namespace {
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
-/// The greater; a number is greater than none.
+/// Returns the greater value; NaN is less than any number.
 double greater(double a, double b) { return b > a || a != a ? b : a; }
 
 bool is_direct(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
@@ -27,7 +27,7 @@ std::span<const Vec2> velocities_of(const ribbon::box2d::Coupling& coupling, rib
                                    : coupling.cord(cord).thesis().velocities();
 }
 
-/// N, of a rope's links, or of a ribbon's bars, which stand behind its cells.
+/// Returns the greatest tension of a rope's links, or of the bars behind a ribbon's cells, N.
 double tension_of(const ribbon::Cord& cord) {
   const ribbon::CordDef& def = cord.def();
   const bool has_cells = def.rows > 1 && def.elements == ribbon::Elements::cells;

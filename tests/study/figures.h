@@ -14,10 +14,10 @@ inline constexpr double lacking = std::numeric_limits<double>::quiet_NaN();
 
 /// The figures of all cords and bodies of a world at a moment. Unavailable ones are NaN.
 struct Figures {
-  /// N, the greatest of links of ropes and of bars of ribbons; the thesis's cords and cells have none.
+  /// N, maximum over links of ropes and bars of ribbons; the thesis's cords and cells have none.
   double tension = lacking;
-  /// The deepest that a cord is in a circle, edge or polygon, as a share of its radius; of cords of the direct solver
-  /// that have a radius.
+  /// Greatest depth in a circle, edge or polygon, relative to the cord's radius; for cords of the direct solver
+  /// with a radius.
   double penetration = lacking;
   double stretch = 0.0;     ///< mean of the cords' stretches, relative to each whole length
   double energy = lacking;  ///< J, kinetic, elastic and potential; cords of the thesis have no elastic energy

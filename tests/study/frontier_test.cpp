@@ -16,7 +16,7 @@ Point point(double cost_us, double error_m, std::string failure = {}) {
 std::vector<Point> scene() {
   std::vector<Point> points;
   for (const double n : {8.0, 1.0, 4.0, 2.0, 16.0}) points.push_back(point(n, 1.0 / n));
-  points.push_back(point(5.0, 0.3));              // behind 4 µs
+  points.push_back(point(5.0, 0.3));              // dominated by 4 µs
   points.push_back(point(0.5, 0.01, "blew up"));  // would dominate all
   points.push_back(point(0.4, std::nan("")));     // without a number
   points.push_back(point(4.0, 0.25));             // as good as the first of that cost

@@ -34,7 +34,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Reads values that write has written; the caller has checked that they are complete.
+/// Reads values that Writer has written; the caller has checked that they are complete.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(&bytes) {}

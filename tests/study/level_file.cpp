@@ -30,7 +30,7 @@ engine::Properties::Value value_of(const nlohmann::ordered_json& value) {
 }  // namespace
 
 LevelFile::LevelFile(const std::string& path) : path_(path) {
-  const game::Level level = game::load_level(path);  // with an error that says what is wrong
+  const game::Level level = game::load_level(path);  // throws with a message for an invalid file
   path_ = level.map.file;
   hash_ = level.map.content_hash;
   pixels_per_metre_ = level.map.pixels_per_metre;
@@ -109,7 +109,7 @@ void LevelFile::set_dials(Json& cord, const Dials& dials) const {
 }
 
 double LevelFile::ribbon_stiffness() const {
-  constexpr double loads = 5.0;  // weights; a swing pulls with three, a catch with more
+  constexpr double loads = 5.0;  // weights; a swing loads with three, a catch with more
   constexpr double stretch = 1e-4;
   const game::Level own = level();
   const auto scene = own.make_scene();

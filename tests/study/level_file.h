@@ -46,8 +46,8 @@ class LevelFile {
   /// Returns whether a cord declares the property with a value other than false or 0.
   bool declares(const std::string& property) const;
 
-  /// Writes these settings to the file and keeps every other byte. Throws std::runtime_error, and leaves the file as it
-  /// was, if it cannot be written.
+  /// Writes these settings to the file and leaves every other byte. Throws std::runtime_error if it cannot be written;
+  /// then the file is unchanged.
   void apply(const Dials& dials) const;
 
  private:

@@ -14,7 +14,7 @@
 #include "tests/study/report.h"
 #include "tests/support/refusal.h"
 
-// The report of a study: files, pages, groups, plots.
+// The report of a study: files, pages, groups and plots.
 
 namespace study {
 namespace {
@@ -28,7 +28,7 @@ TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
   command.folder = home + "/report";
   command.quick = true;
   command.repeats = 1;
-  refusal<std::exception>([&] { run(command); });  // without gnuplot it throws for the plots
+  refusal<std::exception>([&] { run(command); });  // without gnuplot it throws because of the plots
   const std::string csv = content_of(command.folder + "/points.csv");
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(csv);
@@ -146,7 +146,7 @@ TEST_F(LevelStudy, GroupsOfAReportStandApart) {
   const std::size_t heading =
       page.find("<tr><th colspan=\"6\">heavy &amp; slow\n<tr class=\"front\"><td>chain<td>slow");
   EXPECT_NE(heading, std::string::npos) << page;
-  EXPECT_LT(page.find("<td>worse"), heading);  // beside what it is compared with
+  EXPECT_LT(page.find("<td>worse"), heading);  // beside the reference of the comparison
   EXPECT_NE(page.find("<th>depth"), std::string::npos);
   EXPECT_NE(content_of(folder + "/points.csv").find("\nchain,slow,50,60,0.2,,heavy & slow,"), std::string::npos);
   const std::string plot = content_of(folder + "/front.gp");

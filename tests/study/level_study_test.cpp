@@ -74,8 +74,8 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
     std::vector<engine::TickInput> inputs(100, right);
     for (std::size_t k = 20; k < 100; k += 20) inputs[k].buttons |= game::button_jump;
     const Trace trace = run(level, inputs);
-    // Of three rows the middle one is pulled, and the soft outer ones yield. Two rows oscillate along their length for
-    // some ticks after a catch.
+    // Of three rows the player pulls the middle one, and the soft outer ones yield. Two rows oscillate along their
+    // length for some ticks after a catch.
     int overstretched = 0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const double stretch = rows == 2 ? trace.stretch[k] : trace.figures[k].tension / file.ribbon_stiffness();
@@ -152,7 +152,7 @@ TEST_F(LevelStudy, AnInterruptedStudyContinues) {
     runs += study.runs;
     return study;
   };
-  EXPECT_FALSE(run_until(5).complete);  // amid the converged runs
+  EXPECT_FALSE(run_until(5).complete);  // during the converged runs
   EXPECT_GT(runs, 0);
   EXPECT_LT(runs, 3 * 3);
   const Study half = run_until(15);
@@ -236,7 +236,7 @@ TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
   EXPECT_EQ(failure_of(trace, reference, 10), "2 ticks not converged");
   trace.passages[4] = {through_body};
   EXPECT_EQ(failure_of(trace, reference, 10), "cord 1 went through a body in tick 5");
-  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference lets the same through
+  EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference also lets it through
   trace.failure = "blew up in tick 6";
   EXPECT_EQ(failure_of(trace, reference, 10), "blew up in tick 6");
 }

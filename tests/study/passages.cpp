@@ -88,7 +88,7 @@ bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::siz
   return false;
 }
 
-/// Cords of the thesis do not declare contacts, so the caller says what they must not cross.
+/// Cords of the thesis do not declare contacts; for them every contact counts as declared.
 bool may_declare(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, bool ribbon::CordDef::*contact) {
   return coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis || coupling.cord(cord).direct().def().*contact;
 }

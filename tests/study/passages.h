@@ -19,7 +19,7 @@ enum Passage : unsigned char {
 /// By cord, after a tick.
 using Passages = std::vector<unsigned char>;
 
-/// Returns what cords must not pass through: bodies, and objects of declared contacts.
+/// Returns for each cord what it must not pass through: bodies, and the objects of declared contacts.
 Passages declared_contacts(const ribbon::box2d::Coupling& coupling);
 
 /// Finds after every tick what cords passed through. Penetration alone does not count. A middle line passes through if

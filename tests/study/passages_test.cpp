@@ -23,9 +23,9 @@ TEST(Passages, ALinkThatGoesOverAPointPassesIt) {
   const PassingLink before{{0.0, 0.0}, {1.0, 0.0}, {0.5, 1.0}};
   EXPECT_TRUE(passes(before, {{0.0, 0.0}, {1.0, 0.0}, {0.5, -1.0}}));   // the point moves
   EXPECT_TRUE(passes(before, {{0.0, 2.0}, {1.0, 2.0}, {0.5, 1.0}}));    // the link does
-  EXPECT_TRUE(passes(before, {{0.0, 3.0}, {1.0, 1.5}, {0.5, 1.0}}));    // and turns
+  EXPECT_TRUE(passes(before, {{0.0, 3.0}, {1.0, 1.5}, {0.5, 1.0}}));    // the link also rotates
   EXPECT_FALSE(passes(before, {{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.5}}));   // it stays above
-  EXPECT_FALSE(passes(before, {{0.0, 0.0}, {1.0, 0.0}, {3.5, -1.0}}));  // it goes by behind the end
+  EXPECT_FALSE(passes(before, {{0.0, 0.0}, {1.0, 0.0}, {3.5, -1.0}}));  // it passes beyond the end
   EXPECT_FALSE(passes(before, before));
 }
 
@@ -100,7 +100,7 @@ TEST(Passages, CordsCrossOnlyWhatTheyDeclare) {
   }
 }
 
-/// Of two cords, in 100 ticks.
+/// Returns the passages of two cords without any event in 100 ticks.
 std::vector<Passages> nothing() { return std::vector<Passages>(100, Passages(2, 0)); }
 
 TEST(Passages, WhatTheReferenceShowsTooIsNoFailure) {
@@ -119,7 +119,7 @@ TEST(Passages, WhatTheReferenceShowsTooIsNoFailure) {
   EXPECT_EQ(let_through(run, reference, all, 50), "");
   run[80][0] = through_cord;
   EXPECT_EQ(let_through(run, reference, all, 50), "cord 1 went through another cord in tick 81");
-  reference[55][0] = through_cord;  // after tick 50 the order is chance
+  reference[55][0] = through_cord;  // after tick 50 the order is random
   EXPECT_EQ(let_through(run, reference, all, 50), "");
   run[90][1] = through_itself;
   reference[30][1] = through_itself;

@@ -10,10 +10,10 @@
 
 namespace study {
 
-/// The number of recommendations that held.
+/// Counts recommendations.
 struct Tally {
   int found = 0;  ///< tries with a recommended setting
-  int kept = 0;   ///< of these, tries in which it held
+  int kept = 0;   ///< of these, tries in which it was met
   int none = 0;   ///< tries without a recommendation
 };
 
@@ -35,9 +35,9 @@ struct PromiseOptions {
 using Measure =
     std::function<Study(const LevelFile&, const std::vector<engine::TickInput>& inputs, const StudyOptions& options)>;
 
-/// Uses random players in variations of the levels, in turn. Settings are chosen with the input of one player, for the
+/// Tries random players in variations of the levels, in turn. Settings are chosen with the input of one player, for the
 /// error and for the budget, and measured again with the input of another player in the same variation. A setting that
-/// fails there has not held, for any error and cost. `measure_level` is `measure`, or a test's substitute.
+/// fails there counts as broken, for any error and cost. `measure_level` is `measure`, or a test's substitute.
 Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
                       const std::function<void(double)>& progress, const Measure& measure_level);
 Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,

@@ -9,12 +9,12 @@
 namespace study {
 namespace {
 
-// --- arithmetic: a level whose settings come to what the test says
+// --- arithmetic: a level whose settings have the results that the test defines
 // ----------------------------------------------------
 
 constexpr double found_at = 0.5;  // relative to the promise, in the first measurement: below each margin
 
-/// Each setting of the grid has half of the promised cost and error; in the second measurement those of `again`.
+/// Each setting of the grid has half of the promised cost and error; in the second measurement it has those of `again`.
 Promises promises_of(int tries, const std::function<void(int k, Measured&)>& first,
                      const std::function<void(int k, Measured&)>& again) {
   int k = -1;
@@ -174,7 +174,7 @@ struct Range {
 void expect_range(const Range& range, double factor) {
   EXPECT_GE(range.least, 0.97 / factor);  // links are whole
   EXPECT_LE(range.most, 1.03 * factor);
-  EXPECT_LT(range.least, 1.3 / factor);  // and it goes to the ends
+  EXPECT_LT(range.least, 1.3 / factor);  // and the range is used up to its ends
   EXPECT_GT(range.most, factor / 1.3);
 }
 

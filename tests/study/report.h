@@ -33,7 +33,7 @@ class PlotError : public std::runtime_error {
 };
 
 /// Writes points.csv, points.json, index.html and a plot of the points' own error and of each metric, drawn by gnuplot
-/// (front.gp, front.svg; penetration_m.gp, …), into a folder, which it makes. Throws std::runtime_error if the folder
+/// (front.gp, front.svg; penetration_m.gp, …), into a folder, which it creates. Throws std::runtime_error if the folder
 /// cannot be written, and PlotError, with everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
 

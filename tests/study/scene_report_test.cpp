@@ -5,14 +5,14 @@
 #include <cmath>
 #include <map>
 
-// From the figures of a scene to the points of its report.
+// Conversion of a scene's figures to the points of its report.
 
 namespace tradeoff {
 namespace {
 
 using Figures = std::map<std::string, double>;
 
-/// A setting with these figures and no others.
+/// Returns the report of a setting with these figures and no others.
 study::Report report_of_one(const Figures& figures) {
   Scene scene;
   scene.name = "scene";

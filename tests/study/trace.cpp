@@ -16,7 +16,7 @@ double length_of(const std::vector<Vec2>& line) {
   return sum;
 }
 
-/// Evenly spaced by columns, which are evenly spaced on the cord at rest.
+/// Adds evenly spaced places. The columns are evenly spaced on the cord at rest.
 void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
   for (int s = 0; s < Trace::stations; ++s) {
     const double along = static_cast<double>(line.size() - 1) * s / (Trace::stations - 1);
@@ -28,7 +28,7 @@ void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
 
 double peak(std::span<const double> values) { return *std::max_element(values.begin(), values.end()); }
 
-/// NaN if any value is NaN.
+/// Returns NaN if any value is NaN.
 template <typename Value>
 double greatest(std::size_t count, Value&& value) {
   double most = value(0);

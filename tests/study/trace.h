@@ -45,7 +45,7 @@ struct Method {
 /// A run that can be restarted, for timing.
 class LevelRun {
  public:
-  /// Keeps references to level and inputs.
+  /// Stores references to level and inputs.
   LevelRun(const game::Level& level, std::span<const engine::TickInput> inputs, Method method = {})
       : level_(&level), inputs_(inputs), method_(std::move(method)) {}
 
@@ -64,7 +64,7 @@ class LevelRun {
   std::size_t next_ = 0;
 };
 
-/// Keeps references to level and inputs. The time of `show` is the rest of a tick, not a cost of the method.
+/// Stores references to level and inputs. The time of `show` is the rest of a tick, not a cost of the method.
 tradeoff::Timed timed_run(const game::Level& level, std::span<const engine::TickInput> inputs, Method method = {});
 
 std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);

@@ -12,7 +12,7 @@ namespace {
 
 using ribbon::Vec2;
 
-/// Two cords of 1 and 4 m that stand still, and a player.
+/// Returns a trace of two cords of 1 and 4 m at rest, and a player.
 Trace still(std::size_t ticks) {
   Trace trace;
   trace.lengths = {1.0, 4.0};
@@ -59,7 +59,7 @@ TEST(Trace, ErrorsOfOtherKindsAreSharesOfTheirScales) {
   EXPECT_NEAR(errors.energy, 27.0 / (3.0 * 9.0 * 4.0), 1e-15);  // the longest cord has 4 m
   EXPECT_NEAR(errors.momentum, 9.0 / (3.0 * 6.0), 1e-15);
   EXPECT_NEAR(difference(reference, trace, 10).tension, 30.0 / 130.0, 1e-15);
-  EXPECT_EQ(difference(reference, trace, 10).penetration, 0.0);  // the run's own
+  EXPECT_EQ(difference(reference, trace, 10).penetration, 0.0);  // the value of the run itself, not a difference
   EXPECT_EQ(difference(trace, reference, 2).tension, 0.0);
   EXPECT_EQ(difference(trace, reference, 2).energy, 0.0);
 }
@@ -113,7 +113,7 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
     if (body->GetType() == b2_dynamicBody) energy += 0.5 * static_cast<double>(body->GetMass()) * speed * speed;
   }
   EXPECT_GE(trace.figures.back().kinetic, energy);
-  EXPECT_GT(trace.mass, level.player_mass + 13.0);  // its cords
+  EXPECT_GT(trace.mass, level.player_mass + 13.0);  // plus its cords
   EXPECT_NEAR(trace.gravity, 9.81, 1e-6);
   EXPECT_TRUE(trace.failure.empty());
 }

@@ -26,7 +26,7 @@ class Windows {
   static constexpr std::size_t ticks = 15;  ///< length of a window
 
   /// Runs the references of up to `most` windows, evenly spaced along a run: `fine` and `finer` are accuracies of
-  /// converged motions. Keeps references to level and inputs.
+  /// converged motions. Stores references to level and inputs.
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 

@@ -11,7 +11,7 @@ using ribbon::Accuracy;
 using ribbon::Integrator;
 using ribbon::Vec2;
 
-/// A cord at rest for a number of ticks, and a player.
+/// Returns a trace of a cord at rest for a number of ticks, and a player.
 Trace still(std::size_t ticks) {
   Trace trace;
   trace.lengths = {1.0};
@@ -40,7 +40,7 @@ TEST(Windows, WhatIsNotComparedIsNoError) {
   EXPECT_EQ((WindowErrors{3.0, 2.0}.greatest()), 3.0);
 }
 
-/// Starts from the level's own state at any tick, with another setting from then on.
+/// The run has the level's own settings until a tick, and another setting from then on.
 TEST(Windows, ARunFromATickIsTheLevelsUntilThen) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);

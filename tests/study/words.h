@@ -8,7 +8,7 @@ namespace study {
 std::string significant(double value, int digits);
 /// Returns a number with a number of decimals: 8.45.
 std::string fixed(double value, int decimals);
-/// 1 tick, 2 ticks.
+/// Returns a count with its unit: 1 tick, 2 ticks.
 std::string count_of(int count, const std::string& what);
 /// Returns the content of a file; empty if it cannot be read.
 std::string content_of(const std::string& path);

@@ -1,9 +1,9 @@
-// What a frame costs, by the processor's time, over the ticks of recorded runs: all in assets/replays, or those given:
+// Prints the processor time of a frame over the ticks of recorded runs: all in assets/replays, or the given ones:
 //   build/release/bin/frame_cost
 //   build/release/bin/frame_cost assets/replays/curtains.replay --frames
-// tick: the physics; lists: everything that is drawn, as meshes; both: the two of one tick together; first: the lists
-// of the first frame, which makes the textures; frame: drawn and rasterised in memory. Every tick of a run is the same
-// each time, so its cost is the least of a few runs: what else the machine did is not in it.
+// tick: the physics; lists: the meshes of everything drawn; both: these two of one tick together; first: the lists of
+// the first frame, which also creates the textures; frame: drawn and rasterised in memory. Every tick of a run is
+// deterministic, so its cost is the minimum of a few runs, which excludes other work of the machine.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// Takes the meshes and paints nothing: what is left is the cost of making them.
+/// Receives the meshes and draws nothing: the measured cost is that of the meshes.
 class Lists : public engine::HeadlessCanvas {
  public:
   using engine::HeadlessCanvas::HeadlessCanvas;
@@ -40,12 +40,12 @@ struct Options {
   bool frames = false;
 };
 
-/// ms, of one tick, each the least that was seen.
+/// Costs of one tick, ms, each the minimum over the runs.
 struct TickCost {
   double tick = 1e9;
   double lists = 1e9;
   double frame = 1e9;
-  int newton_steps = 0;  // of all cords; those solved together count each
+  int newton_steps = 0;  // summed over all cords, including those solved together
 };
 
 double now_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -1,6 +1,6 @@
-// Makes the game's sounds.
-//   make_sounds FOLDER           writes them there
-//   make_sounds --check FOLDER   says whether those there are the same, byte by byte
+// Synthesises the game's sounds.
+//   make_sounds FOLDER           writes the sounds into the folder
+//   make_sounds --check FOLDER   compares the sounds in the folder byte by byte
 
 #include <cstdio>
 #include <exception>
@@ -29,7 +29,7 @@ synth::Curve steady(double value) {
   return [=](double) { return value; };
 }
 
-/// Feet, or a load, on the ground.
+/// Feet or a load hit the ground.
 Track thud() {
   Track track(0.34);
   track.tone(0.0, glide(105.0, 52.0, 0.16), strike(0.005, 0.075));
@@ -38,7 +38,7 @@ Track thud() {
   return track;
 }
 
-/// A cord against something.
+/// A cord hits an object.
 Track slap() {
   Track track(0.16);
   track.noise(0.0, glide(900.0, 500.0, 0.1), 2.0, strike(0.003, 0.028));
@@ -47,7 +47,7 @@ Track slap() {
   return track;
 }
 
-/// Fibres that stick and slip: soft grains, ever closer together, that ring in the cord.
+/// Fibres stick and slip: soft grains at decreasing intervals excite the cord.
 Track creak(double body, double slips) {
   Track track(0.44);
   const synth::Curve loud = swell(0.40);
@@ -62,7 +62,7 @@ Track creak(double body, double slips) {
   return track;
 }
 
-/// Air, without beginning and end.
+/// A continuous loop of rushing air.
 Track whoosh() {
   Track track(1.7);
   const auto waver = [](double t) { return 1.0 + 0.15 * synth::sine(1.3 * t) + 0.1 * synth::sine(2.1 * t); };
@@ -107,7 +107,7 @@ Track hook() {
   return track;
 }
 
-/// A ratchet that turns, four clicks long; the clicks end before the loop does.
+/// A turning ratchet, a loop of four clicks; the clicks end before the loop does.
 Track reel() {
   Track track(0.4);
   for (int click = 0; click < 4; ++click) {

@@ -1,6 +1,6 @@
 // Records a winning run of a level, played by the scripted player: assets/replays/NAME.replay is made by
 //   build/release/bin/record_run NAME assets/replays/NAME.replay
-// and must be recorded again after an intended change of the physics or the level (tests/tools/record_runs does so for
+// Record it again after an intended change of the physics or the level (tests/tools/record_runs does so for
 // all levels, and for the pictures).
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -25,7 +25,7 @@ double smooth(double x) {
 Curve strike(double attack, double decay) {
   return [attack, decay](double t) {
     double level = smooth(t / attack);
-    // (1 − 1/64)^64 ≈ 1/e a decay, by squaring, because exp() differs between libraries.
+    // (1 − 1/64)^64 ≈ 1/e per decay time, by squaring, because exp() differs between libraries.
     const double steps = 64.0 * std::max(0.0, t - attack) / decay;
     for (double k = 0.0; k + 1.0 <= steps; k += 1.0) level *= 1.0 - 1.0 / 64.0;
     return level * (1.0 - (steps - std::floor(steps)) / 64.0);
@@ -63,7 +63,7 @@ void Track::tone(double at, const Curve& frequency, const Curve& loudness) {
   }
 }
 
-/// Chamberlin's state-variable filter, twice: once lets enough hiss through to sound harsh.
+/// Chamberlin's state-variable filter, applied twice: a single pass leaves too much hiss.
 void Track::noise(double at, const Curve& frequency, double sharpness, const Curve& loudness) {
   struct Filter {
     double low = 0.0;
@@ -89,7 +89,7 @@ void Track::close_loop(double seconds) {
   const std::size_t rest = samples_.size() - fade;
   for (std::size_t k = 0; k < fade; ++k) {
     const double in = static_cast<double>(k) / static_cast<double>(fade);
-    // Of noise the powers add up, not the amplitudes.
+    // Noise is uncorrelated: powers add up, not amplitudes.
     samples_[k] = std::sqrt(in) * samples_[k] + std::sqrt(1.0 - in) * samples_[rest + k];
   }
   samples_.resize(rest);

@@ -4,44 +4,44 @@
 #include <functional>
 #include <vector>
 
-/// Small sounds from sines and noise, the same bytes on every machine: nothing here calls a library's sine.
+/// Short sounds from sines and noise, with the same bytes on every machine: it calls no library sine.
 namespace synth {
 
 inline constexpr int rate = 22050;  // samples a second
 
-/// From time [s] to what is heard then, or to a frequency.
+/// Maps time [s] to an amplitude or a frequency [Hz].
 using Curve = std::function<double(double)>;
 
-/// sin(2π·turns).
+/// Returns sin(2π·turns).
 double sine(double turns);
-/// 0 below 0, 1 above 1, without a corner between.
+/// Returns a smooth step: 0 below 0, 1 above 1.
 double smooth(double x);
-/// Up within `attack` seconds, then down to a third with every `decay` seconds.
+/// Rises within `attack` seconds, then falls to 1/e with every `decay` seconds.
 Curve strike(double attack, double decay);
-/// Up and down again within `length` seconds.
+/// Rises and falls within `length` seconds.
 Curve swell(double length);
-/// Evenly from one value to the other within `length` seconds.
+/// Changes linearly from one value to the other within `length` seconds.
 Curve glide(double from, double to, double length);
 
-/// A sound that is added up from parts.
+/// Mixes a sound from parts.
 class Track {
  public:
-  /// s.
+  /// `length` is in s.
   explicit Track(double length);
 
-  /// A tone from `at` seconds on; the frequency [Hz] and loudness as of its own beginning.
+  /// Adds a tone from `at` seconds on; the frequency [Hz] and loudness are functions of the time since then.
   void tone(double at, const Curve& frequency, const Curve& loudness);
-  /// Noise around a frequency [Hz]; a larger `sharpness` (1 … 50) is more like a tone.
+  /// Adds noise around a frequency [Hz]; a larger `sharpness` (1 … 50) is more like a tone.
   void noise(double at, const Curve& frequency, double sharpness, const Curve& loudness);
 
-  /// Has its end run into its beginning: the last `seconds` are faded into the first, and it is shorter by them.
+  /// Makes a loop: fades the last `seconds` into the first, and shortens the sound by them.
   void close_loop(double seconds);
-  /// Begins and ends in silence.
+  /// Fades in at the start and out at the end.
   void fade_ends();
-  /// As loud as that at its loudest.
+  /// Returns the samples, scaled to this peak.
   std::vector<float> finished(double peak) const;
 
-  /// Evenly, −1 … 1; the same ones in every run.
+  /// Returns a uniform random number in −1 … 1; the sequence is the same in every run.
   double random();
 
  private:

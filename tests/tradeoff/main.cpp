@@ -57,7 +57,7 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
   return 0;
 }
 
-/// A number above 0 with a unit: 1cm, 50us.
+/// Returns a validator for a number above 0 with a unit: 1cm, 50us.
 CLI::Validator measured_in(const std::map<std::string, double>& units) {
   std::string accepted;
   for (const auto& [unit, factor] : units) accepted.append(accepted.empty() ? "" : ", ").append(unit);

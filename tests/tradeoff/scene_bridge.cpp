@@ -16,7 +16,7 @@ bool is_below(const b2Body& ball, const CoupledWorld& world) {
   return std::all_of(x.begin(), x.end(), [&](Vec2 p) { return ribbon::box2d::to_double(ball.GetPosition()).y < p.y; });
 }
 
-/// Ten seconds from rest: the maximum displacement of the ball, and its maximum motion in a tick of the last second.
+/// Returns the ball's greatest displacement in ten seconds from rest, and its greatest motion per tick in the last one.
 std::vector<double> figures(CoupledWorld& world) {
   world.settle(1800);
   const b2Body& ball = *world.world.GetBodyList();  // the newest body is the first

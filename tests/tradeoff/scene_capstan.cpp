@@ -57,7 +57,7 @@ std::vector<double> figures(CoupledWorld& world, const NamedMethod& method, doub
     if (++tick > 60) taut += now.tension(0, last_point(now)) / 60.0;
   });
   std::vector<double> all = figures_of(world, of_run);
-  all[2] = std::numeric_limits<double>::quiet_NaN();  // it is driven
+  all[2] = std::numeric_limits<double>::quiet_NaN();  // energy is not conserved: the end is dragged
   const double exact = std::exp(friction * angle);
   all.push_back(taut / slack_pull);
   all.push_back(exact);

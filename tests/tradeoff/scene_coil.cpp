@@ -10,11 +10,11 @@ using test_support::CoupledWorld;
 constexpr double friction = 0.3;
 constexpr double pull = 20.0;  // N
 
-/// In ticks.
+/// Numbers of ticks.
 struct Length {
   int timed;
   int figures;
-  int counted;  // of the baseline of work
+  int counted;  // for the baseline of work
 };
 
 void add(std::vector<Contestant>& list, const NamedMethod& method, int rows, Length length) {

@@ -47,7 +47,7 @@ std::vector<Contestant> contestants() {
       list.push_back(contestant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
                                    return with_speed(world, falling_bar);
                                  }}));
-      if (friction == 0.0) continue;  // it slides off
+      if (friction == 0.0) continue;  // the cord slides off
       list.push_back(contestant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
                                    for (int k = 0; k < 480; ++k) world.tick();
                                    return with_speed(world, falling_bar);

@@ -15,7 +15,7 @@ using ribbon::Vec2;
 using test_support::CoupledWorld;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double cord_length = 3.0;  // m, of hang_load's
+constexpr double cord_length = 3.0;  // m, as in hang_load
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Ten seconds from the start, and one more for the jitter: the maximum motion of the body in a tick, and the mean

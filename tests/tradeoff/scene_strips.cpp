@@ -14,7 +14,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Size {
   int strips;
   int ticks;
-  int counted_ticks;  // of the baseline of work
+  int counted_ticks;  // for the baseline of work
 };
 
 Scene strips(const std::string& name, const std::string& size_note, Size size, double bar_us) {

@@ -39,7 +39,7 @@ class Herd {
 
   int points() const { return static_cast<int>(cords_.size()) * cords_.front().size(); }
   const CordReport& report() const { return report_; }
-  /// Of the last tick.
+  /// Returns the work of the last tick.
   std::int64_t work() const { return work_; }
 
  private:

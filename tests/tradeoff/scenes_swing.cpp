@@ -27,8 +27,8 @@ const std::vector<Vec2>& exact_load() {
   return path;
 }
 
-/// The path of the load of an elastic cord with 512 substeps, converged to 0.1 mm; of an inextensible one by the exact
-/// chain.
+/// Returns the path of the load: of an elastic cord with 512 substeps, converged to 0.1 mm; of an inextensible cord by
+/// the exact chain.
 const std::vector<Vec2>& converged_load(double stiffness) {
   if (stiffness == infinity) return exact_load();
   static std::map<double, std::vector<Vec2>> known;

@@ -13,10 +13,10 @@ struct StandardReport {
   std::optional<int> repeats;
 };
 
-/// Scenes that others are measured on too, and all levels of the game: a page each in folders of their names, and one
-/// of contents, rewritten with each. Returns the program's exit status: 1 if it was interrupted, or if a plot
-/// could not be drawn, which keeps no page from being written. Throws std::runtime_error
-/// for a folder that is none or cannot be written.
+/// Writes a page for each standard scene and for each level of the game, in a folder of its name, and a page of
+/// contents after each. Writes all pages even if a plot cannot be drawn. Returns the program's exit status: 1 if it was
+/// interrupted, or if a plot is missing. Throws std::runtime_error if the path is not a folder or cannot be
+/// written.
 int write(const StandardReport& report);
 
 }  // namespace tradeoff

@@ -30,7 +30,7 @@ class ChainSwing final : public Swing {
     }
   }
 
-  /// Through the rear end of each link, so that gaps of joints count as stretch.
+  /// The path joins the rear ends of the links, so that gaps of joints count as stretch.
   std::vector<Vec2> path() const override {
     std::vector<Vec2> points = {Vec2{}};
     for (const b2Body* link : chain_->links()) points.push_back(to_double(link->GetWorldPoint({half_link, 0.0F})));
@@ -75,7 +75,7 @@ class RopeSwing final : public Swing {
     return points;
   }
 
-  /// Its velocities are not accessible, but are the motions of its points in a substep: so it takes one more.
+  /// The velocities are not accessible, so they are measured as the motion of the points in one more substep.
   double energy() override {
     const std::vector<Vec2> before = path();
     rope_->step(substep(), iterations_);

@@ -84,7 +84,7 @@ class ThesisSwing final : public Swing {
     return points;
   }
 
-  /// Without the energy of its springs, which is negligible for such a stiffness. Heights are relative to the start.
+  /// Omits the energy of the springs, which is negligible for this stiffness. Heights are relative to the start.
   double energy() override {
     double sum = energy_of(heavy::load_mass, load_.position, load_.velocity);
     for (std::size_t p = 0; p < cord_.positions().size(); ++p) {

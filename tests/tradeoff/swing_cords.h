@@ -7,7 +7,7 @@
 
 namespace tradeoff {
 
-/// The direct solver. `stiffness` is EA in N.
+/// Returns the rope of the direct solver. `stiffness` is EA in N.
 std::unique_ptr<Swing> cord_swing(double stiffness, const ribbon::Accuracy& accuracy);
 
 /// The thesis's stepper. It needs two rows, so it is a ribbon of 51 × 2 points of equal mass. The first point of its

@@ -7,9 +7,9 @@
 
 namespace tradeoff {
 
-/// An inextensible cord, coupled to a Box2D world whose only body it carries: the whole tick of both.
+/// Returns an inextensible cord that carries the only body of a Box2D world; a tick includes both.
 std::unique_ptr<Swing> held_swing(const ribbon::Accuracy& accuracy);
-/// That world without the cord: the cost of b2World::Step alone.
+/// Returns that world without the cord, for the cost of b2World::Step alone.
 std::unique_ptr<Swing> falling_body();
 
 }  // namespace tradeoff

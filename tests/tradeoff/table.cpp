@@ -45,7 +45,7 @@ double yardstick_us(const Scene& scene, const std::vector<Row>& rows) {
   return (found == rows.end() ? rows.front() : *found).timing.median_us;
 }
 
-/// Names to the left, numbers to the right.
+/// Prints names left-aligned and numbers right-aligned.
 void print_aligned(const std::vector<Cells>& lines) {
   constexpr std::size_t names = 3;
   std::vector<std::size_t> widths(lines.front().size());

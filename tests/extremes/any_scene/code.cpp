@@ -10,7 +10,7 @@ namespace {
 
 using ribbon::Vec2;
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that parses to the same number.
 std::string text(double value) {
   if (std::isinf(value)) return std::string(value < 0.0 ? "-" : "") + "std::numeric_limits<double>::infinity()";
   char buffer[40];
@@ -49,7 +49,7 @@ std::string text(const std::vector<Value>& values) {
   return all += "}";
 }
 
-/// Lines that assign what is not as it is by default.
+/// Collects lines that assign the fields which differ from their defaults.
 class Lines {
  public:
   explicit Lines(std::string object) : object_(std::move(object)) {}

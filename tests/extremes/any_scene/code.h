@@ -7,7 +7,7 @@
 
 namespace any_scene {
 
-/// A function `any_scene::Scene name()` in C++ that makes the scene to the last bit; it needs scene.h.
+/// Returns a C++ function `any_scene::Scene name()` that makes the scene bit for bit; the code needs scene.h.
 std::string to_code(const Scene& scene, std::string_view name);
 
 }  // namespace any_scene

@@ -16,7 +16,7 @@ namespace {
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-/// Erases the parts that refer to what is gone, and counts down those behind it.
+/// Erases the parts that refer to a removed thing, and decrements the indices of the parts behind it.
 template <typename Part>
 void forget(std::vector<Part>& parts, int Part::*field, int gone) {
   parts.erase(std::remove_if(parts.begin(), parts.end(), [&](const Part& part) { return part.*field == gone; }),
@@ -24,7 +24,7 @@ void forget(std::vector<Part>& parts, int Part::*field, int gone) {
   for (Part& part : parts) part.*field -= part.*field > gone ? 1 : 0;
 }
 
-/// Columns that a cord keeps, of the old numbering, at the front.
+/// Moves the given columns to the front and removes all others.
 void keep_columns(SceneCord& cord, int first, int count) {
   CordDef& def = cord.def;
   def.length = def.length * (count - 1) / (def.points - 1);
@@ -39,7 +39,7 @@ void keep_columns(SceneCord& cord, int first, int count) {
   def.points = count;
 }
 
-/// Of what drives a cord, what is on the columns that it keeps.
+/// Shifts holds and drives of a cord to its new columns, and removes those of columns that it no longer has.
 void shift_drives(Scene& scene, int cord, int first, double link) {
   const CordDef& def = scene.cords[slot(cord)].def;
   for (Hold& hold : scene.holds) {
@@ -64,13 +64,13 @@ void shift_drives(Scene& scene, int cord, int first, double link) {
   for (Reel& reel : scene.reels) reel.cord += reel.cord >= cord ? 1 : 0;
 }
 
-/// To multiples of 1/parts.
+/// Rounds to multiples of 1/parts.
 void round_to(double& value, double parts) { value = std::round(value * parts) / parts; }
 void round_to(Vec2& value, double parts) {
   round_to(value.x, parts);
   round_to(value.y, parts);
 }
-/// To as many digits as `parts` has.
+/// Rounds to as many significant digits as `parts` has.
 void round_digits(double& value, double parts) {
   if (!(value > 0.0) || std::isinf(value)) return;
   double scale = 1.0;
@@ -80,7 +80,7 @@ void round_digits(double& value, double parts) {
   value = std::round(value * scale / large * parts) * large / (parts * scale);
 }
 
-/// Straight on from its first column.
+/// Straightens the cord, in the direction of its first link.
 void straighten(SceneCord& cord) {
   CordDef& def = cord.def;
   const auto middle = [&](int i) {

@@ -6,29 +6,29 @@
 
 namespace any_scene {
 
-// Ways to make a scene smaller. Each leaves a scene that is whole: what refers to what is gone, goes.
+// Edits that make a scene smaller. Each one leaves a valid scene: it also removes references to what it removes.
 
 void remove_cord(Scene& scene, int cord);
 void remove_solid(Scene& scene, int solid);
-/// Takes columns off a cord's end or front, with what holds or drives these. Nothing if fewer than three were left.
+/// Removes columns and their holds and drives from an end of a cord. Does nothing if fewer than three would remain.
 void cut_cord(Scene& scene, int cord, int columns, bool front);
-/// Leaves out every other column, of an odd number of them.
+/// Removes every other column of a cord with an odd number of columns.
 void halve_points(Scene& scene, int cord);
 
-/// m, the place of a hold on its cord at the start.
+/// Returns the place of a hold on its cord at the start, m.
 ribbon::Vec2 place_of(const Scene& scene, const Hold& hold);
-/// Puts all hands where the cords are.
+/// Moves all holding solids to the cords that they hold.
 void hold_again(Scene& scene);
 
 using CordEdit = void (*)(SceneCord& cord);
 using SolidEdit = void (*)(Solid& solid);
 using HoldEdit = void (*)(Hold& hold);
-/// Each takes one term away.
+/// Returns the edits that each switch off one term.
 std::span<const CordEdit> term_edits();
 std::span<const SolidEdit> solid_edits();
 std::span<const HoldEdit> hold_edits();
 
-/// Rounds all numbers to multiples of 1/parts, of those with a scale (masses, stiffnesses) to as many digits.
+/// Rounds lengths to multiples of 1/parts, and masses and stiffnesses to as many significant digits.
 void round_cord(SceneCord& cord, double parts);
 void round_solid(Solid& solid, double parts);
 

@@ -4,20 +4,20 @@
 
 namespace any_scene {
 
-// Figures of a world that are looked at after each tick.
+// Figures of a world, evaluated after each tick.
 
-/// Energy that comes from nowhere, as a share of the greatest kinetic energy so far and the weight of all times the
+/// Measures the energy that the solver adds, divided by the greatest kinetic energy so far + the total weight times the
 /// range of heights so far.
 class EnergyBalance {
  public:
-  /// J, N, m: at the start.
+  /// Takes the start's energy [J], the total weight [N] and the lowest and highest place [m].
   EnergyBalance(const World::Energy& start, double weight, ribbon::Vec2 heights);
 
   struct Gain {
     double in_tick = 0.0;
-    double since_lowest = 0.0;  ///< since energy was the least
+    double since_lowest = 0.0;  ///< since the lowest energy so far
   };
-  /// After a tick.
+  /// Updates the balance after a tick, and returns the gains.
   Gain take(const World::Energy& now, ribbon::Vec2 heights);
 
  private:
@@ -28,18 +28,18 @@ class EnergyBalance {
   double before_;
 };
 
-/// Of inextensible ropes the furthest that a link is off its length, relative; of the others the greatest strain.
+/// Holds the greatest relative length error of inextensible ropes, and the greatest strain of all other cords.
 struct Lengths {
   double stretch = 0.0;
   double strain = 0.0;
 };
 Lengths lengths(const ribbon::box2d::Coupling& coupling);
-/// Corners of cells that are inside out, of ribbons with area stiffness.
+/// Returns the number of inverted corners of cells, of ribbons with area stiffness.
 int inverted(const ribbon::box2d::Coupling& coupling);
 
 /// Returns the Newton steps of the last tick. Each island counts once, if islands can be distinguished.
 int work(const ribbon::box2d::Coupling& coupling);
-/// Substeps of the last tick, of all islands.
+/// Returns the number of unconverged substeps of the last tick, of all islands.
 int unconverged(const ribbon::box2d::Coupling& coupling);
 
 }  // namespace any_scene

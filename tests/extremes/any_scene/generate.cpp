@@ -13,7 +13,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr Vec2 cords_low{-5.0, 0.0};  // m, where cords begin
+constexpr Vec2 cords_low{-5.0, 0.0};  // m, range of the cords' first points
 constexpr Vec2 cords_high{5.0, 6.0};
 constexpr Vec2 scenery_low{-6.0, -3.0};
 constexpr Vec2 scenery_high{6.0, 2.0};
@@ -21,7 +21,7 @@ constexpr Vec2 bodies_low{-6.0, -2.5};
 constexpr Vec2 bodies_high{6.0, 7.0};
 constexpr double ground = -4.0;  // m
 
-/// What a family declares; the rest is thrown.
+/// What a family prescribes; all else is random.
 struct Recipe {
   int min_cords = 1;
   int max_cords = 1;
@@ -58,7 +58,7 @@ void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
   const double across = link * dice(0.3, 1.0);
   def.width = across * (def.rows - 1);
   def.radius = std::min(def.radius, 0.45 * across);
-  // So that sound in it is faster than what it falls at: 55 m/s.
+  // Lower bound: the speed of sound exceeds the speed of fall, 55 m/s.
   def.stretch_stiffness = log_uniform(dice, std::max(1e3, 3e3 * def.mass_per_length), 1e6);
   def.bending_stiffness = 0.0;
   def.tension_only = false;
@@ -70,7 +70,7 @@ void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
   const double most = std::min(10.0, solid);
   if (def.rows > 2 || dice.coin()) def.bending_stiffness = log_uniform(dice, std::min(1e-2, 0.1 * most), most);
   if (dice.coin()) def.poisson_ratio = dice(0.0, 0.4);
-  if (dice.coin() || !may_be_bars) def.area_stiffness = 1.0;  // it may be crushed
+  if (dice.coin() || !may_be_bars) def.area_stiffness = 1.0;  // against inversion
 }
 
 CordDef some_cord(Dice& dice, const Recipe& recipe, bool mixed) {
@@ -120,7 +120,7 @@ Solid some_ground(Dice& dice) {
   return solid;
 }
 
-/// Brings the last bodies to cords, to hold them.
+/// Moves the last bodies to cords and lets them hold these.
 void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
   Room room(scene);
   std::vector<int> free;
@@ -172,7 +172,7 @@ Scene generate(const Which& which) {
   add_scenery(dice, room, scene);
   for (int k = whole(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
     const CordDef def = some_cord(dice, recipe, mixed);
-    // Where there is no place in a hundred tries, there is one higher up.
+    // If a hundred tries find no free place, search higher up.
     if (!room.add_cord(dice, def, cords_low, cords_high)) room.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
   }
   for (int k = whole(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {

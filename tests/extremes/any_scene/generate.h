@@ -8,42 +8,42 @@
 
 namespace any_scene {
 
-/// What a scene is about.
+/// The subject of a scene.
 enum class Family : unsigned char {
   rope_falls,    ///< one rope on scenery
   rope_self,     ///< the same with self_contact
   ropes_mutual,  ///< three ropes with cord_contact
   ropes_both,    ///< three ropes with both
-  hold_points,   ///< one rope and five bodies of which two hold points of it
-  hold_between,  ///< the same between points
-  grips_slip,    ///< grips of little strength
+  hold_points,   ///< one rope and five bodies, of which two hold points of it
+  hold_between,  ///< the same, with holds between points
+  grips_slip,    ///< grips of low strength
   ribbon_falls,  ///< a ribbon of 2 to 4 rows on scenery
   ribbons_both,  ///< ribbons with both contacts
-  mixed,         ///< all that there is
+  mixed,         ///< all of these
 };
 constexpr std::array<Family, 10> all_families = {
     Family::rope_falls,   Family::rope_self,  Family::ropes_mutual, Family::ropes_both,   Family::hold_points,
     Family::hold_between, Family::grips_slip, Family::ribbon_falls, Family::ribbons_both, Family::mixed};
 std::string_view name(Family family);
 
-/// How much a scene is asked to bear.
+/// The difficulty of a scene.
 enum class Mood : unsigned char {
-  gentle,  ///< nothing overlaps, nothing drives
+  gentle,  ///< no overlaps, no drives
   wild,    ///< overlaps at the start, kinematic bodies, drags, reels, climbers, and speeds up to 100 m/s
 };
 std::string_view name(Mood mood);
 
-/// Which scene.
+/// Identifies a generated scene.
 struct Which {
   unsigned seed = 0;
   Family family = Family::rope_falls;
   Mood mood = Mood::gentle;
-  std::optional<Preset> preset;  ///< or the seed's
+  std::optional<Preset> preset;  ///< empty: the seed decides
 
   bool operator==(const Which&) const = default;
 };
 
-/// The same scene for the same arguments.
+/// Generates a scene. Equal arguments give equal scenes.
 Scene generate(const Which& which);
 
 }  // namespace any_scene

@@ -10,7 +10,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double own_neighbourhood = 3.0;  // radii, as the solver's
+constexpr double own_neighbourhood = 3.0;  // radii, as in the solver
 constexpr double polygon_skin = 0.01;      // m, b2_polygonRadius
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
@@ -22,7 +22,7 @@ double depth_in_box(Vec2 half, Vec2 a, Vec2 b) {
     if (q.x <= 0.0 && q.y <= 0.0) return -std::max(q.x, q.y);
     return -ribbon::length({std::max(q.x, 0.0), std::max(q.y, 0.0)});
   };
-  double low = 0.0;  // the depth is a concave function along the segment
+  double low = 0.0;  // the depth is a concave function along the segment: ternary search
   double high = 1.0;
   for (int k = 0; k < 40; ++k) {
     const double third = (high - low) / 3.0;
@@ -140,7 +140,7 @@ std::vector<char> neighbours(const ribbon::CordDef& def) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const double apart = distance(rest.start(i), rest.end(i), rest.start(j), rest.end(j));
-      // Links that share a point are 0 apart.
+      // Links that share a point have distance 0.
       near[slot(i * n + j)] = apart <= 1e-9 || apart < own_neighbourhood * def.radius * (1.0 + 1e-9) ? 1 : 0;
     }
   }

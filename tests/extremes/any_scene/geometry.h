@@ -9,22 +9,22 @@
 
 namespace any_scene {
 
-// Geometry of the oracles, written apart from the solver's.
+// Geometry of the oracles, independent of the solver's.
 
-/// m, from a point to a segment.
+/// Returns the distance from a point to a segment, m.
 double distance(ribbon::Vec2 p, ribbon::Vec2 a, ribbon::Vec2 b);
-/// m, between two segments, 0 where they cross.
+/// Returns the distance between two segments, m; 0 if they cross.
 double distance(ribbon::Vec2 a, ribbon::Vec2 b, ribbon::Vec2 c, ribbon::Vec2 d);
-/// Whether two segments cross in their insides.
+/// Returns whether the interiors of two segments cross.
 bool crosses(ribbon::Vec2 a, ribbon::Vec2 b, ribbon::Vec2 c, ribbon::Vec2 d);
 
-/// Where something is at two successive ticks; between them it is taken to move straight.
+/// A point's positions at two successive ticks. The motion between them is taken as linear.
 struct Swept {
   ribbon::Vec2 before;
   ribbon::Vec2 after;
 };
-/// Where along the link from a to b, 0 … 1, the point p passes to its other side; nothing if it does not, or passes and
-/// returns.
+/// Returns the place along the link from a to b, 0 … 1, at which p passes to the other side. Returns nothing if p ends
+/// on the side where it started.
 std::optional<double> passes(Swept p, Swept a, Swept b);
 
 /// A position and a rotation.
@@ -37,13 +37,13 @@ struct Pose {
 };
 Pose pose_of(const Solid& solid);
 
-/// m, how deep the deepest point of a segment is inside a solid, its surface being at 0; negative outside. A circle's
-/// deepest place is its centre; an edge has no inside: minus the distance.
+/// Returns the greatest depth of a segment below a solid's surface, m; negative outside. A circle is deepest at its
+/// centre. An edge has no interior: the depth is minus the distance.
 double depth(const Solid& solid, const Pose& pose, ribbon::Vec2 a, ribbon::Vec2 b);
-/// m, of a box and an edge, that Box2D's polygons are thicker.
+/// Returns the thickness that Box2D adds to a box or an edge, m.
 double skin(const Solid& solid);
 
-/// What of a cord can be touched: a rope's line, a ribbon's closed outline.
+/// The part of a cord that takes part in contact: a rope's line, or a ribbon's closed outline.
 struct Outline {
   std::vector<ribbon::Vec2> points;
   bool closed = false;
@@ -52,10 +52,10 @@ struct Outline {
   ribbon::Vec2 end(int link) const { return points[static_cast<std::size_t>(link + 1) % points.size()]; }
 };
 Outline outline(const ribbon::CordDef& def, std::span<const ribbon::Vec2> positions);
-/// The outline of a cord that is straight and at rest.
+/// Returns the outline of a straight cord at rest.
 Outline outline_at_rest(const ribbon::CordDef& def);
-/// By pair of links, i · links + j: whether they are so near each other at rest that the solver does not keep all of
-/// them apart.
+/// Returns for each pair of links, at i · links + j, whether they are so close at rest that the solver does not
+/// separate all of them.
 std::vector<char> neighbours(const ribbon::CordDef& def);
 
 }  // namespace any_scene

@@ -14,12 +14,12 @@ using ribbon::Vec2;
 namespace {
 
 constexpr double clearance = 1e-3;  // m
-constexpr double touching = 1e-6;   // m, that a holder may overlap its cord
+constexpr double touching = 1e-6;   // m, allowed overlap of a holder and its cord
 constexpr int tries = 100;
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-/// A turn by the angle 2·atan(t).
+/// Rotates by the angle 2·atan(t).
 Vec2 turned(Vec2 d, double t) {
   const double cos = (1.0 - t * t) / (1.0 + t * t);
   const double sin = 2.0 * t / (1.0 + t * t);
@@ -28,7 +28,7 @@ Vec2 turned(Vec2 d, double t) {
 
 Vec2 unit(Vec2 d) { return (1.0 / length(d)) * d; }
 
-/// Columns whose links are of the rest length: straight, on an arc or in zigzag.
+/// Returns columns with links of the rest length: straight, on an arc or in a zigzag.
 std::vector<Vec2> line(Dice& dice, const CordDef& def, Vec2 start) {
   const double link = def.length / (def.points - 1);
   Vec2 d = direction(dice);
@@ -46,7 +46,7 @@ std::vector<Vec2> line(Dice& dice, const CordDef& def, Vec2 start) {
   return points;
 }
 
-/// The rows of a ribbon around its middle line.
+/// Returns the rows of a ribbon around its middle line.
 std::vector<Vec2> rows_of(const CordDef& def, const std::vector<Vec2>& middle) {
   std::vector<Vec2> positions;
   for (int i = 0; i < def.points; ++i) {
@@ -82,7 +82,7 @@ bool are_clear(const CordDef& a, const Outline& around_a, const CordDef& b, cons
   return true;
 }
 
-/// m, how far a solid's surface is from its origin in the direction n.
+/// Returns the support function: the distance from a solid's origin to its surface in the direction n, m.
 double support(const Solid& solid, Vec2 n) {
   const Pose pose{{}, std::cos(solid.angle), std::sin(solid.angle)};
   const Vec2 local = pose.to_local(n);

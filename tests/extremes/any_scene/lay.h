@@ -9,26 +9,26 @@ namespace any_scene {
 
 using test_support::Dice;
 
-/// A whole number, low … high.
+/// Returns a random integer in low … high.
 int whole(Dice& dice, int low, int high);
 bool chance(Dice& dice, double share);
-/// Spread over the decades between low and high, with + − · / and √ only.
+/// Returns a log-uniform random number between low and high. Uses + − · / and √ only, so that it is portable.
 double log_uniform(Dice& dice, double low, double high);
-/// Of length 1.
+/// Returns a random unit vector.
 ribbon::Vec2 direction(Dice& dice);
 
-/// A scene's things while it is laid out; what is added keeps clear of what is there.
+/// Places a scene's objects. Each added object is clear of those already present.
 class Room {
  public:
   explicit Room(Scene& scene) : scene_(scene) {}
 
   bool is_clear(const Solid& solid, int except = -1) const;
   bool is_clear(const ribbon::CordDef& def, const std::vector<ribbon::Vec2>& positions) const;
-  /// Adds what is clear; false if no place was found.
+  /// Adds an object at a clear place. Returns false if none is found.
   bool add_solid(Dice& dice, Solid solid, ribbon::Vec2 low, ribbon::Vec2 high);
   bool add_cord(Dice& dice, ribbon::CordDef def, ribbon::Vec2 low, ribbon::Vec2 high);
-  /// Moves a solid to a cord so that it touches it at the arc, on either side, and gives the hold; false if it would
-  /// overlap something else.
+  /// Moves a solid to a cord so that it touches the cord at the arc on either side, and sets the hold. Returns false if
+  /// the solid would overlap another object.
   bool bring(Dice& dice, int solid, int cord, double arc, Hold& hold);
 
  private:

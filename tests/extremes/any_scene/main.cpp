@@ -34,7 +34,7 @@ struct Options {
   any_scene::RunOptions run;
 };
 
-/// "7" or "0-999".
+/// Parses "7" or "0-999".
 std::pair<unsigned, unsigned> range_of(const std::string& seeds) {
   const std::size_t dash = seeds.find('-');
   const auto first = static_cast<unsigned>(std::stoul(seeds));
@@ -58,7 +58,7 @@ std::vector<Which> wanted(const Options& options, unsigned first, unsigned last)
   return scenes;
 }
 
-/// The key of a run.
+/// Returns the sort key of a run.
 std::tuple<unsigned, Family, any_scene::Mood, Preset> key(const Which& which) {
   return {which.seed, which.family, which.mood, which.preset.value_or(static_cast<Preset>(which.seed % 3))};
 }
@@ -74,7 +74,7 @@ std::vector<any_scene::Summary> read(const std::string& path) {
 
 using Keys = std::set<decltype(key({}))>;
 
-/// Of what is asked for, the runs of another solver.
+/// Returns the requested runs of the earlier solver.
 std::vector<any_scene::Summary> of_before(const Options& options, const Keys& asked) {
   std::vector<any_scene::Summary> runs;
   if (options.before.empty()) return runs;
@@ -84,7 +84,7 @@ std::vector<any_scene::Summary> of_before(const Options& options, const Keys& as
   return runs;
 }
 
-/// Runs what is not in the file yet, appends it, prints the table of all that was asked for, and draws it.
+/// Runs the scenes that the file lacks, appends them, prints the table of all requested runs, and plots them.
 void run(const Options& options) {
   const auto [first, last] = range_of(options.seeds);
   const std::vector<Which> scenes = wanted(options, first, last);
@@ -130,7 +130,7 @@ void print_code(const Options& options) {
   }
 }
 
-/// The figure that is asked for, or the first that is above its bar.
+/// Returns the requested figure's bar, or the first bar that the run exceeds.
 const any_scene::Bar* bar_of(const Options& options, const any_scene::Summary& run) {
   if (options.figure.empty()) return first_broken(run);
   for (const any_scene::Bar& bar : any_scene::bars()) {

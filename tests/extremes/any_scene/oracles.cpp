@@ -12,7 +12,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr int same_crossing = 4;  // links by which a crossing may slide in a tick and be the same one
+constexpr int same_crossing = 4;  // links by which a crossing may slide in a tick and still count as the same
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
@@ -26,7 +26,7 @@ int apart(int i, int j, const Outline& line) {
   return line.closed ? std::min(d, line.links() - d) : d;
 }
 
-/// Pairs of links that cross; of one line with itself each pair once.
+/// Returns the pairs of links that cross. If both outlines are one line, each pair counts once.
 std::vector<Pair> crossing_pairs(const Outline& a, const Outline& b, bool itself) {
   std::vector<Pair> found;
   for (int i = 0; i < a.links(); ++i) {
@@ -42,14 +42,14 @@ Swept swept(const Outline& before, const Outline& after, int point) {
   return {before.points[k], after.points[k]};
 }
 
-/// Whether the place s of a link is within `margin` of a free end of its line: what comes round it passes nothing.
+/// Returns whether the place s of a link is within `margin` of a free end. A passage around a free end is no crossing.
 bool is_at_end(const Outline& line, int link, double s, double margin) {
   if (line.closed) return false;
   const double size = length(line.end(link) - line.start(link));
   return (link == 0 && s * size < margin) || (link == line.links() - 1 && (1.0 - s) * size < margin);
 }
 
-/// Whether a point passes through a link of a line, but at its ends.
+/// Returns whether a point passes through a link of a line, away from its ends.
 template <typename Skip>
 bool passes_line(Swept p, const Outline& before, const Outline& after, double margin, Skip&& skip) {
   for (int j = 0; j < before.links(); ++j) {
@@ -96,7 +96,7 @@ std::vector<Meeting> Oracles::crossings(const Snapshot& before, const Snapshot& 
   return found;
 }
 
-/// New is a crossing that was not near there before, if they are more than before.
+/// A crossing is new if the number of crossings grew and no crossing was near it before.
 bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const {
   const Outline& a0 = before.cords[slot(a)];
   const Outline& b0 = before.cords[slot(b)];
@@ -131,7 +131,7 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   return a_passes_b(a0, a1, b0, b1) || (a != b && a_passes_b(b0, b1, a0, a1));
 }
 
-/// m, of the deepest link.
+/// Returns the depth of the deepest link, m.
 double Oracles::depth_of(int cord, int solid, const Snapshot& now) const {
   const Outline& line = now.cords[slot(cord)];
   double deepest = -std::numeric_limits<double>::infinity();
@@ -154,7 +154,7 @@ bool Oracles::solid_crossed(int cord, int solid, const Snapshot& before, const S
   return passes_line(center, before.cords[slot(cord)], after.cords[slot(cord)], radius, [](int) { return false; });
 }
 
-/// In the edge's own frame.
+/// Works in the edge's own frame.
 bool Oracles::edge_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const {
   const double half = scene_.solids[slot(solid)].half.x;
   const Outline edge{{{-half, 0.0}, {half, 0.0}}};
@@ -170,7 +170,7 @@ bool Oracles::edge_crossed(int cord, int solid, const Snapshot& before, const Sn
   return false;
 }
 
-/// m, between the lines of two cords or of one with itself; `within` if they are further.
+/// Returns the distance between the lines of two cords, or of one with itself, m; `within` if it is greater.
 double Oracles::nearest(int a, int b, const Snapshot& now, double within) const {
   const Outline& first = now.cords[slot(a)];
   const Outline& second = now.cords[slot(b)];

@@ -4,37 +4,37 @@
 
 namespace any_scene {
 
-// What must never be, found from where things are at successive ticks, without the solver's help.
+// Detects forbidden states from positions at successive ticks, independent of the solver.
 
 /// A cord and what it crosses: itself, another cord or a solid.
 struct Meeting {
   int cord = 0;
-  int other = 0;         ///< a cord's index, or a solid's
-  bool solid = false;    ///< which of these
-  bool pressed = false;  ///< of a solid: Box2D has pushed it in the tick or the one before
+  int other = 0;         ///< index of a cord or of a solid
+  bool solid = false;    ///< whether `other` is a solid
+  bool pressed = false;  ///< whether Box2D pushed the solid in this tick or the one before
 };
 
-/// How deep something is in something, at its deepest.
+/// The greatest depth of a penetration, and its place.
 struct Depth {
-  double share = 0.0;  ///< of the contact distance
+  double share = 0.0;  ///< divided by the contact distance
   Meeting where;
 };
 
-/// Judges a scene's snapshots; what depends on the scene alone is found once.
+/// Judges a scene's snapshots. The constructor computes what depends on the scene alone.
 class Oracles {
  public:
   explicit Oracles(const Scene& scene);
 
-  /// Pairs of a cord and another, itself or a solid that have crossed between two ticks:
-  /// - lines of cords that both declare contact, or of one that declares it with itself, cross and did not before, or a
-  ///   point has passed through a link; links which are close at rest are left out;
-  /// - a line has come nearer to a circle's centre than half of the contact distance, deeper into a box than its radius
-  ///   and a fifth of the half thickness, or to the other side of an edge; what ever holds a cord is left out.
+  /// Returns the pairs of a cord and a cord (or itself) or a solid that crossed between two ticks:
+  /// - Lines of cords that both declare contact, or of one that declares self-contact, cross and did not before, or a
+  ///   point passed through a link. Links that are close at rest are exempt.
+  /// - A line came nearer to a circle's centre than half of the contact distance, deeper into a box than its radius
+  ///   and a fifth of the half thickness, or to the other side of an edge. A solid that ever holds the cord is exempt.
   std::vector<Meeting> crossings(const Snapshot& before, const Snapshot& after) const;
-  /// The deepest penetration as a share of the contact distance: for a cord and a solid the cord's radius and the
-  /// polygon's skin, so that 1 is a line on the surface; for two cords the sum of their radii.
+  /// Returns the deepest penetration divided by the contact distance. For a cord and a solid this is the cord's radius
+  /// plus the polygon's skin, so that 1 is a line on the surface; for two cords it is the sum of their radii.
   Depth penetration(const Snapshot& now) const;
-  /// m, the deepest overlap of any two of cords and solids, contacts declared or not; holders touch.
+  /// Returns the deepest overlap of any two objects, with or without contact, m. Holders touch their cords.
   double overlap(const Snapshot& now) const;
 
  private:
@@ -46,12 +46,12 @@ class Oracles {
   double depth_of(int cord, int solid, const Snapshot& now) const;
 
   Scene scene_;
-  std::vector<std::vector<char>> near_;  // by cord: neighbours()
+  std::vector<std::vector<char>> near_;  // by cord: the result of neighbours()
 };
 
-/// m, by which two solids overlap, negative where they are apart.
+/// Returns the overlap of two solids, m; negative if they are apart.
 double overlap(const Solid& a, const Solid& b);
-/// m, the same of a cord's line with its radius and a solid.
+/// Returns the overlap of a solid and a cord's line with its radius, m.
 double overlap(const ribbon::CordDef& cord, const Outline& line, const Solid& solid);
 
 }  // namespace any_scene

@@ -1,4 +1,4 @@
-// Whether things overlap at the start.
+// Overlaps at the start.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-/// A solid as rounded segments: a circle's centre, an edge, a box's sides.
+/// Returns a solid's core as segments: a circle's centre, an edge, a box's sides.
 std::vector<std::array<Vec2, 2>> sides(const Solid& solid, const Pose& pose) {
   const Vec2 h = solid.half;
   if (solid.shape == Shape::circle) return {{pose.position, pose.position}};

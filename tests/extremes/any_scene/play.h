@@ -9,42 +9,42 @@
 
 namespace any_scene {
 
-/// What a tick was like.
+/// The figures of one tick.
 struct Sample {
-  int work = 0;               ///< Newton steps, each island once
+  int work = 0;               ///< Newton steps; each island counts once
   int unconverged = 0;        ///< substeps
-  double left = 0.0;          ///< m, CordReport::position_error of the worst of them; 0 if all converged
-  double milliseconds = 0.0;  ///< of Coupling::step; for information
-  double stretch = 0.0;       ///< of inextensible ropes, relative
-  double strain = 0.0;        ///< of the others
+  double left = 0.0;          ///< m, the greatest CordReport::position_error of them; 0 if all converged
+  double milliseconds = 0.0;  ///< of Coupling::step; for information only
+  double stretch = 0.0;       ///< of inextensible ropes, relative length error
+  double strain = 0.0;        ///< of all other cords
   double speed = 0.0;         ///< m/s, of the fastest point
   double energy = 0.0;        ///< J
-  double gain = 0.0;          ///< energy gained in the tick, of the greatest kinetic energy so far + m·g·height range
-  double rise = 0.0;          ///< the same since the lowest energy so far
+  double gain = 0.0;          ///< energy gained in the tick / (greatest kinetic energy so far + m·g·height range)
+  double rise = 0.0;          ///< the same, since the lowest energy so far
   World::Gaps gaps;
   Depth penetration;               ///< Oracles::penetration
   std::vector<Meeting> crossings;  ///< Oracles::crossings
-  int inverted = 0;                ///< corners of ribbons turned inside out that were not
+  int inverted = 0;                ///< number of newly inverted corners of ribbons
   bool finite = true;
 };
 
 /// How a run ended.
 enum class End : unsigned char {
-  whole,    ///< after all ticks
-  cut,      ///< after the time that it was given
-  broken,   ///< something was not finite
-  refused,  ///< its definition was
-  crashed,  ///< its process ended
+  whole,    ///< all ticks were played
+  cut,      ///< the time limit was exceeded
+  broken,   ///< a number was not finite
+  refused,  ///< the definition was refused
+  crashed,  ///< the process crashed
 };
 std::string_view name(End end);
 
 struct Outcome {
   std::vector<Sample> ticks;
   End end = End::whole;
-  std::string message;  ///< why it was refused
+  std::string message;  ///< the reason of a refusal
 };
 
-/// Plays a scene, for at most so many seconds; what exceeds them ends after the tick that does.
+/// Plays a scene. Stops after the tick in which the time exceeds `max_seconds`.
 Outcome play(const Scene& scene, double max_seconds);
 
 }  // namespace any_scene

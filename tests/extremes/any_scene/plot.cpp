@@ -34,11 +34,11 @@ struct Bar {
 
 struct Histogram {
   std::vector<Bar> bars;
-  long all = 0;         // what a bar's count is a share of
-  std::string figures;  // in words
+  long all = 0;         // the denominator of a bar's share
+  std::string figures;  // as text
 };
 
-/// By bins of powers of ten.
+/// Bins by powers of ten.
 std::vector<Bar> bars_of(const std::map<int, long>& counts) {
   std::vector<Bar> bars;
   for (const auto& [bin, count] : counts) bars.push_back({end_of_bin(bin - 1), end_of_bin(bin), count});
@@ -51,8 +51,8 @@ std::string percent(long count, long all) {
   return out.str();
 }
 
-/// Ticks by linear systems. A bar goes from half a system below to half a one above: on an axis of powers 0 has a
-/// place.
+/// Returns the histogram of ticks by linear systems. A bar extends from n − ½ to n + ½, so that 0 has a place on the
+/// logarithmic axis.
 Histogram work_of(const Runs& runs) {
   std::map<int, int> ticks;
   std::map<int, long> bins;
@@ -75,7 +75,7 @@ Histogram work_of(const Runs& runs) {
   return all;
 }
 
-/// Ticks by what was left of them, m.
+/// Returns the histogram of ticks by their residual, m.
 Histogram left_of(const Runs& runs) {
   std::map<int, long> bins;
   Histogram all;
@@ -99,7 +99,7 @@ Histogram left_of(const Runs& runs) {
   return all;
 }
 
-/// Scenes with inextensible ropes, by the furthest that a link of one is off its length, as a share of it.
+/// Returns the histogram of scenes by the greatest relative length error of their inextensible ropes.
 Histogram stretch_of(const Runs& runs) {
   std::map<int, long> bins;
   Histogram all;
@@ -115,7 +115,7 @@ Histogram stretch_of(const Runs& runs) {
   return all;
 }
 
-/// A row of panels, one a preset.
+/// A row of panels, one for each preset.
 struct Kind {
   const char* name;
   const char* axis;
@@ -131,7 +131,7 @@ constexpr std::array kinds = {
     Kind{"stretch", "the greatest stretch in a scene", "share of scenes", false, "[1e-9:1e2]", stretch_of},
 };
 
-/// As a word for gnuplot.
+/// Quotes a string for gnuplot.
 std::string quoted(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("''") : std::string(1, c);
@@ -142,7 +142,7 @@ double share(const Bar& bar, const Histogram& histogram) {
   return static_cast<double>(bar.count) / static_cast<double>(histogram.all);
 }
 
-/// The outline of its bars, from the axis and back to it.
+/// Returns the closed outline of the bars as a gnuplot data block.
 std::string block(const std::string& name, const Histogram& histogram, double least_share) {
   std::ostringstream out;
   out << name << " << END\n";
@@ -163,7 +163,7 @@ std::string label(const char* when, const Histogram& histogram, double height, c
   return out.str();
 }
 
-/// Sets the axis of shares, with space for labels above 1, or above the highest bar. Returns the base of the bars.
+/// Sets the axis of shares, with space for labels above 1, or above the highest bar. Returns the bars' base.
 double set_shares(std::ostream& out, const Kind& kind, const Histogram& before, const Histogram& now) {
   if (kind.log_share) {
     const double least = 0.5 / static_cast<double>(std::max({before.all, now.all, 1L}));
@@ -179,7 +179,7 @@ double set_shares(std::ostream& out, const Kind& kind, const Histogram& before, 
   return 0.0;
 }
 
-/// What was before is grey, behind what is now.
+/// Draws the earlier solver in grey, behind the current one.
 std::string panel(const Kind& kind, const std::string& name, const Histogram& before, const Histogram& now) {
   std::ostringstream out;
   out << "unset label\n" << label("before", before, 0.93, before_text_color) << label("now", now, 0.84, now_color);

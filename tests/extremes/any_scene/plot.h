@@ -7,12 +7,12 @@
 
 namespace any_scene {
 
-/// What gnuplot draws from, by preset: the shares of ticks by the linear systems that they took and by what was left
-/// unsolved, and of scenes by the greatest stretch of their inextensible ropes; those of another solver, if there are
-/// any, in grey behind. It writes an SVG to `path`.
+/// Returns a gnuplot script that writes an SVG to `path`. It shows by preset the shares of ticks by number of linear
+/// systems and by residual, and the shares of scenes by the greatest stretch of their inextensible ropes. Runs of an
+/// earlier solver, if any, are in grey behind.
 std::string plot_of(const std::vector<Summary>& runs, const std::vector<Summary>& before, const std::string& path);
 
-/// Has gnuplot draw that. Throws std::runtime_error if it could not.
+/// Runs gnuplot on that script. Throws std::runtime_error if gnuplot fails.
 void draw(const std::vector<Summary>& runs, const std::vector<Summary>& before, const std::string& path);
 
 }  // namespace any_scene

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A run in a process of its own, which writes its summary into a pipe.
+/// A process that plays one scene and writes its summary into a pipe.
 struct Child {
   Which which;
   pid_t process = 0;
@@ -59,7 +59,7 @@ Child begin(const Which& which, const std::function<Scene()>& scene_of, double m
   return {which, process, ends[0], Clock::now()};
 }
 
-/// What a child that has ended has written; if nothing, it was ended or crashed.
+/// Reads the summary of an ended child. An empty pipe means that the child was killed or crashed.
 Summary collect(const Child& child, bool was_ended) {
   const std::string line = read_all(child.pipe);
   ::close(child.pipe);
@@ -75,7 +75,7 @@ Summary collect(const Child& child, bool was_ended) {
   return summary;
 }
 
-/// Whether it has ended, or is made to because its time is up. A summary fits into a pipe.
+/// Returns whether the child has ended; kills it if its time is up. A summary fits into a pipe's buffer.
 bool has_ended(const Child& child, double max_seconds, bool& was_ended) {
   int status = 0;
   if (::waitpid(child.process, &status, WNOHANG) == child.process) return true;

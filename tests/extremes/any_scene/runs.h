@@ -8,15 +8,15 @@
 
 namespace any_scene {
 
-/// How runs are made.
+/// Options of a set of runs.
 struct RunOptions {
-  double max_seconds = 20.0;  ///< a scene; what hangs in a tick is ended half as long later
-  int jobs = 2;               ///< scenes at a time, each in a process of its own, so that one that crashes is counted
+  double max_seconds = 20.0;  ///< per scene; a tick that hangs is killed after half of that more
+  int jobs = 2;               ///< number of parallel processes; one per scene, so that a crash affects one scene only
 };
 
-/// Plays the scenes and hands over their summaries as they come.
+/// Plays the scenes, and calls `take` with each summary as its scene ends.
 void run_all(std::span<const Which> scenes, const RunOptions& options, const std::function<void(const Summary&)>& take);
-/// The same of one scene that was not generated.
+/// Plays one scene that was not generated, in its own process.
 Summary run_guarded(const Which& which, const Scene& scene, double max_seconds);
 
 }  // namespace any_scene

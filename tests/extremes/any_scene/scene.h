@@ -8,14 +8,14 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/vec2.h"
 
-/// Scenes made at random: what a scene is, how one is made, played, judged, made smaller and printed.
+/// Random scenes: definition, generation, playing, judging, shrinking and printing.
 namespace any_scene {
 
 enum class Preset : unsigned char { fast, balanced, accurate };
 enum class Motion : unsigned char { fixed, dynamic, kinematic };
 enum class Shape : unsigned char { circle, box, edge };
 
-/// "fast", "balanced" or "accurate".
+/// Returns "fast", "balanced" or "accurate".
 std::string_view name(Preset preset);
 ribbon::Accuracy accuracy_of(Preset preset);
 
@@ -25,7 +25,7 @@ struct Solid {
   Shape shape = Shape::circle;
   ribbon::Vec2 position;          ///< m
   double angle = 0.0;             ///< rad
-  ribbon::Vec2 half{0.2, 0.2};    ///< m: x is a circle's radius or half an edge's length; half the sides of a box
+  ribbon::Vec2 half{0.2, 0.2};    ///< m: x is a circle's radius or half an edge's length; x, y are half a box's sides
   double density = 1.0;           ///< kg/m²
   double friction = 0.0;          ///< 0 … 1
   double restitution = 0.0;       ///< 0 … 1
@@ -35,9 +35,9 @@ struct Solid {
   bool operator==(const Solid&) const = default;
 };
 
-/// A cord with the velocity that all of it has at the start.
+/// A cord and its initial velocity, uniform over all points.
 struct SceneCord {
-  ribbon::CordDef def;    ///< with its positions; its accuracy is that of the scene's preset
+  ribbon::CordDef def;    ///< with positions; the scene's preset sets the accuracy
   ribbon::Vec2 velocity;  ///< m/s
 
   bool operator==(const SceneCord&) const = default;
@@ -45,31 +45,31 @@ struct SceneCord {
 
 /// A solid that holds a cord.
 struct Hold {
-  int solid = 0;                                              ///< which one
-  int cord = 0;                                               ///< which one
+  int solid = 0;                                              ///< index
+  int cord = 0;                                               ///< index
   double arc = 0.0;                                           ///< m at rest from the cord's first point
   int row = 0;                                                ///< of a ribbon
   ribbon::Vec2 local_anchor;                                  ///< m, in the solid's own frame
-  double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
-  bool lets_go = false;                                       ///< in place of slipping
-  double climb_to = -1.0;                                     ///< m at rest, where it climbs to; below 0: it stays
+  double strength = std::numeric_limits<double>::infinity();  ///< N, above which the hold slips
+  bool lets_go = false;                                       ///< releases instead of slipping
+  double climb_to = -1.0;                                     ///< m at rest, the target of a climb; below 0: no climb
   double climb_speed = 1.0;                                   ///< m/s
 
   bool operator==(const Hold&) const = default;
 };
 
-/// A point that is dragged along a path, from corner to corner, and then let go.
+/// Drags a point along a path from corner to corner, then releases it.
 struct Drag {
-  int cord = 0;                    ///< which one
-  int point = 0;                   ///< its point
-  int from_tick = 0;               ///< in which it begins
+  int cord = 0;                    ///< index
+  int point = 0;                   ///< index in the cord
+  int from_tick = 0;               ///< the first tick
   double speed = 1.0;              ///< m/s
-  std::vector<ribbon::Vec2> path;  ///< m, from where the point is then
+  std::vector<ribbon::Vec2> path;  ///< m, relative to the point's position at the first tick
 
   bool operator==(const Drag&) const = default;
 };
 
-/// Links that are reeled from a tick on: ribbon::Cord::reel.
+/// Reels links from a tick on: see ribbon::Cord::reel.
 struct Reel {
   int cord = 0;
   int first = 0;
@@ -81,7 +81,7 @@ struct Reel {
   bool operator==(const Reel&) const = default;
 };
 
-/// All that a run depends on.
+/// All inputs of a run.
 struct Scene {
   ribbon::Vec2 gravity{0.0, -9.81};  ///< m/s²
   Preset preset = Preset::balanced;
@@ -98,11 +98,11 @@ struct Scene {
 
 constexpr double dt = 1.0 / 60.0;  // s, of every scene
 
-/// Whether something adds energy: kinematic bodies that move, drags, reels and climbers.
+/// Returns whether anything adds energy: moving kinematic bodies, drags, reels or climbers.
 bool is_driven(const Scene& scene);
-/// Whether the solid ever holds the cord.
+/// Returns whether the solid holds the cord at any time.
 bool holds(const Scene& scene, int solid, int cord);
-/// Points of all cords.
+/// Returns the number of points of all cords.
 int points(const Scene& scene);
 
 }  // namespace any_scene

@@ -10,21 +10,21 @@
 namespace any_scene {
 namespace {
 
-constexpr double touching = 1e-4;   // m, that things may overlap, or be apart, which rounding moves
-constexpr double stretched = 1e-4;  // as a share, the same of links
+constexpr double touching = 1e-4;   // m, the overlap or separation allowed for rounding
+constexpr double stretched = 1e-4;  // the relative length error of links allowed for rounding
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 double ends(const Summary& run) { return run.end == End::crashed || run.end == End::broken ? 1.0 : 0.0; }
 
-/// A scene that becomes smaller as long as it fails.
+/// Holds a scene and makes it smaller as long as it fails.
 class Shrinker {
  public:
   Shrinker(const Scene& scene, const Fails& fails) : scene_(scene), fails_(fails) {}
 
   const Scene& scene() const { return scene_; }
 
-  /// Takes the edited scene if it is another one and fails too.
+  /// Accepts the edited scene if it differs and also fails.
   bool take(const Scene& edited) {
     if (edited == scene_ || !fails_(edited)) return false;
     scene_ = edited;
@@ -58,7 +58,7 @@ class Shrinker {
   const Fails& fails_;
 };
 
-/// The least number of ticks, by halving; what fails after fewer ticks fails after more, as far as this is concerned.
+/// Finds the least number of ticks by bisection. Assumes that a scene that fails after n ticks also fails after more.
 void Shrinker::end_sooner() {
   int passes = 0;
   int fails = scene_.ticks;
@@ -132,7 +132,7 @@ bool Shrinker::thin_out() {
   return any;
 }
 
-/// To fewer and fewer decimals, all of a kind at once and then one by one.
+/// Rounds to fewer and fewer decimals: first all numbers of a kind, then one at a time.
 bool Shrinker::round_numbers() {
   bool any = false;
   for (int k = 0; k < static_cast<int>(scene_.cords.size() + scene_.solids.size()); ++k) {

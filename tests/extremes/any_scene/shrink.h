@@ -8,26 +8,25 @@
 
 namespace any_scene {
 
-/// A figure of a run, and what it may be at the most.
+/// A figure of a run, and its upper bound.
 struct Bar {
   std::string_view figure;
   double most;
   double (*value)(const Summary& run);
 };
-/// Those that are looked at if none is named, the gravest first: end, crossings, inverted, unconverged, stretch, gap,
-/// rise, work.
+/// Returns the default bars, most severe first: end, crossings, inverted, unconverged, stretch, gap, rise, work.
 const std::vector<Bar>& bars();
-/// The first figure that is above its bar; null if none is.
+/// Returns the first bar that the run exceeds; null if none.
 const Bar* first_broken(const Summary& run);
 
-/// Whether a scene still fails as it should.
+/// Returns whether a scene still fails in the same way.
 using Fails = std::function<bool(const Scene& scene)>;
 
-/// Whether a scene can be built, nothing in it overlaps, holders are at their cords and links are at their lengths.
+/// Returns whether a scene can be built, has no overlaps, has holders at their cords, and has links of the rest length.
 bool starts_clear(const Scene& scene);
 
-/// The smallest scene that it finds which still fails: without cords, solids, holds, drags, reels and terms that are
-/// not needed, with fewer points and ticks, and rounder numbers. `scene` has to fail.
+/// Returns the smallest failing scene that it finds. Removes cords, solids, holds, drags, reels, terms, points and
+/// ticks, and rounds numbers. `scene` has to fail.
 Scene shrink(const Scene& scene, const Fails& fails);
 
 }  // namespace any_scene

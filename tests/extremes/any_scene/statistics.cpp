@@ -9,7 +9,6 @@
 namespace any_scene {
 namespace {
 
-/// Returns the quantile for a share.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
@@ -45,13 +44,13 @@ struct Column {
   std::function<double(const Runs&)> value;
 };
 
-/// How many of the runs are so.
+/// Returns the number of runs that meet the condition.
 template <typename Condition>
 std::function<double(const Runs&)> how_many(Condition condition) {
   return [condition](const Runs& runs) { return count(runs, condition); };
 }
 
-/// The quantile over runs of a figure.
+/// Returns the quantile over runs of a figure.
 template <typename Value>
 std::function<double(const Runs&)> over_runs(double share, Value value) {
   return [share, value](const Runs& runs) { return quantile_of(runs, share, value); };
@@ -148,7 +147,7 @@ int end_of_work_bin(int work) {
 }
 
 void print_histogram(const std::vector<Summary>& runs) {
-  std::map<int, long> bins;  // by the greatest work of the bin
+  std::map<int, long> bins;  // key: the greatest work of the bin
   long most = 1;
   for (const auto& [work, number] : all_ticks(runs)) {
     long& ticks = bins[end_of_work_bin(work)];

@@ -8,16 +8,16 @@
 
 namespace any_scene {
 
-/// A table by family and preset, a line for each family and one for all of a preset.
+/// Prints a table with a row for each family and preset, and one for all families of a preset.
 void print_table(const std::vector<Summary>& runs);
-/// The least number of at least `share` of the ticks.
+/// Returns the least number that is not exceeded in at least `share` of the ticks.
 int quantile_of_ticks(const std::map<int, int>& ticks, double share);
-/// The greatest number of Newton steps in the bin of a histogram that holds so many: one by one up to 8, then by a
-/// quarter.
+/// Returns the upper end of the histogram bin that contains `work` Newton steps. Bins have width 1 up to 8, then grow
+/// by a quarter.
 int end_of_work_bin(int work);
-/// How many ticks took how many Newton steps, with bars.
+/// Prints a histogram of ticks by Newton steps.
 void print_histogram(const std::vector<Summary>& runs);
-/// Of a scene, tick by tick.
+/// Prints a scene's figures, tick by tick.
 void print_ticks(const Outcome& outcome);
 
 }  // namespace any_scene

@@ -10,7 +10,7 @@
 namespace any_scene {
 namespace {
 
-/// The value whose name this is.
+/// Returns the value that has this name.
 template <typename Value, std::size_t Size>
 Value named(const std::string& word, const std::array<Value, Size>& values) {
   const auto found = std::find_if(values.begin(), values.end(), [&](Value value) { return name(value) == word; });
@@ -40,7 +40,7 @@ std::map<int, int> counts_in(const std::string& text) {
   return counts;
 }
 
-/// Takes what stands behind the last comma off a line.
+/// Removes the last cell of a line of CSV, and returns it.
 std::string take_last_cell(std::string& line) {
   const std::size_t comma = line.rfind(',');
   std::string cell = comma == std::string::npos ? std::string() : line.substr(comma + 1);

@@ -18,7 +18,7 @@ Vec2 some_vector(Dice& dice, double least, double most) {
   return size * direction(dice);
 }
 
-/// Solids where cords are.
+/// Adds solids that overlap cords.
 void overlap(Dice& dice, Scene& scene) {
   for (int k = whole(dice, 1, 3); k > 0; --k) {
     const CordDef& def = scene.cords[slot(some_cord(dice, scene))].def;
@@ -46,7 +46,7 @@ Solid kinematic(Dice& dice, Vec2 position) {
   return solid;
 }
 
-/// Comes towards a cord.
+/// Adds a kinematic solid that moves towards a cord.
 void sweep(Dice& dice, Scene& scene) {
   const CordDef& def = scene.cords[slot(some_cord(dice, scene))].def;
   const Vec2 target = def.positions[slot(whole(dice, 0, def.points * def.rows - 1))];
@@ -56,7 +56,7 @@ void sweep(Dice& dice, Scene& scene) {
   scene.solids.push_back(solid);
 }
 
-/// A kinematic body that holds a cord and goes its way, whatever is pinned.
+/// Adds a kinematic body that holds a cord and moves, even if the cord is pinned.
 void pull(Dice& dice, Scene& scene) {
   const int cord = some_cord(dice, scene);
   CordDef& def = scene.cords[slot(cord)].def;

@@ -4,8 +4,8 @@
 
 namespace any_scene {
 
-/// Adds one to three things that a gentle scene does not have: overlaps, kinematic bodies that move or hold, drags,
-/// reels, climbers and speeds up to 100 m/s.
+/// Adds one to three things that a gentle scene lacks: overlaps, kinematic bodies that move or hold, drags, reels,
+/// climbers and speeds up to 100 m/s.
 void make_wild(Dice& dice, Scene& scene);
 
 }  // namespace any_scene

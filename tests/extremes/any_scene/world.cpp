@@ -30,7 +30,7 @@ bool is_pressed(const b2Body& body) {
   return false;
 }
 
-/// The place at an arc of a path, its last corner beyond its end; `arrived` says that it is there.
+/// Returns the place at an arc of a path, or its last corner beyond its end. Sets `arrived` at the end.
 Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived) {
   arrived = false;
   Vec2 from = start;
@@ -46,7 +46,7 @@ Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived)
 
 }  // namespace
 
-/// A body at a moment.
+/// The state of motion of a body.
 struct World::Moving {
   Vec2 center;     // m
   Vec2 velocity;   // m/s
@@ -163,15 +163,15 @@ World::Moving World::now(const b2Body& body) const {
   return {to_double(body.GetWorldCenter()), coupling_.velocity(body), coupling_.angular_velocity(body)};
 }
 
-/// J
+/// Returns the kinetic and potential energy of a body, J.
 double World::energy(const b2Body& body, const Moving& moving) const {
   const double mass = static_cast<double>(body.GetMass());
-  const double inertia = static_cast<double>(body.GetInertia());  // about its centre, where its origin is
+  const double inertia = static_cast<double>(body.GetInertia());  // about its centre, which is its origin
   return 0.5 * mass * dot(moving.velocity, moving.velocity) + 0.5 * inertia * moving.turning * moving.turning -
          mass * dot(scene_.gravity, moving.center);
 }
 
-/// J, of bodies that cords have nothing to do with.
+/// Returns the energy of bodies that no cord affects, J.
 double World::energy_of_free_bodies() const {
   std::vector<char> is_led(bodies_.size(), 0);
   for (const auto& carry : coupling_.save(world_).carries) is_led[slot(carry.body)] = 1;
@@ -241,7 +241,7 @@ bool World::is_finite() const {
   });
 }
 
-/// Whether a grip that may slip is at an end of its cord, where nothing is left to hold.
+/// Returns whether a grip that may slip is at an end of its cord.
 bool World::has_slipped_off(double arc, const Hold& hold) const {
   if (std::isinf(hold.strength)) return false;
   const ribbon::Cord& cord = coupling_.cord(hold.cord).direct();
@@ -250,7 +250,7 @@ bool World::has_slipped_off(double arc, const Hold& hold) const {
   return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
 }
 
-/// m; 0 if it has been let go.
+/// Returns the distance between hand and held place, m; 0 if released.
 double World::gap(std::size_t hold) const {
   const auto grip = coupling_.grip(grips_[hold]);
   if (!grip.is_valid() || has_slipped_off(grip.state().arc, scene_.holds[hold])) return 0.0;

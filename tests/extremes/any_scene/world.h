@@ -10,39 +10,39 @@
 
 namespace any_scene {
 
-/// Where everything is after a tick, as the oracles look at it.
+/// The positions of all objects after a tick, as input of the oracles.
 struct Snapshot {
   std::vector<Outline> cords;
   std::vector<Pose> solids;
-  std::vector<char> pressed;  ///< by solid: whether Box2D pushes it, where another touches it
+  std::vector<char> pressed;  ///< by solid: whether Box2D pushes it, because it touches another solid
 };
 
 /// A scene in Box2D's world with its cords.
 class World {
  public:
-  /// Throws ribbon::DefinitionError for a scene with a number that nothing accepts.
+  /// Throws ribbon::DefinitionError for a scene with an invalid number.
   explicit World(const Scene& scene);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// One tick; returns the milliseconds of Coupling::step.
+  /// Takes one tick; returns the milliseconds of Coupling::step.
   double tick(int number);
 
   const ribbon::box2d::Coupling& coupling() const { return coupling_; }
   Snapshot snapshot() const;
-  /// J, of cords and dynamic bodies.
+  /// The energy of cords and dynamic bodies, J.
   struct Energy {
     double total = 0.0;
     double kinetic = 0.0;
-    double box2d = 0.0;  ///< of `total`, what world.Step has given since the start to bodies that no cord moves
+    double box2d = 0.0;  ///< the part of `total` that world.Step added since the start to bodies that no cord moves
   };
   Energy energy() const;
   double weight() const;         ///< N, of all that moves
-  ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of what moves
+  ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of all that moves
   double fastest() const;        ///< m/s, of points of cords
   bool is_finite() const;
-  /// m, the widest between a hand and the place of the cord that it holds, without grips that slipped off an end: of
-  /// bodies that go as cords move them, and of those that Box2D has pushed away since.
+  /// The greatest distance between a hand and the place that it holds, m, without grips that slipped off an end:
+  /// of solver-driven bodies, and of bodies that Box2D has pushed away since.
   struct Gaps {
     double free = 0.0;
     double pressed = 0.0;
@@ -67,7 +67,7 @@ class World {
   ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> bodies_;
   std::vector<ribbon::box2d::GripId> grips_;
-  std::vector<char> pushed_;  // by hold: Box2D has pushed its solid, and the gap has not closed since
+  std::vector<char> pushed_;  // by hold: Box2D has pushed its solid and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
   double box2d_work_ = 0.0;  // J
 };
