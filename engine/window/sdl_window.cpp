@@ -76,6 +76,7 @@ struct Window::Impl {
   void check_display() const;
   template <typename Call>
   int call_display(const Call& call);
+  bool close();
 
   void follow_size();
 
@@ -141,10 +142,27 @@ void Window::Impl::follow_size() {
 
 Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
 
+/// Closes the window: that calls the display and waits for an answer. Returns false if the display is or gets lost;
+/// then no answer comes, and what is left cannot be closed.
+bool Window::Impl::close() {
+  if (loss.lost) return false;
+  std::jmp_buf escape;
+  volatile bool closed = false;
+  if (setjmp(escape) == 0) {
+    loss.escape = &escape;
+    SDL_DestroyTexture(texture.release());
+    SDL_DestroyRenderer(renderer.release());
+    SDL_DestroyWindow(window.release());
+    closed = true;
+  }
+  loss.escape = nullptr;
+  return closed;
+}
+
 Window::~Window() {
-  // Closing a window calls its display and may wait for an answer. After a loss the objects are leaked on purpose.
+  // After a loss the objects are leaked on purpose.
   static std::vector<Impl*> leaked;
-  if (impl_->loss.lost) leaked.push_back(impl_.release());
+  if (!impl_->close()) leaked.push_back(impl_.release());
 }
 
 Canvas& Window::canvas() { return impl_->canvas; }
