@@ -6,23 +6,17 @@
 #include <random>
 
 #include "ribbon/cord.h"
+#include "tests/support/hanging.h"
 
 // Damping, and links that only pull.
 
 namespace ribbon {
 namespace {
 
+using test_support::hanging;
+
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-CordDef hanging(int points, double length) {
-  CordDef def;
-  def.points = points;
-  def.length = length;
-  def.pins = {0};
-  for (int p = 0; p < points; ++p) def.positions.push_back({0.0, -length * p / (points - 1)});
-  return def;
-}
 
 /// A set velocity is a jump, and so is the damping tension. The elastic energy does not jump.
 TEST(CordDamping, ElasticEnergyIsThatOfThePositionsWhateverVelocityIsSet) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ribbon/cord.h"
+#include "tests/support/hanging.h"
 #include "tests/support/points.h"
 
 // Cords that are driven: reels, loads, dragged points.
@@ -13,19 +14,11 @@ namespace ribbon {
 namespace {
 
 using test_support::all_finite;
+using test_support::hanging;
 
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-CordDef hanging(int points, double length) {
-  CordDef def;
-  def.points = points;
-  def.length = length;
-  def.pins = {0};
-  for (int p = 0; p < points; ++p) def.positions.push_back({0.0, -length * p / (points - 1)});
-  return def;
-}
 
 double rest_length(const Cord& cord) {
   double sum = 0.0;

@@ -6,24 +6,18 @@
 #include <limits>
 
 #include "ribbon/cord.h"
+#include "tests/support/hanging.h"
 
 // The bits of a cord's state: after save and restore, and with every compiler.
 
 namespace ribbon {
 namespace {
 
+using test_support::hanging;
+
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-CordDef hanging(int points, double length) {
-  CordDef def;
-  def.points = points;
-  def.length = length;
-  def.pins = {0};
-  for (int p = 0; p < points; ++p) def.positions.push_back({0.0, -length * p / (points - 1)});
-  return def;
-}
 
 TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
   CordDef def;

@@ -191,4 +191,24 @@ ribbon::CordDef bridge_def() {
   return def;
 }
 
+ContactWorld free_flight(const ribbon::Accuracy& accuracy, double friction) {
+  ribbon::CordDef def;
+  def.points = 31;
+  def.length = 3.0;
+  def.radius = 0.02;
+  def.mass_per_length = 0.5;
+  def.friction = friction;
+  def.accuracy = accuracy;
+  ContactWorld world(def);
+  world.gravity = {};
+  world.add_ball({0.8, 0.7}, 0.2, 0.3, 0.5);
+  world.add_ball({1.6, -0.6}, 0.15, 3.0, 0.5);
+  world.add_ball({2.5, 0.9}, 0.25, 1.0, 0.5);
+  world.body(0).velocity = {0.3, -2.0};
+  world.body(1).velocity = {-0.2, 1.5};
+  world.body(2).velocity = {-0.5, -1.0};
+  world.body(2).angular_velocity = 5.0;
+  return world;
+}
+
 }  // namespace test_support

@@ -61,4 +61,7 @@ constexpr double bridge_mass = 0.42;  // kg
 /// A cord of 4.2 m and bridge_mass, 4 cm thick, with friction 0.5, that hangs between pins 4 m apart.
 ribbon::CordDef bridge_def();
 
+/// Returns a cord in free flight among three balls.
+ContactWorld free_flight(const ribbon::Accuracy& accuracy, double friction);
+
 }  // namespace test_support

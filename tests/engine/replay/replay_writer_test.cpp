@@ -61,15 +61,15 @@ TEST(ReplayWriter, SaysWhyItCannotOpen) {
   EXPECT_EQ(error("/dev/full", some_header()), "/dev/full: cannot write the replay: No space left on device");
 }
 
-/// Returns the error of `work` for a user who is not root, to whom file permissions apply.
+/// Returns the error of `work` for an unprivileged user, as file permissions do not restrict root.
 std::string error_without_rights(const std::function<void()>& work) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return "no pipe";
   const pid_t child = fork();
   if (child == 0) {
-    constexpr uid_t nobody = 65534;
+    constexpr uid_t unprivileged = 65534;
     std::string error = "none";
-    if (geteuid() == 0 && setuid(nobody) != 0) error = "still root";
+    if (geteuid() == 0 && setuid(unprivileged) != 0) error = "still root";
     try {
       work();
     } catch (const std::exception& refused) {

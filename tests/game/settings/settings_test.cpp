@@ -245,12 +245,12 @@ TEST(RunFolder, KeepsTheNewest) {
   const std::string folder = scratch("runs");
   RunFolder runs(folder);
   EXPECT_EQ(runs.next_path("swing"), folder + "/000001-swing.replay");
-  write_bytes(folder + "/somebody else's.replay", "");
+  write_bytes(folder + "/another player's.replay", "");
   for (int k = 0; k < RunFolder::max_runs + 5; ++k) write_bytes(runs.next_path("swing"), "");
   EXPECT_FALSE(std::filesystem::exists(folder + "/000005-swing.replay"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/000006-swing.replay"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/000055-swing.replay"));
-  EXPECT_TRUE(std::filesystem::exists(folder + "/somebody else's.replay"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/another player's.replay"));
   EXPECT_EQ(RunFolder("").next_path("swing"), "");
   EXPECT_EQ(RunFolder("/proc/nowhere").next_path("swing"), "");
 }

@@ -166,7 +166,7 @@ TEST(CueDetector, ALineIsHeardWhenThrownAttachedAndReeled) {
   EXPECT_EQ(thrown.count(Noise::hook), 1);
   EXPECT_EQ(thrown.count(Noise::catches), 0) << "a line is no cord that is caught";
   ASSERT_EQ(simulation.player().line().state(), Line::State::held);
-  EXPECT_EQ(thrown.most_reel, 0.0) << "nobody reels";
+  EXPECT_EQ(thrown.most_reel, 0.0) << "no line is reeled";
   EXPECT_GT(listen(detector, simulation, 30, button_reel_in).most_reel, 0.3);
   EXPECT_EQ(listen(detector, simulation, 1, button_throw).count(Noise::lets_go), 1);
 }

@@ -114,7 +114,7 @@ TEST(TunedLevel, IsWrittenWithAllElseAsItWasAndOnlyOverTheFileItRead) {
   write_bytes(path, before + "\n");
   tuned.set(object, "drag", 0.25, simulation.scene());
   EXPECT_THROW(tuned.write(), engine::MapError);
-  EXPECT_EQ(bytes_of(path), before + "\n") << "somebody else has changed it";
+  EXPECT_EQ(bytes_of(path), before + "\n") << "another program has changed it";
   EXPECT_THROW(TunedLevel{level}, engine::MapError);
 }
 

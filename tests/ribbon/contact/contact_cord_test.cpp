@@ -223,31 +223,10 @@ TEST(CordContact, ABoxRestsOnABridge) {
   EXPECT_GT(depth, 0.0);
 }
 
-/// A cord in free flight among three balls.
-ContactWorld flight(const Accuracy& accuracy, double friction) {
-  CordDef def;
-  def.points = 31;
-  def.length = 3.0;
-  def.radius = 0.02;
-  def.mass_per_length = 0.5;
-  def.friction = friction;
-  def.accuracy = accuracy;
-  ContactWorld world(def);
-  world.gravity = {};
-  world.add_ball({0.8, 0.7}, 0.2, 0.3, 0.5);
-  world.add_ball({1.6, -0.6}, 0.15, 3.0, 0.5);
-  world.add_ball({2.5, 0.9}, 0.25, 1.0, 0.5);
-  world.body(0).velocity = {0.3, -2.0};
-  world.body(1).velocity = {-0.2, 1.5};
-  world.body(2).velocity = {-0.5, -1.0};
-  world.body(2).angular_velocity = 5.0;
-  return world;
-}
-
 TEST(CordContact, WithBallsInFreeFlightItKeepsItsMomentum) {
   Accuracy accuracy = Accuracy::accurate();
   accuracy.tolerance = 1e-9;
-  ContactWorld world = flight(accuracy, 0.0);
+  ContactWorld world = test_support::free_flight(accuracy, 0.0);
   const Vec2 before = world.momentum();
   const double angular = world.angular_momentum();
   int touched = 0;

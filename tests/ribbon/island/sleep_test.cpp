@@ -218,7 +218,7 @@ TEST(CordSleep, WithABodyThatCanBePushedOnlyIfThatMaySleepToo) {
       near.body.awake = false;
       EXPECT_EQ(near.step(cord).stages, 0);
       near.body.awake = true;
-      EXPECT_GT(near.step(cord).stages, 0) << "somebody has woken it";
+      EXPECT_GT(near.step(cord).stages, 0) << "the other cord has woken it";
     }
   }
 }
