@@ -89,6 +89,12 @@ class Cord {
   /// Returns the energies under `gravity` [m/s²].
   Energy energy(Vec2 gravity) const;
 
+  /// Returns the force [N] that keeps a constrained or operated point on its path, under `gravity` [m/s²]: the reaction
+  /// of the pin on the cord, at the end of the last step. It does not include contacts of the links at the point, nor
+  /// damping after set_velocity and while inverted cells are turned back. It is 0 for a free point. Throws
+  /// DefinitionError for an unknown point. O(points).
+  Vec2 reaction(int point, Vec2 gravity) const;
+
   /// Bounds of a cord's position and motion.
   struct Sweep {
     Box box;               ///< m, around its points and their targets

@@ -4,7 +4,8 @@
 
 namespace ribbon {
 
-Bends::Bends(const CordDef& def) : bending_stiffness_(def.bending_stiffness), bends_(at(def.points) - 2) {}
+Bends::Bends(const CordDef& def)
+    : bending_stiffness_(def.bending_stiffness), damping_(def.damping), bends_(at(def.points) - 2) {}
 
 void Bends::set_rest_lengths(std::span<const double> lengths) {
   for (std::size_t k = 0; k < bends_.size(); ++k) {
@@ -64,5 +65,17 @@ double Bends::potential(const Shape& shape, std::span<const double> /*max_tensio
 }
 
 double Bends::energy(const Motion& motion, std::span<const double> /*tensions*/) const { return energy_at(motion.x); }
+
+Vec2 Bends::force_on(std::size_t point, const Motion& motion, std::span<const double> /*tensions*/) const {
+  Vec2 force{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point < i || point - i >= bends_.size()) continue;
+    const std::size_t k = point - i;
+    Vec2 damped_turn = turn(k, motion.x);
+    if (!motion.v.empty()) damped_turn += damping_ * turn(k, motion.v);
+    force -= (bends_[k].stiffness * bends_[k].weights[i]) * damped_turn;
+  }
+  return force;
+}
 
 }  // namespace ribbon

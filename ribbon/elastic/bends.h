@@ -19,6 +19,7 @@ class Bends final : public Term {
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   /// Around point k + 1: t₊ − t₋ = Σ weights[i]·x[k + i].
@@ -31,6 +32,7 @@ class Bends final : public Term {
   Vec2 turn(std::size_t k, std::span<const Vec2> x) const;
 
   double bending_stiffness_;  // N·m²
+  double damping_;            // s
   std::vector<Bend> bends_;
 };
 

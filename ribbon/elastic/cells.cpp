@@ -22,6 +22,21 @@ Vec2 direction_of(Vec2 z, Vec2 fallback) {
   return size > min_spread ? (1.0 / size) * z : fallback;
 }
 
+/// Returns the gradient ∂A_c/∂X [m] of the area of corner triangle c with respect to the corners. With the edges U
+/// along and V across at the corner, 2A_c = U × V, so ∂(2A_c)/∂U = −perp(V) and ∂(2A_c)/∂V = perp(U).
+Corners corner_area_gradient(const Corners& x, std::size_t c) {
+  const std::size_t across = c % 2;        // U goes from corner `across` to across + 2,
+  const std::size_t side = c < 2 ? 0 : 2;  // V from corner `side` to side + 1
+  const Vec2 half_along = -0.5 * perp(x[side + 1] - x[side]);
+  const Vec2 half_across = 0.5 * perp(x[across + 2] - x[across]);
+  Corners gradient{};
+  gradient[across] -= half_along;
+  gradient[across + 2] += half_along;
+  gradient[side] -= half_across;
+  gradient[side + 1] += half_across;
+  return gradient;
+}
+
 }  // namespace
 
 Cells::Cells(const CordDef& def, double modulus, double row_bending)
@@ -165,8 +180,7 @@ void Cells::load(const NewtonSystem& system, std::span<const double> tensions) {
   }
 }
 
-/// Adds the forces and the Gauss–Newton Hessian of the corner areas. With the edges U along and V across at a corner,
-/// 2A_c = U × V, so ∂(2A_c)/∂U = −perp(V) and ∂(2A_c)/∂V = perp(U).
+/// Adds the forces and the Gauss–Newton Hessian of the corner areas.
 void Cells::load_corner_areas(const NewtonSystem& system, std::size_t column, std::size_t row) {
   const Corners x = corners(system.x, column, row);
   const double rest = shapes_[column].area;  // 2A₀
@@ -176,17 +190,8 @@ void Cells::load_corner_areas(const NewtonSystem& system, std::size_t column, st
   for (std::size_t c = 0; c < 4; ++c) {
     const double missing = min_area_ratio * rest - doubled[c];
     if (missing <= 0.0) continue;
-    const int across = static_cast<int>(c % 2);
-    const Vec2 half_along = -0.5 * perp(c < 2 ? x[1] - x[0] : x[3] - x[2]);
-    const Vec2 half_across = 0.5 * perp(across == 0 ? x[2] - x[0] : x[3] - x[1]);
-    const int side = c < 2 ? low : high;
-    // U goes from point low + across to high + across, V from side to side + 1.
-    std::array<Vec2, 4> gradient{};
+    const Corners gradient = corner_area_gradient(x, c);
     const std::array<int, 4> points{low, low + 1, high, high + 1};
-    gradient[at(across)] -= half_along;
-    gradient[at(across) + 2] += half_along;
-    gradient[side == low ? 0 : 2] -= half_across;
-    gradient[side == low ? 1 : 3] += half_across;
     const double force = area_stiffness_ * missing / rest;
     const double stiffness = area_stiffness_ / (0.5 * rest);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -264,6 +269,45 @@ double Cells::energy(const Motion& motion, std::span<const double> tensions) con
              elastic_energy(tensions[i * rows_ + j], 1.0 / cell.stretch, damping_, rate);
       if (area_stiffness_ > 0.0) sum += corner_energy(cell, x);
     }
+  }
+  return sum;
+}
+
+Vec2 Cells::force_on(std::size_t p, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 sum{};
+  const std::size_t column = p / (rows_ + 1);
+  const std::size_t row = p % (rows_ + 1);
+  for (const std::size_t before : {std::size_t{1}, std::size_t{0}}) {
+    for (const std::size_t below : {std::size_t{1}, std::size_t{0}}) {
+      if (column < before || column - before >= columns_ || row < below || row - below >= rows_) continue;
+      sum += cell_forces(column - before, row - below, motion, tensions)[2 * before + below];
+    }
+  }
+  return sum;
+}
+
+/// Returns the elastic and damping forces of a cell on its corners, N.
+Corners Cells::cell_forces(std::size_t column, std::size_t row, const Motion& motion,
+                           std::span<const double> tensions) const {
+  Cell cell = shapes_[column];
+  const Corners x = corners(motion.x, column, row);
+  CellModes mode = modes(cell, x);
+  Vec2 pull = tensions[column * rows_ + row] * direction_of(mode.z, {});
+  if (!motion.v.empty()) {
+    const CellModes rate = modes(cell, corners(motion.v, column, row));
+    mode = {mode.z + damping_ * rate.z, mode.w + damping_ * rate.w, mode.h + damping_ * rate.h};
+  }
+  if (is_unlocked(column * rows_ + row)) {
+    cell.hourglass = unlock_hourglass(cell);
+    pull = cell.stretch * (mode.z - 2.0 * target_directions_[column]);
+  }
+  Corners sum = forces(cell, mode, pull);
+  if (area_stiffness_ == 0.0) return sum;
+  const std::array<double, 4> doubled = doubled_corner_areas(x);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const double missing = std::max(0.0, min_area_ratio * cell.area - doubled[c]);
+    const Corners gradient = corner_area_gradient(x, c);
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += (area_stiffness_ * missing / cell.area) * gradient[k];
   }
   return sum;
 }

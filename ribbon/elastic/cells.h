@@ -30,6 +30,7 @@ class Cells final : public Term {
               std::span<double> next) const override;
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override { return unlocked_; }
 
@@ -47,6 +48,8 @@ class Cells final : public Term {
   void load_corner_areas(const NewtonSystem& system, std::size_t column, std::size_t row);
   bool find_unlocked(std::span<const Vec2> x);
   void find_target_directions(std::span<const Vec2> x);
+  Corners cell_forces(std::size_t column, std::size_t row, const Motion& motion,
+                      std::span<const double> tensions) const;
   double corner_energy(const Cell& cell, const Corners& x) const;
 
   std::size_t columns_;  // of cells

@@ -226,4 +226,15 @@ double Chain::energy(const Motion& motion, std::span<const double> tensions) con
   return sum;
 }
 
+Vec2 Chain::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {
+  const auto pull_towards = [&](std::size_t other, double tension) {
+    const Vec2 to_other = motion.x[other] - motion.x[point];
+    return tension * unit_or(to_other, length(to_other), {});
+  };
+  Vec2 force{};
+  if (point > 0) force += pull_towards(point - 1, tensions[point - 1]);
+  if (point < tensions.size()) force += pull_towards(point + 1, tensions[point]);
+  return force;
+}
+
 }  // namespace ribbon

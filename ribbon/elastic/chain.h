@@ -30,6 +30,7 @@ class Chain final : public Elasticity {
   double active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   /// An eliminated link: its tension and the step δa of its far end follow from the step δb of its near end,

@@ -72,6 +72,10 @@ class Elasticity {
   /// velocities of `motion`, if it has any.
   virtual double energy(const Motion& motion, std::span<const double> tensions) const = 0;
 
+  /// Returns the elastic force on a point with the damping force at the velocities of `motion`, N. The tensions include
+  /// their damping part, if `motion` has velocities. O(tensions).
+  virtual Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const = 0;
+
   /// Finds inverted cells at the start of a step, and gives them an energy that turns them back during this step.
   /// Returns whether there are any.
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }

@@ -214,6 +214,14 @@ double Lattice::energy(const Motion& motion, std::span<const double> tensions) c
   return sum;
 }
 
+Vec2 Lattice::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 sum{};
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    sum += term.force_on(point, motion, tensions.subspan(first, count));
+  });
+  return sum;
+}
+
 bool Lattice::unlock(std::span<const Vec2> x) {
   bool any = false;
   for (const auto& term : terms_) any = term->unlock(x) || any;

@@ -33,6 +33,7 @@ class Lattice final : public Elasticity {
   double active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override;
 

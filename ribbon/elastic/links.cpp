@@ -176,4 +176,15 @@ double Links::energy(const Motion& motion, std::span<const double> tensions) con
   return sum;
 }
 
+Vec2 Links::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 force{};
+  for (std::size_t e = 0; e < links_.size(); ++e) {
+    if (at(links_[e].a) != point && at(links_[e].b) != point) continue;
+    const Vec2 ab = vector(motion.x, links_[e]);
+    const Vec2 pull = tensions[e] * unit_or(ab, length(ab), {});
+    force += at(links_[e].a) == point ? pull : -pull;
+  }
+  return force;
+}
+
 }  // namespace ribbon

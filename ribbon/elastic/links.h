@@ -26,6 +26,7 @@ class Links final : public Term {
   double active_set_error(const Shape& shape, std::span<const double> tensions) const override;
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   struct Link {

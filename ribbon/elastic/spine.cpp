@@ -118,4 +118,19 @@ double Spine::energy(const Motion& motion, std::span<const double> tensions) con
   return sum;
 }
 
+Vec2 Spine::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {
+  const std::size_t column = point / rows_;
+  const std::size_t row = point % rows_;
+  const double share = 0.5 * ((row == low_ ? 1.0 : 0.0) + (row == high_ ? 1.0 : 0.0));
+  if (share == 0.0) return {};
+  const auto pull = [&](std::size_t e) {
+    const Vec2 ab = bar_vector(motion.x, e);
+    return tensions[e] * unit_or(ab, length(ab), {});
+  };
+  Vec2 force{};
+  if (column > 0) force -= pull(column - 1);
+  if (column < rest_lengths_.size()) force += pull(column);
+  return share * force;
+}
+
 }  // namespace ribbon

@@ -25,6 +25,7 @@ class Spine final : public Term {
               std::span<double> next) const override;
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   double rotational_extension(const Stage& stage, std::size_t e, Vec2 d) const;

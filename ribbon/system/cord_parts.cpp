@@ -68,11 +68,22 @@ CordParts::CordParts(const CordDef& cord_def)
   elasticity->find_tensions(state.positions, state.tensions);
 }
 
+Motion CordParts::motion_of_tensions() const {
+  return {state.positions, state.damping_excluded ? std::span<const Vec2>{} : std::span<const Vec2>(state.velocities)};
+}
+
+/// The point moves at constant velocity, so the forces on it are in balance.
+Vec2 CordParts::reaction(std::size_t point, Vec2 gravity) const {
+  Vec2 others = elasticity->force_on(point, motion_of_tensions(), state.tensions) +
+                state.masses[point] * (def.gravity_scale * gravity) -
+                (def.drag * own_masses[point]) * state.velocities[point];
+  if (!state.loads.empty()) others += state.loads[point];
+  return -others;
+}
+
 Cord::Energy CordParts::energy(Vec2 gravity) const {
   Cord::Energy sum;
-  const Motion motion{state.positions,
-                      state.damping_excluded ? std::span<const Vec2>{} : std::span<const Vec2>(state.velocities)};
-  sum.elastic = elasticity->energy(motion, state.tensions);
+  sum.elastic = elasticity->energy(motion_of_tensions(), state.tensions);
   for (std::size_t p = 0; p < size(); ++p) {
     sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);
     sum.potential -= state.masses[p] * dot(def.gravity_scale * gravity, state.positions[p]);

@@ -17,8 +17,12 @@ struct CordParts {
 
   std::size_t size() const { return state.positions.size(); }
   bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
+  /// Returns the positions, and the velocities whose damping the tensions include.
+  Motion motion_of_tensions() const;
   /// Returns the energies under `gravity` [m/s²].
   Cord::Energy energy(Vec2 gravity) const;
+  /// Returns the force that moves a driven point as it moves; see Cord::reaction.
+  Vec2 reaction(std::size_t point, Vec2 gravity) const;
   /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
   Cord::Sweep find_sweep() const;
 

@@ -71,7 +71,10 @@ class Terms : public testing::TestWithParam<int> {
   }
 
   Terms() : Terms(0.0) {}
-  explicit Terms(double time) : damping(time) {}
+  explicit Terms(double time) : damping(time) {
+    tested.def.damping = time;
+    term = tested.make(tested.def);
+  }
 
   void SetUp() override {
     SCOPED_TRACE(tested.name);
@@ -140,6 +143,18 @@ class Terms : public testing::TestWithParam<int> {
     term->update(system, before, nothing, found);
     return found;
   }
+  /// Expects that force_on returns the forces that a stage is solved with.
+  void expect_the_same_force_on_each_point() const {
+    const std::vector<double> stretched = tensions(here);
+    const std::vector<Vec2> loaded = load(here, stretched).force;
+    std::vector<Vec2> velocities;
+    for (std::size_t p = 0; p < here.size(); ++p) velocities.push_back(stage().velocity_at(p, here[p]));
+    if (damping == 0.0) velocities.clear();
+    for (std::size_t p = 0; p < here.size(); ++p) {
+      const Vec2 force = term->force_on(p, {here, velocities}, stretched);
+      EXPECT_NEAR(length(force - loaded[p]), 0.0, 1e-9 * (1.0 + length(loaded[p]))) << tested.name << ", point " << p;
+    }
+  }
   std::vector<Vec2> moved(double share) const {
     std::vector<Vec2> there = here;
     for (std::size_t p = 0; p < there.size(); ++p) there[p] += share * direction[p];
@@ -152,7 +167,7 @@ class Terms : public testing::TestWithParam<int> {
   }
 
   Case tested = the_case(GetParam());
-  std::unique_ptr<Term> term = tested.make(tested.def);
+  std::unique_ptr<Term> term;
   double damping;
   double q = 0.01;
   std::vector<Vec2> here, predicted, rates, direction, no_force;
@@ -178,6 +193,10 @@ TEST_P(Terms, ForcesAreMinusTheGradient) {
   EXPECT_NEAR(-along(load(here, tensions(here)).force, direction), slope, 1e-6 * (1.0 + std::abs(slope)))
       << tested.name;
 }
+
+TEST_P(Terms, ForceOnAPointIsThatOfTheStage) { expect_the_same_force_on_each_point(); }
+
+TEST_P(DampedTerms, ForceOnAPointIsThatOfTheStageToo) { expect_the_same_force_on_each_point(); }
 
 TEST_P(ExactTerms, MatrixIsTheDerivativeOfTheForces) {
   constexpr double h = 1e-6;
