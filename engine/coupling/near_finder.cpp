@@ -1,8 +1,8 @@
 #include "ribbon/box2d/near_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "ribbon/box2d/convert.h"
@@ -13,10 +13,8 @@ namespace {
 constexpr double travel_margin = 4.0;   // multiples of the distance that a body moves in a tick if nothing pushes it
 constexpr double min_rounding = 1e-30;  // m
 constexpr int min_cords_per_task = 64;
-constexpr std::size_t max_cords_per_query = 16;
-constexpr std::size_t few_leaves = 4;    // per cord of a group: the next group may be larger
-constexpr std::size_t many_leaves = 16;  // per cord of a group: the group is too large
-constexpr int bodies_per_leaf = 30;      // that are walked through in the time that it takes to test a leaf
+constexpr int cache_line = 64;       // bytes
+constexpr int bodies_per_leaf = 30;  // that are walked through in the time that it takes to test a leaf
 
 bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for NaN
 
@@ -28,12 +26,12 @@ bool is_sound(const b2AABB& box) {
 Box to_box(const b2AABB& box) { return {to_double(box.lowerBound), to_double(box.upperBound)}; }
 
 /// Rounds a box outwards to single precision.
-b2AABB to_aabb(const Box& box) {
+SearchBox search_box(const Box& box) {
   const auto rounding = [](double x) { return std::abs(x) * static_cast<double>(b2_epsilon) + min_rounding; };
   b2AABB aabb;
   aabb.lowerBound = to_float(box.low - Vec2{rounding(box.low.x), rounding(box.low.y)});
   aabb.upperBound = to_float(box.high + Vec2{rounding(box.high.x), rounding(box.high.y)});
-  return aabb;
+  return SearchBox(aabb);
 }
 
 /// Box2D's own rule (b2ContactFilter::ShouldCollide).
@@ -73,9 +71,10 @@ void test(b2Fixture& fixture, int child, const NearQuery& query, double fall, do
   query.near->push_back({&fixture, child, travel});
 }
 
-void test(const b2BroadPhase& broad_phase, int leaf, const NearQuery& query, double fall, double dt) {
-  const auto* proxy = static_cast<const b2FixtureProxy*>(broad_phase.GetUserData(leaf));
-  test(*proxy->fixture, proxy->childIndex, query, fall, dt);
+const b2FixtureProxy& proxy_of(const b2TreeNode& leaf) { return *static_cast<const b2FixtureProxy*>(leaf.userData); }
+
+void test(const b2FixtureProxy& proxy, const NearQuery& query, double fall, double dt) {
+  test(*proxy.fixture, proxy.childIndex, query, fall, dt);
 }
 
 /// Returns whether a body moves. Then it may come near although its box in the tree is far away. Such a box has a
@@ -84,15 +83,6 @@ bool moves(const b2Body& body) {
   return body.GetType() != b2_staticBody && body.IsAwake() &&
          !(body.GetLinearVelocity() == b2Vec2_zero && body.GetAngularVelocity() == 0.0F);
 }
-
-/// Passes each leaf that a query of Box2D's tree finds to a function.
-template <typename Take>
-struct LeafCalls {
-  bool QueryCallback(int32 leaf) const {  // NOLINT(readability-identifier-naming): Box2D names it
-    return take(leaf);
-  }
-  const Take& take;  // returns whether to go on
-};
 
 }  // namespace
 
@@ -109,8 +99,9 @@ bool can_be_met(const b2Body& body) {
 
 void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
   if (tasks_.empty()) tasks_.emplace_back();
-  tasks_.front().leaves.reserve(std::max(leaves, max_cords_per_query * many_leaves));
   tasks_.front().distant.reserve(leaves);
+  tasks_.front().found.reserve(leaves);
+  tasks_.front().search.reserve(leaves);
   by_x_.reserve(cords);
 }
 
@@ -118,8 +109,8 @@ void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
 /// one as long as that takes less time than a walk through all bodies; otherwise the moving bodies are walked through.
 void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 gravity, double dt,
                       const ParallelFor& parallel_for) {
-  broad_phase_ = &world.GetContactManager().m_broadPhase;
-  if (broad_phase_->GetProxyCount() == 0) return;
+  const BroadPhaseTree tree(world.GetContactManager().m_broadPhase);
+  if (tree.root() == b2_nullNode) return;
   dt_ = dt;
   fall_ = length(gravity) * dt * dt;
   const int parts = parallel_for.parts(static_cast<int>(queries.size()), min_cords_per_task);
@@ -128,7 +119,7 @@ void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 g
   max_distant_ = static_cast<std::size_t>(world.GetBodyCount() / (bodies_per_leaf * parts));
   parallel_for(parts, [&](int part) {
     const auto k = static_cast<std::size_t>(part);
-    run(tasks_[k], queries, queries.size() * k / count, queries.size() * (k + 1) / count);
+    run(tasks_[k], tree, queries, queries.size() * k / count, queries.size() * (k + 1) / count);
   });
   const auto tasks = std::span(tasks_).first(count);
   if (!std::all_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.lists_distant; })) {
@@ -136,57 +127,56 @@ void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 g
     return;
   }
   for (const Task& task : tasks) {
-    for (const auto& [k, leaf] : task.distant) test(*broad_phase_, leaf, queries[k], fall_, dt_);
+    for (const auto& [k, leaf] : task.distant) test(proxy_of(tree[leaf]), queries[k], fall_, dt_);
   }
 }
 
-/// Runs the queries first … last − 1. It changes nothing but their results and the task.
+/// Runs the queries first … last − 1. It changes nothing but their results and the task. Neighbours in the list are
+/// mostly neighbours in the world, so their boxes are searched in groups.
 ///
-/// Neighbours in the list are mostly neighbours in the world, and their queries go the same way down the tree. One
-/// query for a group of them costs less than one for each. Groups grow as long as few leaves are near them, and shrink
-/// if there are many. The results do not depend on the groups.
-void NearFinder::run(Task& task, std::span<const NearQuery> queries, std::size_t first, std::size_t last) {
+/// Bodies that do not move can only be in the smaller of the two boxes of a cord. While distant leaves are listed, the
+/// search is for the larger one.
+void NearFinder::run(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries, std::size_t first,
+                     std::size_t last) const {
   task.distant.clear();
+  task.found.clear();
   task.lists_distant = true;
-  std::size_t wanted = 1;
-  while (first < last) {
-    const std::size_t size = std::min(wanted, last - first);
-    if (!list_leaves(task, queries.subspan(first, size))) {
-      wanted = size / 2;
-      continue;
+  for (; first < last; first += LeafSearch::max_boxes) {
+    const auto group = queries.subspan(first, std::min(LeafSearch::max_boxes, last - first));
+    std::array<SearchBox, LeafSearch::max_boxes> at_rest;
+    std::array<SearchBox, LeafSearch::max_boxes> moving;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      at_rest[k] = search_box(widened(group[k].swept_aabb, travel_margin * fall_));
+      moving[k] = task.lists_distant ? search_box(widened(group[k].swept_aabb, max_travel(fall_))) : at_rest[k];
     }
-    for (const std::size_t end = first + size; first < end; ++first) test_leaves(task, queries[first], first);
-    task.lists_distant = task.distant.size() <= max_distant_;
-    if (task.leaves.size() <= size * few_leaves) wanted = std::min(2 * size, max_cords_per_query);
+    task.search.find(tree, std::span(moving).first(group.size()), [&](int leaf, BoxSet boxes) {
+      for_each_box(boxes, [&](std::size_t k) {
+        if (at_rest[k].overlaps(tree[leaf].aabb)) {
+          task.found.push_back({&proxy_of(tree[leaf]), &group[k]});
+        } else if (task.lists_distant) {
+          task.distant.emplace_back(first + k, leaf);
+        }
+      });
+      if (!task.lists_distant || task.distant.size() <= max_distant_) return;
+      task.lists_distant = false;
+      moving = at_rest;
+    });
+    test_found(task);
   }
 }
 
-/// Lists the leaves of the tree near some cords. Stops and returns false if there are many, unless it is for one cord.
-bool NearFinder::list_leaves(Task& task, std::span<const NearQuery> group) const {
-  Box box = group.front().swept_aabb;
-  for (const NearQuery& query : group) box = joined(box, query.swept_aabb);
-  const std::size_t limit = group.size() == 1 ? std::numeric_limits<std::size_t>::max() : group.size() * many_leaves;
-  task.leaves.clear();
-  const auto take = [&](int leaf) {
-    task.leaves.push_back({broad_phase_->GetFatAABB(leaf), leaf});
-    return task.leaves.size() < limit;
-  };
-  const LeafCalls<decltype(take)> calls{take};
-  broad_phase_->Query(&calls, to_aabb(widened(box, task.lists_distant ? max_travel(fall_) : travel_margin * fall_)));
-  return task.leaves.size() < limit;
-}
-
-/// Tests the listed leaves for one cord. Bodies that do not move can only be in the smaller of the two boxes.
-void NearFinder::test_leaves(Task& task, const NearQuery& query, std::size_t index) const {
-  const b2AABB at_rest = to_aabb(widened(query.swept_aabb, travel_margin * fall_));
-  const b2AABB moving = task.lists_distant ? to_aabb(widened(query.swept_aabb, max_travel(fall_))) : at_rest;
-  for (const Leaf& leaf : task.leaves) {
-    if (b2TestOverlap(leaf.fat, at_rest)) {
-      test(*broad_phase_, leaf.proxy, query, fall_, dt_);
-    } else if (b2TestOverlap(leaf.fat, moving)) {
-      task.distant.emplace_back(index, leaf.proxy);
-    }
+/// Tests what a search found near cords. Proxies, fixtures and bodies are far apart in memory, so those of all results
+/// are fetched at the same time before they are read.
+void NearFinder::test_found(Task& task) const {
+  constexpr int body_lines = 3;
+  for (const Found& found : task.found) prefetch(found.proxy);
+  for (const Found& found : task.found) prefetch(found.proxy->fixture);
+  for (const Found& found : task.found) {
+    const auto* body = reinterpret_cast<const std::byte*>(found.proxy->fixture->GetBody());
+    for (int line = 0; line < body_lines; ++line) prefetch(body + cache_line * line);
   }
+  for (const Found& found : task.found) test(*found.proxy, *found.query, fall_, dt_);
+  task.found.clear();
 }
 
 /// Walks through all bodies of the world and tests those that move for all cords. Fixtures near a cord are found twice.

@@ -10,6 +10,7 @@
 
 #include "ribbon/box.h"
 #include "ribbon/box2d/coupling_types.h"
+#include "ribbon/box2d/leaf_search.h"
 #include "ribbon/parallel_for.h"
 #include "ribbon/vec2.h"
 
@@ -40,26 +41,26 @@ class NearFinder {
             const ParallelFor& parallel_for);
 
  private:
-  /// A leaf of the broad phase's tree.
-  struct Leaf {
-    b2AABB fat;  // m, its box in the tree
-    int proxy;
+  /// A leaf near a cord.
+  struct Found {
+    const b2FixtureProxy* proxy;
+    const NearQuery* query;
   };
   /// The memory and the results of one task, which runs some of the queries.
   struct Task {
-    std::vector<Leaf> leaves;                          // near a group of cords
+    LeafSearch search;
+    std::vector<Found> found;                          // near a group of cords
     std::vector<std::pair<std::size_t, int>> distant;  // query, and leaf that is near the cord only if its body moves
     bool lists_distant = true;                         // there are few enough of them to test each
   };
 
-  void run(Task& task, std::span<const NearQuery> queries, std::size_t first, std::size_t last);
-  bool list_leaves(Task& task, std::span<const NearQuery> group) const;
-  void test_leaves(Task& task, const NearQuery& query, std::size_t index) const;
+  void run(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries, std::size_t first,
+           std::size_t last) const;
+  void test_found(Task& task) const;
   void test_moving_bodies(b2World& world, std::span<const NearQuery> queries);
   void sort_by_x(std::span<const NearQuery> queries);
   void test_moving_fixture(std::span<const NearQuery> queries, b2Fixture& fixture, int child);
 
-  const b2BroadPhase* broad_phase_ = nullptr;
   double dt_ = 0.0;              // s
   double fall_ = 0.0;            // m, g·dt²
   std::size_t max_distant_ = 0;  // leaves that one task may list
