@@ -26,11 +26,9 @@ const ThesisCord& CordView::thesis() const { return parts_->cords.at(id_).thesis
 std::span<const Vec2> CordView::positions() const { return parts_->cords.at(id_).positions(); }
 
 PointKind CordView::kind(int point) const {
-  const auto kind_of = [point](const auto& of_solver) {
-    of_solver.check_point(point);
-    return of_solver.kind(point);
-  };
-  return std::visit(kind_of, parts_->cords.at(id_).cord);
+  const CoupledCord& cord = parts_->cords.at(id_);
+  check_place(cord, point, 0.0);
+  return std::visit([point](const auto& of_solver) { return of_solver.kind(point); }, cord.cord);
 }
 
 Vec2 CordView::position(int point, double along) const {

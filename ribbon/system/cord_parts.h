@@ -21,6 +21,8 @@ struct CordParts {
   Cord::Energy energy(Vec2 gravity) const;
   /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
   Cord::Sweep find_sweep() const;
+  /// Stores them until the cord is changed.
+  void remember_sweep();
 
   /// Call it after a change from outside: the next step starts anew, and the cord is awake.
   void disturb();
