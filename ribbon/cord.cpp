@@ -16,6 +16,20 @@ const CordDef& checked(const CordDef& def) {
   return def;
 }
 
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
+void check_point(const CordParts& cord, int point) {
+  check_range("point", point, 0, static_cast<double>(cord.size()) - 1.0);
+}
+
+void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
+  check_point(cord, point);
+  check_coordinates("target", target);
+  cord.state.targets[slot(point)] = target;
+  cord.state.kinds[slot(point)] = kind;
+  cord.disturb();
+}
+
 }  // namespace
 
 CordReport& CordReport::operator+=(const CordReport& other) {
@@ -69,52 +83,39 @@ Vec2 Cord::reaction(int point, Vec2 gravity) const {
   return kind(point) == PointKind::free ? Vec2{} : parts_->reaction(slot(point), gravity);
 }
 Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
-void Cord::remember_sweep() {
-  if (!parts_->sweep) parts_->sweep = parts_->find_sweep();
-}
 bool Cord::remembers_sweep() const { return parts_->sweep.has_value(); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
 void Cord::wake() { parts_->wake(); }
 std::span<const Touch> Cord::touches() const { return parts_->state.touches; }
 std::span<const Cord::Holder> Cord::holders() const { return parts_->state.holders; }
 
-void Cord::check_point(int point) const { check_range("point", point, 0, size() - 1); }
-
 void Cord::attach_mass(int point, double mass) {
-  check_point(point);
+  check_point(*parts_, point);
   check_range("attached mass", mass, 0.0, 1e12);
   parts_->state.masses[slot(point)] = parts_->own_masses[slot(point)] + mass;
   parts_->disturb();
 }
 
 void Cord::set_load(int point, Vec2 force) {
-  check_point(point);
+  check_point(*parts_, point);
   check_coordinates("load", force);
   parts_->state.loads.resize(parts_->size());
   parts_->state.loads[slot(point)] = force;
   parts_->disturb();
 }
 
-void Cord::set_target(int point, Vec2 target, PointKind kind) {
-  check_point(point);
-  check_coordinates("target", target);
-  parts_->state.targets[slot(point)] = target;
-  parts_->state.kinds[slot(point)] = kind;
-  parts_->disturb();
-}
+void Cord::constrain(int point, Vec2 target) { set_target(*parts_, point, target, PointKind::constrained); }
 
-void Cord::constrain(int point, Vec2 target) { set_target(point, target, PointKind::constrained); }
-
-void Cord::operate(int point, Vec2 target) { set_target(point, target, PointKind::operated); }
+void Cord::operate(int point, Vec2 target) { set_target(*parts_, point, target, PointKind::operated); }
 
 void Cord::release(int point) {
-  check_point(point);
+  check_point(*parts_, point);
   parts_->state.kinds[slot(point)] = PointKind::free;
   parts_->disturb();
 }
 
 void Cord::set_velocity(int point, Vec2 velocity) {
-  check_point(point);
+  check_point(*parts_, point);
   check_coordinates("velocity", velocity);
   parts_->exclude_damping();
   parts_->state.velocities[slot(point)] = velocity;

@@ -103,9 +103,7 @@ class Cord {
   };
   /// Returns the bounds. O(1) after a step of a DirectSolver, until the cord is changed; otherwise O(points).
   Sweep sweep() const;
-  /// Caches the bounds until the cord is changed.
-  void remember_sweep();
-  /// Returns whether the bounds are cached, so the cord has not been changed since then.
+  /// Returns whether the cord is unchanged since a step of a DirectSolver, so that sweep is O(1).
   bool remembers_sweep() const;
 
   /// s, rest time before a cord falls asleep, as b2_timeToSleep.
@@ -116,9 +114,6 @@ class Cord {
   bool is_asleep() const;
   /// Wakes the cord and restarts its rest time.
   void wake();
-
-  /// Throws DefinitionError unless `point` is the index of a point.
-  void check_point(int point) const;
 
   // Each of these throws DefinitionError, and changes nothing, for an unknown point or a value out of range.
 
@@ -208,9 +203,6 @@ class Cord {
   const CordParts& parts() const { return *parts_; }  ///< the same, unchangeable
 
  private:
-  static std::size_t slot(int i) { return static_cast<std::size_t>(i); }
-  void set_target(int point, Vec2 target, PointKind kind);
-
   std::unique_ptr<CordParts> parts_;
   std::unique_ptr<Island> island_;  // for steps by itself
 };

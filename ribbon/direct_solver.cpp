@@ -8,6 +8,7 @@
 #include "ribbon/geometry/quadtree.h"
 #include "ribbon/island/island.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/system/cord_parts.h"
 
 namespace ribbon {
 namespace {
@@ -47,7 +48,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
       const std::size_t first = first_members_[k];
       const auto members = std::span<const IslandCord>(members_).subspan(first, first_members_[k + 1] - first);
       reports[member_cords_[first]] = island_solvers_[p]->step(members, bodies, dt, gravity);
-      for (const IslandCord& member : members) member.cord->remember_sweep();
+      for (const IslandCord& member : members) member.cord->parts().remember_sweep();
     }
   });
   for (std::size_t k = 0; k < cords.size(); ++k) {

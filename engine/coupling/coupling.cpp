@@ -11,6 +11,17 @@ namespace {
 constexpr std::size_t usual_bodies = 64;
 constexpr std::size_t usual_events = 16;
 
+/// Adds a cord and reserves memory for its bodies.
+CordId add_to(CouplingParts& parts, CoupledCord cord) {
+  const CordId id = parts.cords.add(std::move(cord));
+  parts.bodies.reserve(usual_bodies);
+  parts.fixtures.reserve(usual_bodies);
+  parts.finder.reserve(usual_bodies);
+  parts.touches.reserve(usual_events);
+  parts.gatherer.reserve(usual_bodies, parts.cords.ids().size());
+  return id;
+}
+
 void check_unlocked(const b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
 }
@@ -52,6 +63,47 @@ void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
   for (const EndingTouch& ending : parts.touches.ending()) wake_if_it_left(ending.touch, parts.fixtures, world);
 }
 
+/// Advances the cords of the thesis's solver.
+void step_thesis(CouplingParts& parts) {
+  for (CoupledCord& cord : parts.cords.active()) {
+    if (cord.is_direct() || !cord.enabled) continue;
+    const Surroundings met{parts.bodies.rigid, cord.circles, cord.grips};
+    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, met);
+    cord.thesis_total += cord.thesis_report;
+    const auto touches = [&](int body) {
+      parts.bodies.entries[static_cast<std::size_t>(body)].thesis_cord = cord.id;
+      parts.bodies.rigid[static_cast<std::size_t>(body)].may_sleep = false;  // cords of this solver do not sleep
+    };
+    for (const RigidCircle& circle : cord.circles) touches(circle.body);
+    for (const Grip& grip : cord.grips) touches(grip.body);
+  }
+}
+
+/// Advances the cords of the direct solver.
+void step_direct(CouplingParts& parts) {
+  const auto& [gravity, dt] = parts.conditions;
+  std::vector<RigidBody>& bodies = parts.bodies.rigid;
+  parts.island_cords.clear();
+  for (CoupledCord& cord : parts.cords.active()) {
+    if (!cord.is_direct() || !cord.enabled) continue;
+    const Surroundings met{bodies, cord.circles, cord.grips, cord.segments};
+    parts.island_cords.push_back({&cord.direct(), met, solver_id(cord.id)});
+  }
+  parts.reports.resize(parts.island_cords.size());
+  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity);
+  const SolverInput input{parts.island_cords, bodies, dt, gravity};
+  if (parts.watcher != nullptr) parts.watcher->before(input);
+  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
+  if (parts.watcher != nullptr) parts.watcher->after(input, parts.reports, parts.solver.total());
+  std::size_t k = 0;
+  for (CoupledCord& cord : parts.cords.active()) {
+    if (!cord.is_direct() || !cord.enabled) continue;
+    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
+    cord.island_report = parts.reports[k++];
+    if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
+  }
+}
+
 /// Gives a body the impulse of cords of the thesis's solver. The cord gets what single precision rounds off.
 void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
   if (rigid.impulse == Vec2{} && rigid.angular_impulse == 0.0) return;
@@ -82,18 +134,12 @@ Coupling::Coupling(Coupling&& other) noexcept = default;
 Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
 Coupling::~Coupling() = default;
 
-CordId Coupling::add(Cord cord, const b2Filter& filter) { return add(CoupledCord(std::move(cord), filter)); }
+CordId Coupling::add(Cord cord, const b2Filter& filter) {
+  return add_to(*parts_, CoupledCord(std::move(cord), filter));
+}
 
-CordId Coupling::add(ThesisCord cord, const b2Filter& filter) { return add(CoupledCord(std::move(cord), filter)); }
-
-CordId Coupling::add(CoupledCord cord) {
-  const CordId id = parts_->cords.add(std::move(cord));
-  parts_->bodies.reserve(usual_bodies);
-  parts_->fixtures.reserve(usual_bodies);
-  parts_->finder.reserve(usual_bodies);
-  parts_->touches.reserve(usual_events);
-  parts_->gatherer.reserve(usual_bodies, cords().size());
-  return id;
+CordId Coupling::add(ThesisCord cord, const b2Filter& filter) {
+  return add_to(*parts_, CoupledCord(std::move(cord), filter));
 }
 
 void Coupling::remove(CordId cord) {
@@ -120,25 +166,6 @@ GripId Coupling::hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor)
   def.point = point;
   def.local_anchor = local_anchor;
   return hold(body, def);
-}
-
-bool Coupling::release(b2Body& body) {
-  if (!held_by(body)) return false;
-  body.SetAwake(true);
-  parts_->carry.release(body);
-  parts_->grips.forget(body);
-  return true;
-}
-
-std::optional<GripId> Coupling::first_grip(const b2Body& body) const {
-  const BodyGrip* const held = parts_->grips.first_of(body);
-  return held != nullptr ? std::optional(held->id) : std::nullopt;
-}
-
-std::optional<CordPoint> Coupling::held_by(const b2Body& body) const {
-  const BodyGrip* const held = parts_->grips.first_of(body);
-  if (held == nullptr) return std::nullopt;
-  return CordPoint{held->cord, held->point, 0.0, held->along};
 }
 
 void Coupling::tick(b2World& world, double dt, int velocity_iterations, int position_iterations) {
@@ -182,16 +209,16 @@ void Coupling::gather(b2World& world, double dt) {
 }
 
 void Coupling::step() {
-  if (parts_->phase != TickPhase::gathered) {
+  CouplingParts& parts = *parts_;
+  if (parts.phase != TickPhase::gathered) {
     throw CallError("step does not follow gather; accepted is gather, step, apply");
   }
-  parts_->phase = TickPhase::between_ticks;  // also if something throws
-  Gatherer::activate_changed(parts_->cords);
-  step_thesis();
-  step_direct();
-  parts_->grips.follow(parts_->cords);
-  parts_->touches.find_events(parts_->cords, parts_->fixtures);
-  CouplingParts& parts = *parts_;
+  parts.phase = TickPhase::between_ticks;  // also if something throws
+  Gatherer::activate_changed(parts.cords);
+  step_thesis(parts);
+  step_direct(parts);
+  parts.grips.follow(parts.cords);
+  parts.touches.find_events(parts.cords, parts.fixtures);
   parts.islands = parts.solver.islands() + static_cast<int>(parts.cords.resting().size());
   // What watches steps sees those of all cords.
   if (!parts.probe && parts.watcher == nullptr) {
@@ -201,48 +228,7 @@ void Coupling::step() {
       return true;
     });
   }
-  parts_->phase = TickPhase::stepped;
-}
-
-void Coupling::step_thesis() {
-  CouplingParts& parts = *parts_;
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (cord.is_direct() || !cord.enabled) continue;
-    const Surroundings met{parts.bodies.rigid, cord.circles, cord.grips};
-    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, met);
-    cord.thesis_total += cord.thesis_report;
-    const auto touches = [&](int body) {
-      parts.bodies.entries[static_cast<std::size_t>(body)].thesis_cord = cord.id;
-      parts.bodies.rigid[static_cast<std::size_t>(body)].may_sleep = false;  // cords of this solver do not sleep
-    };
-    for (const RigidCircle& circle : cord.circles) touches(circle.body);
-    for (const Grip& grip : cord.grips) touches(grip.body);
-  }
-}
-
-void Coupling::step_direct() {
-  CouplingParts& parts = *parts_;
-  const auto& [gravity, dt] = parts.conditions;
-  std::vector<RigidBody>& bodies = parts.bodies.rigid;
-  parts.island_cords.clear();
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings met{bodies, cord.circles, cord.grips, cord.segments};
-    parts.island_cords.push_back({&cord.direct(), met, solver_id(cord.id)});
-  }
-  parts.reports.resize(parts.island_cords.size());
-  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity);
-  const SolverInput input{parts.island_cords, bodies, dt, gravity};
-  if (parts.watcher != nullptr) parts.watcher->before(input);
-  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
-  if (parts.watcher != nullptr) parts.watcher->after(input, parts.reports, parts.solver.total());
-  std::size_t k = 0;
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (!cord.is_direct() || !cord.enabled) continue;
-    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
-    cord.island_report = parts.reports[k++];
-    if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
-  }
+  parts.phase = TickPhase::stepped;
 }
 
 void Coupling::apply() {
@@ -297,9 +283,6 @@ const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) c
   if (known == nullptr || !known->exists) return nullptr;
   return find_fixture(const_cast<b2Body*>(world.GetBodyList()), known->seen_as);
 }
-
-Vec2 Coupling::velocity(const b2Body& body) const { return parts_->carry.velocity(body); }
-double Coupling::angular_velocity(const b2Body& body) const { return parts_->carry.angular_velocity(body); }
 
 void Coupling::forget(const b2Body& body) {
   parts_->grips.forget(body);

@@ -19,8 +19,6 @@
 /// Cords in a Box2D world.
 namespace ribbon::box2d {
 
-struct CoupledCord;
-
 /// Puts cords into a Box2D world. One tick is
 ///
 ///     coupling.tick(world, dt);
@@ -40,7 +38,7 @@ struct CoupledCord;
 /// straight line to the end of that curve, at the mean velocity. The coupling stores the difference between the
 /// velocity at the end and the mean (half the acceleration times dt) and adds it in the next tick; without it, a
 /// pendulum would lose a tenth of its energy in each period. So b2Body::GetLinearVelocity returns the mean velocity of
-/// the last tick, and Coupling::velocity the momentary one. When the grip is released, the body gets the difference.
+/// the last tick, and BodyView::velocity the momentary one. When the grip is released, the body gets the difference.
 ///
 /// **Solvers.** Cords of both solvers can be in one coupling. Cords of the thesis's solver meet circles only. Cords of
 /// the direct solver meet circles, edges, chains and polygons; they are solved together with all bodies that hold or
@@ -101,12 +99,10 @@ class Coupling {
   GripRef grip(GripId grip) { return {*parts_, grip}; }
   /// Returns the handle of a grip for reading.
   GripView grip(GripId grip) const { return {*parts_, grip}; }
-  /// Releases all grips of a body. Body and cords keep their velocities. Returns false if the body held nothing.
-  bool release(b2Body& body);
-  /// Returns the first grip of a body, or nothing if it holds nothing.
-  std::optional<GripId> first_grip(const b2Body& body) const;
-  /// Returns the place that a body holds, of its first grip.
-  std::optional<CordPoint> held_by(const b2Body& body) const;
+  /// Returns the handle of a body: what it holds, and how it moves.
+  BodyRef body(b2Body& body) { return {*parts_, body}; }
+  /// Returns the handle of a body for reading.
+  BodyView body(const b2Body& body) const { return {*parts_, body}; }
 
   /// Advances cords and world by one tick of dt seconds: gather, step, apply, world.Step. Throws as gather does.
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
@@ -148,11 +144,6 @@ class Coupling {
   const b2Fixture* fixture(std::uint64_t number) const;
   /// Returns the fixture with that number if it is still in its world, else null. O(bodies + fixtures).
   const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;
-  /// Returns the momentary velocity of a body's centre of mass, m/s. It differs from Box2D's for bodies that the solver
-  /// moves; see above. O(log bodies + contacts of the body).
-  Vec2 velocity(const b2Body& body) const;
-  /// Returns the momentary angular velocity of a body, rad/s.
-  double angular_velocity(const b2Body& body) const;
 
   /// Returns the nearest point of an enabled cord within `reach` [m] of `position`; of equal ones the first. It tests
   /// the bounding box of each cord and the points of cords that may be in range.
@@ -160,12 +151,6 @@ class Coupling {
   /// Returns the nearest place on an enabled cord other than `except`, also between two points; for cords of the
   /// thesis's solver, the nearest point.
   std::optional<CordPoint> nearest_place(Vec2 position, double reach, std::optional<CordId> except = {}) const;
-  /// Returns the position of a place, m. Throws CallError for an unknown cord, DefinitionError for a point that it does
-  /// not have.
-  Vec2 position(const CordPoint& place) const;
-  /// Returns the rest length of a cord of the direct solver from its first column to a place, m. Throws as position
-  /// does.
-  double arc(const CordPoint& place) const;
 
   /// Releases what a body holds and destroys it. Use it for bodies that hold or touch cords. (Otherwise the next gather
   /// notices the destruction, with the exceptions named above.)
@@ -194,10 +179,6 @@ class Coupling {
   void restore(const State& state, b2World& world);
 
  private:
-  CordId add(CoupledCord cord);
-  void step_thesis();
-  void step_direct();
-
   std::unique_ptr<CouplingParts> parts_;
 };
 

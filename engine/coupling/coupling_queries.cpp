@@ -1,4 +1,4 @@
-// Queries of a Coupling: the nearest point or place, and positions of places.
+// Queries of a Coupling: the nearest point or place.
 
 #include <algorithm>
 #include <utility>
@@ -25,16 +25,6 @@ std::optional<CordPoint> nearest_on_link(const CoupledCord& cord, int point, Vec
   }
   place.distance = length(cord.position(place.point, place.along) - position);
   return place;
-}
-
-/// Returns the cord of a place. Throws CallError for an unknown cord, DefinitionError if it does not have the place.
-const CoupledCord& cord_of(const CordTable& cords, const CordPoint& place) {
-  const CoupledCord& cord = cords.at(place.cord);
-  const auto points = static_cast<double>(cord.positions().size());
-  check_range("point", place.point, 0, points - 1);
-  if (place.along != 0.0) check_range("point", place.point, 0, points - 1 - cord.shape().rows);
-  check_range("along", place.along, 0.0, 1.0);
-  return cord;
 }
 
 }  // namespace
@@ -65,16 +55,6 @@ std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, st
     }
   }
   return nearest;
-}
-
-Vec2 Coupling::position(const CordPoint& place) const {
-  return cord_of(parts_->cords, place).position(place.point, place.along);
-}
-
-double Coupling::arc(const CordPoint& place) const {
-  const CoupledCord& cord = cord_of(parts_->cords, place);
-  const int column = place.point / cord.shape().rows;
-  return cord.arc_at(column + place.along);
 }
 
 }  // namespace ribbon::box2d

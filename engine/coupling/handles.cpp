@@ -6,6 +6,17 @@
 #include "ribbon/box2d/coupling_parts.h"
 
 namespace ribbon::box2d {
+namespace {
+
+/// Throws DefinitionError if a cord does not have a place.
+void check_place(const CoupledCord& cord, int point, double along) {
+  const auto points = static_cast<double>(cord.positions().size());
+  check_range("point", point, 0, points - 1);
+  if (along != 0.0) check_range("point", point, 0, points - 1 - cord.shape().rows);
+  check_range("along", along, 0.0, 1.0);
+}
+
+}  // namespace
 
 bool CordView::is_valid() const { return parts_->cords.find(id_) != nullptr; }
 Solver CordView::solver() const { return parts_->cords.at(id_).solver(); }
@@ -15,11 +26,22 @@ const ThesisCord& CordView::thesis() const { return parts_->cords.at(id_).thesis
 std::span<const Vec2> CordView::positions() const { return parts_->cords.at(id_).positions(); }
 
 PointKind CordView::kind(int point) const {
-  const auto kind_of = [point](const auto& of_solver) {
-    of_solver.check_point(point);
-    return of_solver.kind(point);
-  };
-  return std::visit(kind_of, parts_->cords.at(id_).cord);
+  const CoupledCord& cord = parts_->cords.at(id_);
+  check_place(cord, point, 0.0);
+  return std::visit([point](const auto& of_solver) { return of_solver.kind(point); }, cord.cord);
+}
+
+Vec2 CordView::position(int point, double along) const {
+  const CoupledCord& cord = parts_->cords.at(id_);
+  check_place(cord, point, along);
+  return cord.position(point, along);
+}
+
+double CordView::arc(int point, double along) const {
+  const CoupledCord& cord = parts_->cords.at(id_);
+  check_place(cord, point, along);
+  const int column = point / cord.shape().rows;
+  return cord.arc_at(column + along);
 }
 
 bool CordView::is_enabled() const { return parts_->cords.at(id_).enabled; }
@@ -112,5 +134,27 @@ void GripRef::move_anchor(b2Vec2 local_anchor) const {
 }
 
 bool GripRef::release() const { return parts_->release(id()); }
+
+Vec2 BodyView::velocity() const { return parts_->carry.velocity(*body_); }
+double BodyView::angular_velocity() const { return parts_->carry.angular_velocity(*body_); }
+
+std::optional<GripId> BodyView::first_grip() const {
+  const BodyGrip* const held = parts_->grips.first_of(*body_);
+  return held != nullptr ? std::optional(held->id) : std::nullopt;
+}
+
+std::optional<CordPoint> BodyView::held_place() const {
+  const BodyGrip* const held = parts_->grips.first_of(*body_);
+  if (held == nullptr) return std::nullopt;
+  return CordPoint{held->cord, held->point, 0.0, held->along};
+}
+
+bool BodyRef::release() const {
+  if (!first_grip()) return false;
+  body_->SetAwake(true);
+  parts_->carry.release(*body_);
+  parts_->grips.forget(*body_);
+  return true;
+}
 
 }  // namespace ribbon::box2d

@@ -3,6 +3,7 @@
 #include <box2d/b2_fixture.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "ribbon/box.h"
@@ -39,6 +40,11 @@ class CordView {
   std::span<const Vec2> positions() const;  ///< m, by point
   /// Returns what determines the motion of a point. Throws DefinitionError for an unknown point.
   PointKind kind(int point) const;
+  /// Returns the position of the place between a point and the one in the next column, m. Throws DefinitionError for a
+  /// point that the cord does not have and unless `along` is 0 … 1.
+  Vec2 position(int point, double along = 0.0) const;
+  /// Returns the rest length from the first column to that place, m; 0 for the thesis's solver. Throws likewise.
+  double arc(int point, double along = 0.0) const;
   bool is_enabled() const;                         ///< initially true
   std::uintptr_t user_data() const;                ///< initially 0
   std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
@@ -130,6 +136,41 @@ class GripRef : public GripView {
 
  private:
   CouplingParts* parts_;
+};
+
+/// A body of Box2D as the coupling sees it, for reading: a small handle like CordView, also for bodies that no cord has
+/// met. It must outlive neither the body nor the coupling.
+class BodyView {
+ public:
+  /// Returns the handle of a body; Coupling::body calls this.
+  BodyView(const CouplingParts& parts, const b2Body& body) : parts_(&parts), body_(&body) {}
+
+  /// Returns the momentary velocity of the centre of mass, m/s. It differs from Box2D's for bodies that the solver
+  /// moves; see Coupling. O(log bodies + contacts of the body).
+  Vec2 velocity() const;
+  double angular_velocity() const;  ///< rad/s, momentary
+  /// Returns the first grip of the body, or nothing if it holds nothing.
+  std::optional<GripId> first_grip() const;
+  /// Returns the place that the first grip holds.
+  std::optional<CordPoint> held_place() const;
+
+ private:
+  const CouplingParts* parts_;
+  const b2Body* body_;
+};
+
+/// A body of Box2D as the coupling sees it, for reading and writing.
+class BodyRef : public BodyView {
+ public:
+  /// Returns the handle of a body; Coupling::body calls this.
+  BodyRef(CouplingParts& parts, b2Body& body) : BodyView(parts, body), parts_(&parts), body_(&body) {}
+
+  /// Releases all grips of the body. Body and cords keep their velocities. Returns false if the body held nothing.
+  bool release() const;
+
+ private:
+  CouplingParts* parts_;
+  b2Body* body_;
 };
 
 }  // namespace ribbon::box2d

@@ -126,7 +126,7 @@ void play(Game& game, SDL_Renderer* renderer, int ticks) {
     if (tick == half) game.print("half way");
     if (key[SDL_SCANCODE_S] != 0 || tick == half) saved = game.save();
     if (key[SDL_SCANCODE_L] != 0) game.restore(saved);
-    if (key[SDL_SCANCODE_SPACE] != 0) game.cords.release(*game.ball);  // the ball keeps its velocity
+    if (key[SDL_SCANCODE_SPACE] != 0) game.cords.body(*game.ball).release();  // the ball keeps its velocity
     game.tick(300.0F * static_cast<float>(key[SDL_SCANCODE_RIGHT] - key[SDL_SCANCODE_LEFT]));
     game.draw(renderer);
     if (ticks < 0) SDL_Delay(16);

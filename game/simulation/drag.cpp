@@ -154,7 +154,7 @@ void Drag::move_body(Vec2 pointer, const ribbon::box2d::Coupling& coupling, doub
   }
   const Vec2 arm = held_at - to_double(body.GetWorldCenter());
   const double spin = static_cast<double>(body.GetAngularVelocity());
-  const Vec2 now = coupling.velocity(body) + spin * Vec2{-arm.y, arm.x};
+  const Vec2 now = coupling.body(body).velocity() + spin * Vec2{-arm.y, arm.x};
   const double max_impulse = max_acceleration * static_cast<double>(body.GetMass()) * dt;
   const Vec2 impulse = clamp_distance({}, impulse_for(body, arm, wanted - now), max_impulse);
   body.ApplyLinearImpulse(to_float(impulse), to_float(held_at), true);

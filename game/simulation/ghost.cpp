@@ -40,7 +40,9 @@ GhostPose Ghost::pose() const {
   const ribbon::box2d::Coupling& coupling = simulation_.scene().coupling();
   GhostPose pose{player.position(), ribbon::box2d::to_double(player.body().GetLinearVelocity()), player.faces_left(),
                  player.is_on_ground()};
-  if (const auto held = coupling.held_by(player.body())) pose.held = coupling.position(*held);
+  if (const auto held = coupling.body(player.body()).held_place()) {
+    pose.held = coupling.cord(held->cord).position(held->point, held->along);
+  }
   return pose;
 }
 

@@ -83,7 +83,7 @@ bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
     return false;
   }
   length_ = std::max(distance, tuning_.min_length);
-  ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.velocity(body));
+  ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.body(body).velocity());
   if (cord_) {
     coupling.cord(*cord_).replace(std::move(made), line_filter());
   } else {

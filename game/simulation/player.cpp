@@ -100,7 +100,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
 
 void Player::put(Vec2 feet, ribbon::box2d::Coupling& coupling) {
   line_.release(coupling);
-  coupling.release(*body_);
+  coupling.body(*body_).release();
   grip_id_.reset();
   may_catch_ = false;
   body_->SetTransform(to_float(feet + Vec2{0.0, 0.5 * tuning_.height}), 0.0F);
@@ -150,7 +150,7 @@ void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
 /// Returns whether a solid cord below the feet has stopped the fall. A jump before that would waste the energy that the
 /// cord stores.
 bool Player::stands_on_cord(const ribbon::box2d::Coupling& coupling) const {
-  if (coupling.velocity(*body_).y < tuning_.sinking_speed) return false;
+  if (coupling.body(*body_).velocity().y < tuning_.sinking_speed) return false;
   for (const ribbon::box2d::CordId c : coupling.cords()) {
     for (const ribbon::box2d::FixtureTouch& touch : coupling.cord(c).touching()) {
       const b2Fixture* fixture = coupling.fixture(touch.fixture);
@@ -192,16 +192,17 @@ void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   const auto nearest = coupling.nearest_place(hand(), tuning_.grab_range, on_line ? line_.cord() : std::nullopt);
   if (!nearest) return;
   line_.release(coupling);
-  grip_ = coupling.position(*nearest) - position();
-  can_climb_ = coupling.cord(nearest->cord).solver() == ribbon::box2d::Solver::direct;
+  const ribbon::box2d::CordRef cord = coupling.cord(nearest->cord);
+  grip_ = cord.position(nearest->point, nearest->along) - position();
+  can_climb_ = cord.solver() == ribbon::box2d::Solver::direct;
   if (!can_climb_) {
     grip_id_ = coupling.hold(nearest->cord, nearest->point, *body_, to_float(grip_));
     return;
   }
   ribbon::box2d::GripDef grip;
   grip.cord = nearest->cord;
-  grip.arc = coupling.arc(*nearest);
-  grip.row = nearest->point % coupling.cord(nearest->cord).shape().rows;
+  grip.arc = cord.arc(nearest->point, nearest->along);
+  grip.row = nearest->point % cord.shape().rows;
   grip.local_anchor = to_float(grip_);
   grip_id_ = coupling.hold(*body_, grip);
 }
@@ -211,8 +212,9 @@ void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
 void Player::hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
-  const ribbon::box2d::CordPoint held = *coupling.held_by(*body_);
-  if (length(coupling.position(held) - position() - grip_) > tuning_.max_arm_length) {
+  const ribbon::box2d::CordPoint held = *coupling.body(*body_).held_place();
+  const Vec2 held_at = coupling.cord(held.cord).position(held.point, held.along);
+  if (length(held_at - position() - grip_) > tuning_.max_arm_length) {
     return release_cord(coupling);  // pulled out of the hand
   }
   coupling.grip(*grip_id_).move_anchor(to_float(grip_));
@@ -223,14 +225,15 @@ void Player::hang(const Command& command, ribbon::box2d::Coupling& coupling, dou
 /// Climbs (1), slides (−1) or stops (0). Up is towards the nearest constrained point, or, without one, towards the
 /// higher end.
 void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling) {
-  const double here = coupling.arc(held);
+  const ribbon::box2d::CordRef cord = coupling.cord(held.cord);
+  const double here = cord.arc(held.point, held.along);
   if (direction == 0) return coupling.grip(*grip_id_).climb(here, tuning_.climb_speed);  // stops
-  const ribbon::box2d::CordShape shape = coupling.cord(held.cord).shape();
-  const auto x = coupling.cord(held.cord).positions();
+  const ribbon::box2d::CordShape shape = cord.shape();
+  const auto x = cord.positions();
   const int pin = nearest_pin(coupling, held);
   const bool up_is_first = pin >= 0 ? pin <= held.point : x.front().y >= x.back().y;
-  const double whole = coupling.arc({held.cord, (shape.columns - 1) * shape.rows});
-  const double top = pin < 0 ? (up_is_first ? 0.0 : whole) : coupling.arc({held.cord, pin});
+  const double whole = cord.arc((shape.columns - 1) * shape.rows);
+  const double top = pin < 0 ? (up_is_first ? 0.0 : whole) : cord.arc(pin);
   const double upper_end =
       up_is_first ? std::min(here, top + tuning_.top_margin) : std::max(here, top - tuning_.top_margin);
   const double lower_end = up_is_first ? whole : 0.0;
@@ -250,7 +253,7 @@ void Player::pump(int direction, Vec2 from, double dt) {
 }
 
 void Player::release_cord(ribbon::box2d::Coupling& coupling) {
-  coupling.release(*body_);
+  coupling.body(*body_).release();
   grip_id_.reset();
   may_catch_ = false;
   ticks_since_jump_pressed_ = long_ago;

@@ -130,13 +130,13 @@ void Simulation::aim(Vec2 pointer) {
 /// Releases the loads that hang from the cord that the player holds. Returns false if there are none.
 bool Simulation::drop_load() {
   ribbon::box2d::Coupling& coupling = scene_->coupling();
-  const auto held = coupling.held_by(player_->body());
+  const auto held = coupling.body(player_->body()).held_place();
   if (!held) return false;
   bool dropped = false;
   for (const engine::SceneBody& made : scene_->bodies()) {
     if (made.kind != engine::BodyKind::load) continue;
-    const auto hangs = coupling.held_by(*made.body);
-    if (hangs && hangs->cord == held->cord) dropped = coupling.release(*made.body) || dropped;
+    const auto hangs = coupling.body(*made.body).held_place();
+    if (hangs && hangs->cord == held->cord) dropped = coupling.body(*made.body).release() || dropped;
   }
   return dropped;
 }
@@ -201,11 +201,11 @@ void Simulation::compute_hash() {
   game.add(goal_ticks_.value_or(-1));
   game.add(checkpoint_ ? static_cast<int>(*checkpoint_) : -1);
   drag_.add_to(game);
-  const auto held = scene_->coupling().held_by(player_->body());
+  const auto held = scene_->coupling().body(player_->body()).held_place();
   game.add(held ? held->cord : -1);
   game.add(held ? held->point : -1);
   game.add(held ? held->along : 0.0);
-  game.add(scene_->coupling().velocity(player_->body()));
+  game.add(scene_->coupling().body(player_->body()).velocity());
   player_->add_to(game);
   if (level_->assists.no_fall) {
     game.add(foothold_);

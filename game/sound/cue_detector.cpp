@@ -62,7 +62,7 @@ void CueDetector::update(const Simulation& simulation) {
 void CueDetector::reset(const Simulation& simulation) {
   falls_ = simulation.falls();
   reached_goal_ = simulation.goal_ticks().has_value();
-  held_ = simulation.scene().coupling().held_by(simulation.player().body()).has_value();
+  held_ = simulation.scene().coupling().body(simulation.player().body()).held_place().has_value();
   on_ground_ = simulation.player().is_on_ground();
   checkpoint_ = simulation.checkpoint();
   line_ = simulation.player().line().state();
@@ -136,7 +136,7 @@ void CueDetector::detect_cords(const Simulation& simulation) {
 void CueDetector::detect_held_cord(const Simulation& simulation) {
   ++since_creak_;
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-  const auto held = coupling.held_by(simulation.player().body());
+  const auto held = coupling.body(simulation.player().body()).held_place();
   const bool by_line = held && simulation.player().line().cord() == held->cord;
   if (held && !held_ && !by_line) add(Noise::catches, 0.8);
   if (!held && held_) add(Noise::lets_go, 0.7);
@@ -184,7 +184,7 @@ void CueDetector::detect_player(const Simulation& simulation) {
 }
 
 void CueDetector::detect_wind(const Simulation& simulation) {
-  const double speed = length(simulation.scene().coupling().velocity(simulation.player().body()));
+  const double speed = length(simulation.scene().coupling().body(simulation.player().body()).velocity());
   const double strength = on_ground_ ? 0.0 : smooth((speed - min_wind_speed) / (full_wind_speed - min_wind_speed));
   wind_.volume += 0.2 * (0.75 * strength - wind_.volume);
   wind_.pitch = 0.75 + 0.9 * std::min(1.0, speed / full_wind_speed);

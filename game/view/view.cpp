@@ -27,7 +27,7 @@ using ribbon::box2d::to_double;
 
 /// Returns the position on a cord that a body holds in m, or nothing.
 std::optional<Vec2> held_position(const ribbon::box2d::Coupling& coupling, const Snapshot& now, const b2Body& body) {
-  const auto held = coupling.held_by(body);
+  const auto held = coupling.body(body).held_place();
   if (!held) return std::nullopt;
   const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
   const Vec2 point = x[static_cast<std::size_t>(held->point)];

@@ -107,6 +107,10 @@ Cord::Sweep CordParts::find_sweep() const {
   return found;
 }
 
+void CordParts::remember_sweep() {
+  if (!sweep) sweep = find_sweep();
+}
+
 void CordParts::disturb() {
   state.restart = true;
   sweep.reset();

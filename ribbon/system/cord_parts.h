@@ -25,6 +25,8 @@ struct CordParts {
   Vec2 reaction(std::size_t point, Vec2 gravity) const;
   /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
   Cord::Sweep find_sweep() const;
+  /// Stores them until the cord is changed.
+  void remember_sweep();
 
   /// Call it after a change from outside: the next step starts anew, and the cord is awake.
   void disturb();

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ribbon/linear/index.h"
-#include "ribbon/thesis/broad_phase.h"
+#include "ribbon/thesis/thesis_parts.h"
 
 namespace ribbon {
 namespace {
@@ -23,6 +23,15 @@ ThesisDef checked(ThesisDef def) {
   return def;
 }
 
+void check_point(const ThesisParts& cord, int point) { check_range("point", point, 0, cord.mesh.size() - 1); }
+
+void drive(ThesisParts& cord, int point, Vec2 target, PointKind kind) {
+  check_point(cord, point);
+  check_coordinates("target", target);
+  cord.points.targets[at(point)] = target;
+  cord.set_kind(point, kind);
+}
+
 }  // namespace
 
 StepReport& StepReport::operator+=(const StepReport& other) {
@@ -37,91 +46,72 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   return *this;
 }
 
+ThesisParts::ThesisParts(const ThesisDef& cord_def, std::unique_ptr<LinearSolver> solver)
+    : def(cord_def), mesh(make_mesh(def.w, def.h, def.spacing)), bodies(def, mesh) {
+  points.positions = start_positions(def);
+  const std::size_t n = points.positions.size();
+  points.velocities.resize(n);
+  points.targets.resize(n);
+  points.kinds.assign(n, PointKind::free);
+  points.inverse_mass.assign(n, 1.0 / def.point_mass);
+  points.step_start = points.positions;
+  points.substep_start = points.positions;
+  if (def.bar_damping > 0.0) fem.emplace(def, mesh, std::move(solver));
+  if (def.self_collision) self_collision.emplace(def, mesh);
+}
+
+void ThesisParts::set_kind(int point, PointKind kind) {
+  points.kinds[at(point)] = kind;
+  points.inverse_mass[at(point)] = kind == PointKind::free ? 1.0 / def.point_mass : 0.0;
+}
+
 ThesisCord::ThesisCord(const ThesisDef& def, std::unique_ptr<LinearSolver> solver)
-    : def_(checked(def)),
-      mesh_(std::make_unique<Mesh>(make_mesh(def.w, def.h, def.spacing))),
-      solver_(std::move(solver)),
-      positions_(start_positions(def)),
-      velocities_(positions_.size()),
-      targets_(positions_.size()),
-      kinds_(positions_.size(), PointKind::free),
-      inverse_mass_(positions_.size(), 1.0 / def.point_mass),
-      substep_start_(positions_),
-      step_start_(positions_) {
-  if (def_.bar_damping > 0.0) {
-    matrix_ = std::make_unique<BandedMatrix>(2 * mesh_->size(), 2 * def_.h + 3);
-    force_.resize(2 * positions_.size());
-  }
-  if (def_.self_collision) {
-    self_phase_ = std::make_unique<BroadPhase>(*mesh_, true);
-    self_phase_->reserve(positions_.size());
-    own_radii_.assign(positions_.size(), def_.radius);
-    tangled_.resize(at(def_.w));
-  }
-  for (const int pin : def_.pins) constrain(pin, positions_[index(pin)]);
+    : parts_(std::make_unique<ThesisParts>(checked(def), std::move(solver))) {
+  for (const int pin : def.pins) constrain(pin, positions()[at(pin)]);
 }
 ThesisCord::ThesisCord(ThesisCord&&) noexcept = default;
 ThesisCord& ThesisCord::operator=(ThesisCord&&) noexcept = default;
 ThesisCord::~ThesisCord() = default;
 
-void ThesisCord::check_point(int point) const {
-  if (point < 0 || point >= mesh_->size()) {
-    throw DefinitionError("point is " + std::to_string(point) + "; accepted is an index from 0 to " +
-                          std::to_string(mesh_->size() - 1));
-  }
-}
+const Mesh& ThesisCord::mesh() const { return parts_->mesh; }
+const ThesisDef& ThesisCord::def() const { return parts_->def; }
+std::span<const Vec2> ThesisCord::positions() const { return parts_->points.positions; }
+std::span<const Vec2> ThesisCord::velocities() const { return parts_->points.velocities; }
+PointKind ThesisCord::kind(int point) const { return parts_->points.kinds[at(point)]; }
+Vec2 ThesisCord::target(int point) const { return parts_->points.targets[at(point)]; }
 
-void ThesisCord::drive(int point, Vec2 target, PointKind kind) {
-  check_point(point);
-  check_coordinates("target", target);
-  targets_[index(point)] = target;
-  set_kind(point, kind);
-}
+void ThesisCord::constrain(int point, Vec2 target) { drive(*parts_, point, target, PointKind::constrained); }
 
-void ThesisCord::set_kind(int point, PointKind kind) {
-  kinds_[index(point)] = kind;
-  inverse_mass_[index(point)] = kind == PointKind::free ? 1.0 / def_.point_mass : 0.0;
-}
-
-void ThesisCord::constrain(int point, Vec2 target) { drive(point, target, PointKind::constrained); }
-
-void ThesisCord::operate(int point, Vec2 target) { drive(point, target, PointKind::operated); }
+void ThesisCord::operate(int point, Vec2 target) { drive(*parts_, point, target, PointKind::operated); }
 
 void ThesisCord::release(int point) {
-  check_point(point);
-  set_kind(point, PointKind::free);
+  check_point(*parts_, point);
+  parts_->set_kind(point, PointKind::free);
 }
 
 void ThesisCord::reserve(std::size_t bodies, std::size_t circles, std::size_t grips) {
-  motions_.reserve(bodies);
-  circle_offsets_.reserve(circles);
-  circle_radii_.reserve(circles);
-  circle_centers_.reserve(circles);
-  circle_centers_before_.reserve(circles);
-  grip_offsets_.reserve(grips);
-  if (circles == 0) return;
-  if (!circle_phase_) circle_phase_ = std::make_unique<BroadPhase>(*mesh_, false);
-  circle_phase_->reserve(circles);
+  parts_->bodies.reserve(bodies, circles, grips);
 }
 
 void ThesisCord::set_velocity(int point, Vec2 velocity) {
-  check_point(point);
+  check_point(*parts_, point);
   check_coordinates("velocity", velocity);
-  velocities_[index(point)] = velocity;
+  parts_->points.velocities[at(point)] = velocity;
 }
 
 void ThesisCord::add_momentum(Vec2 momentum) {
-  const auto free_points = std::count(kinds_.begin(), kinds_.end(), PointKind::free);
+  ThesisPoints& points = parts_->points;
+  const auto free_points = std::count(points.kinds.begin(), points.kinds.end(), PointKind::free);
   check_coordinates("momentum", momentum);
   if (free_points == 0) return;
-  const Vec2 gain = (1.0 / (def_.point_mass * static_cast<double>(free_points))) * momentum;
-  for (std::size_t p = 0; p < velocities_.size(); ++p) {
-    if (inverse_mass_[p] > 0.0) velocities_[p] += gain;
+  const Vec2 gain = (1.0 / (parts_->def.point_mass * static_cast<double>(free_points))) * momentum;
+  for (std::size_t p = 0; p < points.velocities.size(); ++p) {
+    if (points.inverse_mass[p] > 0.0) points.velocities[p] += gain;
   }
 }
 
 void ThesisCord::check_state(const State& state) const {
-  const std::size_t n = positions_.size();
+  const std::size_t n = parts_->points.positions.size();
   if (state.positions.size() != n || state.velocities.size() != n || state.targets.size() != n ||
       state.kinds.size() != n) {
     throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(n) + " points");
@@ -132,19 +122,22 @@ void ThesisCord::check_state(const State& state) const {
   for (const PointKind kind : state.kinds) check_range("state.kinds", static_cast<int>(kind), 0, 2);
 }
 
+ThesisCord::State ThesisCord::save() const {
+  State state;
+  save(state);
+  return state;
+}
+
 void ThesisCord::save(State& state) const {
-  state.positions = positions_;
-  state.velocities = velocities_;
-  state.targets = targets_;
-  state.kinds = kinds_;
+  const State& own = parts_->points;
+  state = own;
 }
 
 void ThesisCord::restore(const State& state) {
   check_state(state);
-  positions_ = state.positions;
-  velocities_ = state.velocities;
-  targets_ = state.targets;
-  for (int p = 0; p < mesh_->size(); ++p) set_kind(p, state.kinds[index(p)]);
+  State& own = parts_->points;
+  own = state;
+  for (int p = 0; p < parts_->mesh.size(); ++p) parts_->set_kind(p, state.kinds[at(p)]);
 }
 
 }  // namespace ribbon

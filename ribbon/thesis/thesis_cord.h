@@ -13,7 +13,7 @@
 
 namespace ribbon {
 
-class BroadPhase;
+struct ThesisParts;
 
 /// Statistics of one step, summed over its substeps; the last three are of the end of the step.
 struct StepReport {
@@ -45,15 +45,15 @@ class ThesisCord {
   ~ThesisCord();
 
   /// Returns the points, connections and triangles, which never change.
-  const Mesh& mesh() const { return *mesh_; }
+  const Mesh& mesh() const;
   /// Returns the definition.
-  const ThesisDef& def() const { return def_; }
-  std::span<const Vec2> positions() const { return positions_; }    ///< m, by point index
-  std::span<const Vec2> velocities() const { return velocities_; }  ///< m/s, by point index
+  const ThesisDef& def() const;
+  std::span<const Vec2> positions() const;   ///< m, by point index
+  std::span<const Vec2> velocities() const;  ///< m/s, by point index
   /// Returns what determines the motion of a point. This and `target` do not check the index.
-  PointKind kind(int point) const { return kinds_[index(point)]; }
+  PointKind kind(int point) const;
   /// Returns the target of a constrained or operated point, m.
-  Vec2 target(int point) const { return targets_[index(point)]; }
+  Vec2 target(int point) const;
 
   /// Pins a point to `target` [m]. The point moves there in a straight line during the next step and then stays. Throws
   /// DefinitionError for an unknown point or a coordinate beyond ±1e9, as do the next two.
@@ -72,9 +72,6 @@ class ThesisCord {
   /// Adds a momentum [kg·m/s, each component within ±1e9], distributed evenly over the free points, if any.
   void add_momentum(Vec2 momentum);
 
-  /// Throws DefinitionError unless `point` is the index of a point.
-  void check_point(int point) const;
-
   /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Reads the surroundings at the start of the
   /// step, including the impulses that bodies already have, and adds the cord's impulses. Throws DefinitionError,
   /// before anything has moved, for a value out of range.
@@ -89,7 +86,7 @@ class ThesisCord {
     bool operator==(const State&) const = default;
   };
   /// Returns the state, for restore.
-  State save() const { return {positions_, velocities_, targets_, kinds_}; }
+  State save() const;
   /// Writes the state into an existing object. It allocates nothing if that object held a state of this cord before.
   void save(State& state) const;
   /// Continues from a saved state with the same bits. Throws DefinitionError, and changes nothing, if check_state does.
@@ -98,73 +95,7 @@ class ThesisCord {
   void check_state(const State& state) const;
 
  private:
-  static std::size_t index(int point) { return static_cast<std::size_t>(point); }
-  void drive(int point, Vec2 target, PointKind kind);
-  void set_kind(int point, PointKind kind);
-
-  void begin_step(const Surroundings& surroundings);
-  void substep(int iteration, double dt, Vec2 gravity, const Surroundings& surroundings);
-  void move_driven_points(int iteration);
-  void predict(double dt, Vec2 gravity, const Surroundings& surroundings);
-  void deform_by_fem(double dt);
-  void assemble(double dt);
-  void pull_grips(double dt, const Surroundings& surroundings);
-  void collide_with_itself();
-  void collide_with_circles(double dt, const Surroundings& surroundings);
-  void limit_motion(double dt);
-  void finish_substep(double dt, const Surroundings& surroundings);
-  void report_motions(const Surroundings& surroundings) const;
-  // thesis_report.cpp:
-  struct Energy {
-    double kinetic_and_elastic = 0.0;  // J
-    double potential = 0.0;            // J
-    double total() const { return kinetic_and_elastic + potential; }
-  };
-  Energy energy(Vec2 gravity, const Surroundings& surroundings) const;
-  bool is_driven(const Surroundings& surroundings) const;
-  void report_gain(const Energy& before, Vec2 gravity, const Surroundings& surroundings);
-  void report_shape();
-
-  /// Motion of a body within the step. Of the RigidBody itself only the impulses change.
-  struct BodyMotion {
-    Vec2 position;
-    Vec2 velocity;
-    double angular_velocity;
-    double rotation;        // rad, in this substep
-    double total_rotation;  // rad, in all substeps so far
-  };
-  /// Returns an offset from the centre of mass after the rotation in this substep, to first order.
-  Vec2 rotated(const BodyMotion& body, Vec2 offset) const { return offset + body.rotation * perp(offset); }
-  void apply_impulse(RigidBody& body, BodyMotion& motion, Vec2 arm, Vec2 impulse, double dt);
-
-  ThesisDef def_;
-  std::unique_ptr<Mesh> mesh_;  // has a fixed address, because the broad phases point to it
-  std::unique_ptr<LinearSolver> solver_;
-
-  std::vector<Vec2> positions_;
-  std::vector<Vec2> velocities_;
-  std::vector<Vec2> targets_;  // of driven points
-  std::vector<PointKind> kinds_;
-  std::vector<double> inverse_mass_;  // 1/kg, 0 for driven points
-
-  std::vector<Vec2> substep_start_;  // R of Eq. 3.16: positions at the start of the substep
-  std::vector<Vec2> step_start_;     // positions at the start of the step
-  std::unique_ptr<BandedMatrix> matrix_;
-  std::vector<double> force_;  // F [N], overwritten by U′ [m]
-
-  std::unique_ptr<BroadPhase> self_phase_;  // if the cord declares self-collision
-  std::vector<double> own_radii_;
-  std::vector<char> tangled_;                 // by column: 1 where the cord crosses itself in this step
-  std::unique_ptr<BroadPhase> circle_phase_;  // exists from the first circle on
-  std::vector<BodyMotion> motions_;
-  std::vector<Vec2> circle_offsets_;
-  std::vector<Vec2> circle_centers_;
-  std::vector<Vec2> circle_centers_before_;
-  std::vector<double> circle_radii_;
-  std::vector<Vec2> grip_offsets_;
-  double driven_speed_ = 0.0;  // m/s, the fastest driven point in this step
-
-  StepReport report_;
+  std::unique_ptr<ThesisParts> parts_;
 };
 
 }  // namespace ribbon

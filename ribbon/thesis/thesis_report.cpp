@@ -1,9 +1,9 @@
+#include "ribbon/thesis/thesis_report.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "ribbon/thesis/thesis_cord.h"
-
-// The checks of a step: energy, strain and inverted triangles.
+#include "ribbon/linear/index.h"
 
 namespace ribbon {
 namespace {
@@ -12,35 +12,12 @@ constexpr double max_strain = 0.1;       // of a bar that is not counted as stra
 constexpr double tolerated_gain = 1e-3;  // relative to the kinetic and elastic energy plus M·(g·L + speed_scale²)
 constexpr double speed_scale = 1e-3;     // m/s
 
-}  // namespace
-
-/// Returns the energy of the cord and of the bodies, as they move in this step.
-ThesisCord::Energy ThesisCord::energy(Vec2 gravity, const Surroundings& surroundings) const {
-  Energy sum;
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    sum.kinetic_and_elastic += 0.5 * def_.point_mass * dot(velocities_[p], velocities_[p]);
-    sum.potential -= def_.point_mass * dot(gravity, positions_[p]);
-  }
-  for (const Connection& bar : mesh_->connections) {
-    const double stretch = length(positions_[index(bar.b)] - positions_[index(bar.a)]) - bar.rest_length;
-    sum.kinetic_and_elastic += 0.5 * def_.spring_stiffness * stretch * stretch;
-  }
-  for (std::size_t b = 0; b < motions_.size(); ++b) {
-    const RigidBody& body = surroundings.bodies[b];
-    const BodyMotion& motion = motions_[b];
-    if (body.inverse_mass == 0.0) continue;
-    sum.kinetic_and_elastic += 0.5 * dot(motion.velocity, motion.velocity) / body.inverse_mass;
-    sum.potential -= dot(body.acceleration, motion.position) / body.inverse_mass;
-    if (body.inverse_inertia == 0.0) continue;
-    sum.kinetic_and_elastic += 0.5 * motion.angular_velocity * motion.angular_velocity / body.inverse_inertia;
-  }
-  return sum;
-}
+double length_of(const Connection& bar, const std::vector<Vec2>& x) { return length(x[at(bar.b)] - x[at(bar.a)]); }
 
 /// Returns whether a driven point, a kinematic body or a grip does work.
-bool ThesisCord::is_driven(const Surroundings& surroundings) const {
-  for (std::size_t p = 0; p < positions_.size(); ++p) {
-    if (inverse_mass_[p] == 0.0 && !(targets_[p] == step_start_[p])) return true;
+bool is_driven(const ThesisPoints& points, const Surroundings& surroundings) {
+  for (std::size_t p = 0; p < points.positions.size(); ++p) {
+    if (points.inverse_mass[p] == 0.0 && !(points.targets[p] == points.step_start[p])) return true;
   }
   const auto moves = [](const RigidBody& body) {
     return body.inverse_mass == 0.0 && (!(body.velocity == Vec2{}) || body.angular_velocity != 0.0);
@@ -50,22 +27,51 @@ bool ThesisCord::is_driven(const Surroundings& surroundings) const {
          std::any_of(surroundings.grips.begin(), surroundings.grips.end(), travels);
 }
 
-void ThesisCord::report_gain(const Energy& before, Vec2 gravity, const Surroundings& surroundings) {
-  if (is_driven(surroundings)) return;
-  const double mass = def_.point_mass * mesh_->size();
-  const double scale = mass * (length(gravity) * def_.spacing * (def_.w - 1) + speed_scale * speed_scale);
-  const double tolerated = tolerated_gain * (scale + before.kinetic_and_elastic);
-  if (!(energy(gravity, surroundings).total() - before.total() <= tolerated)) report_.energy_gains = 1;
+}  // namespace
+
+ThesisEnergy energy(const ThesisParts& cord, Vec2 gravity, const Surroundings& surroundings) {
+  const ThesisDef& def = cord.def;
+  const ThesisPoints& points = cord.points;
+  ThesisEnergy sum;
+  for (std::size_t p = 0; p < points.positions.size(); ++p) {
+    sum.kinetic_and_elastic += 0.5 * def.point_mass * dot(points.velocities[p], points.velocities[p]);
+    sum.potential -= def.point_mass * dot(gravity, points.positions[p]);
+  }
+  for (const Connection& bar : cord.mesh.connections) {
+    const double stretch = length_of(bar, points.positions) - bar.rest_length;
+    sum.kinetic_and_elastic += 0.5 * def.spring_stiffness * stretch * stretch;
+  }
+  const auto motions = cord.bodies.motions();
+  for (std::size_t b = 0; b < motions.size(); ++b) {
+    const RigidBody& body = surroundings.bodies[b];
+    const BodyMotion& motion = motions[b];
+    if (body.inverse_mass == 0.0) continue;
+    sum.kinetic_and_elastic += 0.5 * dot(motion.velocity, motion.velocity) / body.inverse_mass;
+    sum.potential -= dot(body.acceleration, motion.position) / body.inverse_mass;
+    if (body.inverse_inertia == 0.0) continue;
+    sum.kinetic_and_elastic += 0.5 * motion.angular_velocity * motion.angular_velocity / body.inverse_inertia;
+  }
+  return sum;
 }
 
-void ThesisCord::report_shape() {
-  for (const Connection& bar : mesh_->connections) {
-    const double size = length(positions_[index(bar.b)] - positions_[index(bar.a)]);
-    if (!(std::abs(size - bar.rest_length) <= max_strain * bar.rest_length)) ++report_.strained_bars;
+void report_gain(const ThesisParts& cord, const ThesisEnergy& before, Vec2 gravity, const Surroundings& surroundings,
+                 StepReport& report) {
+  if (is_driven(cord.points, surroundings)) return;
+  const ThesisDef& def = cord.def;
+  const double mass = def.point_mass * cord.mesh.size();
+  const double scale = mass * (length(gravity) * def.spacing * (def.w - 1) + speed_scale * speed_scale);
+  const double tolerated = tolerated_gain * (scale + before.kinetic_and_elastic);
+  if (!(energy(cord, gravity, surroundings).total() - before.total() <= tolerated)) report.energy_gains = 1;
+}
+
+void report_shape(const ThesisParts& cord, StepReport& report) {
+  const std::vector<Vec2>& x = cord.points.positions;
+  for (const Connection& bar : cord.mesh.connections) {
+    if (!(std::abs(length_of(bar, x) - bar.rest_length) <= max_strain * bar.rest_length)) ++report.strained_bars;
   }
-  for (const Triangle& triangle : mesh_->triangles) {
-    const Vec2 a = positions_[index(triangle.a)];
-    if (!(cross(positions_[index(triangle.b)] - a, positions_[index(triangle.c)] - a) >= 0.0)) ++report_.turned_over;
+  for (const Triangle& triangle : cord.mesh.triangles) {
+    const Vec2 a = x[at(triangle.a)];
+    if (!(cross(x[at(triangle.b)] - a, x[at(triangle.c)] - a) >= 0.0)) ++report.turned_over;
   }
 }
 

@@ -213,7 +213,7 @@ void drive_grips(BitWorld& scene, int tick) {
   b2Body& swinger = body(scene.world, 0);
   if (tick < 60) swinger.ApplyLinearImpulseToCenter({0.5F, 0.0F}, true);
   if (tick == 70) scene.coupling.grip(1).move_anchor({0.05F, 0.2F});
-  if (tick == 100) scene.coupling.release(swinger);
+  if (tick == 100) scene.coupling.body(swinger).release();
   if (tick == 120) move_to_cord(scene, 2, 1, 25);
 }
 
@@ -370,7 +370,7 @@ std::uint64_t hash_of(const Coupling& coupling, const b2World& world) {
       hasher.add(value);
     }
     hasher.add(body->IsAwake());
-    hasher.add(coupling.velocity(*body));
+    hasher.add(coupling.body(*body).velocity());
   }
   return hasher.value();
 }

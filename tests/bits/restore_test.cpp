@@ -147,7 +147,7 @@ std::vector<Frame> record(const GoldenRun& run) {
           {body->GetPosition(), body->GetAngle(), {body->GetLinearVelocity(), body->GetAngularVelocity()}});
     }
     simulation.tick(recorded.input);
-    frame.held = simulation.scene().coupling().held_by(simulation.player().body());
+    frame.held = simulation.scene().coupling().body(simulation.player().body()).held_place();
     frame.hand = ribbon::box2d::to_float(simulation.player().grip());
     frames.push_back(std::move(frame));
   }
@@ -177,12 +177,12 @@ class Stand {
 
  private:
   void follow_hand(const Frame& frame) {
-    const auto grip = coupling().first_grip(player_.body());
-    const auto held = coupling().held_by(player_.body());
+    const auto grip = coupling().body(player_.body()).first_grip();
+    const auto held = coupling().body(player_.body()).held_place();
     if (frame.held && held && held->cord == frame.held->cord && held->point == frame.held->point) {
       return coupling().grip(*grip).move_anchor(frame.hand);
     }
-    coupling().release(player_.body());
+    coupling().body(player_.body()).release();
     if (frame.held) coupling().hold(frame.held->cord, frame.held->point, player_.body(), frame.hand);
   }
 
@@ -205,7 +205,7 @@ TEST(RestoredRun, InItsOwnWorldAtEveryTickItStepsAgainToTheSameBits) {
     for (std::size_t t = k; t < end; ++t) ASSERT_EQ(stand.tick(frames[t]), first[t - k]) << "from " << k << " to " << t;
     stand.coupling().restore(state, stand.world());
     ASSERT_EQ(stand.tick(frames[k]), first[0]);
-    held += stand.coupling().held_by(*stand.world().GetBodyList()).has_value() ? 1U : 0U;
+    held += stand.coupling().body(*stand.world().GetBodyList()).held_place().has_value() ? 1U : 0U;
   }
   EXPECT_GT(held, 60U) << "of little worth where the player holds nothing";
 }

@@ -95,7 +95,7 @@ Seen Fuzzed::see() const {
     }
   }
   for (const b2Body* body : bodies_) {
-    const auto held = coupling_.held_by(*body);
+    const auto held = coupling_.body(*body).held_place();
     seen.holds.push_back(held ? 1000 * held->cord + held->point : -1);
   }
   for (ribbon::box2d::GripId grip = 0; grip < 9; ++grip) {
@@ -174,7 +174,7 @@ void Fuzzed::grip_something() {
       accepts([&] { coupling_.hold(cord(), point(), *holder, hand); });
       break;
     }
-    case 1: coupling_.release(*holder); break;
+    case 1: coupling_.body(*holder).release(); break;
     case 2: accepts([&] { coupling_.grip(grip()).climb(bytes_.number(0.0, 2.0), bytes_.number(0.1, 10.0)); }); break;
     case 3: coupling_.grip(grip()).release(); break;
     default: {
@@ -242,7 +242,7 @@ void Fuzzed::ask() {
     demand(is_finite(touch.point) && is_finite(touch.normal), "a touch is somewhere");
   }
   if (!box2d_keeps_them()) return;
-  for (const b2Body* body : bodies_) demand(is_finite(coupling_.velocity(*body)), "a body goes somewhere");
+  for (const b2Body* body : bodies_) demand(is_finite(coupling_.body(*body).velocity()), "a body goes somewhere");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ class ChainMover {
   /// Creates and destroys the hand's joints as the player grabs and releases. Returns the hand's position relative to
   /// the player's middle, m.
   Vec2 follow_hand() {
-    const auto held = scene_->coupling().held_by(player_->body());
+    const auto held = scene_->coupling().body(player_->body()).held_place();
     if (!held) {
       let_go();
       return {};

@@ -92,7 +92,7 @@ TEST(ChainMover, ACaughtPointComesToTheHand) {
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       run.tick();
       run.show();
-      const auto held = run.simulation().scene().coupling().held_by(run.simulation().player().body());
+      const auto held = run.simulation().scene().coupling().body(run.simulation().player().body()).held_place();
       ASSERT_TRUE(held);
       const auto x = run.simulation().scene().coupling().cord(held->cord).positions();
       last = length(x[static_cast<std::size_t>(held->point)] - run.simulation().player().hand());

@@ -56,7 +56,7 @@ Motion motion_of_bodies(const b2World& world, const ribbon::box2d::Coupling& cou
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
     const double mass = static_cast<double>(body->GetMass());
-    motion.add(mass, to_double(body->GetWorldCenter()), coupling.velocity(*body), to_double(world.GetGravity()));
+    motion.add(mass, to_double(body->GetWorldCenter()), coupling.body(*body).velocity(), to_double(world.GetGravity()));
     // Box2D gives the inertia about the body's origin; Steiner's term moves it to the centre of mass.
     const Vec2 from_origin = to_double(body->GetLocalCenter());
     const double inertia = static_cast<double>(body->GetInertia()) - mass * dot(from_origin, from_origin);

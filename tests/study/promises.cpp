@@ -58,7 +58,7 @@ bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>
   game::Simulation simulation(level);
   return std::any_of(inputs.begin(), inputs.end(), [&simulation](const engine::TickInput& input) {
     simulation.tick(input);
-    return simulation.scene().coupling().held_by(simulation.player().body()).has_value();
+    return simulation.scene().coupling().body(simulation.player().body()).held_place().has_value();
   });
 }
 

@@ -109,7 +109,7 @@ TEST(Trace, ARunOfALevelIsTheSimulation) {
   EXPECT_NEAR(trace.figures.back().stretch, 0.0, 1e-3);
   double energy = 0.0;
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    const double speed = length(simulation.scene().coupling().velocity(*body));
+    const double speed = length(simulation.scene().coupling().body(*body).velocity());
     if (body->GetType() == b2_dynamicBody) energy += 0.5 * static_cast<double>(body->GetMass()) * speed * speed;
   }
   EXPECT_GE(trace.figures.back().kinetic, energy);

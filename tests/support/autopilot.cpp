@@ -34,7 +34,7 @@ const game::Level& first_swing_level() {
 }
 
 std::uint16_t Autopilot::buttons(const game::Simulation& simulation) {
-  const auto held = simulation.scene().coupling().held_by(simulation.player().body());
+  const auto held = simulation.scene().coupling().body(simulation.player().body()).held_place();
   if (held) return hang(simulation, *held);
   ticks_on_cord_ = 0;
   return fly_or_run(simulation);

@@ -73,7 +73,7 @@ class CoupledWorld {
   /// Returns the tension of the link at a rope's first or last point, N; NaN for a cord of the thesis.
   double tension(int cord, int point) const;
   /// Returns the momentary velocity of a body's centre.
-  ribbon::Vec2 velocity(const b2Body& body) const { return coupling.velocity(body); }
+  ribbon::Vec2 velocity(const b2Body& body) const { return coupling.body(body).velocity(); }
   /// Returns the kinetic, potential and elastic energy of cords and bodies, J.
   double energy() const;
   /// Returns the scale for energies, J: total weight and pulls, times the length of the longest cord.

@@ -18,7 +18,7 @@ Vec2 velocity(const Simulation& simulation) {
 double sign(int side) { return side == game::button_left ? -1.0 : 1.0; }
 
 bool holds_cord(const Simulation& simulation) {
-  return simulation.scene().coupling().held_by(simulation.player().body()).has_value();
+  return simulation.scene().coupling().body(simulation.player().body()).held_place().has_value();
 }
 
 bool line_is_held(const Simulation& simulation) {
@@ -28,7 +28,7 @@ bool line_is_held(const Simulation& simulation) {
 /// Returns the position that the held cord hangs from, m.
 Vec2 top_of_cord(const Simulation& simulation) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-  const auto held = coupling.held_by(simulation.player().body());
+  const auto held = coupling.body(simulation.player().body()).held_place();
   return held ? coupling.cord(held->cord).positions()[0] : position(simulation);
 }
 

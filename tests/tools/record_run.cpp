@@ -22,7 +22,7 @@ void trace(const game::Simulation& simulation, std::size_t move) {
   std::printf("tick %4d move %2zu at %6.2f %6.2f  v %6.2f %6.2f%s%s%s\n", simulation.run_ticks(), move,
               player.position().x, player.position().y, static_cast<double>(v.x), static_cast<double>(v.y),
               player.is_on_ground() ? " ground" : "",
-              simulation.scene().coupling().held_by(player.body()) ? " holds" : "",
+              simulation.scene().coupling().body(player.body()).held_place() ? " holds" : "",
               player.line().state() == game::Line::State::held ? " line" : "");
 }
 

@@ -54,7 +54,7 @@ class HeldSwing final : public Swing {
 
   double energy() override {
     const Vec2 position = to_double(scene_->load->GetPosition());
-    const double load = energy_of(heavy::load_mass, position, scene_->coupling.velocity(*scene_->load));
+    const double load = energy_of(heavy::load_mass, position, scene_->coupling.body(*scene_->load).velocity());
     return load + (accuracy_ ? scene_->coupling.cord(0).direct().energy({0.0, -heavy::gravity}).total() : 0.0);
   }
 

@@ -80,7 +80,7 @@ TEST_P(Bridge, ABallRestsOnItWithoutDriftOrJitter) {
   EXPECT_LE(jitter, 1e-4);
   EXPECT_LE(deepest, 0.01 * 2.0 * def.radius + 1e-3);
   EXPECT_FALSE(scene.cord().touches().empty());
-  EXPECT_LE(length(scene.coupling.velocity(*ball)), 1e-3);
+  EXPECT_LE(length(scene.coupling.body(*ball).velocity()), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(MassRatios, Bridge, testing::Values(0.01, 0.1, 1.0, 10.0, 100.0));
@@ -202,7 +202,8 @@ TEST(ContactCord, WithBallsInFreeFlightItKeepsItsMomentum) {
   const auto momentum = [&] {
     Vec2 sum;
     for (int p = 0; p < 31; ++p) sum += scene.cord().mass(p) * scene.cord().velocities()[static_cast<std::size_t>(p)];
-    for (const b2Body* ball : balls) sum += static_cast<double>(ball->GetMass()) * scene.coupling.velocity(*ball);
+    for (const b2Body* ball : balls)
+      sum += static_cast<double>(ball->GetMass()) * scene.coupling.body(*ball).velocity();
     return sum;
   };
   const Vec2 before = momentum();

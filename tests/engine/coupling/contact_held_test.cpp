@@ -81,7 +81,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
   if (floor > -infinity) add_wall({-20.0, floor}, {20.0, floor});
   const double mass = static_cast<double>(body->GetMass());
   const auto energy = [&] {
-    const Vec2 v = scene.coupling.velocity(*body);
+    const Vec2 v = scene.coupling.body(*body).velocity();
     const double turning = static_cast<double>(body->GetAngularVelocity());
     return scene.cord().energy({0.0, -9.81}).total() + 0.5 * mass * dot(v, v) + mass * 9.81 * position(body).y +
            0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
@@ -96,7 +96,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
     run.lowest = std::min(run.lowest, position(body).y - floor);
     run.stretch = std::max(run.stretch, stretch(scene.cord()));
     run.off = std::max(run.off, length(scene.cord().positions()[50] - position(body)));
-    if (k >= ticks - 100) run.leftover = std::max(run.leftover, length(scene.coupling.velocity(*body)));
+    if (k >= ticks - 100) run.leftover = std::max(run.leftover, length(scene.coupling.body(*body).velocity()));
   }
   return run;
 }
@@ -160,7 +160,7 @@ TEST(ContactCord, AHeldBodyPushedIntoAWallStays) {
     body->ApplyForceToCenter({500.0F, 0.0F}, true);
     scene.tick();
     furthest_in = std::max(furthest_in, position(body).x + 0.3 - 0.31);
-    if (k > 500) fastest = std::max(fastest, length(scene.coupling.velocity(*body)));
+    if (k > 500) fastest = std::max(fastest, length(scene.coupling.body(*body).velocity()));
   }
   EXPECT_LE(furthest_in, 0.02);
   EXPECT_LE(fastest, 1e-2);

@@ -148,7 +148,7 @@ TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity
   for (int k = 0; k < 600; ++k) {
     if (k >= 120) ball->ApplyForceToCenter({0.0F, k < 360 ? 200.0F : -300.0F}, true);
     scene.tick();
-    if (k > 500) fastest = std::max(fastest, std::abs(scene.coupling.velocity(*ball).y));  // it may roll
+    if (k > 500) fastest = std::max(fastest, std::abs(scene.coupling.body(*ball).velocity().y));  // it may roll
   }
   EXPECT_LE(fastest, 1e-3);
 }

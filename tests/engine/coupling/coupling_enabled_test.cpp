@@ -88,10 +88,10 @@ TEST(CouplingEnabled, BodiesThatHeldItReleaseItWithTheirMomentaryVelocity) {
     b2Body& hand = there.ball(there.coupling.cord(0).positions()[10], 0.02);
     there.coupling.hold(0, 10, hand, {0.0F, 0.0F});
     there.tick(5);
-    ASSERT_TRUE(there.coupling.held_by(hand));
-    const Vec2 velocity = there.coupling.velocity(hand);
+    ASSERT_TRUE(there.coupling.body(hand).held_place());
+    const Vec2 velocity = there.coupling.body(hand).velocity();
     there.coupling.cord(0).set_enabled(false);
-    EXPECT_FALSE(there.coupling.held_by(hand));
+    EXPECT_FALSE(there.coupling.body(hand).held_place());
     EXPECT_LT(length(ribbon::box2d::to_double(hand.GetLinearVelocity()) - velocity), 1e-6);
     there.tick(60);
     EXPECT_NEAR(hand.GetLinearVelocity().y, static_cast<float>(velocity.y) - 9.81F, 1e-3F);
@@ -106,7 +106,7 @@ TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
   const std::string said = "cord 0 is disabled; accepted is one that is enabled";
   EXPECT_EQ(refusal<CallError>([&] { there.coupling.hold(0, 3, hand, {0.0F, 0.0F}); }), said);
   EXPECT_EQ(refusal<CallError>([&] { there.coupling.hold(hand, {.cord = 0, .arc = 0.5}); }), said);
-  EXPECT_FALSE(there.coupling.held_by(hand));
+  EXPECT_FALSE(there.coupling.body(hand).held_place());
   for (const ribbon::box2d::CordId none : {-1, 1}) {
     EXPECT_EQ(refusal<CallError>([&] { there.coupling.cord(none).set_enabled(false); }),
               "cord is " + std::to_string(none) + "; accepted is the id of a cord that was added and not removed");

@@ -67,8 +67,8 @@ TEST(CordIds, OfARemovedCordAreRefusedByEveryCall) {
   EXPECT_EQ(refusal<CallError>([&] { gone.set_user_data(1); }), said);
   EXPECT_EQ(refusal<CallError>([&] { gone.replace(rope()); }), said);
   EXPECT_EQ(refusal<CallError>([&] { there.coupling.remove(0); }), said);
-  EXPECT_EQ(refusal<CallError>([&] { (void)there.coupling.position({0, 3}); }), said);
-  EXPECT_EQ(refusal<CallError>([&] { (void)there.coupling.arc({0, 3}); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.position(3); }), said);
+  EXPECT_EQ(refusal<CallError>([&] { (void)gone.arc(3); }), said);
   EXPECT_EQ(refusal<CallError>([&] { there.coupling.hold(0, 3, ball, b2Vec2_zero); }), said);
 }
 
@@ -167,12 +167,12 @@ TEST(Holding, RefusedInAnotherWorldChangesNothing) {
 
 TEST(Places, ThatACordDoesNotHaveAreRefused) {
   Coupling coupling;
-  const CordId cord = coupling.add(rope());
-  EXPECT_EQ(coupling.position({cord, 20}).x, 2.0);
-  EXPECT_THROW((void)coupling.position({cord, 21}), DefinitionError);
-  EXPECT_THROW((void)coupling.position({cord, -1}), DefinitionError);
-  EXPECT_THROW((void)coupling.position({cord, 20, 0.0, 0.5}), DefinitionError);
-  EXPECT_THROW((void)coupling.arc({cord, 3, 0.0, 1.5}), DefinitionError);
+  const CordView cord = coupling.cord(coupling.add(rope()));
+  EXPECT_EQ(cord.position(20).x, 2.0);
+  EXPECT_THROW((void)cord.position(21), DefinitionError);
+  EXPECT_THROW((void)cord.position(-1), DefinitionError);
+  EXPECT_THROW((void)cord.position(20, 0.5), DefinitionError);
+  EXPECT_THROW((void)cord.arc(3, 1.5), DefinitionError);
 }
 
 TEST(Holding, AgainIsASecondGripAndNeverMovesTheFirst) {
@@ -189,15 +189,15 @@ TEST(Holding, AgainIsASecondGripAndNeverMovesTheFirst) {
     EXPECT_EQ(kept.local_anchor, b2Vec2(0.0F, 0.1F)) << "the refused one has not moved it";
     EXPECT_EQ(kept.next_anchor, b2Vec2(0.0F, 0.1F));
     const GripId second = there.coupling.hold(cord, 10, body, {0.0F, -0.1F});
-    EXPECT_EQ(there.coupling.first_grip(body), first);
+    EXPECT_EQ(there.coupling.body(body).first_grip(), first);
     EXPECT_EQ(there.coupling.grip(first).state().point, 4);
     EXPECT_EQ(there.coupling.grip(second).state().point, 10);
     there.tick(30);
     EXPECT_TRUE(there.coupling.grip(first).release());
     EXPECT_FALSE(there.coupling.grip(first).release());
-    EXPECT_TRUE(there.coupling.held_by(body)) << "by the second";
+    EXPECT_TRUE(there.coupling.body(body).held_place()) << "by the second";
     there.tick(30);
-    EXPECT_TRUE(there.coupling.release(body));
+    EXPECT_TRUE(there.coupling.body(body).release());
     EXPECT_FALSE(there.coupling.grip(second).is_valid());
   }
 }

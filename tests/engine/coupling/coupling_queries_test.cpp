@@ -34,7 +34,7 @@ double nearest_distance(const ribbon::box2d::Coupling& coupling, Vec2 position, 
     const auto x = coupling.cord(c).positions();
     const int rows = coupling.cord(c).shape().rows;
     for (int p = 0; p < static_cast<int>(x.size()); ++p) {
-      const auto place_at = [&](double along) { return coupling.position({c, p, 0.0, along}); };
+      const auto place_at = [&](double along) { return coupling.cord(c).position(p, along); };
       nearest = std::min(nearest, length(place_at(0.0) - position));
       if (!between_points || p + rows >= static_cast<int>(x.size()) ||
           coupling.cord(c).solver() == ribbon::box2d::Solver::thesis)

@@ -28,9 +28,9 @@ TEST(RemovingACord, ReleasesItsHoldersAndEndsItsContactsInTheNextStep) {
     touches = !there.coupling.cord(id).touching().empty();
   }
   ASSERT_TRUE(touches);
-  const Vec2 velocity = there.coupling.velocity(holder);
+  const Vec2 velocity = there.coupling.body(holder).velocity();
   there.coupling.remove(id);
-  EXPECT_FALSE(there.coupling.held_by(holder));
+  EXPECT_FALSE(there.coupling.body(holder).held_place());
   EXPECT_NEAR(length(to_double(holder.GetLinearVelocity()) - velocity), 0.0, 1e-5) << "it keeps its velocity";
   there.tick(1);
   ASSERT_EQ(there.coupling.touch_events().size(), 1U);
@@ -168,7 +168,7 @@ TEST(RemovingACord, BetweenGatherAndApplyIsSafe) {
     if (!after_step) there.coupling.step();
     there.coupling.apply();
     there.world.Step(static_cast<float>(dt), 8, 3);
-    EXPECT_FALSE(there.coupling.held_by(holder));
+    EXPECT_FALSE(there.coupling.body(holder).held_place());
     const float speed = holder.GetLinearVelocity().y;
     there.tick(5);
     EXPECT_NEAR(holder.GetLinearVelocity().y, speed - 5.0F * 9.81F / 60.0F, 0.05F) << "it falls";

@@ -186,7 +186,7 @@ TEST(CouplingSleep, ABodyThatLosesItsCordWakes) {
   for (const bool by_grip : {true, false}) {
     Lamp lamp;
     ASSERT_TRUE(lamp.falls_asleep());
-    by_grip ? lamp.coupling.grip(lamp.grip).release() : lamp.coupling.release(*lamp.lamp);
+    by_grip ? lamp.coupling.grip(lamp.grip).release() : lamp.coupling.body(*lamp.lamp).release();
     lamp.tick(60);
     EXPECT_LT(lamp.lamp->GetPosition().y, -6.0F);
   }

@@ -187,11 +187,12 @@ class RandomWorld {
       case 6: add_fixture(body); break;
       case 7: body.SetType(body.GetType() == b2_staticBody ? b2_dynamicBody : b2_staticBody); break;
       default:
-        if (body.GetType() == b2_dynamicBody && body.GetMass() > 0.0F && body.IsEnabled() && !coupling.held_by(body)) {
+        if (body.GetType() == b2_dynamicBody && body.GetMass() > 0.0F && body.IsEnabled() &&
+            !coupling.body(body).held_place()) {
           const ribbon::box2d::CordId cord = below(coupling.size());
           coupling.hold(cord, coupling.cord(cord).shape().columns - 1, body, {0.0F, 0.0F});
-        } else if (coupling.held_by(body)) {
-          coupling.release(body);
+        } else if (coupling.body(body).held_place()) {
+          coupling.body(body).release();
         }
     }
   }
@@ -299,12 +300,12 @@ TEST(Gather, ReportedDestructionsAreTrusted) {
   Held held;
   held.coupling.trust_forget(true);
   held.tick(5);
-  EXPECT_TRUE(held.coupling.held_by(*held.ball));
+  EXPECT_TRUE(held.coupling.body(*held.ball).held_place());
   EXPECT_LT(held.ball->GetLinearVelocity().Length(), 0.1F);
   held.coupling.destroy(held.world, *held.ball);
   b2Body* const next = held.add_ball({0.0, -1.1}, 0.1, 1.0);
   held.tick(5);
-  EXPECT_FALSE(held.coupling.held_by(*next));
+  EXPECT_FALSE(held.coupling.body(*next).held_place());
 }
 
 /// A body that is no longer solver-driven continues with its momentary velocity, wherever it is.
@@ -314,11 +315,11 @@ TEST(Gather, ABodyThatIsRemovedGetsItsVelocityCarry) {
     held.coupling.trust_forget(trusts);
     held.ball->SetLinearVelocity({3.0F, 0.0F});
     held.tick(10);
-    const Vec2 momentary = held.coupling.velocity(*held.ball);
+    const Vec2 momentary = held.coupling.body(*held.ball).velocity();
     ASSERT_GT(length(momentary - ribbon::box2d::to_double(held.ball->GetLinearVelocity())), 0.01);
     held.coupling.cord(0).set_enabled(false);
     EXPECT_LT(length(momentary - ribbon::box2d::to_double(held.ball->GetLinearVelocity())), 1e-5);
-    EXPECT_EQ(held.coupling.velocity(*held.ball), ribbon::box2d::to_double(held.ball->GetLinearVelocity()));
+    EXPECT_EQ(held.coupling.body(*held.ball).velocity(), ribbon::box2d::to_double(held.ball->GetLinearVelocity()));
   }
 }
 

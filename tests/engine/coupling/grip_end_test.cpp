@@ -69,7 +69,7 @@ TEST(Grip, RefusesWhatCannotBe) {
   scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
   scene.coupling.hold(1, 0, *scene.add_body({}, 1.0), b2Vec2_zero);
   EXPECT_THROW(scene.coupling.grip(grip + 1).climb(0.1, 1.0), CallError);  // the hold's number, of another solver
-  scene.coupling.release(*scene.world.GetBodyList());
+  scene.coupling.body(*scene.world.GetBodyList()).release();
   EXPECT_FALSE(scene.coupling.grip(grip + 1).release());
   EXPECT_FALSE(scene.coupling.grip(grip + 1).is_valid());
   scene.tick(10);
@@ -158,7 +158,7 @@ TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
     const ribbon::box2d::GripId grip = scene.coupling.hold(*body, {.cord = 0, .arc = 9.0});
     body->SetLinearVelocity({20.0F, 0.0F});
     scene.tick(20);
-    ASSERT_GT(length(scene.coupling.velocity(*body) - ribbon::box2d::to_double(body->GetLinearVelocity())), 0.1)
+    ASSERT_GT(length(scene.coupling.body(*body).velocity() - ribbon::box2d::to_double(body->GetLinearVelocity())), 0.1)
         << "carried";
     body = make_anew(scene, body, {10.0, 0.0}, 1.0);
     ask(scene, *body, grip);
@@ -170,12 +170,13 @@ TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
   };
   anew([](GripWorld&, b2Body&, ribbon::box2d::GripId) {});
   anew([](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) {
-    EXPECT_EQ(scene.coupling.velocity(body), Vec2{});
-    EXPECT_FALSE(scene.coupling.held_by(body));
+    EXPECT_EQ(scene.coupling.body(body).velocity(), Vec2{});
+    EXPECT_FALSE(scene.coupling.body(body).held_place());
   });
   anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId grip) { scene.coupling.grip(grip).release(); });
   anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) { scene.coupling.cord(0).set_enabled(false); });
-  anew([](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) { EXPECT_FALSE(scene.coupling.release(body)); });
+  anew(
+      [](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) { EXPECT_FALSE(scene.coupling.body(body).release()); });
   anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) {
     const ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);
     EXPECT_TRUE(state.grips.empty());
@@ -203,8 +204,8 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   scene.coupling.hold(0, 25, *body, b2Vec2_zero);
   scene.tick(5);
   EXPECT_FALSE(scene.coupling.grip(after).is_valid());
-  ASSERT_TRUE(scene.coupling.held_by(*body));
-  EXPECT_EQ(scene.coupling.held_by(*body)->point, 25);
+  ASSERT_TRUE(scene.coupling.body(*body).held_place());
+  EXPECT_EQ(scene.coupling.body(*body).held_place()->point, 25);
 }
 
 /// A user's destruction listener reports what the order of the world's list cannot show: that the newest body is new.
@@ -224,8 +225,8 @@ TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
   listener.coupling = &scene.coupling;
   scene.world.SetDestructionListener(&listener);
   body = make_anew(scene, body, {10.0, 0.0}, 1.0);
-  EXPECT_FALSE(scene.coupling.held_by(*body));
-  EXPECT_EQ(scene.coupling.velocity(*body), Vec2{});
+  EXPECT_FALSE(scene.coupling.body(*body).held_place());
+  EXPECT_EQ(scene.coupling.body(*body).velocity(), Vec2{});
   scene.tick();
   EXPECT_FALSE(scene.coupling.grip(grip).is_valid());
   EXPECT_EQ(ribbon::box2d::to_double(body->GetLinearVelocity()).x, 0.0);

@@ -74,7 +74,7 @@ TEST(Grip, ClimbsUnderLoad) {
   scene.tick(120);
   EXPECT_NEAR(scene.coupling.grip(grip).state().arc, 3.3, 1e-9);
   EXPECT_NEAR(body->GetPosition().y, -3.3, 1e-3);
-  EXPECT_NEAR(length(scene.coupling.velocity(*body)), 0.0, 1e-2);
+  EXPECT_NEAR(length(scene.coupling.body(*body).velocity()), 0.0, 1e-2);
 }
 
 /// The body slides down with the acceleration g − F/m.
@@ -153,7 +153,7 @@ TEST(Grip, GoesFromOneCordToAnotherWithoutAJolt) {
   body->ApplyLinearImpulseToCenter({static_cast<float>(70.0 * 2.0), 0.0F}, true);
   bool changed = false;
   Vec2 position = ribbon::box2d::to_double(body->GetPosition());
-  Vec2 velocity = scene.coupling.velocity(*body);
+  Vec2 velocity = scene.coupling.body(*body).velocity();
   for (int k = 0; k < 60; ++k) {
     if (!changed && position.x > 0.9) {
       // The nearest place of the other cord.
@@ -165,7 +165,7 @@ TEST(Grip, GoesFromOneCordToAnotherWithoutAJolt) {
     }
     scene.tick();
     const Vec2 now = ribbon::box2d::to_double(body->GetPosition());
-    const Vec2 next = scene.coupling.velocity(*body);
+    const Vec2 next = scene.coupling.body(*body).velocity();
     if (k > 1) {
       EXPECT_LT(length(next - velocity), 0.6) << k;  // 2 g in a tick is 0.3 m/s
     }
@@ -232,7 +232,7 @@ TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
     ball->GetFixtureList()->SetFilterData(b2Filter());
     ball->SetLinearVelocity({0.0F, -3.0F});
     scene.tick(10);
-    return scene.coupling.velocity(*ball).y;
+    return scene.coupling.body(*ball).velocity().y;
   };
   EXPECT_GT(hit(true), -1.0) << "stopped, or thrown back";
   EXPECT_NEAR(hit(false), hit(true), 0.2);

@@ -81,7 +81,7 @@ TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
       // An impulse acts half a tick before or after the force of the same size: 1.7 % of the distance in a second.
       const Vec2 way = ribbon::box2d::to_double(scene.body->GetPosition()) - Vec2{0.0, -6.0};
       EXPECT_NEAR(way.x, exact.positions()[30].x, 0.02 * exact.positions()[30].x) << impulse << before;
-      EXPECT_NEAR(scene.coupling.velocity(*scene.body).x, exact.velocities()[30].x, 0.05) << impulse << before;
+      EXPECT_NEAR(scene.coupling.body(*scene.body).velocity().x, exact.velocities()[30].x, 0.05) << impulse << before;
     }
   }
 }
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 67
 
 /// Returns the kinetic energy of a body from its momentary velocities, J.
 double energy(const World& scene, double turning) {
-  const Vec2 v = scene.coupling.velocity(*scene.body);
+  const Vec2 v = scene.coupling.body(*scene.body).velocity();
   return 0.5 * static_cast<double>(scene.body->GetMass()) * dot(v, v) +
          0.5 * static_cast<double>(scene.body->GetInertia()) * turning * turning +
          9.81 * static_cast<double>(scene.body->GetMass() * scene.body->GetPosition().y);
@@ -175,7 +175,7 @@ TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
   double off_of_means = 0.0;
   for (int k = 0; k < 120; ++k) {
     scene.tick();
-    const double now = energy(scene, scene.coupling.angular_velocity(*scene.body)) +
+    const double now = energy(scene, scene.coupling.body(*scene.body).angular_velocity()) +
                        scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
     const double by_means = energy(scene, static_cast<double>(scene.body->GetAngularVelocity())) +
                             scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
@@ -213,7 +213,7 @@ TEST(HeldCord, ATurnThatBox2DStopsIsOver) {
     state.carries.at(0).memory.angular_carry = ahead;
     state.carries.at(0).memory.angular_velocity = by_box2d - pushed;
     scene.coupling.restore(state, scene.world);
-    return scene.coupling.angular_velocity(*scene.body) - by_box2d;
+    return scene.coupling.body(*scene.body).angular_velocity() - by_box2d;
   };
   EXPECT_EQ(turning(5.0, -1.0), 0.0);
   EXPECT_EQ(turning(-5.0, 1.0), 0.0);
@@ -229,8 +229,8 @@ TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
   scene.make_body({10.0, 0.0}, 70.0, 0.0);
   scene.coupling.hold(0, 50, *scene.body, {0.0F, 0.0F});
   for (int k = 0; k < 80; ++k) scene.tick();
-  const Vec2 velocity = scene.coupling.velocity(*scene.body);
-  EXPECT_TRUE(scene.coupling.release(*scene.body));
+  const Vec2 velocity = scene.coupling.body(*scene.body).velocity();
+  EXPECT_TRUE(scene.coupling.body(*scene.body).release());
   scene.tick();
   const Vec2 after = ribbon::box2d::to_double(scene.body->GetLinearVelocity());
   EXPECT_NEAR(length(after - (velocity + dt * Vec2{0.0, -9.81})), 0.0, 1e-4);

@@ -62,7 +62,7 @@ TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {
   EXPECT_EQ(made.kind, BodyKind::load);
   EXPECT_EQ(made.object, 8);
   EXPECT_NEAR(made.body->GetMass(), 400.0F, 1e-3F);
-  const auto held = scene.coupling().held_by(*made.body);
+  const auto held = scene.coupling().body(*made.body).held_place();
   ASSERT_TRUE(held);
   EXPECT_EQ(held->point, 20);
   for (int k = 0; k < 300; ++k) scene.tick(1.0 / 60.0);
@@ -83,7 +83,7 @@ TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
     };
     for (int k = 0; k < 600; ++k) {
       scene.tick(1.0 / 60.0);
-      ASSERT_TRUE(scene.coupling().held_by(body));
+      ASSERT_TRUE(scene.coupling().body(body).held_place());
       ASSERT_NEAR(from_pin(), 2.0F, 2e-3F) << k;
     }
     EXPECT_EQ(scene.coupling().cord(0).island_total().unconverged, 0);
@@ -208,7 +208,7 @@ TEST(Replacing, ACordLetsGoOfItsHoldersAndForgetsWhatItCounted) {
   def.mass_per_length = 0.1;
   def.positions = {{1.0, 5.0}, {1.25, 5.0}, {1.5, 5.0}, {1.75, 5.0}, {2.0, 5.0}};
   scene.coupling().cord(0).replace(ribbon::Cord(def));
-  EXPECT_FALSE(scene.coupling().held_by(*scene.bodies()[0].body));
+  EXPECT_FALSE(scene.coupling().body(*scene.bodies()[0].body).held_place());
   EXPECT_EQ(scene.coupling().size(), 1);
   EXPECT_EQ(scene.coupling().cord(0).positions().size(), 5U);
   EXPECT_EQ(scene.coupling().cord(0).island_total().stages, 0);
@@ -234,8 +234,8 @@ TEST(NearestPlace, IsBetweenThePointsOfADirectCordAndNotOfTheOneLeftOut) {
   EXPECT_EQ(place->point, 7);
   EXPECT_NEAR(place->along, 0.7, 1e-9);
   EXPECT_NEAR(place->distance, 0.3, 1e-12);
-  EXPECT_NEAR(scene.coupling().arc(*place), 0.77, 1e-9);
-  EXPECT_NEAR(scene.coupling().position(*place).y, 8.23, 1e-9);
+  EXPECT_NEAR(scene.coupling().cord(place->cord).arc(place->point, place->along), 0.77, 1e-9);
+  EXPECT_NEAR(scene.coupling().cord(place->cord).position(place->point, place->along).y, 8.23, 1e-9);
   EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 0.2));
   EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 1.0, 0));
 }

@@ -102,7 +102,7 @@ TEST(SceneTuning, AttachedMassesAndHoldersStayWhenTheMassChanges) {
   tuned.set(cord, "mass", 3.0 * mass);
   EXPECT_NEAR(tuned.scene.coupling().cord(cord).direct().mass(last), 12.0 + 3.0 * own, 1e-9);
   tuned.run(30);
-  const auto held = tuned.scene.coupling().held_by(*body);
+  const auto held = tuned.scene.coupling().body(*body).held_place();
   ASSERT_TRUE(held);
   EXPECT_LT(held->distance, 0.2);
 }

@@ -160,7 +160,7 @@ Snapshot World::snapshot() const {
 }
 
 World::Moving World::now(const b2Body& body) const {
-  return {to_double(body.GetWorldCenter()), coupling_.velocity(body), coupling_.angular_velocity(body)};
+  return {to_double(body.GetWorldCenter()), coupling_.body(body).velocity(), coupling_.body(body).angular_velocity()};
 }
 
 /// Returns the kinetic and potential energy of a body, J.

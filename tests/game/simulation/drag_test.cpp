@@ -137,7 +137,7 @@ TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordIsLong) {
   for (int k = 0; k < 30; ++k) simulation.tick({});
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   b2Body& block = body_named(simulation, "block");
-  const auto held = coupling.held_by(block);
+  const auto held = coupling.body(block).held_place();
   ASSERT_TRUE(held);
   const auto x = coupling.cord(held->cord).positions();
   const double cord_length = coupling.cord(held->cord).direct().def().length;

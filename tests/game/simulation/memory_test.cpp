@@ -23,7 +23,7 @@ class Novelty {
   bool is_new(const Simulation& simulation) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const int islands = coupling.islands();
-    const bool holds = coupling.held_by(simulation.player().body()).has_value();
+    const bool holds = coupling.body(simulation.player().body()).held_place().has_value();
     bool found = islands != islands_ || holds != holds_ || simulation.player().line().is_new() ||
                  !coupling.touch_events().empty();
     islands_ = islands;

@@ -36,10 +36,17 @@ void tick(Simulation& simulation, int buttons, int ticks = 1, Vec2 pointer = {})
 }
 
 ribbon::box2d::CordPoint held(const Simulation& simulation) {
-  return simulation.scene().coupling().held_by(simulation.player().body()).value_or(ribbon::box2d::CordPoint{-1});
+  return simulation.scene()
+      .coupling()
+      .body(simulation.player().body())
+      .held_place()
+      .value_or(ribbon::box2d::CordPoint{-1});
 }
 
-double held_arc(const Simulation& simulation) { return simulation.scene().coupling().arc(held(simulation)); }
+double held_arc(const Simulation& simulation) {
+  const ribbon::box2d::CordPoint place = held(simulation);
+  return simulation.scene().coupling().cord(place.cord).arc(place.point, place.along);
+}
 
 TEST(Climbing, GoesUpAndDownTheCordAtItsOwnSpeedsAndEndsBelowTheTop) {
   const Level level = load_level("pump_it_up");
@@ -82,7 +89,7 @@ TEST(LettingGo, ByJumpingHopsAndKeepsWhatTheSwingGave) {
   play(simulation, {test_support::run_past(7.0), test_support::jump_and_catch(button_right)});
   tick(simulation, button_grab | button_right, 30);
   Simulation& jumps = simulation;
-  const Vec2 before = jumps.scene().coupling().velocity(jumps.player().body());
+  const Vec2 before = jumps.scene().coupling().body(jumps.player().body()).velocity();
   tick(jumps, button_jump);
   const Vec2 after = ribbon::box2d::to_double(jumps.player().body().GetLinearVelocity());
   EXPECT_NEAR(after.x, before.x, 0.05);
@@ -160,7 +167,7 @@ TEST_F(ThrownLine, StretchesUnderItsBouncingPlayer) {
 TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
   tick(simulation, button_throw);
   EXPECT_EQ(simulation.player().line().state(), Line::State::released);
-  EXPECT_FALSE(simulation.scene().coupling().held_by(simulation.player().body()));
+  EXPECT_FALSE(simulation.scene().coupling().body(simulation.player().body()).held_place());
   const int cords = simulation.scene().coupling().size();
   tick(simulation, 0);
   tick(simulation, button_throw, 1, ring);
@@ -219,8 +226,8 @@ TEST(Load, FallsWhenItsHolderReleasesTheCord) {
   play(simulation, {test_support::run_past(4.3), test_support::jump(button_right, 30), test_support::run_past(8.0),
                     test_support::jump_and_catch(button_right)});
   tick(simulation, button_grab | button_throw);
-  EXPECT_FALSE(simulation.scene().coupling().held_by(*load->body));
-  EXPECT_TRUE(simulation.scene().coupling().held_by(simulation.player().body()));
+  EXPECT_FALSE(simulation.scene().coupling().body(*load->body).held_place());
+  EXPECT_TRUE(simulation.scene().coupling().body(simulation.player().body()).held_place());
   tick(simulation, button_grab, 60);
   EXPECT_LT(load->body->GetPosition().y, hangs - 0.8F);
 }

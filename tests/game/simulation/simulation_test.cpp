@@ -285,7 +285,7 @@ TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
 TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndLetsGoWithItsVelocity) {
   Simulation simulation(level());
   test_support::Autopilot autopilot;
-  const auto held = [&] { return simulation.scene().coupling().held_by(simulation.player().body()); };
+  const auto held = [&] { return simulation.scene().coupling().body(simulation.player().body()).held_place(); };
   while (!held() && simulation.ticks() < 300) simulation.tick(press(autopilot.buttons(simulation)));
   ASSERT_TRUE(held());
   for (int k = 0; k < 30; ++k) simulation.tick(press(button_grab | button_right));
@@ -293,10 +293,10 @@ TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndLetsGoWithItsVelocity) {
   const ribbon::Vec2 point =
       simulation.current().cords[static_cast<std::size_t>(held()->cord)][static_cast<std::size_t>(held()->point)];
   EXPECT_LT(length(point - simulation.player().hand()), 0.1);  // the point is at the hand
-  const ribbon::Vec2 before = simulation.scene().coupling().velocity(simulation.player().body());
+  const ribbon::Vec2 before = simulation.scene().coupling().body(simulation.player().body()).velocity();
   simulation.tick(press(button_right));  // grab is released
   EXPECT_FALSE(held());
-  const ribbon::Vec2 after = simulation.scene().coupling().velocity(simulation.player().body());
+  const ribbon::Vec2 after = simulation.scene().coupling().body(simulation.player().body()).velocity();
   EXPECT_NEAR(length(after - before - ribbon::Vec2{0.0, -9.81 / 60.0}), 0.0, 1e-4);
 }
 
@@ -305,7 +305,7 @@ TEST_P(EitherLevel, PumpingAtTheRightTimePays) {
   const auto height_after = [](int sign) {
     Simulation simulation(level());
     test_support::Autopilot autopilot;
-    const auto held = [&] { return simulation.scene().coupling().held_by(simulation.player().body()); };
+    const auto held = [&] { return simulation.scene().coupling().body(simulation.player().body()).held_place(); };
     while (!held() && simulation.ticks() < 300) simulation.tick(press(autopilot.buttons(simulation)));
     double highest = 0.0;
     for (int k = 0; k < 600; ++k) {

@@ -182,7 +182,7 @@ TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrARelease) {
   for (const auto& tick : golden.ticks) {
     simulation.tick(tick.input);
     detector.update(simulation);
-    if (simulation.scene().coupling().held_by(simulation.player().body())) break;
+    if (simulation.scene().coupling().body(simulation.player().body()).held_place()) break;
   }
   engine::TickInput restart;
   restart.buttons = button_restart;

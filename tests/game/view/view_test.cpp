@@ -194,7 +194,7 @@ TEST(View, AWeightThatHangsHasAnEye) {
   RecordingCanvas hanging;
   View(simulation).draw(hanging, 1.0, {});
   for (const engine::SceneBody& made : simulation.scene().bodies()) {
-    if (made.kind == engine::BodyKind::load) simulation.scene().coupling().release(*made.body);
+    if (made.kind == engine::BodyKind::load) simulation.scene().coupling().body(*made.body).release();
   }
   RecordingCanvas let_go;
   View(simulation).draw(let_go, 1.0, {});
