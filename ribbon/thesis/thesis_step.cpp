@@ -23,7 +23,7 @@ constexpr double max_drag_speed_ratio = 2.0;        // speed of a free point ove
 StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
-  check_met(surroundings, surroundings.bodies.size(), mesh_->size());
+  check_surroundings(surroundings, surroundings.bodies.size(), mesh_->size());
   begin_step(surroundings);
   const Energy before = energy(gravity, surroundings);
   const double substep_dt = dt / def_.substeps;
