@@ -62,7 +62,7 @@ Cord::~Cord() = default;
 CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
-  check_met(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
+  check_surroundings(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
   const IslandCord alone{this, surroundings};
   return island_->step({&alone, 1}, surroundings.bodies, dt, gravity);
 }

@@ -35,7 +35,8 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
                         std::span<CordReport> reports) {
   check_step(dt, gravity);
   check_bodies(bodies);
-  for (const IslandCord& cord : cords) check_met(cord.met, bodies.size(), cord.cord->size(), cord.cord->def().rows);
+  for (const IslandCord& cord : cords)
+    check_surroundings(cord.surroundings, bodies.size(), cord.cord->size(), cord.cord->def().rows);
   total_ = {};
   first_members_.assign(1, 0);
   if (cords.empty()) return;
@@ -81,9 +82,9 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = k;
   first_cords_.assign(bodies.size(), -1);
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    for (const Grip& grip : cords[k].met.grips) join_by_body(k, grip.body, bodies);
-    for (const RigidCircle& circle : cords[k].met.circles) join_by_body(k, circle.body, bodies);
-    for (const RigidSegment& segment : cords[k].met.segments) join_by_body(k, segment.body, bodies);
+    for (const Grip& grip : cords[k].surroundings.grips) join_by_body(k, grip.body, bodies);
+    for (const RigidCircle& circle : cords[k].surroundings.circles) join_by_body(k, circle.body, bodies);
+    for (const RigidSegment& segment : cords[k].surroundings.segments) join_by_body(k, segment.body, bodies);
   }
   join_near_cords();
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
@@ -151,7 +152,8 @@ Box DirectSolver::add_swept_boxes(const IslandCord& island_cord, std::span<const
   const Cord& cord = *island_cord.cord;
   const auto x = cord.positions();
   const auto v = cord.velocities();
-  const double margin = cord.def().radius + MotionBounds::bound_of(cord.parts(), island_cord.met, bodies, dt, gravity);
+  const double margin =
+      cord.def().radius + MotionBounds::bound_of(cord.parts(), island_cord.surroundings, bodies, dt, gravity);
   const auto rows = at(cord.def().rows);
   const auto column_box = [&](std::size_t first) {
     Box box = box_around(x[first], x[first] + dt * v[first], 0.0);

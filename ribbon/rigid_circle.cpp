@@ -66,7 +66,7 @@ void check_bodies(std::span<const RigidBody> bodies) {
   for (std::size_t k = 0; k < bodies.size(); ++k) check_body({"bodies", k}, bodies[k]);
 }
 
-void check_met(const Surroundings& surroundings, std::size_t bodies, int points, int rows) {
+void check_surroundings(const Surroundings& surroundings, std::size_t bodies, int points, int rows) {
   for (std::size_t k = 0; k < surroundings.circles.size(); ++k) {
     const RigidCircle& circle = surroundings.circles[k];
     const Entry entry("circles", k);

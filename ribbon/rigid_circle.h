@@ -22,7 +22,7 @@ struct RigidBody {
   double angular_impulse = 0.0;   ///< N·m·s, sum of the angular impulses about the centre of mass
   Vec2 moved;                     ///< m, displacement in the step of the cord that it holds; undefined for other bodies
   double turned = 0.0;            ///< rad, rotation in the same step
-  bool met = false;               ///< the direct solver has solved its motion with a cord
+  bool solved = false;            ///< the direct solver has solved its motion with a cord
   // For dynamic bodies near cords that are allowed to sleep:
   bool awake = true;       ///< in: the body is awake
   bool may_sleep = false;  ///< in: the owner puts the body to sleep when a step sets `rests`
@@ -65,7 +65,7 @@ struct Grip {
   double strength = std::numeric_limits<double>::infinity();
 };
 
-/// The environment of a cord in one step.
+/// The surroundings of a cord in one step.
 struct Surroundings {
   std::span<RigidBody> bodies = {};             ///< bodies that the others refer to; the step adds to their impulses
   std::span<const RigidCircle> circles = {};    ///< circles that the cord may touch
@@ -76,9 +76,9 @@ struct Surroundings {
 /// Throws DefinitionError unless all values of the bodies are in range: lengths and velocities within ±1e10,
 /// accelerations within ±1e20.
 void check_bodies(std::span<const RigidBody> bodies);
-/// Throws DefinitionError unless all values of the environment are in range, as above, and refer to one of `bodies`
+/// Throws DefinitionError unless all values of the surroundings are in range, as above, and refer to one of `bodies`
 /// bodies and one of `points` points. With `rows` above 0, a grip between two columns must not be at the last column.
-void check_met(const Surroundings& met, std::size_t bodies, int points, int rows = 0);
+void check_surroundings(const Surroundings& surroundings, std::size_t bodies, int points, int rows = 0);
 
 /// Throws DefinitionError unless 1e-9 ≤ dt ≤ 1 [s] and both components of gravity [m/s²] are within ±1e9.
 void check_step(double dt, Vec2 gravity);

@@ -92,10 +92,10 @@ void CoupledCord::reserve() {
   grips.reserve(usual_grips);
   grip_ids.reserve(usual_grips);
   touching.reserve(usual_touches);
-  touched.reserve(usual_touches);
+  touching_before.reserve(usual_touches);
 }
 
-void CoupledCord::clear_environment() {
+void CoupledCord::clear_surroundings() {
   circles.clear();
   segments.clear();
   grips.clear();

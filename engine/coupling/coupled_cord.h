@@ -20,7 +20,7 @@
 
 namespace ribbon::box2d {
 
-/// A cord of a coupling: the object of its solver, its reports, and its environment in this tick.
+/// A cord of a coupling: the object of its solver, its reports, and its surroundings in this tick.
 struct CoupledCord {
   CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
       : filter(cord_filter), cord(std::move(of_solver)) {}
@@ -39,9 +39,9 @@ struct CoupledCord {
   std::vector<RigidCircle> circles{};
   std::vector<RigidSegment> segments{};
   std::vector<Grip> grips{};
-  std::vector<GripId> grip_ids{};        // of each grip
-  std::vector<FixtureTouch> touching{};  // in the last step, by fixture number
-  std::vector<FixtureTouch> touched{};   // in the step before it
+  std::vector<GripId> grip_ids{};               // of each grip
+  std::vector<FixtureTouch> touching{};         // in the last step, by fixture number
+  std::vector<FixtureTouch> touching_before{};  // in the step before it
 
   std::uintptr_t user_data = 0;
   CordReport island_report{};
@@ -74,7 +74,7 @@ struct CoupledCord {
   /// Reserves memory, so that the first circle to come near allocates none.
   void reserve();
   /// Clears what the last gather found.
-  void clear_environment();
+  void clear_surroundings();
 };
 
 /// Goes through cords in the order of adding; `Base` goes through pointers to them.

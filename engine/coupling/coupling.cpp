@@ -67,8 +67,8 @@ void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
 void step_thesis(CouplingParts& parts) {
   for (CoupledCord& cord : parts.cords.active()) {
     if (cord.is_direct() || !cord.enabled) continue;
-    const Surroundings met{parts.bodies.rigid, cord.circles, cord.grips};
-    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, met);
+    const Surroundings surroundings{parts.bodies.rigid, cord.circles, cord.grips};
+    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, surroundings);
     cord.thesis_total += cord.thesis_report;
     const auto touches = [&](int body) {
       parts.bodies.entries[static_cast<std::size_t>(body)].thesis_cord = cord.id;
@@ -86,8 +86,8 @@ void step_direct(CouplingParts& parts) {
   parts.island_cords.clear();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings met{bodies, cord.circles, cord.grips, cord.segments};
-    parts.island_cords.push_back({&cord.direct(), met, solver_id(cord.id)});
+    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments};
+    parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id)});
   }
   parts.reports.resize(parts.island_cords.size());
   if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity);
@@ -191,7 +191,7 @@ void Coupling::gather(b2World& world, double dt) {
   wake_what_touched_cords_that_are_gone(parts);
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
   for (CoupledCord& cord : parts.cords.active()) {
-    cord.clear_environment();
+    cord.clear_surroundings();
     Gatherer::add_shapes_of(cord, parts.conditions, index_of);
   }
   parts.grips.gather(parts.cords, dt, [&](b2Body& body) {
@@ -242,7 +242,7 @@ void Coupling::apply() {
     if (entry.body == nullptr || rigid.inverse_mass == 0.0) continue;
     if (rigid.rests) {
       parts.carry.put_to_sleep(*entry.body, parts.conditions.dt);
-    } else if (rigid.met || (entry.holds && parts.grips.first_of(*entry.body) != nullptr)) {
+    } else if (rigid.solved || (entry.holds && parts.grips.first_of(*entry.body) != nullptr)) {
       parts.carry.drive(*entry.body, rigid, parts.conditions);
     } else {
       parts.carry.release(*entry.body);

@@ -40,10 +40,10 @@ void CouplingParts::detach(CordId cord) {
   }
   for (CoupledCord& other : cords) {
     if (!other.is_direct() || other.id == cord) continue;
-    const auto touched = other.direct().touches();
-    const bool is_touched = std::any_of(touched.begin(), touched.end(),
-                                        [cord](const Touch& touch) { return touch.other == solver_id(cord); });
-    if (is_touched) other.direct().wake();
+    const auto contacts = other.direct().touches();
+    const bool touches_removed = std::any_of(contacts.begin(), contacts.end(),
+                                             [cord](const Touch& touch) { return touch.other == solver_id(cord); });
+    if (touches_removed) other.direct().wake();
   }
 }
 

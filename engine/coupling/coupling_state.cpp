@@ -211,7 +211,7 @@ void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
   to.thesis_report = from.thesis_report;
   to.thesis_total = from.thesis_total;
   to.touching = from.touching;
-  to.clear_environment();
+  to.clear_surroundings();
 }
 
 /// Saves what refers to bodies: grips, carries and fixture numbers. Bodies are named by their place in the order of

@@ -54,7 +54,7 @@ class Outline {
 
 }  // namespace
 
-std::uint64_t fixture_of(std::uint64_t touched) { return touched >> 63U != 0 ? 0 : touched / max_features; }
+std::uint64_t fixture_of(std::uint64_t id) { return id >> 63U != 0 ? 0 : id / max_features; }
 
 void add_shapes(std::span<const NearShape> parts, int body, const Box& swept_aabb, std::vector<RigidCircle>& circles,
                 std::vector<RigidSegment>& segments) {

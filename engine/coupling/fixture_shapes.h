@@ -19,7 +19,7 @@ namespace ribbon::box2d {
 void add_shapes(std::span<const NearShape> parts, int body, const Box& swept_aabb, std::vector<RigidCircle>& circles,
                 std::vector<RigidSegment>& segments);
 
-/// Returns the number of the fixture that a contact is with, or 0 for another cord.
-std::uint64_t fixture_of(std::uint64_t touched);
+/// Returns the number of the fixture whose part has this id (Touch::other), or 0 for another cord.
+std::uint64_t fixture_of(std::uint64_t id);
 
 }  // namespace ribbon::box2d

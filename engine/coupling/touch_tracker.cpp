@@ -40,11 +40,11 @@ void TouchTracker::find_events(CordTable& cords, const FixtureIds& fixtures) {
   ending_.clear();
   for (CoupledCord& cord : cords.active()) {
     if (!cord.is_direct()) continue;
-    cord.touched.swap(cord.touching);
+    cord.touching_before.swap(cord.touching);
     cord.touching.clear();
     if (cord.enabled) add_touches(cord.direct(), cord.touching);
-    report_missing(cord.id, false, cord.touched, cord.touching, fixtures);
-    report_missing(cord.id, true, cord.touching, cord.touched, fixtures);
+    report_missing(cord.id, false, cord.touching_before, cord.touching, fixtures);
+    report_missing(cord.id, true, cord.touching, cord.touching_before, fixtures);
   }
   if (events_.empty()) return;
   const auto by_cord = [](const TouchEvent& a, const TouchEvent& b) { return a.cord < b.cord; };

@@ -48,9 +48,9 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
     SolverStep::Cord& to = step.cords[k];
     to.def = from.cord->def();
     from.cord->save(to.state);
-    to.circles.assign(from.met.circles.begin(), from.met.circles.end());
-    to.segments.assign(from.met.segments.begin(), from.met.segments.end());
-    to.grips.assign(from.met.grips.begin(), from.met.grips.end());
+    to.circles.assign(from.surroundings.circles.begin(), from.surroundings.circles.end());
+    to.segments.assign(from.surroundings.segments.begin(), from.surroundings.segments.end());
+    to.grips.assign(from.surroundings.grips.begin(), from.surroundings.grips.end());
     to.id = from.id;
   }
 }
@@ -77,7 +77,8 @@ void check(const SolverStep& step) {
       check_points(cord);
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
-      ribbon::check_met({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(), cord.def.rows);
+      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(),
+                                 cord.def.rows);
     });
   }
 }

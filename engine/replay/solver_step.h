@@ -23,7 +23,7 @@ class SolverStepError : public std::runtime_error {
 
 /// One step of the direct solver: the whole input of ribbon::DirectSolver::step and its outcome.
 struct SolverStep {
-  /// A cord before the step, with its environment.
+  /// A cord before the step, with its surroundings.
   struct Cord {
     ribbon::CordDef def;
     ribbon::Cord::State state;

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 3;
+inline constexpr int solver_step_version = 4;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -127,7 +127,7 @@ void fields(Archive& archive, T& state) {
 template <typename Archive, Is<ribbon::RigidBody> T>
 void fields(Archive& archive, T& body) {
   auto& [position, velocity, angular_velocity, inverse_mass, inverse_inertia, acceleration, impulse, angular_impulse,
-         moved, turned, met, awake, may_sleep, rests] = body;
+         moved, turned, solved, awake, may_sleep, rests] = body;
   archive("position", position);
   archive("velocity", velocity);
   archive("angular_velocity", angular_velocity);
@@ -138,7 +138,7 @@ void fields(Archive& archive, T& body) {
   archive("angular_impulse", angular_impulse);
   archive("moved", moved);
   archive("turned", turned);
-  archive("met", met);
+  archive("solved", solved);
   archive("awake", awake);
   archive("may_sleep", may_sleep);
   archive("rests", rests);

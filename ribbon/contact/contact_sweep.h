@@ -25,7 +25,7 @@ struct Clearance {
 /// anchors between two states. Fractions of the path are 0 … 1.
 class ContactSweep {
  public:
-  /// Takes the memory for scenes of so many anchors and slots.
+  /// Reserves memory for scenes of so many anchors and slots.
   void reserve(std::size_t anchors, std::size_t slots);
   /// Sets the path from `from`, the start of the stage, to `to`, and lists the candidates for it.
   void set_path(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> to);

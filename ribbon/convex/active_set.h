@@ -14,7 +14,7 @@ class ActiveSet {
  public:
   enum class State : unsigned char { low, spring, high };
 
-  /// Takes the memory for so many rows.
+  /// Reserves memory for so many rows.
   void reserve(std::size_t count) { states_.reserve(count); }
   /// Sets the state of each row by its predicted force.
   void begin(std::span<const LimitedRow> rows);

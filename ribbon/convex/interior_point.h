@@ -14,7 +14,7 @@ namespace ribbon {
 /// load_force, predict with the solution, load_force, advance with the solution.
 class InteriorPoint {
  public:
-  /// Takes the memory for so many rows.
+  /// Reserves memory for so many rows.
   void reserve(std::size_t count) { points_.reserve(count); }
   /// Starts from the forces of the rows, after an active set was tried. Contact forces are limited to `max_force` [N]
   /// unless that is 0, because an active set that is far off may find forces out of all proportion, from which

@@ -33,7 +33,7 @@ struct LimitedRow {
 class LimitedRows {
  public:
   void clear() { rows_.clear(); }
-  /// Takes the memory for so many rows.
+  /// Reserves memory for so many rows.
   void reserve(std::size_t count) { rows_.reserve(count); }
   void add(const LimitedRow& row) { rows_.push_back(row); }
   std::span<const LimitedRow> rows() const { return rows_; }

@@ -23,7 +23,7 @@ namespace ribbon {
 /// other. It stores no state between steps, only memory.
 class Island {
  public:
-  /// Advances the cords by dt seconds. The environments of all of them refer to `bodies`.
+  /// Advances the cords by dt seconds. The surroundings of all of them refer to `bodies`.
   CordReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity);
   /// Reserves memory for steps of a cord with up to this many grips.
   void reserve(const CordParts& cord, std::size_t grips);

@@ -59,12 +59,12 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
   double max = state.dt;
   for (int piece = 1; time < state.dt; ++piece) {
     const double left = state.dt - time;
-    const bool last = piece >= max_pieces || work.is_enough();
+    const bool last = piece >= max_pieces || work.redoing_is_over();
     const double dt = last ? left : std::min(max, next_piece(context, time, left));
     if (last) is_impact_ = impact_is_due_ = false;
     const Piece taken = take_piece(context, time, dt);
     const bool good = taken.solved && !taken.result.cut;
-    const bool is_repeat = dt == left && (piece >= max_pieces || work.is_enough());
+    const bool is_repeat = dt == left && (piece >= max_pieces || work.redoing_is_over());
     if (!good && !last && !is_repeat) {
       context.return_to_start();
       max = 0.5 * dt;

@@ -88,7 +88,7 @@ bool may_sleep(std::span<const IslandCord> cords, std::span<const RigidBody> bod
   const bool asleep =
       std::all_of(cords.begin(), cords.end(), [&](const IslandCord& cord) { return state_of(cord).asleep; });
   return std::all_of(cords.begin(), cords.end(), [&](const IslandCord& cord) {
-    return hash_at_rest(cord.met, bodies, gravity, asleep) == state_of(cord).surroundings_hash;
+    return hash_at_rest(cord.surroundings, bodies, gravity, asleep) == state_of(cord).surroundings_hash;
   });
 }
 
@@ -106,9 +106,9 @@ bool try_sleep(std::span<const IslandCord> cords, std::span<RigidBody> bodies, V
   };
   for (const IslandCord& cord : cords) {
     cord.cord->parts().fall_asleep();
-    for (const RigidCircle& circle : cord.met.circles) rest(circle.body);
-    for (const RigidSegment& segment : cord.met.segments) rest(segment.body);
-    for (const Grip& grip : cord.met.grips) rest(grip.body);
+    for (const RigidCircle& circle : cord.surroundings.circles) rest(circle.body);
+    for (const RigidSegment& segment : cord.surroundings.segments) rest(segment.body);
+    for (const Grip& grip : cord.surroundings.grips) rest(grip.body);
   }
   return true;
 }

@@ -7,8 +7,8 @@
 namespace ribbon {
 namespace {
 
-constexpr int sharper_tries = 3;     // of a substep of implicit Euler that gained energy
-constexpr double gross_gain = 1e-2;  // of the scene's energy, tolerated of implicit Euler: no integrator damps more
+constexpr int max_tighter_retries = 3;  // of a substep of implicit Euler that gained energy
+constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of implicit Euler: no integrator damps more
 // Newton steps in the halves of a substep, as long as all of them are solved, and once one was given up. (5,000 slack
 // links on a load of 10⁶ kg turn about so much in steps of a second that they take 4,200.)
 constexpr int max_halved_work = 16000;
@@ -44,7 +44,7 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   context.contacts.impacts.scale_impulses(0.0);
   const Cord::Energy before = context.energy_before();
   if (!take_second_order(context, time, dt, before) && !take_damped(context, time, dt, before)) {
-    if (!context.work.is_patient()) return false;
+    if (!context.work.has_large_budget()) return false;
     ++context.work.report.unconverged;
     context.guard.remove_spurious_energy(context.state, context.contacts, before);
   }
@@ -74,9 +74,9 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
-  const bool touching = !contacts.empty() && contacts.active.any();
-  const bool free = !touching && (contacts.empty() || !will_touch(context, time, dt));
-  if (free || (touching && !state.touch_changed)) {
+  const bool in_contact = !contacts.empty() && contacts.active.any();
+  const bool free = !in_contact && (contacts.empty() || !will_touch(context, time, dt));
+  if (free || (in_contact && !state.touch_changed)) {
     const bool converged =
         free && !state.restart ? integrators_.tr_bdf2(context, time, dt) : integrators_.sdirk2(context, time, dt);
     state.restart = !free;
@@ -98,15 +98,15 @@ bool Substeps::accept(const StepContext& context, bool converged, const Cord::En
   return false;
 }
 
-/// Takes the substep with implicit Euler. Where nothing may touch or slip, or there is work to spend, it is halved if
-/// it does not converge. Returns false if it is not solved.
+/// Takes the substep with implicit Euler. Where nothing may touch or slip, or with a large budget of work, it is halved
+/// if it does not converge. Returns false if it is not solved.
 bool Substeps::take_damped(const StepContext& context, double time, double dt, const Cord::Energy& before) {
   const auto& held = context.state.held;
   const bool may_slip = std::any_of(held.begin(), held.end(), [](const HeldBody& body) { return body.may_slip(); });
-  if ((context.contacts.empty() && !may_slip) || context.work.is_patient()) {
+  if ((context.contacts.empty() && !may_slip) || context.work.has_large_budget()) {
     return take_halved(context, time, dt, before);
   }
-  return !context.work.is_tried() && Integrators::implicit_euler(context, time, dt) &&
+  return !context.work.attempt_is_over() && Integrators::implicit_euler(context, time, dt) &&
          !context.gained_energy(before, gross_gain);
 }
 
@@ -118,10 +118,11 @@ bool Substeps::take_halved(const StepContext& context, double time, double dt, c
   const double tolerance = state.tolerance;
   bool converged = false;
   for (int k = 0;; ++k) {
-    converged = (k != sharper_tries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
+    converged =
+        (k != max_tighter_retries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
     if (!context.gained_energy(before, gross_gain)) break;
     converged = false;
-    if (k == sharper_tries || work.is_halved_out(state.unlocking)) break;
+    if (k == max_tighter_retries || work.halving_is_over(state.unlocking)) break;
     ++work.report.energy_gains;
     context.return_to_start();
     state.tolerance = std::max(1e-2 * state.tolerance, state.min_tolerance);
@@ -150,7 +151,7 @@ void Substeps::take_halves(const StepContext& context, double time, double dt, i
     const int iterations = work.report.iterations - halving.iterations;
     if (depth >= (from == halving.time ? max_first_halvings : max_halvings) ||
         iterations > (halving.gave_up ? max_vain_work : max_halved_work) ||
-        work.is_halved_out(context.state.unlocking)) {
+        work.halving_is_over(context.state.unlocking)) {
       halving.gave_up = true;
       continue;
     }

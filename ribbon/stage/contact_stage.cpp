@@ -8,14 +8,14 @@ namespace {
 // Newton steps of a stage near contacts. In random scenes all but one in a hundred of the stages that converge within
 // 40 do within 14. The others are cheaper to end here and to linearise once.
 constexpr int max_iterations = 20;
-constexpr int max_patient_iterations = 40;  // where there is work to spend
-constexpr std::size_t stored_values = 3;    // of the energy: a step has to get below the largest of them
-constexpr int monotone_after = 10;          // iterations, after which each step has to reduce the energy
-constexpr double negligible_share = 1e-3;   // of the tolerance: so small a step is always taken in full
-constexpr double unsettled_share = 1e-2;    // of the tolerance, by which unexpected forces may move something
-constexpr double crawling_share = 0.1;      // of a step: if less is taken, its contacts were not as expected
-constexpr int enough_full_steps = 2;        // of a stage with soft contacts
-constexpr double driven_rest = 1e-9;        // share of a driven displacement that counts as none
+constexpr int max_large_budget_iterations = 40;  // with a large budget of work
+constexpr std::size_t stored_values = 3;         // of the energy: a step has to get below the largest of them
+constexpr int monotone_after = 10;               // iterations, after which each step has to reduce the energy
+constexpr double negligible_share = 1e-3;        // of the tolerance: so small a step is always taken in full
+constexpr double unsettled_share = 1e-2;         // of the tolerance, by which unexpected forces may move something
+constexpr double crawling_share = 0.1;           // of a step: if less is taken, its contacts were not as expected
+constexpr int enough_full_steps = 2;             // of a stage with soft contacts
+constexpr double driven_rest = 1e-9;             // share of a driven displacement that counts as none
 
 }  // namespace
 
@@ -28,9 +28,9 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
   bool strict = false;
   const bool soft = state.accuracy.soft_contacts;
   const double tolerated = soft ? unsettled_share * state.tolerance : 0.0;
-  const int max = context.work.is_patient() ? max_patient_iterations : max_iterations;
+  const int max = context.work.has_large_budget() ? max_large_budget_iterations : max_iterations;
   int full_steps = 0;
-  for (int iteration = 0; iteration < max && !context.work.is_tried(); ++iteration) {
+  for (int iteration = 0; iteration < max && !context.work.attempt_is_over(); ++iteration) {
     context.count_system();
     if (drive_left_ > 0.0) advance_drives(context, stage);
     contacts.find_for_solve(state.positions, strict);

@@ -52,7 +52,7 @@ ConvexSolver::Result ConvexSolver::solve_interior(const StageContext& context, c
   double polished = polishing_gap;
   for (int k = 0; k < max_interior; ++k) {
     if (!advance_interior(context, stage)) return Result::failed;
-    if ((far && interior_point_.gap() <= far_gap) || context.work.is_exhausted()) {
+    if ((far && interior_point_.gap() <= far_gap) || context.work.linearising_is_over()) {
       interior_point_.end(rows_.rows(), active_set_);
       return Result::near;
     }

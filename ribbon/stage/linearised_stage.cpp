@@ -53,7 +53,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   Course course;
   const int max = impact ? impact_linearisations : max_linearisations;
   for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {
-    if (k > 0 && context.work.is_exhausted()) break;
+    if (k > 0 && context.work.linearising_is_over()) break;
     if (iterate(context, request, stage, k, course) == Iteration::ended) break;
   }
   end(context, stage, course);
@@ -236,7 +236,7 @@ void LinearisedStage::find_groups(const IslandState& state) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.center(k)] = static_cast<int>(state.center(k));
   for (const HeldBody& held : state.held) {
     const std::size_t a = root(held.point);
-    const std::size_t b = root(state.center(held.body));
+    const std::size_t b = root(state.center(held.solved_index));
     groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
   }
   for (std::size_t p = 0; p < state.slots(); ++p) {

@@ -93,7 +93,7 @@ double NewtonSolver::largest_displacement(const IslandState& state) const {
   };
   for (const Vec2 step : std::span(direction_).first(state.points)) include(step);
   for (const HeldBody& held : state.held) {
-    const std::size_t angle = state.angle(held.body);
+    const std::size_t angle = state.angle(held.solved_index);
     include(direction_[angle].x * perp(held.arm_at(state.positions[angle].x)));
   }
   if (state.coupled) {

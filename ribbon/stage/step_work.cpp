@@ -3,12 +3,12 @@
 namespace ribbon {
 namespace {
 
-constexpr std::size_t blocks_per_point = 4;  // of the band matrix, by which work is counted
-constexpr double patient_factor = 10'000;    // Accuracy::max_work from which on a step is patient
-// An attempt is worth this number of Newton steps, or this share of the work; and this share in all attempts.
-constexpr int max_tried_systems = 48;
-constexpr double tried_share = 0.35;
-constexpr double total_tried_share = 0.5;
+constexpr std::size_t blocks_per_point = 4;     // of the band matrix, by which work is counted
+constexpr double large_budget_factor = 10'000;  // Accuracy::max_work from which on the budget is large
+// An attempt ends after this number of Newton steps, or this share of the work; and this share in all attempts.
+constexpr int max_attempt_systems = 48;
+constexpr double attempt_share = 0.35;
+constexpr double total_attempts_share = 0.5;
 // Halved substeps:
 constexpr double halving_share = 0.5;
 constexpr int max_halving_systems = 180;
@@ -37,26 +37,27 @@ void StepWork::count_system(std::size_t blocks, std::int64_t tested_pairs) {
   report.work += tested_pairs;
 }
 
-bool StepWork::is_spent(double share) const { return static_cast<double>(report.work) >= share * max_work_; }
+bool StepWork::has_spent(double share) const { return static_cast<double>(report.work) >= share * max_work_; }
 
-bool StepWork::is_patient() const { return max_work_factor_ >= patient_factor; }
+bool StepWork::has_large_budget() const { return max_work_factor_ >= large_budget_factor; }
 
-bool StepWork::is_tried() const {
-  if (is_patient()) return false;
-  return report.iterations - attempt_iterations_ >= max_tried_systems ||
-         static_cast<double>(report.work - attempt_work_) >= tried_share * max_work_ || is_spent(total_tried_share);
+bool StepWork::attempt_is_over() const {
+  if (has_large_budget()) return false;
+  return report.iterations - attempt_iterations_ >= max_attempt_systems ||
+         static_cast<double>(report.work - attempt_work_) >= attempt_share * max_work_ ||
+         has_spent(total_attempts_share);
 }
 
-bool StepWork::is_halved_out(bool unlocking) const {
-  return is_spent(halving_share) || (!is_patient() && !unlocking && report.iterations >= max_halving_systems);
+bool StepWork::halving_is_over(bool unlocking) const {
+  return has_spent(halving_share) || (!has_large_budget() && !unlocking && report.iterations >= max_halving_systems);
 }
 
-bool StepWork::is_enough() const {
-  return report.iterations >= linearised_iterations_ + max_linearised_systems || is_spent(linearised_share);
+bool StepWork::redoing_is_over() const {
+  return report.iterations >= linearised_iterations_ + max_linearised_systems || has_spent(linearised_share);
 }
 
-bool StepWork::is_exhausted() const {
-  return report.iterations >= linearised_iterations_ + max_linearised_systems + max_last_systems || is_spent();
+bool StepWork::linearising_is_over() const {
+  return report.iterations >= linearised_iterations_ + max_linearised_systems + max_last_systems || has_spent();
 }
 
 }  // namespace ribbon

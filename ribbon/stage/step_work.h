@@ -21,18 +21,19 @@ class StepWork {
   /// Counts a linear system of `blocks` blocks, 0 for the band matrix of a single cord, and pairs tested for contact.
   void count_system(std::size_t blocks, std::int64_t tested_pairs);
   /// Returns whether this share of the work that a step may take has been done.
-  bool is_spent(double share = 1.0) const;
-  /// Returns whether there is so much work to spend that a substep that does not converge is halved before its contacts
+  bool has_spent(double share = 1.0) const;
+  /// Returns whether the step may take so much work that a substep that does not converge is halved before its contacts
   /// are linearised once.
-  bool is_patient() const;
-  /// Returns whether the attempt, or all attempts together, have done enough work to linearise contacts once.
-  bool is_tried() const;
-  /// Returns whether halving has spent half of the work or, unless cells are being turned back, 180 linear systems.
-  bool is_halved_out(bool unlocking) const;
-  /// Returns whether no piece of a linearised step is redone any more.
-  bool is_enough() const;
-  /// Returns whether a linearised step takes no more linearisations.
-  bool is_exhausted() const;
+  bool has_large_budget() const;
+  /// Returns whether the attempt, or all attempts together, have used their work, so that contacts are linearised once.
+  bool attempt_is_over() const;
+  /// Returns whether substeps are halved no more: half of the work is spent or, unless cells are being turned back,
+  /// 180 linear systems.
+  bool halving_is_over(bool unlocking) const;
+  /// Returns whether the pieces of a linearised step are redone no more.
+  bool redoing_is_over() const;
+  /// Returns whether a linearised step is linearised no more.
+  bool linearising_is_over() const;
 
  private:
   std::size_t points_ = 0;

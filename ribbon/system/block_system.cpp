@@ -70,7 +70,7 @@ void BlockSystem::find_natural_order(const IslandState& state, const Terms& term
     last = std::max(last, point);
   };
   for (const HeldBody& held : state.held)
-    couple(static_cast<int>(state.center(held.body)), static_cast<int>(held.next));
+    couple(static_cast<int>(state.center(held.solved_index)), static_cast<int>(held.next));
   for_each_body_and_point(state, terms, couple);
   order_with_bodies(state);
 }
@@ -85,7 +85,7 @@ void BlockSystem::order_with_bodies(const IslandState& state) {
       order_.push_back(static_cast<int>(state.center(k)));
       order_.push_back(static_cast<int>(state.angle(k)));
       for (std::size_t grip = 0; grip < state.held.size(); ++grip) {
-        if (state.held[grip].body == k) order_.push_back(state.grip_dual(grip));
+        if (state.held[grip].solved_index == k) order_.push_back(state.grip_dual(grip));
       }
     }
   };

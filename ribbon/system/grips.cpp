@@ -23,7 +23,7 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   const double link = member.cord->state.rest[0];
   HeldBody held;
   held.grip = index;
-  held.rigid = grip.body;
+  held.rigid_index = grip.body;
   held.turns = body.inverse_inertia > 0.0;
   held.strength = grip.strength;
   const int column = grip.point / def.rows;
@@ -80,7 +80,7 @@ double acting_share(const IslandState& state, const HeldBody& held) {
 void load_grip(const IslandState& state, std::size_t k, std::span<const double> inertia, BlockLdlt& blocks,
                std::span<Vec2> right_side) {
   const HeldBody& held = state.held[k];
-  const Vec2 arm = held.arm_at(state.positions[state.angle(held.body)].x);
+  const Vec2 arm = held.arm_at(state.positions[state.angle(held.solved_index)].x);
   const Vec2 u = -perp(arm);
   const Vec2 t = grip_tangent(state, held, state.positions);
   const bool slips = yields_along(held);
@@ -129,7 +129,7 @@ void add_grips(IslandState& state, Member& member) {
   }
   member.end_grip = state.held.size();
   for (std::size_t k = member.first_grip; k < member.end_grip; ++k) {
-    state.held[k].body = state.solved_body(state.held[k].rigid);
+    state.held[k].solved_index = state.solved_body(state.held[k].rigid_index);
   }
 }
 
@@ -151,12 +151,12 @@ bool move_climbing_grips(IslandState& state, const Member& member) {
 }
 
 std::array<int, 4> grip_slots(const IslandState& state, const HeldBody& held) {
-  return {static_cast<int>(held.point), static_cast<int>(held.next), static_cast<int>(state.center(held.body)),
-          static_cast<int>(state.angle(held.body))};
+  return {static_cast<int>(held.point), static_cast<int>(held.next), static_cast<int>(state.center(held.solved_index)),
+          static_cast<int>(state.angle(held.solved_index))};
 }
 
 Vec2 grip_separation(const IslandState& state, const HeldBody& held, std::span<const Vec2> x) {
-  return held.hold(x) - x[state.center(held.body)] - held.arm_at(x[state.angle(held.body)].x);
+  return held.hold(x) - x[state.center(held.solved_index)] - held.arm_at(x[state.angle(held.solved_index)].x);
 }
 
 Vec2 grip_pull(const IslandState& state, std::span<const double> tensions, std::size_t grip) {
@@ -166,7 +166,7 @@ Vec2 grip_pull(const IslandState& state, std::span<const double> tensions, std::
 
 Vec2 grip_reaction(const IslandState& state, std::size_t grip) {
   if (state.coupled) return grip_pull(state, state.tensions, grip);
-  const std::size_t k = state.held[grip].body;
+  const std::size_t k = state.held[grip].solved_index;
   const RigidBody& body = state.rigid_of(state.bodies[k]);
   const std::size_t c = state.center(k);
   return (1.0 / state.dt) * (state.masses[c] * (state.velocities[c] - body.velocity - state.dt * body.acceleration));
@@ -219,12 +219,12 @@ void append_slip_rows(const IslandState& state, std::span<const double> inertia,
   for (const HeldBody& held : state.held) {
     if (!held.limited) continue;
     const Vec2 t = grip_tangent(state, held, state.positions);
-    const Vec2 u = -perp(held.arm_at(state.positions[state.angle(held.body)].x));
+    const Vec2 u = -perp(held.arm_at(state.positions[state.angle(held.solved_index)].x));
     SlotRow row;
     row.add(static_cast<int>(held.point), (1.0 - held.along) * t);
     row.add(static_cast<int>(held.next), held.along * t);
-    row.add(static_cast<int>(state.center(held.body)), -t);
-    row.add(static_cast<int>(state.angle(held.body)), {dot(u, t), 0.0});
+    row.add(static_cast<int>(state.center(held.solved_index)), -t);
+    row.add(static_cast<int>(state.angle(held.solved_index)), {dot(u, t), 0.0});
     const double compliance = grip_share / std::max(inertia[held.point], inertia[held.next]);
     const double separation = dot(t, grip_separation(state, held, state.positions));
     rows.add({row, separation, compliance, -held.strength, held.strength, -held.slip_force});
@@ -259,7 +259,7 @@ double grip_work(const IslandState& state) {
   for (std::size_t k = 0; k < state.held.size(); ++k) {
     const HeldBody& held = state.held[k];
     if (held.displacement == 0.0) continue;
-    const std::size_t c = state.center(held.body);
+    const std::size_t c = state.center(held.solved_index);
     const double dt = state.start.dt;
     const Vec2 acceleration = (1.0 / dt) * (state.velocities[c] - state.start.velocities[c]);
     const Vec2 pull = state.coupled ? grip_pull(state, state.tensions, k)

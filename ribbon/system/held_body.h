@@ -19,14 +19,14 @@ namespace ribbon {
 ///
 /// A body that does not turn has D = ∞.
 struct HeldBody {
-  std::size_t point = 0;      ///< slot; the grip is between this point
-  std::size_t next = 0;       ///< and this one,
-  double along = 0.0;         ///< at this share of the link
-  std::size_t grip = 0;       ///< index into the grips of the cord
-  int rigid = 0;              ///< index into the bodies of the step
-  std::size_t body = 0;       ///< index into the bodies that are solved with the cord
-  bool turns = true;          ///< its moment of inertia is finite
-  Vec2 arm;                   ///< m, s at the start of the step
+  std::size_t point = 0;         ///< slot; the grip is between this point
+  std::size_t next = 0;          ///< and this one,
+  double along = 0.0;            ///< at this share of the link
+  std::size_t grip = 0;          ///< index into the grips of the cord
+  int rigid_index = 0;           ///< index into the bodies of the step
+  std::size_t solved_index = 0;  ///< index into the bodies that are solved with the cord
+  bool turns = true;             ///< its moment of inertia is finite
+  Vec2 arm;                      ///< m, s at the start of the step
   Vec2 travel;                ///< m, displacement of the anchor on the body in the step, in the directions of its start
   double share = 0.0;         ///< of the step that has gone by at the end of the stage, 0 … 1
   double column = 0.0;        ///< position along the cord at the start of the step
@@ -40,7 +40,7 @@ struct HeldBody {
 
   Vec2 arm_at(double angle) const;
   bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }
-  bool is_plain() const { return along == 0.0 && climb == 0.0 && !may_slip(); }
+  bool is_fixed_at_point() const { return along == 0.0 && climb == 0.0 && !may_slip(); }
   /// Where the cord is held, m.
   Vec2 hold(std::span<const Vec2> x) const { return x[point] + along * (x[next] - x[point]); }
 };

@@ -40,7 +40,7 @@ std::size_t add_members(IslandState& state, std::span<const IslandCord> cords) {
     CordParts& cord = island_cord.cord->parts();
     Member member;
     member.cord = &cord;
-    member.surroundings = island_cord.met;
+    member.surroundings = island_cord.surroundings;
     member.id = island_cord.id;
     member.first_point = state.points;
     member.points = cord.size();
@@ -110,7 +110,7 @@ double pressing_mass(const IslandState& state, const Member& member) {
   };
   const std::vector<double>& points = member.cord->state.masses;
   double mass = std::accumulate(points.begin(), points.end(), 0.0);
-  for (std::size_t k = member.first_grip; k < member.end_grip; ++k) mass += mass_of(state.held[k].rigid);
+  for (std::size_t k = member.first_grip; k < member.end_grip; ++k) mass += mass_of(state.held[k].rigid_index);
   double heaviest = 0.0;
   for (const RigidCircle& circle : member.surroundings.circles) heaviest = std::max(heaviest, mass_of(circle.body));
   for (const RigidSegment& segment : member.surroundings.segments) {
@@ -170,8 +170,8 @@ void load_body_accelerations(IslandState& state, const Member& member) {
   for (std::size_t k = member.first_grip; k < member.end_grip && !state.restart; ++k) {
     const Cord::Holder& before = holders[k - member.first_grip];
     const HeldBody& held = state.held[k];
-    const std::size_t center = state.center(held.body);
-    const std::size_t angle = state.angle(held.body);
+    const std::size_t center = state.center(held.solved_index);
+    const std::size_t angle = state.angle(held.solved_index);
     state.accelerations[center] = before.acceleration;
     state.accelerations[angle] = {before.angular_acceleration, 0.0};
     const double jump = length(state.velocities[center] - before.velocity);
@@ -188,7 +188,8 @@ bool is_single_cord(const IslandState& state) {
   if (state.members.size() != 1 || state.held.size() != state.bodies.size()) return false;
   for (std::size_t k = 0; k < state.held.size(); ++k) {
     const HeldBody& held = state.held[k];
-    if (held.body != k || !held.is_plain() || state.rigid[at(held.rigid)].inverse_mass == 0.0) return false;
+    if (held.solved_index != k || !held.is_fixed_at_point() || state.rigid[at(held.rigid_index)].inverse_mass == 0.0)
+      return false;
     if (k > 0 && held.point <= state.held[k - 1].point) return false;
   }
   return true;

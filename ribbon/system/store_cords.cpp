@@ -58,8 +58,8 @@ void store_holders(const IslandState& state, const Member& member) {
   holders.clear();
   for (std::size_t k = member.first_grip; k < member.end_grip; ++k) {
     const HeldBody& held = state.held[k];
-    const std::size_t center = state.center(held.body);
-    const std::size_t angle = state.angle(held.body);
+    const std::size_t center = state.center(held.solved_index);
+    const std::size_t angle = state.angle(held.solved_index);
     Cord::Holder holder;
     holder.point = static_cast<int>(held.point - member.first_point);
     holder.velocity = state.velocities[center];
@@ -111,7 +111,7 @@ void store_bodies(const IslandState& state) {
     if (state.bodies[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
     body.moved = state.positions[center] - body.position;
     body.turned = state.positions[angle].x;
-    body.met = true;
+    body.solved = true;
   }
 }
 

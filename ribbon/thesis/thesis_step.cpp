@@ -105,7 +105,7 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
   ThesisParts& cord = *parts_;
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
-  check_met(surroundings, surroundings.bodies.size(), cord.mesh.size());
+  check_surroundings(surroundings, surroundings.bodies.size(), cord.mesh.size());
   StepReport report;
   cord.points.step_start = cord.points.positions;
   cord.bodies.begin_step(surroundings);

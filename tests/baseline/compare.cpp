@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace baseline {
 namespace {

@@ -15,13 +15,13 @@ using tradeoff::Contestant;
 using tradeoff::Scene;
 
 /// Counts work 1 in the first tick after a reset, 2 in the second and so on, with 100 more in the fourth.
-Contestant worker(const std::string& setting, bool goes_on) {
+Contestant worker(const std::string& setting, bool continues) {
   const auto tick = std::make_shared<int>(0);
   Contestant out;
   out.method = "cord";
   out.setting = setting;
   out.points = 51;
-  if (!goes_on) out.reset = [tick] { *tick = 0; };
+  if (!continues) out.reset = [tick] { *tick = 0; };
   out.tick = [tick] { ++*tick; };
   out.figures = [tick] {
     *tick = 10;

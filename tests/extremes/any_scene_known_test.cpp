@@ -5,17 +5,17 @@
 #include "tests/extremes/any_scene/runs.h"
 
 // Random scenes that an earlier solver failed: unconverged, stretched, with energy gain or crossed. Each tests one part
-// of the solver: without this part the figure exceeds its bar.
+// of the solver: without this part the figure exceeds its limit.
 
 namespace any_scene {
 namespace {
 
 struct Known {
   const char* part;  ///< the part of the solver
-  Which which;
+  SceneId which;
   const char* figure;
   double (*value)(const Summary& run);
-  double bar;
+  double limit;
 };
 
 double unconverged(const Summary& run) { return run.unconverged; }
@@ -26,8 +26,8 @@ double crossings(const Summary& run) { return run.crossings; }
 double speed(const Summary& run) { return run.speed; }
 double work(const Summary& run) { return run.max_work; }
 
-Which gentle(Family family, unsigned seed, Preset preset) { return {seed, family, Mood::gentle, preset}; }
-Which wild(Family family, unsigned seed, Preset preset) { return {seed, family, Mood::wild, preset}; }
+SceneId gentle(Family family, unsigned seed, Preset preset) { return {seed, family, Difficulty::gentle, preset}; }
+SceneId wild(Family family, unsigned seed, Preset preset) { return {seed, family, Difficulty::wild, preset}; }
 
 const Known scenes[] = {
     {"SlippingHandsPressWhereTheyAre", gentle(Family::mixed, 26, Preset::accurate), "gain of energy", gain, 3e-3},
@@ -54,11 +54,11 @@ const Known scenes[] = {
 
 class KnownScene : public testing::TestWithParam<Known> {};
 
-TEST_P(KnownScene, StaysWithinItsBar) {
+TEST_P(KnownScene, StaysWithinItsLimit) {
   const Known& known = GetParam();
   const Summary run = run_guarded(known.which, generate(known.which), 60.0);
   ASSERT_EQ(run.end, End::whole);
-  EXPECT_LE(known.value(run), known.bar) << known.figure;
+  EXPECT_LE(known.value(run), known.limit) << known.figure;
 }
 
 INSTANTIATE_TEST_SUITE_P(AnyScene, KnownScene, testing::ValuesIn(scenes),

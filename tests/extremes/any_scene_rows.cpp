@@ -12,13 +12,13 @@ namespace {
 
 using any_scene::Summary;
 
-constexpr double no_bar = 1e300;  // reported, not bounded
+constexpr double no_limit = 1e300;  // reported, not bounded
 
 /// A figure of a run, and its upper bound.
 struct Figure {
   const char* name;
   double (*value)(const Summary& run);
-  double bar = no_bar;
+  double limit = no_limit;
 };
 /// A cut run counts as whole: it only exceeded its time on this machine.
 bool is_whole(any_scene::End end) { return end == any_scene::End::whole || end == any_scene::End::cut; }
@@ -36,13 +36,13 @@ constexpr std::array figures = {
 
 Method method_of(any_scene::Preset preset) { return static_cast<Method>(preset); }
 
-std::vector<any_scene::Which> scenes(const Scope& scope) {
+std::vector<any_scene::SceneId> scenes(const Scope& scope) {
   constexpr unsigned few = 100;
   constexpr unsigned many = 10'000;
-  std::vector<any_scene::Which> all;
+  std::vector<any_scene::SceneId> all;
   for (unsigned seed = 0; seed < (scope.full ? many : few); ++seed) {
     const any_scene::Family family = any_scene::all_families[seed % any_scene::all_families.size()];
-    all.push_back({seed, family, any_scene::Mood::gentle, {}});
+    all.push_back({seed, family, any_scene::Difficulty::gentle, {}});
   }
   return all;
 }
@@ -50,11 +50,11 @@ std::vector<any_scene::Which> scenes(const Scope& scope) {
 }  // namespace
 
 std::vector<Row> run_any_scene(const Scope& scope) {
-  std::vector<Worst> worst;
+  std::vector<WorstCase> worst;
   for (const Method method : {Method::fast, Method::balanced, Method::accurate}) {
-    for (const Figure& figure : figures) worst.emplace_back("any scene", figure.name, method, figure.bar);
+    for (const Figure& figure : figures) worst.emplace_back("any scene", figure.name, method, figure.limit);
   }
-  const std::vector<any_scene::Which> all = scenes(scope);
+  const std::vector<any_scene::SceneId> all = scenes(scope);
   double done = 0.0;
   any_scene::RunOptions options;
   if (!scope.full) options.max_seconds = 5.0;
@@ -67,7 +67,7 @@ std::vector<Row> run_any_scene(const Scope& scope) {
     scope.progress(++done / static_cast<double>(all.size()));
   });
   std::vector<Row> rows;
-  for (const Worst& figure : worst) rows.push_back(figure.row());
+  for (const WorstCase& figure : worst) rows.push_back(figure.row());
   return rows;
 }
 

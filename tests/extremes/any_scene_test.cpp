@@ -20,11 +20,11 @@ namespace {
 class AnyFamily : public testing::TestWithParam<Family> {};
 
 TEST_P(AnyFamily, TheSameSeedGivesTheSameScene) {
-  for (const Mood mood : {Mood::gentle, Mood::wild}) {
+  for (const Difficulty difficulty : {Difficulty::gentle, Difficulty::wild}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
-      const Which which{seed, GetParam(), mood, {}};
+      const SceneId which{seed, GetParam(), difficulty, {}};
       EXPECT_EQ(generate(which), generate(which)) << seed;
-      const Which next{seed + 1, GetParam(), mood, {}};
+      const SceneId next{seed + 1, GetParam(), difficulty, {}};
       EXPECT_FALSE(generate(which) == generate(next)) << seed;
     }
   }
@@ -32,7 +32,7 @@ TEST_P(AnyFamily, TheSameSeedGivesTheSameScene) {
 
 TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    const Scene scene = generate({seed, GetParam(), Mood::gentle, {}});
+    const Scene scene = generate({seed, GetParam(), Difficulty::gentle, {}});
     ASSERT_FALSE(scene.cords.empty()) << seed;
     EXPECT_TRUE(starts_clear(scene)) << seed;
     EXPECT_FALSE(is_driven(scene)) << seed;
@@ -41,7 +41,7 @@ TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
 
 TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    const World world(generate({seed, GetParam(), Mood::gentle, {}}));
+    const World world(generate({seed, GetParam(), Difficulty::gentle, {}}));
     const Lengths worst = lengths(world.coupling());
     EXPECT_LT(worst.stretch, 1e-12) << seed;
     for (int c = 0; c < world.coupling().size(); ++c) {
@@ -56,7 +56,7 @@ TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
 
 TEST_P(AnyFamily, EveryWildSceneIsAccepted) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    Scene scene = generate({seed, GetParam(), Mood::wild, {}});
+    Scene scene = generate({seed, GetParam(), Difficulty::wild, {}});
     EXPECT_NO_THROW(World{scene}) << seed;
   }
 }
@@ -171,7 +171,7 @@ TEST(AnySceneCode, NamesEveryFieldThatIsNotAsByDefault) {
 }
 
 TEST(AnySceneRuns, AreTheSameFromTheirLineOfResults) {
-  const Which which{3, Family::ribbons_both, Mood::wild, Preset::fast};
+  const SceneId which{3, Family::ribbons_both, Difficulty::wild, Preset::fast};
   Scene scene = generate(which);
   scene.ticks = 20;
   const Summary run = run_guarded(which, scene, 20.0);
@@ -209,7 +209,7 @@ TEST(AnySceneRuns, LeaveUnsolvedWhatTheSolverTells) {
 }
 
 TEST(AnySceneRuns, GiveTheSameTwice) {
-  Scene scene = generate({1, Family::mixed, Mood::gentle, Preset::fast});
+  Scene scene = generate({1, Family::mixed, Difficulty::gentle, Preset::fast});
   scene.ticks = 30;
   const Outcome once = play(scene, 20.0);
   const Outcome again = play(scene, 20.0);
@@ -221,20 +221,20 @@ TEST(AnySceneRuns, GiveTheSameTwice) {
 }
 
 TEST(AnySceneRuns, EndWhenTheirTimeIsUp) {
-  Scene scene = generate({0, Family::mixed, Mood::gentle, Preset::accurate});
+  Scene scene = generate({0, Family::mixed, Difficulty::gentle, Preset::accurate});
   scene.ticks = 1'000'000;
   EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::cut);
 }
 
 TEST(AnySceneRuns, SayThatADefinitionIsRefused) {
-  Scene scene = generate({0, Family::rope_falls, Mood::gentle, {}});
+  Scene scene = generate({0, Family::rope_falls, Difficulty::gentle, {}});
   scene.cords[0].def.radius = -1.0;
   EXPECT_EQ(run_guarded({}, scene, 1.0).end, End::refused);
 }
 
 /// The planted failure is a fast heavy circle among many unrelated objects.
 TEST(AnySceneShrink, LeavesOnlyWhatFails) {
-  Scene scene = generate({7, Family::mixed, Mood::gentle, {}});
+  Scene scene = generate({7, Family::mixed, Difficulty::gentle, {}});
   Solid planted;
   planted.motion = Motion::dynamic;
   planted.position = {3.0, 50.0};
@@ -261,7 +261,7 @@ TEST(AnySceneShrink, LeavesOnlyWhatFails) {
 /// References to removed cords and solids are removed; all others refer to the same ones as before.
 TEST(AnySceneShrink, KeepsEveryStepAcceptable) {
   for (unsigned seed = 0; seed < 30; ++seed) {
-    const Scene scene = generate({seed, Family::mixed, Mood::wild, {}});
+    const Scene scene = generate({seed, Family::mixed, Difficulty::wild, {}});
     int kept = 0;
     shrink(scene, [&](const Scene& played) {
       EXPECT_NO_THROW(World{played}) << seed;

@@ -24,13 +24,13 @@ void Balls::step(Subject& cord, double dt, Vec2 gravity) {
   for (RigidBody& body : bodies_) {
     body.impulse = {};
     body.angular_impulse = 0.0;
-    body.met = false;
+    body.solved = false;
   }
   cord.step(dt, gravity, {bodies_, circles_});
   for (RigidBody& body : bodies_) {
     body.velocity += body.inverse_mass * body.impulse;
     body.angular_velocity += body.inverse_inertia * body.angular_impulse;
-    body.position += body.met ? body.moved : dt * body.velocity;
+    body.position += body.solved ? body.moved : dt * body.velocity;
   }
 }
 

@@ -56,8 +56,8 @@ double thickness(const Subject& cord, Kind kind) {
 double middle(const Subject& cord) { return 0.5 * (cord.positions()[static_cast<std::size_t>(cord.rows()) - 1].y); }
 
 struct Figures {
-  Worst speed, strain, inverted;
-  std::array<Worst*, 3> all() { return {&speed, &strain, &inverted}; }
+  WorstCase speed, strain, inverted;
+  std::array<WorstCase*, 3> all() { return {&speed, &strain, &inverted}; }
 };
 
 /// Damps the motion for two seconds, then takes the figures.
@@ -72,7 +72,7 @@ void take(Subject& cord, const Balls& balls, double speed, const std::string& se
   figures.speed.take(finite ? speed : infinity, setting, "thrown");
   figures.strain.take(finite ? cord.worst_strain() : infinity, setting, cord.shape());
   figures.inverted.take(cord.inverted(), setting, cord.shape());
-  for (Worst* figure : figures.all()) figure->add(cord.counts());
+  for (WorstCase* figure : figures.all()) figure->add(cord.counts());
 }
 
 /// Two circles approach at 0.5 m/s until the gap is 5 % of the cord's thickness, wait and part.
@@ -100,7 +100,7 @@ void squeeze(Method method, Kind kind, double radius, const std::string& setting
 }
 
 /// A free ball of the cord's mass appears inside it.
-void bear(Method method, Kind kind, double radius, Vec2 center, const std::string& setting, Figures& figures) {
+void create_inside(Method method, Kind kind, double radius, Vec2 center, const std::string& setting, Figures& figures) {
   Subject cord(method, cord_of(kind), dt);
   Balls balls;
   balls.add(center, radius, 0.5);
@@ -120,7 +120,7 @@ std::string text(Kind kind, double radius, const char* where) {
 
 /// The rows of one method, over all kinds of cord.
 struct Rows {
-  Figures crushed, born, inside, around;
+  Figures crushed, at_surface, inside, around;
 };
 
 void run(Method method, Kind kind, const Scope& scope, Rows& rows) {
@@ -129,22 +129,22 @@ void run(Method method, Kind kind, const Scope& scope, Rows& rows) {
     if (scope.wants(setting)) squeeze(method, kind, radius, setting, rows.crushed);
     if (!scope.full) break;
   }
-  const auto born = [&](double ratio, Vec2 center, const char* where, Figures& figures) {
+  const auto create = [&](double ratio, Vec2 center, const char* where, Figures& figures) {
     const std::string setting = text(kind, ratio * link, where);
-    if (scope.wants(setting)) bear(method, kind, ratio * link, center, setting, figures);
+    if (scope.wants(setting)) create_inside(method, kind, ratio * link, center, setting, figures);
   };
   const double x = 0.5 * links * link;  // position of the middle column
   const double width = cord_of(kind).width;
   const double top = method == Method::thesis ? width : width + cord_of(kind).radius;
   for (const double ratio : {10.0, 1e2, 1e3}) {
-    born(ratio, {x, top + ratio * link - 0.001}, ", 1 mm deep", rows.around);
-    born(ratio, {x, top + ratio * link - 0.05}, ", 5 cm deep", rows.around);
+    create(ratio, {x, top + ratio * link - 0.001}, ", 1 mm deep", rows.around);
+    create(ratio, {x, top + ratio * link - 0.05}, ", 5 cm deep", rows.around);
   }
   for (const double ratio : {1e-4, 1e-2, 1.0}) {
-    born(ratio, {x, top + 0.8 * ratio * link}, ", a fifth of it deep", rows.born);
-    born(ratio, {x, 0.0}, ", on a point", rows.inside);
-    born(ratio, {x + 0.5 * link, 0.0}, ", on an edge", rows.inside);
-    born(ratio, {x + 0.3 * link, 0.4 * std::min(link, width)}, ", in a cell", rows.inside);
+    create(ratio, {x, top + 0.8 * ratio * link}, ", a fifth of it deep", rows.at_surface);
+    create(ratio, {x, 0.0}, ", on a point", rows.inside);
+    create(ratio, {x + 0.5 * link, 0.0}, ", on an edge", rows.inside);
+    create(ratio, {x + 0.3 * link, 0.4 * std::min(link, width)}, ", in a cell", rows.inside);
   }
 }
 
@@ -155,19 +155,19 @@ std::vector<Row> run_crush(const Scope& scope) {
   double done = 0.0;
   const auto figures_of = [](const std::string& what, Method method) {
     return Figures{{what, "fastest point, m/s", method, 10.0},
-                   {what, "strain in the end", method, 1e-3},
-                   {what, "corners inside out", method, 0.0}};
+                   {what, "strain at the end", method, 1e-3},
+                   {what, "inverted corners", method, 0.0}};
   };
   for (const Method method : all_methods) {
-    Rows rows{figures_of("crushed to 5 %", method), figures_of("circle born on its surface", method),
-              figures_of("circle born inside", method), figures_of("cord born in a large circle", method)};
+    Rows rows{figures_of("crushed to 5 %", method), figures_of("circle created on its surface", method),
+              figures_of("circle created inside", method), figures_of("cord created in a large circle", method)};
     for (const Kind kind : all_kinds) {
       if (method == Method::thesis && kind < Kind::strip) continue;
       run(method, kind, scope, rows);
       scope.progress(++done / 14.0);
     }
-    for (Figures* figures : {&rows.crushed, &rows.born, &rows.inside, &rows.around}) {
-      for (const Worst* figure : figures->all()) table.push_back(figure->row());
+    for (Figures* figures : {&rows.crushed, &rows.at_surface, &rows.inside, &rows.around}) {
+      for (const WorstCase* figure : figures->all()) table.push_back(figure->row());
     }
   }
   return table;

@@ -34,7 +34,7 @@ ribbon::CordDef cord_of(int rows) {
 }
 
 /// Places two neighbours, along or across, at the same point.
-void coincide(Method method, int rows, bool across, const std::string& setting, Worst& strain) {
+void coincide(Method method, int rows, bool across, const std::string& setting, WorstCase& strain) {
   ribbon::CordDef def = cord_of(rows);
   const std::size_t a = 5 * static_cast<std::size_t>(rows);
   def.positions[a + static_cast<std::size_t>(across ? 1 : rows)] = def.positions[a];
@@ -65,7 +65,7 @@ double refusal(const auto& make, const std::string& field) {
 std::vector<Row> run_degenerate(const Scope& scope) {
   std::vector<Row> rows;
   for (const Method method : all_methods) {
-    Worst strain("two points in one place", "strain in the end", method, 1e-3);
+    WorstCase strain("two points in one place", "strain at the end", method, 1e-3);
     for (const int across : {1, 2, 3}) {
       if (method == Method::thesis && across == 1) continue;
       for (const bool is_across : {false, true}) {
@@ -74,7 +74,7 @@ std::vector<Row> run_degenerate(const Scope& scope) {
         if (scope.wants(setting)) coincide(method, across, is_across, setting, strain);
       }
     }
-    Worst refused("a link without length", "cases not refused by name", method, 0.0);
+    WorstCase refused("a link without length", "cases not refused by name", method, 0.0);
     const auto take = [&](const auto& make, const std::string& field) {
       if (scope.wants(field)) refused.take(refusal(make, field), field, "accepted");
     };

@@ -91,7 +91,7 @@ Event reel() {
 }
 
 /// Runs the event, then two seconds without a drive under the initial gravity, then two seconds of damped motion.
-void run(Method method, Kind kind, const Event& event, Worst& gain, Worst& strain) {
+void run(Method method, Kind kind, const Event& event, WorstCase& gain, WorstCase& strain) {
   Subject cord(method, cord_of(kind), dt);
   cord.attach_load(10.0);
   const double scale = 11.0 * 9.81 * cord_length;
@@ -118,7 +118,7 @@ void run(Method method, Kind kind, const Event& event, Worst& gain, Worst& strai
     step();
   }
   strain.take(finite ? cord.worst_strain(kind == Kind::pulling) : infinity, name(kind), cord.shape());
-  for (Worst* figure : {&gain, &strain}) figure->add(cord.counts());
+  for (WorstCase* figure : {&gain, &strain}) figure->add(cord.counts());
 }
 
 }  // namespace
@@ -135,8 +135,8 @@ std::vector<Row> run_drives(const Scope& scope) {
   for (const Method method : all_methods) {
     for (const Event& event : events) {
       if (method == Method::thesis && event.what.starts_with("reel")) continue;  // that method has no reel
-      Worst gain(event.what, "energy gained after / MgL", method, guarded_gain);
-      Worst strain(event.what, "strain in the end", method, method == Method::thesis ? 0.1 : 0.01);
+      WorstCase gain(event.what, "energy gained after / MgL", method, guarded_gain);
+      WorstCase strain(event.what, "strain at the end", method, method == Method::thesis ? 0.1 : 0.01);
       for (const Kind kind : all_kinds) {
         if (method == Method::thesis && kind != Kind::rope && kind != Kind::ribbon) continue;
         if (scope.wants(name(kind))) run(method, kind, event, gain, strain);

@@ -77,9 +77,9 @@ std::vector<Row> run_places(const Scope& scope) {
   double done = 0.0;
   for (const Method method : all_methods) {
     for (const bool with_ball : {false, true}) {
-      const std::string whom = with_ball ? ", meeting a ball" : "";
-      Worst far("10 km away" + whom, "off its motion, m", method, 1e-6);
-      Worst turned("turned world" + whom, "off its motion, m", method, 1e-6);
+      const std::string suffix = with_ball ? ", with a ball" : "";
+      WorstCase far("10 km away" + suffix, "deviation, m", method, 1e-6);
+      WorstCase turned("turned world" + suffix, "deviation, m", method, 1e-6);
       for (const Kind kind : all_kinds) {
         if ((method == Method::thesis && kind == Kind::elastic) || !scope.wants(name(kind))) continue;
         Counts counts;
@@ -91,7 +91,7 @@ std::vector<Row> run_places(const Scope& scope) {
           turned.take(furthest(here, motion(method, kind, {{}, ribbon::rotation(angle)}, with_ball, counts)),
                       std::string(name(kind)) + ", by " + std::to_string(angle) + " rad", "moves differently");
         }
-        for (Worst* figure : {&far, &turned}) figure->add(counts);
+        for (WorstCase* figure : {&far, &turned}) figure->add(counts);
       }
       rows.insert(rows.end(), {far.row(), turned.row()});
       scope.progress(++done / 8.0);

@@ -120,11 +120,11 @@ std::vector<Row> run_soak(const Scope& scope) {
                       : method == Method::accurate ? 20'000
                                                    : 1'500;
     const std::string what = std::to_string(ticks) + " ticks";
-    Worst energy(what, "energy, last tenth / first", method, 2.0);
-    Worst allocations(what, "allocations in 2nd half", method, most_allocations);
-    Worst cost(what, "Newton steps, last / first", method, 1.25);
-    Worst peak(what, "Newton steps of a tick", method, method == Method::thesis ? 0.0 : 2500.0);
-    Worst subnormals(what, "ticks with subnormals", method, 0.0);
+    WorstCase energy(what, "energy, last tenth / first", method, 2.0);
+    WorstCase allocations(what, "allocations in 2nd half", method, most_allocations);
+    WorstCase cost(what, "Newton steps, last / first", method, 1.25);
+    WorstCase peak(what, "Newton steps of a tick", method, method == Method::thesis ? 0.0 : 2500.0);
+    WorstCase subnormals(what, "ticks with subnormals", method, 0.0);
     for (const int across : {1, 3}) {
       if (method == Method::thesis && across == 1) continue;
       const std::string setting = across == 1 ? "rope" : "ribbon of 3 rows";
@@ -136,7 +136,7 @@ std::vector<Row> run_soak(const Scope& scope) {
       cost.take(figures.cost, setting, "slows down");
       peak.take(figures.peak, setting, "slow");
       subnormals.take(figures.subnormals, setting, "slow");
-      for (Worst* figure : {&energy, &allocations, &cost, &peak, &subnormals}) figure->add(counts);
+      for (WorstCase* figure : {&energy, &allocations, &cost, &peak, &subnormals}) figure->add(counts);
     }
     rows.insert(rows.end(), {energy.row(), allocations.row(), cost.row(), peak.row(), subnormals.row()});
   }

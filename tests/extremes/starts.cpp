@@ -71,7 +71,7 @@ ribbon::CordDef cord_of(Kind kind, Start start, unsigned seed) {
 
 /// The bounded figures, over all kinds of cord at one start.
 struct Figures {
-  Worst gain, speed, strain, inverted;
+  WorstCase gain, speed, strain, inverted;
 };
 
 void run(Method method, Kind kind, Start start, unsigned seed, const std::string& setting, Figures& figures) {
@@ -92,7 +92,8 @@ void run(Method method, Kind kind, Start start, unsigned seed, const std::string
   figures.speed.take(speed, setting, "gains energy");
   figures.strain.take(cord.worst_strain(), setting, cord.shape());
   figures.inverted.take(cord.inverted(), setting, cord.shape());
-  for (Worst* figure : {&figures.gain, &figures.speed, &figures.strain, &figures.inverted}) figure->add(cord.counts());
+  for (WorstCase* figure : {&figures.gain, &figures.speed, &figures.strain, &figures.inverted})
+    figure->add(cord.counts());
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ std::vector<Row> run_starts(const Scope& scope) {
       const std::string what(name(start));
       Figures figures{{what, "energy gained / start's", method, 1e-6},
                       {what, "speed / what it allows", method, 1.0 + 1e-6},
-                      {what, "strain in the end", method, 1e-3},
+                      {what, "strain at the end", method, 1e-3},
                       {what, "corners inside out", method, 0.0}};
       for (const Kind kind : all_kinds) {
         if (method == Method::thesis && kind <= Kind::bending_rope) continue;  // these are the same strip

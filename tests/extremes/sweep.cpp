@@ -58,7 +58,7 @@ ribbon::CordDef cord_of(Method method, const Case& c, Vec2 along) {
 double exact_stretch(const Case& c) { return (c.load + 0.5) / (1.0 + c.load) / c.stiffness; }
 
 /// Swings the cord from the horizontal. The energy's scale is M·g·(L + static stretch).
-void swing(Method method, const Case& c, int ticks, Worst& gain) {
+void swing(Method method, const Case& c, int ticks, WorstCase& gain) {
   Subject cord(method, cord_of(method, c, {1.0, 0.0}), c.dt);
   cord.attach_load(c.load);
   const double scale = (1.0 + c.load) * g * cord_length * (1.0 + 1.0 / c.stiffness);
@@ -100,7 +100,7 @@ void come_to_rest(Subject& cord, const Case& c) {
 constexpr std::array<double, 4> steps = {1e-5, 1e-3, 1.0 / 60.0, 1.0};  // s
 
 /// Checks that the cord hangs still in steps of this length.
-void hang(Subject& cord, const Case& c, Worst& off) {
+void hang(Subject& cord, const Case& c, WorstCase& off) {
   double error = 0.0;
   for (int k = 0; k < 5; ++k) {
     cord.step(c.dt, gravity);
@@ -111,7 +111,7 @@ void hang(Subject& cord, const Case& c, Worst& off) {
 }
 
 /// All presets start from the same rest state, found in steps of a second.
-void hang_direct(Case c, const Scope& scope, std::array<Worst, 4>& off) {
+void hang_direct(Case c, const Scope& scope, std::array<WorstCase, 4>& off) {
   Subject resting(Method::fast, cord_of(Method::fast, c, {0.0, -1.0}), 1.0);
   resting.attach_load(c.load);
   come_to_rest(resting, c);
@@ -128,7 +128,7 @@ void hang_direct(Case c, const Scope& scope, std::array<Worst, 4>& off) {
 }
 
 /// Omits shorter steps, which would take hours.
-void hang_thesis(Case c, const Scope& scope, Worst& off) {
+void hang_thesis(Case c, const Scope& scope, WorstCase& off) {
   for (const double dt : {steps[2], steps[3]}) {
     c.dt = dt;
     if (!scope.wants(text(c))) continue;
@@ -171,12 +171,12 @@ std::vector<Case> cases(bool full) {
 }  // namespace
 
 std::vector<Row> run_sweep(const Scope& scope) {
-  const auto of_all_methods = [](const char* what, const char* figure, double bar) {
-    return std::array{Worst(what, figure, Method::fast, bar), Worst(what, figure, Method::balanced, bar),
-                      Worst(what, figure, Method::accurate, bar), Worst(what, figure, Method::thesis, bar)};
+  const auto of_all_methods = [](const char* what, const char* figure, double limit) {
+    return std::array{WorstCase(what, figure, Method::fast, limit), WorstCase(what, figure, Method::balanced, limit),
+                      WorstCase(what, figure, Method::accurate, limit), WorstCase(what, figure, Method::thesis, limit)};
   };
-  std::array<Worst, 4> gain = of_all_methods("let go from the horizontal", "energy gained / MgL", 1e-6);
-  std::array<Worst, 4> off = of_all_methods("hanging at rest", "error of the stretch", 0.01);
+  std::array<WorstCase, 4> gain = of_all_methods("let go from the horizontal", "energy gained / MgL", 1e-6);
+  std::array<WorstCase, 4> off = of_all_methods("hanging at rest", "error of the stretch", 0.01);
   const std::vector<Case> all = cases(scope.full);
   double done = 0.0;
   for (Case c : all) {

@@ -18,22 +18,22 @@ struct Row {
   double worst = 0.0;
   std::string setting;  ///< of the worst case
   std::string how;      ///< how the figure fails there, if it does
-  double bar = 0.0;     ///< the upper bound of the figure
+  double limit = 0.0;   ///< the upper bound of the figure
   Counts counts;
 
   /// Returns false if the figure is not a number, or a substep stayed unconverged.
-  bool passed() const { return worst <= bar && counts.direct.unconverged == 0; }
+  bool passed() const { return worst <= limit && counts.direct.unconverged == 0; }
   /// Returns whether a failure of this row is an error.
-  bool held() const { return method != Method::thesis; }
+  bool is_required() const { return method != Method::thesis; }
   /// Returns whether a step has reported that its result is not valid.
   bool is_reported() const;
 };
 
 /// Finds the greatest value of a figure.
-class Worst {
+class WorstCase {
  public:
-  Worst(std::string what, std::string figure, Method method, double bar);
-  /// `how` names the failure of a value above the bar; the default for an infinite value is "diverged".
+  WorstCase(std::string what, std::string figure, Method method, double limit);
+  /// `how` names the failure of a value above the limit; the default for an infinite value is "diverged".
   void take(double value, std::string_view setting, std::string_view how = {});
   void add(const Counts& counts) { row_.counts += counts; }
   const Row& row() const { return row_; }

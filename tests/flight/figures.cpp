@@ -28,7 +28,7 @@ struct Place {
 Place after_step(RigidBody body, double dt) {
   double turned = dt * body.angular_velocity;
   if (body.rests) return {body};
-  if (body.met) {
+  if (body.solved) {
     turned = body.turned;
     body.position += body.moved;
     body.velocity += dt * body.acceleration + body.inverse_mass * body.impulse;
@@ -113,7 +113,7 @@ double cord_depth(const std::vector<Cord>& cords) {
   return deepest;
 }
 
-void take_depth_in_bodies(const engine::SolverStep::Cord& met, const Cord& cord, int index,
+void take_depth_in_bodies(const engine::SolverStep::Cord& recorded, const Cord& cord, int index,
                           const std::vector<Place>& places, Figures& figures) {
   const std::vector<Link> links = outline(cord);
   const auto take = [&](const Link& edge, double contact, int body) {
@@ -125,11 +125,11 @@ void take_depth_in_bodies(const engine::SolverStep::Cord& met, const Cord& cord,
       figures.deep_body = body;
     }
   };
-  for (const ribbon::RigidCircle& circle : met.circles) {
+  for (const ribbon::RigidCircle& circle : recorded.circles) {
     const Vec2 center = places[at(circle.body)].of(circle.offset);
     take({center, center, 0}, circle.radius + cord.def().radius, circle.body);
   }
-  for (const ribbon::RigidSegment& segment : met.segments) {
+  for (const ribbon::RigidSegment& segment : recorded.segments) {
     const Place& place = places[at(segment.body)];
     take({place.of(segment.a), place.of(segment.b), 0}, segment.radius + cord.def().radius, segment.body);
   }

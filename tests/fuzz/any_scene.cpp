@@ -1,5 +1,5 @@
-// Random scenes by seed, family and mood, with a few numbers changed. Each scene plays or is refused; cords and bodies
-// stay finite.
+// Random scenes by seed, family and difficulty, with a few numbers changed. Each scene plays or is refused; cords and
+// bodies stay finite.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,21 +8,21 @@
 #include "tests/extremes/any_scene/generate.h"
 #include "tests/extremes/any_scene/play.h"
 #include "tests/fuzz/bytes.h"
-#include "tests/fuzz/demand.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using any_scene::Scene;
 using fuzz::Bytes;
 
-constexpr int most_ticks = 16;
-constexpr double most_seconds = 2.0;
-constexpr int most_changes = 4;
+constexpr int max_ticks = 16;
+constexpr double max_seconds = 2.0;
+constexpr int max_changes = 4;
 
-any_scene::Which some_which(Bytes& bytes) {
-  any_scene::Which which;
+any_scene::SceneId arbitrary_id(Bytes& bytes) {
+  any_scene::SceneId which;
   which.family = any_scene::all_families[static_cast<std::size_t>(bytes.below(any_scene::all_families.size()))];
-  which.mood = bytes.yes() ? any_scene::Mood::wild : any_scene::Mood::gentle;
+  which.difficulty = bytes.boolean() ? any_scene::Difficulty::wild : any_scene::Difficulty::gentle;
   which.seed = bytes.byte();
   which.seed = 256U * which.seed + bytes.byte();
   return which;
@@ -43,7 +43,7 @@ void change_cord(Bytes& bytes, any_scene::SceneCord& cord) {
     case 3: def.bending_stiffness = bytes.number(1e-3, 1e2); break;
     case 4: def.radius = bytes.number(0.001, 0.1); break;
     case 5: def.damping = bytes.number(1e-3, 1.0); break;
-    case 6: def.self_contact = def.cord_contact = bytes.yes(); break;
+    case 6: def.self_contact = def.cord_contact = bytes.boolean(); break;
     default: def.pins = {bytes.below(def.points * def.rows)};
   }
 }
@@ -65,12 +65,12 @@ void change(Bytes& bytes, Scene& scene) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  Scene scene = generate(some_which(bytes));
-  scene.ticks = 1 + bytes.below(most_ticks);
-  for (int k = bytes.below(most_changes + 1); k > 0 && !bytes.empty(); --k) change(bytes, scene);
-  const any_scene::Outcome outcome = play(scene, most_seconds);
-  fuzz::demand(outcome.end != any_scene::End::broken, "cords and bodies are somewhere");
-  fuzz::demand(outcome.end != any_scene::End::refused || outcome.message.find("accepted") != std::string::npos,
-               "it is said what is accepted", outcome.message);
+  Scene scene = generate(arbitrary_id(bytes));
+  scene.ticks = 1 + bytes.below(max_ticks);
+  for (int k = bytes.below(max_changes + 1); k > 0 && !bytes.empty(); --k) change(bytes, scene);
+  const any_scene::Outcome outcome = play(scene, max_seconds);
+  fuzz::require(outcome.end != any_scene::End::broken, "positions of cords and bodies are finite");
+  fuzz::require(outcome.end != any_scene::End::refused || outcome.message.find("accepted") != std::string::npos,
+                "the message says what is accepted", outcome.message);
   return 0;
 }

@@ -42,7 +42,7 @@ std::uint8_t Bytes::byte() {
   return first;
 }
 
-int Bytes::whole(int low, int high) {
+int Bytes::integer(int low, int high) {
   const std::uint8_t choice = byte();
   if (choice < 240) return low + choice % (high - low + 1);
   const std::array edges = {

@@ -16,11 +16,11 @@ class Bytes {
 
   bool empty() const { return left_.empty(); }
   std::uint8_t byte();
-  bool yes() { return (byte() & 1U) != 0; }
+  bool boolean() { return (byte() & 1U) != 0; }
   /// Returns an integer in 0 … n − 1.
   int below(int n) { return byte() % n; }
   /// Returns mostly an integer in low … high; sometimes one just outside, −1, 0, or the least or greatest int.
-  int whole(int low, int high);
+  int integer(int low, int high);
   /// Returns mostly a number in low … high, log-uniform if both are above 0, often an end; sometimes `hostile`.
   double number(double low, double high);
   /// Returns NaN, an infinite, huge, tiny or negative number, or any eight bytes.

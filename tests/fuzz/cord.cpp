@@ -10,25 +10,25 @@
 #include <optional>
 #include <string>
 
+#include "tests/fuzz/arbitrary_cord.h"
+#include "tests/fuzz/arbitrary_surroundings.h"
 #include "tests/fuzz/bytes.h"
-#include "tests/fuzz/demand.h"
 #include "tests/fuzz/refusals.h"
-#include "tests/fuzz/some_cord.h"
-#include "tests/fuzz/some_surroundings.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using fuzz::accepts;
 using fuzz::Bytes;
-using fuzz::demand;
+using fuzz::require;
 using ribbon::Cord;
 using ribbon::Vec2;
 
-constexpr int most_calls = 8;
+constexpr int max_calls = 8;
 
 Cord built(Bytes& bytes) {
   try {
-    return Cord(fuzz::some_cord(bytes));
+    return Cord(fuzz::arbitrary_cord(bytes));
   } catch (const ribbon::DefinitionError&) {
     ribbon::CordDef def;
     def.points = 6;
@@ -38,23 +38,23 @@ Cord built(Bytes& bytes) {
 }
 
 /// Returns whether the initial energy is unknown: an inextensible cord is stretched, or the cord overlaps itself.
-bool begins_with_energy(const ribbon::CordDef& def) {
+bool initial_energy_is_unknown(const ribbon::CordDef& def) {
   return !def.positions.empty() && (std::isinf(def.stretch_stiffness) || def.self_contact);
 }
 
 class Fuzzed {
  public:
   explicit Fuzzed(Bytes& bytes)
-      : bytes_(bytes), cord_(built(bytes)), saved_(cord_.save()), driven_(begins_with_energy(cord_.def())) {}
+      : bytes_(bytes), cord_(built(bytes)), saved_(cord_.save()), driven_(initial_energy_is_unknown(cord_.def())) {}
 
   void call();
 
  private:
-  void step(const ribbon::Surroundings& met);
+  void step(const ribbon::Surroundings& surroundings);
   void restore();
-  void spoil(Cord::State& state);
-  int point() { return bytes_.whole(0, cord_.size() - 1); }
-  void demand_no_gain(double before, double after, const Cord::Energy& then) const;
+  void corrupt(Cord::State& state);
+  int point() { return bytes_.integer(0, cord_.size() - 1); }
+  void require_no_gain(double before, double after, const Cord::Energy& then) const;
 
   Bytes& bytes_;
   Cord cord_;
@@ -71,65 +71,67 @@ void Fuzzed::call() {
     case 3: driven_ |= accepts(cord_, [&] { cord_.operate(p, bytes_.vector(-1.0, 1.0)); }); break;
     case 4: accepts(cord_, [&] { cord_.release(p); }); break;
     case 5: accepts(cord_, [&] { cord_.set_velocity(p, bytes_.vector(-10.0, 10.0)); }); break;
-    case 6: accepts(cord_, [&] { cord_.set_accuracy(fuzz::some_accuracy(bytes_)); }); break;
+    case 6: accepts(cord_, [&] { cord_.set_accuracy(fuzz::arbitrary_accuracy(bytes_)); }); break;
     case 7: {
-      const int last = bytes_.whole(1, cord_.def().points - 1);
+      const int last = bytes_.integer(1, cord_.def().points - 1);
       driven_ |= accepts(cord_, [&] { cord_.reel(p, last, bytes_.number(1e-3, 1e3), bytes_.number(0.1, 10.0)); });
       break;
     }
     case 8: saved_ = cord_.save(); break;
     case 9: restore(); break;
     case 10: {
-      fuzz::SomeSurroundings met(bytes_, cord_.size());
+      fuzz::ArbitrarySurroundings surroundings(bytes_, cord_.size());
       driven_ = true;
-      step(met.view());
-      for (const ribbon::RigidBody& body : met.bodies) demand(is_finite(body.impulse), "bodies get finite impulses");
+      step(surroundings.view());
+      for (const ribbon::RigidBody& body : surroundings.bodies)
+        require(is_finite(body.impulse), "impulses on bodies are finite");
       break;
     }
     default: step({}); break;
   }
 }
 
-void Fuzzed::step(const ribbon::Surroundings& met) {
+void Fuzzed::step(const ribbon::Surroundings& surroundings) {
   const double dt = bytes_.number(1e-4, 0.1);
-  const Vec2 gravity = bytes_.yes() ? Vec2{0.0, -9.81} : bytes_.vector(-100.0, 100.0);
+  const Vec2 gravity = bytes_.boolean() ? Vec2{0.0, -9.81} : bytes_.vector(-100.0, 100.0);
   std::optional<Cord> copy;
-  if (met.bodies.empty() && bytes_.below(4) == 0) {
+  if (surroundings.bodies.empty() && bytes_.below(4) == 0) {
     copy.emplace(cord_.def());
     copy->restore(cord_.save());
   }
   const Cord::Energy before = cord_.energy(gravity);
   ribbon::CordReport report;
-  if (!accepts(cord_, [&] { report = cord_.step(dt, gravity, met); })) return;
-  fuzz::demand_finite(cord_);
-  demand(report.stages > 0 && report.iterations >= 0 && report.unconverged >= 0, "what was done is counted");
-  if (!met.bodies.empty()) return;
-  demand(!copy || (copy->step(dt, gravity) == report && copy->save() == cord_.save()),
-         "a restored cord goes on to the same bits");
+  if (!accepts(cord_, [&] { report = cord_.step(dt, gravity, surroundings); })) return;
+  fuzz::require_finite(cord_);
+  require(report.stages > 0 && report.iterations >= 0 && report.unconverged >= 0, "the report has valid counts");
+  if (!surroundings.bodies.empty()) return;
+  require(!copy || (copy->step(dt, gravity) == report && copy->save() == cord_.save()),
+          "a restored cord continues with the same bits");
   const Cord::Energy after = cord_.energy(gravity);
-  if (!driven_ && report.unlocked == 0 && report.unconverged == 0) demand_no_gain(before.total(), after.total(), after);
+  if (!driven_ && report.unlocked == 0 && report.unconverged == 0)
+    require_no_gain(before.total(), after.total(), after);
 }
 
 /// Allows 5 % of the energy's scale, for the energy guard, and the rounding error of positions far from the origin.
-void Fuzzed::demand_no_gain(double before, double after, const Cord::Energy& then) const {
+void Fuzzed::require_no_gain(double before, double after, const Cord::Energy& then) const {
   double mass = 0.0;
   for (int p = 0; p < cord_.size(); ++p) mass += cord_.mass(p);
   const double scale = mass * 100.0 * cord_.def().length + then.kinetic + then.elastic;
   const double rounding = 1e-9 * (std::abs(before) + std::abs(then.potential));
-  demand(after - before <= 0.05 * scale + rounding, "energy does not come from nowhere",
-         std::to_string(before) + " J, then " + std::to_string(after) + " J");
+  require(after - before <= 0.05 * scale + rounding, "energy does not rise without a cause",
+          std::to_string(before) + " J, then " + std::to_string(after) + " J");
 }
 
 void Fuzzed::restore() {
   Cord::State state = saved_;
-  if (bytes_.yes()) spoil(state);
+  if (bytes_.boolean()) corrupt(state);
   if (accepts(cord_, [&] { cord_.restore(state); })) {
-    demand(cord_.save() == state, "what was restored is what was saved");
+    require(cord_.save() == state, "the restored state equals the saved state");
     driven_ = true;
   }
 }
 
-void Fuzzed::spoil(Cord::State& state) {
+void Fuzzed::corrupt(Cord::State& state) {
   const auto k = static_cast<std::size_t>(bytes_.below(cord_.size()));
   switch (bytes_.below(12)) {
     case 0: state.positions[k] = bytes_.vector(-1.0, 1.0); break;
@@ -144,7 +146,7 @@ void Fuzzed::spoil(Cord::State& state) {
     case 9: state.kinds[k] = static_cast<ribbon::PointKind>(bytes_.byte()); break;
     case 10: {
       Cord::Holder holder;
-      holder.point = bytes_.whole(0, cord_.size() - 1);
+      holder.point = bytes_.integer(0, cord_.size() - 1);
       holder.acceleration = bytes_.vector(-1.0, 1.0);
       state.holders.push_back(holder);
       break;
@@ -152,7 +154,7 @@ void Fuzzed::spoil(Cord::State& state) {
     default: {
       ribbon::Touch touch;
       touch.other = bytes_.byte();
-      touch.feature = bytes_.whole(0, 2 * cord_.size());
+      touch.feature = bytes_.integer(0, 2 * cord_.size());
       touch.force = bytes_.number(0.0, 1.0);
       touch.normal = bytes_.vector(-1.0, 1.0);
       state.touches.push_back(touch);
@@ -165,6 +167,6 @@ void Fuzzed::spoil(Cord::State& state) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   Fuzzed cord(bytes);
-  for (int k = 0; k < most_calls && !bytes.empty(); ++k) cord.call();
+  for (int k = 0; k < max_calls && !bytes.empty(); ++k) cord.call();
   return 0;
 }

@@ -12,34 +12,34 @@
 #include <variant>
 #include <vector>
 
+#include "tests/fuzz/arbitrary_body.h"
+#include "tests/fuzz/arbitrary_cord.h"
 #include "tests/fuzz/bytes.h"
-#include "tests/fuzz/demand.h"
-#include "tests/fuzz/some_body.h"
-#include "tests/fuzz/some_cord.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using fuzz::Bytes;
-using fuzz::demand;
+using fuzz::require;
 using ribbon::Vec2;
 using ribbon::box2d::Coupling;
 
-constexpr int most_calls = 10;
-constexpr std::size_t most_bodies = 6;
+constexpr int max_calls = 10;
+constexpr std::size_t max_bodies = 6;
 
 /// The state that a refused call must not change.
-struct Seen {
+struct Observed {
   std::vector<std::variant<ribbon::ThesisCord::State, ribbon::Cord::State>> cords;
   std::vector<int> holds;    // cord and point by body
   std::vector<double> arcs;  // by grip
-  bool operator==(const Seen&) const = default;
+  bool operator==(const Observed&) const = default;
 };
 
 class Fuzzed {
  public:
   explicit Fuzzed(Bytes& bytes) : bytes_(bytes) {
     for (int k = 1 + bytes_.below(2); k > 0; --k) add_cord();
-    for (int k = 1 + bytes_.below(3); k > 0; --k) bodies_.push_back(&fuzz::add_some_body(world_, bytes_));
+    for (int k = 1 + bytes_.below(3); k > 0; --k) bodies_.push_back(&fuzz::add_arbitrary_body(world_, bytes_));
   }
 
   void call();
@@ -47,18 +47,18 @@ class Fuzzed {
  private:
   void add_cord();
   void tick();
-  void grip_something();
+  void change_a_grip();
   void change_bodies();
-  void ask();
+  void query();
   void drive_a_cord();
-  Seen see() const;
-  bool box2d_keeps_them() const;
+  Observed observe() const;
+  bool box2d_keeps_bodies_finite() const;
   template <typename Do>
   bool accepts(Do&& what);
 
-  ribbon::box2d::CordId cord() { return bytes_.whole(0, 3); }  // an id of a former, present or unknown cord
-  int point() { return bytes_.whole(0, 15); }
-  ribbon::box2d::GripId grip() { return bytes_.whole(0, 8); }
+  ribbon::box2d::CordId cord() { return bytes_.integer(0, 3); }  // an id of a former, present or unknown cord
+  int point() { return bytes_.integer(0, 15); }
+  ribbon::box2d::GripId grip() { return bytes_.integer(0, 8); }
   b2Body* body() { return bodies_.empty() ? nullptr : bodies_[bytes_.byte() % bodies_.size()]; }
 
   Bytes& bytes_;
@@ -72,9 +72,10 @@ void Fuzzed::add_cord() {
   const bool direct = bytes_.below(4) != 0;
   try {
     if (direct) {
-      coupling_.add(ribbon::Cord(bytes_.below(4) == 0 ? fuzz::some_cord(bytes_) : fuzz::some_mild_cord(bytes_)));
+      coupling_.add(
+          ribbon::Cord(bytes_.below(4) == 0 ? fuzz::arbitrary_cord(bytes_) : fuzz::arbitrary_mild_cord(bytes_)));
     } else {
-      coupling_.add(ribbon::ThesisCord(fuzz::some_thesis_cord(bytes_)));
+      coupling_.add(ribbon::ThesisCord(fuzz::arbitrary_thesis_cord(bytes_)));
     }
   } catch (const ribbon::DefinitionError&) {
     ribbon::CordDef def;
@@ -85,33 +86,33 @@ void Fuzzed::add_cord() {
   }
 }
 
-Seen Fuzzed::see() const {
-  Seen seen;
+Observed Fuzzed::observe() const {
+  Observed observed;
   for (const ribbon::box2d::CordId c : coupling_.cords()) {
     if (coupling_.cord(c).solver() == ribbon::box2d::Solver::direct) {
-      seen.cords.emplace_back(coupling_.cord(c).direct().save());
+      observed.cords.emplace_back(coupling_.cord(c).direct().save());
     } else {
-      seen.cords.emplace_back(coupling_.cord(c).thesis().save());
+      observed.cords.emplace_back(coupling_.cord(c).thesis().save());
     }
   }
   for (const b2Body* body : bodies_) {
     const auto held = coupling_.body(*body).held_place();
-    seen.holds.push_back(held ? 1000 * held->cord + held->point : -1);
+    observed.holds.push_back(held ? 1000 * held->cord + held->point : -1);
   }
   for (ribbon::box2d::GripId grip = 0; grip < 9; ++grip) {
     const auto held = coupling_.grip(grip);
-    seen.arcs.push_back(held.is_valid() ? held.state().arc : -1.0);
+    observed.arcs.push_back(held.is_valid() ? held.state().arc : -1.0);
   }
-  return seen;
+  return observed;
 }
 
 template <typename Do>
 bool Fuzzed::accepts(Do&& what) {
-  const Seen before = see();
+  const Observed before = observe();
   const auto refused = [&](const std::logic_error& error) {
-    demand(std::string_view(error.what()).find("accepted") != std::string_view::npos, "it is said what is accepted",
-           error.what());
-    demand(see() == before, "a refusal changes nothing", error.what());
+    require(std::string_view(error.what()).find("accepted") != std::string_view::npos,
+            "the message says what is accepted", error.what());
+    require(observe() == before, "a refused call changes nothing", error.what());
     return false;
   };
   try {
@@ -127,12 +128,12 @@ bool Fuzzed::accepts(Do&& what) {
 void Fuzzed::call() {
   switch (bytes_.below(12)) {
     case 0:
-    case 1: grip_something(); break;
+    case 1: change_a_grip(); break;
     case 2: drive_a_cord(); break;
     case 3: change_bodies(); break;
-    case 4: ask(); break;
+    case 4: query(); break;
     case 5: gathered_ = accepts([&] { coupling_.gather(world_, bytes_.number(1e-3, 0.1)); }) || gathered_; break;
-    case 6: demand(!accepts([&] { coupling_.apply(); }), "there is no apply without a step"); break;
+    case 6: require(!accepts([&] { coupling_.apply(); }), "apply without step is refused"); break;
     default: tick();
   }
 }
@@ -140,23 +141,24 @@ void Fuzzed::call() {
 void Fuzzed::tick() {
   const double dt = bytes_.number(1e-3, 0.1);
   if (!gathered_ && !accepts([&] { coupling_.gather(world_, dt); })) return;
-  if (bytes_.below(8) == 0) grip_something();
+  if (bytes_.below(8) == 0) change_a_grip();
   coupling_.step();
-  if (bytes_.below(8) == 0) grip_something();
+  if (bytes_.below(8) == 0) change_a_grip();
   coupling_.apply();
   gathered_ = false;
   world_.Step(1.0F / 60.0F, 8, 3);
   for (const ribbon::box2d::CordId c : coupling_.cords()) {
-    for (const Vec2 x : coupling_.cord(c).positions()) demand(is_finite(x), "the cord is somewhere");
+    for (const Vec2 x : coupling_.cord(c).positions()) require(is_finite(x), "positions of cords are finite");
   }
   for (const b2Body* body : bodies_) {
-    if (!box2d_keeps_them()) break;
-    demand(body->GetPosition().IsValid() && body->GetLinearVelocity().IsValid(), "the body is somewhere");
+    if (!box2d_keeps_bodies_finite()) break;
+    require(body->GetPosition().IsValid() && body->GetLinearVelocity().IsValid(),
+            "positions and velocities of bodies are finite");
   }
 }
 
 /// Bodies of Box2D that collide with infinite restitution or friction get NaN positions, with and without cords.
-bool Fuzzed::box2d_keeps_them() const {
+bool Fuzzed::box2d_keeps_bodies_finite() const {
   for (const b2Body* body : bodies_) {
     for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       if (!std::isfinite(fixture->GetFriction()) || !std::isfinite(fixture->GetRestitution())) return false;
@@ -165,12 +167,12 @@ bool Fuzzed::box2d_keeps_them() const {
   return true;
 }
 
-void Fuzzed::grip_something() {
+void Fuzzed::change_a_grip() {
   b2Body* const holder = body();
   if (holder == nullptr) return;
   switch (bytes_.below(6)) {
     case 0: {
-      const b2Vec2 hand = fuzz::some_hand(bytes_);
+      const b2Vec2 hand = fuzz::arbitrary_anchor(bytes_);
       accepts([&] { coupling_.hold(cord(), point(), *holder, hand); });
       break;
     }
@@ -181,10 +183,10 @@ void Fuzzed::grip_something() {
       ribbon::box2d::GripDef def;
       def.cord = cord();
       def.arc = bytes_.number(0.0, 2.0);
-      def.row = bytes_.whole(0, 2);
-      def.local_anchor = fuzz::some_hand(bytes_);
-      if (bytes_.yes()) def.strength = bytes_.number(0.1, 1e4);
-      def.lets_go = bytes_.yes();
+      def.row = bytes_.integer(0, 2);
+      def.local_anchor = fuzz::arbitrary_anchor(bytes_);
+      if (bytes_.boolean()) def.strength = bytes_.number(0.1, 1e4);
+      def.lets_go = bytes_.boolean();
       if (bytes_.below(4) == 0) def.point = point();
       accepts([&] { coupling_.hold(*holder, def); });
     }
@@ -197,9 +199,9 @@ void Fuzzed::drive_a_cord() {
   switch (bytes_.below(6)) {
     case 0: accepts([&] { coupling_.cord(cord()).drag(p, bytes_.vector(-2.0, 2.0)); }); break;
     case 1: accepts([&] { coupling_.cord(cord()).free(p); }); break;
-    case 2: accepts([&] { coupling_.cord(cord()).set_enabled(bytes_.yes()); }); break;
+    case 2: accepts([&] { coupling_.cord(cord()).set_enabled(bytes_.boolean()); }); break;
     case 3:
-      if (bytes_.yes()) {
+      if (bytes_.boolean()) {
         accepts([&] { coupling_.remove(cord()); });
       } else if (coupling_.size() < 3) {
         add_cord();
@@ -208,8 +210,8 @@ void Fuzzed::drive_a_cord() {
     default: {
       if (!coupling_.cord(c).is_valid() || coupling_.cord(c).solver() != ribbon::box2d::Solver::direct) return;
       ribbon::Cord& direct = coupling_.cord(c).direct();
-      if (bytes_.yes()) {
-        accepts([&] { direct.reel(bytes_.whole(0, 3), bytes_.whole(1, 4), bytes_.number(0.01, 10.0), 1.0); });
+      if (bytes_.boolean()) {
+        accepts([&] { direct.reel(bytes_.integer(0, 3), bytes_.integer(1, 4), bytes_.number(0.01, 10.0), 1.0); });
       } else {
         accepts([&] { direct.attach_mass(p, bytes_.number(1e-3, 1e3)); });
       }
@@ -218,13 +220,13 @@ void Fuzzed::drive_a_cord() {
 }
 
 void Fuzzed::change_bodies() {
-  if (bytes_.yes() && bodies_.size() < most_bodies) {
-    bodies_.push_back(&fuzz::add_some_body(world_, bytes_));
+  if (bytes_.boolean() && bodies_.size() < max_bodies) {
+    bodies_.push_back(&fuzz::add_arbitrary_body(world_, bytes_));
     return;
   }
   if (bodies_.empty()) return;
   const std::size_t k = bytes_.byte() % bodies_.size();
-  if (bytes_.yes()) {
+  if (bytes_.boolean()) {
     fuzz::disturb(*bodies_[k], bytes_);
     return;
   }
@@ -232,17 +234,18 @@ void Fuzzed::change_bodies() {
   bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
-void Fuzzed::ask() {
+void Fuzzed::query() {
   const auto nearest = coupling_.nearest_point(bytes_.vector(-2.0, 2.0), bytes_.number(0.0, 2.0));
-  demand(!nearest || (coupling_.cord(nearest->cord).is_valid() && nearest->distance >= 0.0),
-         "what is near is a cord's");
-  demand(!nearest || coupling_.cord(nearest->cord).is_enabled(), "what is near is of a cord that is on");
-  if (bytes_.yes()) coupling_.estimate_errors(bytes_.yes());
+  require(!nearest || (coupling_.cord(nearest->cord).is_valid() && nearest->distance >= 0.0),
+          "the nearest point is of a valid cord");
+  require(!nearest || coupling_.cord(nearest->cord).is_enabled(), "the nearest point is of an enabled cord");
+  if (bytes_.boolean()) coupling_.estimate_errors(bytes_.boolean());
   for (const ribbon::box2d::TouchEvent& touch : coupling_.touch_events()) {
-    demand(is_finite(touch.point) && is_finite(touch.normal), "a touch is somewhere");
+    require(is_finite(touch.point) && is_finite(touch.normal), "contact points and normals are finite");
   }
-  if (!box2d_keeps_them()) return;
-  for (const b2Body* body : bodies_) demand(is_finite(coupling_.body(*body).velocity()), "a body goes somewhere");
+  if (!box2d_keeps_bodies_finite()) return;
+  for (const b2Body* body : bodies_)
+    require(is_finite(coupling_.body(*body).velocity()), "velocities of bodies are finite");
 }
 
 }  // namespace
@@ -250,6 +253,6 @@ void Fuzzed::ask() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   Fuzzed coupling(bytes);
-  for (int k = 0; k < most_calls && !bytes.empty(); ++k) coupling.call();
+  for (int k = 0; k < max_calls && !bytes.empty(); ++k) coupling.call();
   return 0;
 }

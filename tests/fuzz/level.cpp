@@ -7,17 +7,19 @@
 #include <string_view>
 
 #include "game/simulation/level.h"
-#include "tests/fuzz/demand.h"
+#include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string file = "fuzz.tmj";
   try {
     const game::Level level =
         game::level_of(engine::parse_tiled_map(std::string_view(reinterpret_cast<const char*>(data), size), file));
-    fuzz::demand(is_finite(level.player_start) && is_finite(level.goal.center), "player and goal are somewhere");
-    fuzz::demand(level.player_mass > 0.0 && level.goal.size.x > 0.0, "the player weighs something");
+    fuzz::require(is_finite(level.player_start) && is_finite(level.goal.center),
+                  "positions of player and goal are finite");
+    fuzz::require(level.player_mass > 0.0 && level.goal.size.x > 0.0,
+                  "the mass of the player and the size of the goal are positive");
   } catch (const engine::MapError& error) {
-    fuzz::demand_sentence(error.what(), file);
+    fuzz::require_message(error.what(), file);
   }
   return 0;
 }

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "ribbon/definition.h"
-#include "tests/fuzz/demand.h"
+#include "tests/fuzz/require.h"
 
 namespace fuzz {
 
@@ -15,17 +15,17 @@ bool accepts(Cord& cord, Do&& what) {
     what();
     return true;
   } catch (const ribbon::DefinitionError& error) {
-    demand(std::string_view(error.what()).find("accepted") != std::string_view::npos, "it is said what is accepted",
-           error.what());
-    demand(cord.save() == before, "a refusal changes nothing", error.what());
+    require(std::string_view(error.what()).find("accepted") != std::string_view::npos,
+            "the message says what is accepted", error.what());
+    require(cord.save() == before, "a refused call changes nothing", error.what());
     return false;
   }
 }
 
 template <typename Cord>
-void demand_finite(const Cord& cord) {
-  for (const ribbon::Vec2 x : cord.positions()) demand(is_finite(x), "the cord is somewhere");
-  for (const ribbon::Vec2 v : cord.velocities()) demand(is_finite(v), "the cord goes somewhere");
+void require_finite(const Cord& cord) {
+  for (const ribbon::Vec2 x : cord.positions()) require(is_finite(x), "positions of cords are finite");
+  for (const ribbon::Vec2 v : cord.velocities()) require(is_finite(v), "velocities of cords are finite");
 }
 
 }  // namespace fuzz

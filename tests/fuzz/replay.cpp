@@ -9,11 +9,11 @@
 #include <string_view>
 
 #include "engine/replay/replay.h"
-#include "tests/fuzz/demand.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
-using fuzz::demand;
+using fuzz::require;
 
 const std::string file = "fuzz.replay";
 
@@ -22,7 +22,7 @@ std::optional<engine::Replay> read(std::string_view bytes) {
   try {
     return engine::read_replay(in, file);
   } catch (const engine::ReplayError& error) {
-    fuzz::demand_sentence(error.what(), file);
+    fuzz::require_message(error.what(), file);
     return std::nullopt;
   }
 }
@@ -30,13 +30,13 @@ std::optional<engine::Replay> read(std::string_view bytes) {
 void verify(const engine::Replay& replay) {
   engine::ReplayVerifier verifier(replay);
   for (const engine::RecordedTick& tick : replay.ticks) {
-    demand(!verifier.done() && verifier.input() == tick.input, "the verifier asks for each tick's input");
-    demand(verifier.check(tick.state), "a tick is as recorded");
+    require(!verifier.done() && verifier.input() == tick.input, "the verifier returns the input of each tick");
+    require(verifier.check(tick.state), "the hash of a tick equals the recorded one");
   }
   const engine::VerifyResult result = verifier.result();
-  demand(verifier.done() && result.ticks == replay.ticks.size(), "all ticks are verified", result.message());
-  demand((result.outcome == engine::VerifyOutcome::verified) == replay.complete, "complete is verified",
-         result.message());
+  require(verifier.done() && result.ticks == replay.ticks.size(), "all ticks are verified", result.message());
+  require((result.outcome == engine::VerifyOutcome::verified) == replay.complete, "a complete replay is verified",
+          result.message());
 }
 
 /// Verifies against the ticks one later; the verifier must find each difference.
@@ -44,9 +44,9 @@ void verify_otherwise(const engine::Replay& replay) {
   engine::ReplayVerifier verifier(replay);
   for (std::size_t k = 1; k < replay.ticks.size() && !verifier.done(); ++k) {
     const bool same = replay.ticks[k].state == replay.ticks[k - 1].state;
-    demand(verifier.check(replay.ticks[k].state) == same, "what differs is found", verifier.result().message());
+    require(verifier.check(replay.ticks[k].state) == same, "a difference is detected", verifier.result().message());
   }
-  demand(!verifier.result().message().empty(), "there is a result");
+  require(!verifier.result().message().empty(), "the result has a message");
 }
 
 void check_headers(const engine::ReplayHeader& header) {
@@ -54,7 +54,7 @@ void check_headers(const engine::ReplayHeader& header) {
   try {
     engine::check_header(header, {"first_swing", 1, 60, {{"velocity_iterations", 8.0}, {"cord_method", "direct"}}});
   } catch (const engine::ReplayError& error) {
-    fuzz::demand_sentence(error.what(), "the replay does not fit");
+    fuzz::require_message(error.what(), "the replay does not fit");
   }
 }
 
@@ -64,13 +64,14 @@ void damage(std::string_view bytes, const engine::Replay& replay, std::size_t wh
   char& byte = damaged[where % damaged.size()];
   byte = static_cast<char>(byte ^ (1 << where % 8));
   const std::optional<engine::Replay> read_on = read(damaged);
-  demand(!read_on || (!replay.complete && read_on->ticks == replay.ticks), "a turned bit is noticed");
+  require(!read_on || (!replay.complete && read_on->ticks == replay.ticks), "a flipped bit is detected");
 
   const std::optional<engine::Replay> cut = read(bytes.substr(0, where % bytes.size()));
   if (!cut) return;
-  demand(!cut->complete && cut->header == replay.header && cut->ticks.size() <= replay.ticks.size(),
-         "what is cut short is a beginning");
-  for (std::size_t k = 0; k < cut->ticks.size(); ++k) demand(cut->ticks[k] == replay.ticks[k], "of the same ticks");
+  require(!cut->complete && cut->header == replay.header && cut->ticks.size() <= replay.ticks.size(),
+          "a cut replay is a prefix");
+  for (std::size_t k = 0; k < cut->ticks.size(); ++k)
+    require(cut->ticks[k] == replay.ticks[k], "a cut replay has the same ticks");
 }
 
 }  // namespace

@@ -13,32 +13,32 @@
 
 #include "game/simulation/simulation.h"
 #include "tests/fuzz/bytes.h"
-#include "tests/fuzz/demand.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using engine::MapObject;
 using engine::MapShape;
 using fuzz::Bytes;
-using fuzz::demand;
+using fuzz::require;
 using ribbon::Vec2;
 
-constexpr int most_ticks = 8;
-constexpr double furthest = 1e10;  // m, the greatest value in a map
+constexpr int max_ticks = 8;
+constexpr double max_coordinate = 1e10;  // m, the greatest value in a map
 
 /// Returns a finite number, because a map has finite numbers only.
-double some_number(Bytes& bytes, double low, double high) {
+double arbitrary_number(Bytes& bytes, double low, double high) {
   const double value = bytes.number(low, high);
   return std::isfinite(value) ? value : 0.0;
 }
 
-double some_length(Bytes& bytes, double low, double high) {
-  return std::min(std::max(std::abs(some_number(bytes, low, high)), 1e-7), furthest);
+double arbitrary_length(Bytes& bytes, double low, double high) {
+  return std::min(std::max(std::abs(arbitrary_number(bytes, low, high)), 1e-7), max_coordinate);
 }
 
-Vec2 some_place(Bytes& bytes) {
-  const double x = std::clamp(some_number(bytes, -3.0, 3.0), -furthest, furthest);
-  return {x, std::clamp(some_number(bytes, -3.0, 3.0), -furthest, furthest)};
+Vec2 arbitrary_position(Bytes& bytes) {
+  const double x = std::clamp(arbitrary_number(bytes, -3.0, 3.0), -max_coordinate, max_coordinate);
+  return {x, std::clamp(arbitrary_number(bytes, -3.0, 3.0), -max_coordinate, max_coordinate)};
 }
 
 class MapMaker {
@@ -47,12 +47,12 @@ class MapMaker {
 
   engine::TiledMap make() {
     map_.properties = engine::Properties("fuzz.tmj: map");
-    if (bytes_.yes()) map_.properties.insert("gravity_y", some_number(bytes_, -20.0, 20.0));
-    add("player", MapShape::point).position = some_place(bytes_);
+    if (bytes_.boolean()) map_.properties.insert("gravity_y", arbitrary_number(bytes_, -20.0, 20.0));
+    add("player", MapShape::point).position = arbitrary_position(bytes_);
     MapObject& goal = add("goal", MapShape::rectangle);
-    goal.position = some_place(bytes_);
+    goal.position = arbitrary_position(bytes_);
     goal.size = {1.0, 1.0};
-    for (int k = 1 + bytes_.below(5); k > 0; --k) add_something();
+    for (int k = 1 + bytes_.below(5); k > 0; --k) add_object();
     return std::move(map_);
   }
 
@@ -66,7 +66,7 @@ class MapMaker {
     return object;
   }
 
-  void add_something() {
+  void add_object() {
     switch (bytes_.below(5)) {
       case 0: add_ground(); break;
       case 1: add_circle(); break;
@@ -78,13 +78,13 @@ class MapMaker {
   void add_circle();
   void add_cord();
   void may_have(MapObject& object, const char* property, double low, double high) {
-    if (bytes_.below(3) == 0) object.properties.insert(property, some_number(bytes_, low, high));
+    if (bytes_.below(3) == 0) object.properties.insert(property, arbitrary_number(bytes_, low, high));
   }
   void may_be(MapObject& object, const char* property) {
     if (bytes_.below(3) == 0) object.properties.insert(property, true);
   }
   void may_count(MapObject& object, const char* property, int low, int high) {
-    if (bytes_.below(3) == 0) object.properties.insert(property, std::int64_t{bytes_.whole(low, high)});
+    if (bytes_.below(3) == 0) object.properties.insert(property, std::int64_t{bytes_.integer(low, high)});
   }
 
   Bytes& bytes_;
@@ -92,20 +92,20 @@ class MapMaker {
 };
 
 void MapMaker::add_ground() {
-  MapObject& ground = add("ground", bytes_.yes() ? MapShape::rectangle : MapShape::polygon);
-  ground.position = some_place(bytes_);
+  MapObject& ground = add("ground", bytes_.boolean() ? MapShape::rectangle : MapShape::polygon);
+  ground.position = arbitrary_position(bytes_);
   ground.rotation = bytes_.below(7) - 3.0;
-  ground.size = {some_length(bytes_, 0.1, 5.0), some_length(bytes_, 0.1, 5.0)};
+  ground.size = {arbitrary_length(bytes_, 0.1, 5.0), arbitrary_length(bytes_, 0.1, 5.0)};
   if (ground.shape == MapShape::polygon) {
-    for (int k = 3 + bytes_.below(6); k > 0; --k) ground.points.push_back(ground.position + some_place(bytes_));
+    for (int k = 3 + bytes_.below(6); k > 0; --k) ground.points.push_back(ground.position + arbitrary_position(bytes_));
   }
   may_have(ground, "friction", 0.0, 10.0);
 }
 
 void MapMaker::add_circle() {
   MapObject& circle = add("circle", MapShape::ellipse);
-  circle.position = some_place(bytes_);
-  const double size = some_length(bytes_, 0.1, 1.0);
+  circle.position = arbitrary_position(bytes_);
+  const double size = arbitrary_length(bytes_, 0.1, 1.0);
   circle.size = {size, size};
   constexpr std::array types = {"static", "kinematic", "dynamic"};
   circle.properties.insert("body", std::string(types[bytes_.byte() % types.size()]));
@@ -120,16 +120,16 @@ void MapMaker::add_circle() {
 
 void MapMaker::add_cord() {
   MapObject& cord = add("cord", MapShape::polyline);
-  for (int k = 2 + bytes_.below(3); k > 0; --k) cord.points.push_back(some_place(bytes_));
-  cord.properties.insert("columns", std::int64_t{bytes_.whole(2, 8)});
-  cord.properties.insert("mass", some_number(bytes_, 1e-3, 1e3));
+  for (int k = 2 + bytes_.below(3); k > 0; --k) cord.points.push_back(arbitrary_position(bytes_));
+  cord.properties.insert("columns", std::int64_t{bytes_.integer(2, 8)});
+  cord.properties.insert("mass", arbitrary_number(bytes_, 1e-3, 1e3));
   may_count(cord, "substeps", 1, 3);
   may_be(cord, "pin_first");
   may_be(cord, "pin_last");
   may_have(cord, "drag", 0.0, 10.0);
   if (bytes_.below(4) == 0) {
     cord.properties.insert("solver", std::string("thesis"));
-    cord.properties.insert("spring_stiffness", some_number(bytes_, 1.0, 1e12));
+    cord.properties.insert("spring_stiffness", arbitrary_number(bytes_, 1.0, 1e12));
     may_count(cord, "rows", 2, 3);
     may_have(cord, "bar_damping", 0.0, 1e3);
     may_have(cord, "area_stiffness", 0.0, 1.0);
@@ -138,12 +138,12 @@ void MapMaker::add_cord() {
   }
   const bool ribbon = bytes_.below(3) == 0;
   if (ribbon) {
-    cord.properties.insert("rows", std::int64_t{bytes_.whole(2, 3)});
+    cord.properties.insert("rows", std::int64_t{bytes_.integer(2, 3)});
     may_have(cord, "width", 0.01, 1.0);
     may_have(cord, "area_stiffness", 0.0, 10.0);
     may_have(cord, "poisson_ratio", -0.9, 0.9);
   }
-  if (ribbon || bytes_.yes()) cord.properties.insert("stretch_stiffness", some_number(bytes_, 1.0, 1e12));
+  if (ribbon || bytes_.boolean()) cord.properties.insert("stretch_stiffness", arbitrary_number(bytes_, 1.0, 1e12));
   may_have(cord, "bending_stiffness", 1e-6, 1e2);
   may_have(cord, "damping", 0.0, 1.0);
   may_have(cord, "radius", 0.0, 0.2);
@@ -160,15 +160,16 @@ void MapMaker::add_cord() {
 
 void play(const game::Level& level, Bytes& bytes) {
   game::Simulation simulation(level);
-  for (int tick = 0; tick < most_ticks; ++tick) {
+  for (int tick = 0; tick < max_ticks; ++tick) {
     engine::TickInput input;
     input.buttons = bytes.byte();
     engine::set_pointer(input, bytes.vector(-3.0, 3.0));
     simulation.tick(input);
     for (const auto& cord : simulation.current().cords) {
-      for (const Vec2 x : cord) demand(is_finite(x), "the cord is somewhere");
+      for (const Vec2 x : cord) require(is_finite(x), "positions of cords are finite");
     }
-    for (const auto& body : simulation.current().bodies) demand(is_finite(body.position), "the body is somewhere");
+    for (const auto& body : simulation.current().bodies)
+      require(is_finite(body.position), "positions and velocities of bodies are finite");
   }
 }
 
@@ -179,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     play(game::level_of(MapMaker(bytes).make()), bytes);
   } catch (const engine::MapError& error) {
-    fuzz::demand_sentence(error.what(), "fuzz.tmj");
+    fuzz::require_message(error.what(), "fuzz.tmj");
   }
   return 0;
 }

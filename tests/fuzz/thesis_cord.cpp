@@ -6,24 +6,24 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tests/fuzz/arbitrary_cord.h"
+#include "tests/fuzz/arbitrary_surroundings.h"
 #include "tests/fuzz/bytes.h"
-#include "tests/fuzz/demand.h"
 #include "tests/fuzz/refusals.h"
-#include "tests/fuzz/some_cord.h"
-#include "tests/fuzz/some_surroundings.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using fuzz::Bytes;
-using fuzz::demand;
+using fuzz::require;
 using ribbon::ThesisCord;
 using ribbon::Vec2;
 
-constexpr int most_calls = 10;
+constexpr int max_calls = 10;
 
 ThesisCord built(Bytes& bytes) {
   try {
-    return ThesisCord(fuzz::some_thesis_cord(bytes));
+    return ThesisCord(fuzz::arbitrary_thesis_cord(bytes));
   } catch (const ribbon::DefinitionError&) {
     ribbon::ThesisDef def;
     def.w = 5;
@@ -32,17 +32,18 @@ ThesisCord built(Bytes& bytes) {
   }
 }
 
-void step(ThesisCord& cord, Bytes& bytes, const ribbon::Surroundings& met) {
+void step(ThesisCord& cord, Bytes& bytes, const ribbon::Surroundings& surroundings) {
   const double dt = bytes.number(1e-4, 0.1);
-  const Vec2 gravity = bytes.yes() ? Vec2{0.0, -9.81} : bytes.vector(-100.0, 100.0);
+  const Vec2 gravity = bytes.boolean() ? Vec2{0.0, -9.81} : bytes.vector(-100.0, 100.0);
   ThesisCord copy(cord.def());
   const bool copied =
-      met.bodies.empty() && bytes.below(4) == 0 && fuzz::accepts(copy, [&] { copy.restore(cord.save()); });
+      surroundings.bodies.empty() && bytes.below(4) == 0 && fuzz::accepts(copy, [&] { copy.restore(cord.save()); });
   ribbon::StepReport report;
-  if (!fuzz::accepts(cord, [&] { report = cord.step(dt, gravity, met); })) return;
-  fuzz::demand_finite(cord);
+  if (!fuzz::accepts(cord, [&] { report = cord.step(dt, gravity, surroundings); })) return;
+  fuzz::require_finite(cord);
   if (!copied) return;
-  demand(copy.step(dt, gravity) == report && copy.save() == cord.save(), "a restored cord goes on to the same bits");
+  require(copy.step(dt, gravity) == report && copy.save() == cord.save(),
+          "a restored cord continues with the same bits");
 }
 
 void restore(ThesisCord& cord, Bytes& bytes, ThesisCord::State state) {
@@ -55,11 +56,12 @@ void restore(ThesisCord& cord, Bytes& bytes, ThesisCord::State state) {
     case 4: state.targets.pop_back(); break;
     default: break;
   }
-  if (fuzz::accepts(cord, [&] { cord.restore(state); })) demand(cord.save() == state, "it is as it was saved");
+  if (fuzz::accepts(cord, [&] { cord.restore(state); }))
+    require(cord.save() == state, "the restored state equals the saved state");
 }
 
 void call(ThesisCord& cord, Bytes& bytes, ThesisCord::State& saved) {
-  const int p = bytes.whole(0, cord.mesh().size() - 1);
+  const int p = bytes.integer(0, cord.mesh().size() - 1);
   switch (bytes.below(10)) {
     case 0: fuzz::accepts(cord, [&] { cord.constrain(p, bytes.vector(-1.0, 1.0)); }); break;
     case 1: fuzz::accepts(cord, [&] { cord.operate(p, bytes.vector(-1.0, 1.0)); }); break;
@@ -69,9 +71,10 @@ void call(ThesisCord& cord, Bytes& bytes, ThesisCord::State& saved) {
     case 5: saved = cord.save(); break;
     case 6: restore(cord, bytes, saved); break;
     case 7: {
-      fuzz::SomeSurroundings met(bytes, cord.mesh().size());
-      step(cord, bytes, met.view());
-      for (const ribbon::RigidBody& body : met.bodies) demand(is_finite(body.impulse), "bodies get finite impulses");
+      fuzz::ArbitrarySurroundings surroundings(bytes, cord.mesh().size());
+      step(cord, bytes, surroundings.view());
+      for (const ribbon::RigidBody& body : surroundings.bodies)
+        require(is_finite(body.impulse), "impulses on bodies are finite");
       break;
     }
     default: step(cord, bytes, {}); break;
@@ -84,6 +87,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   ThesisCord cord = built(bytes);
   ThesisCord::State saved = cord.save();
-  for (int k = 0; k < most_calls && !bytes.empty(); ++k) call(cord, bytes, saved);
+  for (int k = 0; k < max_calls && !bytes.empty(); ++k) call(cord, bytes, saved);
   return 0;
 }

@@ -6,8 +6,8 @@ export const packages = { box2d3: 'box2d3-wasm' };
 const linkCategory = 2;
 let loaded;
 
-export async function make(plan, dials) {
-  const { substeps = 4 } = dials;
+export async function make(plan, parameters) {
+  const { substeps = 4 } = parameters;
   loaded ??= await Box2DFactory();
   const b2 = loaded;
   const vec = ([x, y]) => new b2.b2Vec2(x, y);

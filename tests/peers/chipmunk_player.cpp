@@ -69,7 +69,8 @@ class Space {
       end(cord.links.front(), -1.0);
       for (const int link : cord.links) end(link, 1.0);
     }
-    for (const int mover : plan_->movers()) frame.movers.push_back(to_vec2(cpBodyGetPosition(body(mover))));
+    for (const int moving_body : plan_->moving_bodies())
+      frame.moving_bodies.push_back(to_vec2(cpBodyGetPosition(body(moving_body))));
     return frame;
   }
 
@@ -110,13 +111,13 @@ class Space {
 
 std::string chipmunk_version() { return cpVersionString; }
 
-Recording play_chipmunk(const Plan& plan, const Dials& dials) {
-  const int substeps = static_cast<int>(dial_or(dials, "substeps", 1.0));
-  Space space(plan, static_cast<int>(dial_or(dials, "iterations", 10.0)));
+Recording play_chipmunk(const Plan& plan, const Parameters& parameters) {
+  const int substeps = static_cast<int>(parameter_or(parameters, "substeps", 1.0));
+  Space space(plan, static_cast<int>(parameter_or(parameters, "iterations", 10.0)));
   const auto tick = [&] {
     for (int k = 0; k < substeps; ++k) space.step(test_support::CoupledWorld::dt / substeps);
   };
-  for (int k = 0; k < plan.calm_ticks; ++k) {
+  for (int k = 0; k < plan.settling_ticks; ++k) {
     tick();
     space.slow_down(0.9);
   }
@@ -127,7 +128,7 @@ Recording play_chipmunk(const Plan& plan, const Dials& dials) {
     const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     recording.push_back(space.frame());
     recording.back().us = us;
-    if (!is_somewhere(recording.back())) break;
+    if (!is_in_bounds(recording.back())) break;
   }
   return recording;
 }

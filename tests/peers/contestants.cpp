@@ -4,7 +4,7 @@
 
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/version.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace peers {
 namespace {
@@ -14,11 +14,11 @@ using test_support::CordMethod;
 constexpr const char* box2d_name = "Box2D 2.4";
 constexpr const char* chipmunk_name = "Chipmunk";
 
-std::string words_of(const Dials& dials) {
+std::string words_of(const Parameters& parameters) {
   std::string words;
-  for (const Dial& dial : dials) {
-    if (dial.name == "joints") continue;  // part of the engine's name
-    words += (words.empty() ? "" : " ") + dial.name + "=" + study::significant(dial.value, 6);
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name == "joints") continue;  // part of the engine's name
+    words += (words.empty() ? "" : " ") + parameter.name + "=" + study::significant(parameter.value, 6);
   }
   return words;
 }
@@ -26,9 +26,10 @@ std::string words_of(const Dials& dials) {
 constexpr int many_points = 4000;
 constexpr double highest_of_many = 4.0;
 
-bool is_affordable(const Dials& dials, const Plan& plan) {
-  return points_of(plan) < many_points || std::all_of(dials.begin(), dials.end(), [](const Dial& dial) {
-           return dial.value <= highest_of_many || dial.name == "hertz";
+bool is_affordable(const Parameters& parameters, const Plan& plan) {
+  return points_of(plan) < many_points ||
+         std::all_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
+           return parameter.value <= highest_of_many || parameter.name == "hertz";
          });
 }
 
@@ -36,34 +37,34 @@ struct NodeEngine {
   const char* name;
   const char* module;  ///< in tests/peers/play.mjs
   const char* kind;
-  std::vector<Dials> settings;
+  std::vector<Parameters> settings;
   bool plays_ropes = true;
   bool plays_ribbons = false;
 };
 
-Dials with(Dials dials, const std::string& name, double value) {
-  dials.push_back({name, value});
-  return dials;
+Parameters with(Parameters parameters, const std::string& name, double value) {
+  parameters.push_back({name, value});
+  return parameters;
 }
 
 /// Returns settings with several numbers of substeps, and with more iterations at the last.
-std::vector<Dials> by_substeps(const Dials& always, double more_iterations) {
-  std::vector<Dials> list;
+std::vector<Parameters> by_substeps(const Parameters& always, double more_iterations) {
+  std::vector<Parameters> list;
   for (const double substeps : {1.0, 4.0, 16.0, 64.0}) list.push_back(with(always, "substeps", substeps));
   if (more_iterations > 0.0) list.push_back(with(list.back(), "iterations", more_iterations));
   return list;
 }
 
-std::vector<Dials> by_iterations(const Dials& always) {
-  std::vector<Dials> list;
+std::vector<Parameters> by_iterations(const Parameters& always) {
+  std::vector<Parameters> list;
   for (const double iterations : {4.0, 16.0, 64.0}) list.push_back(with(always, "iterations", iterations));
   list.push_back(with(with(always, "substeps", 16.0), "iterations", 4.0));
   return list;
 }
 
 const std::vector<NodeEngine>& node_engines() {
-  static const std::vector<Dials> soft_ropes = [] {
-    std::vector<Dials> list;
+  static const std::vector<Parameters> soft_ropes = [] {
+    std::vector<Parameters> list;
     for (const double substeps : {1.0, 4.0, 16.0}) {
       for (const double hertz : {60.0, 1000.0}) {
         list.push_back(with({{"joints", 0.0}, {"substeps", substeps}}, "hertz", hertz));
@@ -71,9 +72,9 @@ const std::vector<NodeEngine>& node_engines() {
     }
     return list;
   }();
-  static const std::vector<Dials> multibodies = {{{"joints", 2.0}, {"iterations", 4.0}},
-                                                 {{"joints", 2.0}, {"iterations", 16.0}}};
-  static const std::vector<Dials> box2d3 = {
+  static const std::vector<Parameters> multibodies = {{{"joints", 2.0}, {"iterations", 4.0}},
+                                                      {{"joints", 2.0}, {"iterations", 16.0}}};
+  static const std::vector<Parameters> box2d3 = {
       {{"substeps", 4.0}}, {{"substeps", 16.0}}, {{"substeps", 64.0}}, {{"substeps", 256.0}}};
   static const std::vector<NodeEngine> list = {
       {"Box2D 3", "box2d3", "WebAssembly", box2d3},
@@ -106,12 +107,12 @@ std::vector<Contestant> ours(bool ribbons) {
 std::vector<Contestant> box2d_chains(const Plan& plan) {
   std::vector<Contestant> list;
   for (const int substeps : {1, 4, 16, 64}) {
-    const Dials dials = {{"substeps", static_cast<double>(substeps)}};
-    if (!is_affordable(dials, plan)) continue;
+    const Parameters parameters = {{"substeps", static_cast<double>(substeps)}};
+    if (!is_affordable(parameters, plan)) continue;
     CordMethod how;
     how.chain = true;
     how.substeps = substeps;
-    list.push_back({box2d_name, words_of(dials),
+    list.push_back({box2d_name, words_of(parameters),
                     [how](const Scene& scene, const Plan& known) { return play_coupled(scene.set_up, known, how); }});
   }
   return list;
@@ -145,21 +146,22 @@ std::vector<Contestant> contestants(const Scene& scene, const NodePlayer& node, 
   if (!ribbons) {
     add(box2d_chains(plan));
     std::vector<Contestant> chipmunk;
-    for (const Dials& dials : by_substeps({}, 40.0)) {
-      if (!is_affordable(dials, plan)) continue;
-      chipmunk.push_back({chipmunk_name, words_of(dials),
-                          [dials](const Scene&, const Plan& known) { return play_chipmunk(known, dials); }});
+    for (const Parameters& parameters : by_substeps({}, 40.0)) {
+      if (!is_affordable(parameters, plan)) continue;
+      chipmunk.push_back({chipmunk_name, words_of(parameters),
+                          [parameters](const Scene&, const Plan& known) { return play_chipmunk(known, parameters); }});
     }
     add(chipmunk);
   }
   for (const NodeEngine& engine : node_engines()) {
     if (!(ribbons ? engine.plays_ribbons : engine.plays_ropes)) continue;
     std::vector<Contestant> settings;
-    for (const Dials& dials : engine.settings) {
-      if (!is_affordable(dials, plan)) continue;
-      settings.push_back({engine.name, words_of(dials), [&node, &engine, dials](const Scene&, const Plan& known) {
-                            return node.play(engine.module, known, dials);
-                          }});
+    for (const Parameters& parameters : engine.settings) {
+      if (!is_affordable(parameters, plan)) continue;
+      settings.push_back(
+          {engine.name, words_of(parameters), [&node, &engine, parameters](const Scene&, const Plan& known) {
+             return node.play(engine.module, known, parameters);
+           }});
     }
     add(settings);
   }

@@ -13,7 +13,7 @@
 #include "tests/peers/table.h"
 #include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 #include "tests/tradeoff/measure.h"
 
 namespace {
@@ -33,28 +33,28 @@ struct Runs {
   Result result;
   std::vector<double> medians;
   std::vector<double> p99s;
-  bool takes_long = false;  ///< then it is not repeated
+  bool is_slow = false;  ///< then it is not repeated
 };
 
 constexpr double long_seconds = 20.0;
 
 void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& contestant, Runs& runs) {
-  if (!runs.result.failure.empty() || runs.takes_long) return;
+  if (!runs.result.failure.empty() || runs.is_slow) return;
   try {
     const auto start = std::chrono::steady_clock::now();
     const peers::Recording recording = contestant.play(scene, plan);
-    runs.takes_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > long_seconds;
+    runs.is_slow = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > long_seconds;
     const std::vector<double> times = times_of(recording);
     runs.medians.push_back(tradeoff::quantile(times, 0.5));
     runs.p99s.push_back(tradeoff::quantile(times, 0.99));
     if (runs.medians.size() > 1) return;
-    runs.result.figures = peers::judge(scene.set_up, plan, recording);
+    runs.result.figures = peers::figures_of(scene.set_up, plan, recording);
     if (runs.result.figures.blew_up > 0) {
       runs.result.failure = "blew up in tick " + std::to_string(runs.result.figures.blew_up);
     } else if (recording.size() != static_cast<std::size_t>(plan.ticks)) {
       runs.result.failure = "ended after " + study::count_of(static_cast<int>(recording.size()), "tick");
-    } else if (runs.result.figures.let_through && scene.name == "bridge") {
-      runs.result.failure = "let the ball through";
+    } else if (runs.result.figures.tunnelled && scene.name == "bridge") {
+      runs.result.failure = "tunnelled: the ball is below the cord";
     } else {
       runs.result.error_m = scene.error(runs.result.figures, recording);
     }
@@ -66,7 +66,7 @@ void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& co
 
 /// Interleaves all settings, so that a slow moment of a shared machine affects all of them alike.
 std::vector<Result> play(const Scene& scene, const std::vector<Contestant>& contestants, int rounds) {
-  const peers::Plan plan = peers::plan_of(scene.set_up, scene.calm_ticks, scene.ticks);
+  const peers::Plan plan = peers::plan_of(scene.set_up, scene.settling_ticks, scene.ticks);
   std::vector<Runs> runs(contestants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < contestants.size(); ++k) {

@@ -10,8 +10,8 @@ const pixels = 100; // per metre; its tolerances are in pixels
 const linkCategory = 2;
 const edgeThickness = 0.5; // m, behind an edge
 
-export async function make(plan, dials) {
-  const { substeps = 1, iterations = 6 } = dials;
+export async function make(plan, parameters) {
+  const { substeps = 1, iterations = 6 } = parameters;
   const engine = Engine.create({
     gravity: { x: 0, y: 1, scale: plan.gravity[1] * pixels * 1e-6 },
     positionIterations: iterations, velocityIterations: iterations, constraintIterations: iterations,

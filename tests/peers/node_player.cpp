@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "tests/peers/players.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace peers {
 namespace {
@@ -32,22 +32,23 @@ void NodePlayer::run(const std::string& arguments) const {
   const std::string log = path("node.log");
   const std::string command = "timeout 600 node '" + script_ + "' " + arguments + " > '" + log + "' 2>&1";
   if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error(fault_of(study::content_of(log)));
+    throw std::runtime_error(fault_of(study::read_file(log)));
   }
 }
 
-Recording NodePlayer::play(const std::string& engine, const Plan& plan, const Dials& dials) const {
+Recording NodePlayer::play(const std::string& engine, const Plan& plan, const Parameters& parameters) const {
   std::ofstream(path("plan.json")) << to_json(plan);
   std::filesystem::remove(path("recording"));
   std::string settings;
-  for (const Dial& dial : dials) settings += " " + dial.name + "=" + study::significant(dial.value, 6);
+  for (const Parameter& parameter : parameters)
+    settings += " " + parameter.name + "=" + study::significant(parameter.value, 6);
   run(engine + " '" + path("plan.json") + "' '" + path("recording") + "'" + settings);
   return read_recording(path("recording"), plan);
 }
 
 std::string NodePlayer::version(const std::string& engine) const {
   run(engine + " --version");
-  return without_newline(study::content_of(path("node.log")));
+  return without_newline(study::read_file(path("node.log")));
 }
 
 }  // namespace peers

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "tests/peers/judge.h"
+#include "tests/peers/figures.h"
 #include "tests/peers/players.h"
 #include "tests/peers/recording.h"
 #include "tests/peers/scenes.h"
@@ -30,7 +30,7 @@ const Scene& scene(const std::string& name) {
   throw std::invalid_argument("no scene is named " + name);
 }
 
-Plan plan_for(const Scene& s) { return plan_of(s.set_up, s.calm_ticks, s.ticks); }
+Plan plan_for(const Scene& s) { return plan_of(s.set_up, s.settling_ticks, s.ticks); }
 
 Vec2 end_of(const BodyPlan& link, double side) {
   return link.position + side * link.half_length * Vec2{std::cos(link.angle), std::sin(link.angle)};
@@ -41,7 +41,8 @@ Frame at_start(const Plan& plan) {
   Frame frame;
   frame.us = 1.0;
   for (const CordPlan& cord : plan.cords) frame.cords.push_back(cord.def.positions);
-  for (const int mover : plan.movers()) frame.movers.push_back(plan.bodies[static_cast<std::size_t>(mover)].position);
+  for (const int moving_body : plan.moving_bodies())
+    frame.moving_bodies.push_back(plan.bodies[static_cast<std::size_t>(moving_body)].position);
   return frame;
 }
 
@@ -86,8 +87,8 @@ TEST(PeersPlan, WhatHoldsACordIsTold) {
   ASSERT_EQ(plan.cords.size(), 1U);
   ASSERT_EQ(plan.cords[0].held.size(), 1U);
   EXPECT_EQ(plan.cords[0].held[0].first, 30);
-  EXPECT_EQ(plan.cords[0].held[0].second, plan.movers().back());
-  EXPECT_NEAR(plan.bodies[static_cast<std::size_t>(plan.movers().back())].mass, 168.0, 1e-9);
+  EXPECT_EQ(plan.cords[0].held[0].second, plan.moving_bodies().back());
+  EXPECT_NEAR(plan.bodies[static_cast<std::size_t>(plan.moving_bodies().back())].mass, 168.0, 1e-9);
   EXPECT_EQ(plan.cords[0].def.pins, std::vector<int>{0});
 }
 
@@ -102,79 +103,79 @@ TEST(PeersPlan, APolygonHasNoPlaceInAPlan) {
 
 TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
   const nlohmann::json json = nlohmann::json::parse(to_json(plan_for(scene("bridge"))));
-  EXPECT_EQ(json["calmTicks"], 600);
+  EXPECT_EQ(json["settlingTicks"], 600);
   EXPECT_EQ(json["cords"].size(), 1U);
   EXPECT_EQ(json["cords"][0]["links"].size(), 40U);
   EXPECT_EQ(json["cords"][0]["positions"].size(), 41U);
   EXPECT_EQ(json["hinges"].size(), 41U);
-  EXPECT_EQ(json["movers"].size(), 1U);
-  const nlohmann::json& ball = json["bodies"][json["movers"][0].get<std::size_t>()];
+  EXPECT_EQ(json["moving_bodies"].size(), 1U);
+  const nlohmann::json& ball = json["bodies"][json["moving_bodies"][0].get<std::size_t>()];
   EXPECT_EQ(ball["radius"], 0.25);
   EXPECT_EQ(ball["dynamic"], true);
 }
 
-TEST(PeersJudge, WhatLiesWhereItWasPutHasNoError) {
+TEST(PeersFigures, WhatLiesWhereItWasPutHasNoError) {
   const Scene& drape = scene("drape");
   const Plan plan = plan_for(drape);
-  const Figures figures = judge(drape.set_up, plan, {at_start(plan)});
+  const Figures figures = figures_of(drape.set_up, plan, {at_start(plan)});
   EXPECT_EQ(figures.blew_up, 0);
   EXPECT_NEAR(figures.stretch, 0.0, 1e-12);
   EXPECT_EQ(figures.penetration, 0.0);
 }
 
-TEST(PeersJudge, ALinkThatIsPulledOutCountsAsStretch) {
+TEST(PeersFigures, ALinkThatIsPulledOutCountsAsStretch) {
   const Scene& drape = scene("drape");
   const Plan plan = plan_for(drape);
   Frame frame = at_start(plan);
   frame.cords[0].back().x += 0.5;
-  const Figures figures = judge(drape.set_up, plan, {at_start(plan), frame, at_start(plan)});
+  const Figures figures = figures_of(drape.set_up, plan, {at_start(plan), frame, at_start(plan)});
   EXPECT_NEAR(figures.stretch_m, 0.5, 1e-9);
   EXPECT_NEAR(figures.stretch, 0.1, 1e-9);
 }
 
-TEST(PeersJudge, ABallThatIsPressedInAndComesBackHasPenetratedAndDrifted) {
+TEST(PeersFigures, ABallThatIsPressedInAndComesBackHasPenetratedAndDrifted) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   const Frame start = at_start(plan);
   Frame lower = start;
-  lower.movers[0].y -= 0.03;
-  const Figures above = judge(bridge.set_up, plan, {start});
-  const Figures pressed = judge(bridge.set_up, plan, {start, lower, start});
+  lower.moving_bodies[0].y -= 0.03;
+  const Figures above = figures_of(bridge.set_up, plan, {start});
+  const Figures pressed = figures_of(bridge.set_up, plan, {start, lower, start});
   EXPECT_GT(pressed.penetration, above.penetration + 0.01);
   EXPECT_NEAR(pressed.drift, 0.03, 1e-9);
   EXPECT_NEAR(pressed.jitter, 0.03, 1e-9);
-  EXPECT_FALSE(pressed.let_through);
+  EXPECT_FALSE(pressed.tunnelled);
 }
 
-TEST(PeersJudge, ABallBelowItsCordWasLetThrough) {
+TEST(PeersFigures, ABallBelowItsCordWasLetThrough) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   Frame below = at_start(plan);
-  below.movers[0].y -= 10.0;
-  EXPECT_TRUE(judge(bridge.set_up, plan, {below}).let_through);
+  below.moving_bodies[0].y -= 10.0;
+  EXPECT_TRUE(figures_of(bridge.set_up, plan, {below}).tunnelled);
 }
 
-TEST(PeersJudge, WhatIsNoNumberOrFarAwayBlewUp) {
+TEST(PeersFigures, WhatIsNoNumberOrFarAwayBlewUp) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   for (const double value : {std::nan(""), 1e5}) {
     Frame wild = at_start(plan);
     wild.cords[0][7].x = value;
-    EXPECT_EQ(judge(bridge.set_up, plan, {at_start(plan), wild}).blew_up, 2);
+    EXPECT_EQ(figures_of(bridge.set_up, plan, {at_start(plan), wild}).blew_up, 2);
   }
 }
 
-TEST(PeersJudge, RibbonsThatLieAcrossEachOtherCross) {
+TEST(PeersFigures, RibbonsThatLieAcrossEachOtherCross) {
   const Scene& strips = scene("strips");
   const Plan plan = plan_for(strips);
   Frame frame = at_start(plan);
-  EXPECT_EQ(judge(strips.set_up, plan, {frame}).crossings, 0);
+  EXPECT_EQ(figures_of(strips.set_up, plan, {frame}).crossings, 0);
   for (Vec2& p : frame.cords[1])
     p = frame.cords[0][33] + Vec2{p.y - frame.cords[1][0].y, frame.cords[1][0].x - p.x} + Vec2{0.0, 0.8};
-  EXPECT_GE(judge(strips.set_up, plan, {frame}).crossings, 4);
+  EXPECT_GE(figures_of(strips.set_up, plan, {frame}).crossings, 4);
 }
 
-TEST(PeersJudge, ARecordingThatEndsEarlyHasNoPath) { EXPECT_TRUE(std::isinf(path_error({}, {{0.0, 0.0}}))); }
+TEST(PeersFigures, ARecordingThatEndsEarlyHasNoPath) { EXPECT_TRUE(std::isinf(path_error({}, {{0.0, 0.0}}))); }
 
 class PeersRecording : public testing::Test {
  protected:
@@ -197,7 +198,7 @@ TEST_F(PeersRecording, IsReadAsItWasWritten) {
   ASSERT_EQ(recording.size(), 2U);
   EXPECT_EQ(recording[0].us, 0.0);
   EXPECT_EQ(recording[0].cords[0][0], (Vec2{1.0, 2.0}));
-  EXPECT_EQ(recording[0].movers[0], (Vec2{83.0, 84.0}));
+  EXPECT_EQ(recording[0].moving_bodies[0], (Vec2{83.0, 84.0}));
   EXPECT_EQ(recording[1].us, 85.0);
 }
 
@@ -214,7 +215,7 @@ TEST(PeersPlayers, OursKeepsToTheExactPathOfAHeavyLoad) {
   const Plan plan = plan_for(swing);
   const Recording recording = play_coupled(swing.set_up, plan, test_support::CordMethod{});
   ASSERT_EQ(recording.size(), 300U);
-  EXPECT_LT(swing.error(judge(swing.set_up, plan, recording), recording), 0.05);
+  EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 0.05);
 }
 
 TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
@@ -225,8 +226,8 @@ TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
   how.substeps = 64;
   const Recording recording = play_coupled(swing.set_up, plan, how);
   ASSERT_EQ(recording.front().cords[0].size(), 51U);
-  ASSERT_EQ(recording.front().movers.size(), 1U);
-  EXPECT_LT(swing.error(judge(swing.set_up, plan, recording), recording), 1.0);
+  ASSERT_EQ(recording.front().moving_bodies.size(), 1U);
+  EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 1.0);
 }
 
 Result result(const std::string& engine, const std::string& setting, double cost_us, double error_m) {
@@ -257,7 +258,7 @@ TEST(PeersTable, ACellHasTheCheapestAndTheMostAccurateOfAFront) {
 
 TEST(PeersTable, TheCsvHasALineASettingAndTellsWhyItFailed) {
   Result failed = result("Other", "substeps=1", 1.0, 0.0);
-  failed.failure = "let the ball through";
+  failed.failure = "tunnelled: the ball is below the cord";
   failed.group = "ratio=100";
   const std::string csv = csv_of({"bridge"}, {{"bridge", {failed}}});
   EXPECT_EQ(
@@ -265,7 +266,7 @@ TEST(PeersTable, TheCsvHasALineASettingAndTellsWhyItFailed) {
       "scene,group,engine,setting,us_per_tick,p99_us,error_m,stretch_pct,penetration_m,drift_m,jitter_m,crossings,"
       "failure");
   EXPECT_NE(csv.find("bridge,ratio=100,Other,substeps=1,1,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",0,let the ball through\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",0,tunnelled: the ball is below the cord\n"), std::string::npos) << csv;
 }
 
 }  // namespace

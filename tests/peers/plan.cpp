@@ -16,7 +16,7 @@ using ribbon::box2d::to_double;
 using test_support::CoupledWorld;
 
 /// Returns the bodies in order of creation; Box2D lists the newest first.
-std::vector<const b2Body*> in_order_of_making(const b2World& world) {
+std::vector<const b2Body*> in_creation_order(const b2World& world) {
   std::vector<const b2Body*> bodies;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) bodies.push_back(body);
   std::reverse(bodies.begin(), bodies.end());
@@ -59,7 +59,7 @@ BodyPlan body_plan(const b2Body& body) {
 }
 
 /// Assigns the links to cords. Links are created cord by cord, each from the first point on.
-void share_out_links(Plan& plan, const std::vector<const b2Body*>& bodies) {
+void assign_links(Plan& plan, const std::vector<const b2Body*>& bodies) {
   std::size_t next = 0;
   for (CordPlan& cord : plan.cords) {
     for (int k = 0; k + 1 < cord.def.points; ++k) {
@@ -113,8 +113,8 @@ ordered_json json_of(const CordPlan& cord) {
                     {"radius", def.radius},
                     {"width", def.width},
                     {"friction", def.friction},
-                    {"meetsItself", def.self_contact},
-                    {"meetsCords", def.cord_contact},
+                    {"selfContact", def.self_contact},
+                    {"cordContact", def.cord_contact},
                     {"pins", def.pins},
                     {"links", cord.links},
                     {"held", ordered_json::array()},
@@ -126,7 +126,7 @@ ordered_json json_of(const CordPlan& cord) {
 
 }  // namespace
 
-std::vector<b2Body*> movers_of(b2World& world) {
+std::vector<b2Body*> moving_bodies_of(b2World& world) {
   std::vector<b2Body*> list;
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() == b2_dynamicBody && !is_link(*body)) list.push_back(body);
@@ -135,7 +135,7 @@ std::vector<b2Body*> movers_of(b2World& world) {
   return list;
 }
 
-std::vector<int> Plan::movers() const {
+std::vector<int> Plan::moving_bodies() const {
   std::vector<int> list;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].dynamic && bodies[k].half_length == 0.0) list.push_back(static_cast<int>(k));
@@ -143,7 +143,7 @@ std::vector<int> Plan::movers() const {
   return list;
 }
 
-Plan plan_of(const SetUp& set_up, int calm_ticks, int ticks) {
+Plan plan_of(const SetUp& set_up, int settling_ticks, int ticks) {
   // Create the cords first, because ribbons have no chain.
   CoupledWorld cords(test_support::CordMethod{});
   set_up(cords);
@@ -154,22 +154,27 @@ Plan plan_of(const SetUp& set_up, int calm_ticks, int ticks) {
 
   Plan plan;
   plan.gravity = to_double(world.world.GetGravity());
-  plan.calm_ticks = calm_ticks;
+  plan.settling_ticks = settling_ticks;
   plan.ticks = ticks;
   for (int c = 0; c < world.cords(); ++c) plan.cords.push_back({world.def(c)});
-  const std::vector<const b2Body*> bodies = in_order_of_making(world.world);
+  const std::vector<const b2Body*> bodies = in_creation_order(world.world);
   for (const b2Body* body : bodies) plan.bodies.push_back(body_plan(*body));
   if (how.chain) {
-    share_out_links(plan, bodies);
+    assign_links(plan, bodies);
     add_hinges(plan, bodies, world.world);
   }
   return plan;
 }
 
 std::string to_json(const Plan& plan) {
-  ordered_json json{{"dt", CoupledWorld::dt},  {"gravity", json_of(plan.gravity)}, {"calmTicks", plan.calm_ticks},
-                    {"ticks", plan.ticks},     {"bodies", ordered_json::array()},  {"hinges", ordered_json::array()},
-                    {"movers", plan.movers()}, {"cords", ordered_json::array()}};
+  ordered_json json{{"dt", CoupledWorld::dt},
+                    {"gravity", json_of(plan.gravity)},
+                    {"settlingTicks", plan.settling_ticks},
+                    {"ticks", plan.ticks},
+                    {"bodies", ordered_json::array()},
+                    {"hinges", ordered_json::array()},
+                    {"moving_bodies", plan.moving_bodies()},
+                    {"cords", ordered_json::array()}};
   for (const BodyPlan& body : plan.bodies) json["bodies"].push_back(json_of(body));
   for (const HingePlan& hinge : plan.hinges) {
     json["hinges"].push_back({{"a", hinge.a}, {"b", hinge.b}, {"place", json_of(hinge.place)}});

@@ -44,23 +44,23 @@ struct CordPlan {
 /// A scene in a form for any engine. It has ropes both as cords and as chains of hinged links with the same masses at
 /// the same places.
 struct Plan {
-  ribbon::Vec2 gravity;  ///< m/s²
-  int calm_ticks = 0;    ///< at the start; after each, all velocities are reduced by a tenth
-  int ticks = 0;         ///< after these; timed and judged
+  ribbon::Vec2 gravity;    ///< m/s²
+  int settling_ticks = 0;  ///< at the start; after each, all velocities are reduced by a tenth
+  int ticks = 0;           ///< after these; timed and judged
   std::vector<BodyPlan> bodies{};
   std::vector<HingePlan> hinges{};
   std::vector<CordPlan> cords{};
 
   /// Returns the indices of the moving bodies that are not links, in order.
-  std::vector<int> movers() const;
+  std::vector<int> moving_bodies() const;
 };
 
-/// Returns the bodies of a CoupledWorld that correspond to the movers of its scene's plan, in order.
-std::vector<b2Body*> movers_of(b2World& world);
+/// Returns the bodies of a CoupledWorld that correspond to the moving_bodies of its scene's plan, in order.
+std::vector<b2Body*> moving_bodies_of(b2World& world);
 
 /// Returns the plan of what the set-up builds. Throws std::invalid_argument for a shape that a BodyPlan cannot
 /// represent.
-Plan plan_of(const SetUp& set_up, int calm_ticks, int ticks);
+Plan plan_of(const SetUp& set_up, int settling_ticks, int ticks);
 
 /// Returns the plan as JSON, the input of tests/peers/*.mjs.
 std::string to_json(const Plan& plan);

@@ -5,8 +5,8 @@ export const packages = { planck: 'planck' };
 
 const linkCategory = 2;
 
-export async function make(plan, dials) {
-  const { substeps = 1, iterations = 8 } = dials;
+export async function make(plan, parameters) {
+  const { substeps = 1, iterations = 8 } = parameters;
   const world = new planck.World({ gravity: { x: plan.gravity[0], y: plan.gravity[1] }, allowSleep: false });
   const vec = ([x, y]) => ({ x, y });
   const bodies = plan.bodies.map((from) => {

@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-// An engine's module exports packages: { name: npm package } and make(plan, dials, name), which returns an object with
+// An engine's module exports packages: { name: npm package } and make(plan, parameters, name), which returns an object with
 //   step()             takes a tick
 //   pose(body, out)    writes x, y and angle of a body of the plan into out
 //   slowDown(share)    multiplies all velocities
@@ -37,12 +37,12 @@ if (planPath === '--version') {
 }
 
 const plan = JSON.parse(readFileSync(planPath));
-const dials = Object.fromEntries(settings.map((text) => {
+const parameters = Object.fromEntries(settings.map((text) => {
   const [key, value] = text.split('=');
   return [key, Number(value)];
 }));
 
-const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.movers.length);
+const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.moving_bodies.length);
 
 /// Writes the points of each cord, or the front end of its first link and the rear ends of all links.
 function record(world, row) {
@@ -65,15 +65,15 @@ function record(world, row) {
     end(cord.links[0], -1);
     for (const link of cord.links) end(link, 1);
   }
-  for (const mover of plan.movers) {
-    world.pose(mover, pose);
+  for (const moving_body of plan.moving_bodies) {
+    world.pose(moving_body, pose);
     put(pose[0], pose[1]);
   }
 }
 
 async function play() {
-  const world = await engine.make(plan, dials, name);
-  for (let tick = 0; tick < plan.calmTicks; ++tick) {
+  const world = await engine.make(plan, parameters, name);
+  for (let tick = 0; tick < plan.settlingTicks; ++tick) {
     world.step();
     world.slowDown(0.9);
   }

@@ -112,8 +112,8 @@ function surface(cord) {
   return around.flatMap((p, k) => [p, around[(k + 1) % around.length]]);
 }
 
-function addSoftCord(RAPIER, world, cord, bodies, dials) {
-  const { hertz = 1000, young = 1e5 } = dials;
+function addSoftCord(RAPIER, world, cord, bodies, parameters) {
+  const { hertz = 1000, young = 1e5 } = parameters;
   const { edges, cells } = lattice(cord);
   const desc = new RAPIER.SoftBodyDesc(new Float32Array(cord.positions.flat()));
   desc.setSurface(surface(cord));
@@ -129,24 +129,24 @@ function addSoftCord(RAPIER, world, cord, bodies, dials) {
     desc.setMaterial(material).setCells(cells).setMass(cord.mass);
     desc.setCellModel(RAPIER.SoftBodyCellModel.Corotational).setSolver(RAPIER.SoftBodySolver.Fem);
   }
-  desc.setPinnedParticles(cord.pins).setCanSleep(false).setSelfContacts(cord.meetsItself).setParticleRadius(cord.radius);
-  const groups = cord.meetsCords ? otherGroups : linkGroups;
+  desc.setPinnedParticles(cord.pins).setCanSleep(false).setSelfContacts(cord.selfContact).setParticleRadius(cord.radius);
+  const groups = cord.cordContact ? otherGroups : linkGroups;
   desc.setSurfaceCollider(RAPIER.ColliderDesc.ball(1).setFriction(cord.friction).setCollisionGroups(groups));
   const soft = world.createSoftBody(desc);
   for (const { point, body } of cord.held) soft.attachParticle(point, bodies[body]);
   return soft;
 }
 
-export async function make(plan, dials, name) {
+export async function make(plan, parameters, name) {
   const RAPIER = await import(packages[name]);
   await RAPIER.init();
-  const { substeps = 1, iterations = 4, joints = 1 } = dials;
+  const { substeps = 1, iterations = 4, joints = 1 } = parameters;
   const world = new RAPIER.World(vec(plan.gravity));
   world.timestep = plan.dt / substeps;
   world.numSolverIterations = iterations;
   const bodies = addBodies(RAPIER, world, plan, joints !== 0);
   if (joints !== 0) addHinges(RAPIER, world, plan, bodies, joints === 2);
-  const softs = joints === 0 ? plan.cords.map((cord) => addSoftCord(RAPIER, world, cord, bodies, dials)) : [];
+  const softs = joints === 0 ? plan.cords.map((cord) => addSoftCord(RAPIER, world, cord, bodies, parameters)) : [];
   const made = {
     step() {
       for (let k = 0; k < substeps; ++k) world.step();

@@ -4,19 +4,19 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace peers {
 namespace {
 
 using ribbon::Vec2;
 
-bool is_near(Vec2 p) { return length(p) <= furthest; }
+bool is_near(Vec2 p) { return length(p) <= max_coordinate; }
 
 }  // namespace
 
-bool is_somewhere(const Frame& frame) {
-  return std::all_of(frame.movers.begin(), frame.movers.end(), is_near) &&
+bool is_in_bounds(const Frame& frame) {
+  return std::all_of(frame.moving_bodies.begin(), frame.moving_bodies.end(), is_near) &&
          std::all_of(frame.cords.begin(), frame.cords.end(),
                      [](const std::vector<Vec2>& cord) { return std::all_of(cord.begin(), cord.end(), is_near); });
 }
@@ -28,11 +28,11 @@ int points_of(const Plan& plan) {
 }
 
 Recording read_recording(const std::string& path, const Plan& plan) {
-  const std::string bytes = study::content_of(path);
+  const std::string bytes = study::read_file(path);
   std::vector<double> numbers(bytes.size() / sizeof(double));
   if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
-  const std::size_t movers = plan.movers().size();
-  const std::size_t row = 1 + 2 * (static_cast<std::size_t>(points_of(plan)) + movers);
+  const std::size_t moving_bodies = plan.moving_bodies().size();
+  const std::size_t row = 1 + 2 * (static_cast<std::size_t>(points_of(plan)) + moving_bodies);
   if (numbers.empty() || numbers.size() % row != 0 || bytes.size() % sizeof(double) != 0) {
     throw std::runtime_error(path + " has " + std::to_string(bytes.size()) + " bytes; accepted are frames of " +
                              std::to_string(row * sizeof(double)));
@@ -50,7 +50,7 @@ Recording read_recording(const std::string& path, const Plan& plan) {
       std::vector<Vec2>& points = frame.cords.emplace_back();
       for (int p = 0; p < cord.def.points * cord.def.rows; ++p) points.push_back(take());
     }
-    for (std::size_t m = 0; m < movers; ++m) frame.movers.push_back(take());
+    for (std::size_t m = 0; m < moving_bodies; ++m) frame.moving_bodies.push_back(take());
     recording.push_back(std::move(frame));
   }
   return recording;

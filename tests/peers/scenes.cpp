@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/exact_chain.h"
 

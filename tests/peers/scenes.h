@@ -3,19 +3,19 @@
 #include <string>
 #include <vector>
 
-#include "tests/peers/judge.h"
+#include "tests/peers/figures.h"
 #include "tests/peers/plan.h"
 
 namespace peers {
 
 /// A scene that all engines play.
 struct Scene {
-  std::string name;         ///< bridge
-  std::string group;        ///< ratio=100; empty if the scene has no variants
-  std::string description;  ///< a sentence without its full stop
-  bool touches = false;     ///< whether there are contacts; then it is in the page's second table
+  std::string name;           ///< bridge
+  std::string group;          ///< ratio=100; empty if the scene has no variants
+  std::string description;    ///< a sentence without its full stop
+  bool has_contacts = false;  ///< whether there are contacts; then it is in the page's second table
   SetUp set_up;
-  int calm_ticks = 0;
+  int settling_ticks = 0;
   int ticks = 0;
   std::string error_name;  ///< name of the error, for the axis
   /// Returns the error that ranks the settings, m.

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "tests/study/frontier.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace peers {
 namespace {
@@ -68,10 +68,10 @@ std::string cell_of(const std::vector<Result>& results, const std::string& engin
 }
 
 void add_table(std::ostringstream& out, const std::vector<Engine>& engines, const std::vector<std::string>& names,
-               const Results& results, bool touches) {
+               const Results& results, bool has_contacts) {
   std::vector<std::pair<std::string, std::string>> columns;
   for (const std::string& name : names) {
-    if (scene_of(name).touches != touches) continue;
+    if (scene_of(name).has_contacts != has_contacts) continue;
     for (const std::string& group : study::groups_of(points_of(results.at(name)))) columns.emplace_back(name, group);
   }
   if (columns.empty()) return;
@@ -111,7 +111,7 @@ std::string table_of(const std::vector<Engine>& engines, const std::vector<std::
   for (const Engine& engine : engines) {
     out << "| " << engine.name << " | " << engine.version << " | " << engine.kind << " |\n";
   }
-  for (const bool touches : {false, true}) add_table(out, engines, names, results, touches);
+  for (const bool has_contacts : {false, true}) add_table(out, engines, names, results, has_contacts);
   return out.str();
 }
 

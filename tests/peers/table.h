@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/peers/contestants.h"
-#include "tests/peers/judge.h"
+#include "tests/peers/figures.h"
 #include "tests/study/report.h"
 
 namespace peers {

@@ -148,8 +148,8 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
 TEST(Cord, RefusesStepsThatCannotBeAndChangesNothing) {
   Cord cord{CordDef{}};
   const Cord::State before = cord.save();
-  const auto refuses = [&](double dt, Vec2 pull, const Surroundings& met, const std::string& field) {
-    EXPECT_TRUE(starts_with(refusal<DefinitionError>([&] { cord.step(dt, pull, met); }), field + " is "));
+  const auto refuses = [&](double dt, Vec2 pull, const Surroundings& surroundings, const std::string& field) {
+    EXPECT_TRUE(starts_with(refusal<DefinitionError>([&] { cord.step(dt, pull, surroundings); }), field + " is "));
   };
   refuses(nan, {}, {}, "dt");
   refuses(0.0, {}, {}, "dt");

@@ -36,8 +36,8 @@ b2Filter filter_of(const ribbon::CordDef& def, int cord) {
 
 class ChainMover {
  public:
-  ChainMover(engine::Scene& scene, game::Player& player, const Dials& dials)
-      : scene_(&scene), player_(&player), dials_(dials) {
+  ChainMover(engine::Scene& scene, game::Player& player, const Setting& setting)
+      : scene_(&scene), player_(&player), setting_(setting) {
     const b2BodyDef fixed;
     ground_ = scene.world().CreateBody(&fixed);
     Coupling& coupling = scene.coupling();
@@ -54,9 +54,10 @@ class ChainMover {
     const Vec2 from = follow_hand();
     const Vec2 to = player_->grip();
     pull_down_player(dt);
-    for (int k = 1; k <= dials_.substeps; ++k) {
-      move_hand(from + (static_cast<double>(k) / dials_.substeps) * (to - from));
-      scene_->world().Step(static_cast<float>(dt / dials_.substeps), dials_.iterations, 3 * dials_.iterations / 8);
+    for (int k = 1; k <= setting_.substeps; ++k) {
+      move_hand(from + (static_cast<double>(k) / setting_.substeps) * (to - from));
+      scene_->world().Step(static_cast<float>(dt / setting_.substeps), setting_.iterations,
+                           3 * setting_.iterations / 8);
       if (k == 1) player_->detect_ground(scene_->coupling());
     }
   }
@@ -83,7 +84,7 @@ class ChainMover {
     }
     if (hand_ == nullptr) {
       hand_ = &chains_[static_cast<std::size_t>(held->cord)].hold(held->point, player_->body());
-      if (dials_.solver == "box2d_max_distance") keep_near_pins(*held);
+      if (setting_.solver == "box2d_max_distance") keep_near_pins(*held);
       return player_->grip();
     }
     return to_double(hand_->GetLocalAnchorA());
@@ -126,7 +127,7 @@ class ChainMover {
 
   engine::Scene* scene_;
   game::Player* player_;
-  Dials dials_;
+  Setting setting_;
   b2Body* ground_ = nullptr;
   std::vector<JointChain> chains_;
   std::vector<ribbon::Cord::State> mirrors_;  // of the cords, with the chains' positions
@@ -136,16 +137,16 @@ class ChainMover {
 
 }  // namespace
 
-Method chain_method(const Dials& dials) {
+Method chain_method(const Setting& setting) {
   const auto latest = std::make_shared<std::optional<ChainMover>>();
-  const auto make = [latest, dials](engine::Scene& scene, game::Player& player) -> game::Mover {
-    latest->emplace(scene, player, dials);
+  const auto make = [latest, setting](engine::Scene& scene, game::Player& player) -> game::Mover {
+    latest->emplace(scene, player, setting);
     return [latest](double dt) { (*latest)->tick(dt); };
   };
   return {make, [latest] { (*latest)->show(); }, meets_cords | meets_none};
 }
 
-std::string why_no_chains(const game::Level& level, std::span<const engine::TickInput> inputs) {
+std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs) {
   const auto scene = level.make_scene();
   const Coupling& coupling = scene->coupling();
   for (int c = 0; c < coupling.size(); ++c) {

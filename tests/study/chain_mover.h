@@ -5,7 +5,7 @@
 
 #include "engine/tick/input.h"
 #include "game/simulation/level.h"
-#include "tests/study/dials.h"
+#include "tests/study/setting.h"
 #include "tests/study/trace.h"
 
 namespace study {
@@ -15,9 +15,9 @@ namespace study {
 /// the player can hold them, and figures and pictures show the chains. A grip at a point is a revolute joint;
 /// box2d_max_distance adds a joint that limits the distance of the hand from each pin of the cord to the length of the
 /// cord between them. One run at a time.
-Method chain_method(const Dials& dials);
+Method chain_method(const Setting& setting);
 
 /// Returns why a level cannot be run with chains, in a sentence; empty if it can.
-std::string why_no_chains(const game::Level& level, std::span<const engine::TickInput> inputs);
+std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs);
 
 }  // namespace study

@@ -18,12 +18,12 @@ using ribbon::Vec2;
 
 constexpr const char* level_path = TEST_ASSETS "/levels/first_swing.tmj";
 
-Dials chain(int substeps, const char* solver = "box2d_chain") { return {solver, "", substeps, 0.0, 1.0, 8}; }
+Setting chain(int substeps, const char* solver = "box2d_chain") { return {solver, "", substeps, 0.0, 1.0, 8}; }
 
 game::Level converged() { return LevelFile(level_path).with({"direct", "tr_bdf2", 16, 1e-7}); }
 
-Trace run_chain(const game::Level& level, const std::vector<TickInput>& inputs, const Dials& dials) {
-  return run(level, inputs, chain_method(dials));
+Trace run_chain(const game::Level& level, const std::vector<TickInput>& inputs, const Setting& setting) {
+  return run(level, inputs, chain_method(setting));
 }
 
 std::vector<TickInput> pressed(std::size_t ticks, int buttons) {
@@ -48,7 +48,7 @@ game::Level one_cord(Vec2 way) {
 constexpr Vec2 slanted{4.8, -3.6};
 constexpr Vec2 hanging{0.0, -6.0};
 
-TEST(ChainMover, AChainThatNobodyTouchesMovesAsTheCord) {
+TEST(ChainMover, AFreeChainMovesAsTheCord) {
   const game::Level level = converged();
   const std::vector<TickInput> nothing(20);
   const Trace cords = run(level, nothing);
@@ -103,7 +103,7 @@ TEST(ChainMover, ACaughtPointComesToTheHand) {
   }
 }
 
-TEST(ChainMover, AMaxDistanceJointKeepsTheHandNoFurtherThanTheCordIsLong) {
+TEST(ChainMover, AMaxDistanceJointLimitsTheHandToTheLengthOfTheCord) {
   const game::Level level = one_cord(slanted);
   const std::vector<TickInput> inputs = pressed(40, game::button_grab);
   const Trace cords = run(level, inputs);
@@ -114,7 +114,7 @@ TEST(ChainMover, AMaxDistanceJointKeepsTheHandNoFurtherThanTheCordIsLong) {
   EXPECT_LT(error("box2d_max_distance"), 0.01);
 }
 
-TEST(ChainMover, WhoLetsGoTakesHisJointsWithHim) {
+TEST(ChainMover, ReleasingRemovesTheJointsOfTheGrip) {
   const game::Level level = one_cord(hanging);
   std::vector<TickInput> inputs = pressed(20, game::button_grab);
   inputs.resize(40);
@@ -136,7 +136,7 @@ TEST(ChainMover, WhoLetsGoTakesHisJointsWithHim) {
 }
 
 /// The player runs, and jumps one tick after its feet have left the ground, which the game allows.
-TEST(ChainMover, APlayerWithoutACordMovesAsEver) {
+TEST(ChainMover, APlayerWithoutACordMovesAsWithCords) {
   std::vector<TickInput> inputs = pressed(30, game::button_right);
   for (const int buttons : {game::button_right | game::button_jump, 0 | game::button_right}) {
     for (int k = 0; k < 2; ++k) inputs.push_back(pressed(1, buttons).front());
@@ -153,7 +153,7 @@ TEST(ChainMover, APlayerWithoutACordMovesAsEver) {
   EXPECT_NEAR(length(cords.player.back() - chains.player.back()), 0.0, 1e-3);
 }
 
-TEST(ChainMover, ARestartPutsTheChainsBack) {
+TEST(ChainMover, ARestartResetsTheChains) {
   const game::Level level = one_cord(hanging);
   std::vector<TickInput> inputs = pressed(20, game::button_grab);
   for (const TickInput& input : pressed(10, game::button_restart)) inputs.push_back(input);
@@ -163,10 +163,12 @@ TEST(ChainMover, ARestartPutsTheChainsBack) {
   EXPECT_EQ(restarted.player.back(), anew.player.back());
 }
 
-TEST(ChainMover, RibbonsAndPointersHaveNoChains) {
-  EXPECT_EQ(why_no_chains(converged(), pressed(3, game::button_grab)), "");
-  EXPECT_NE(why_no_chains(test_support::mixed_swing(), {}).find("cord 0 of the level is a ribbon"), std::string::npos);
-  EXPECT_NE(why_no_chains(converged(), pressed(3, game::button_drag)).find("drags cords"), std::string::npos);
+TEST(ChainMover, RibbonsAndDragsHaveNoChains) {
+  EXPECT_EQ(chains_unsupported_reason(converged(), pressed(3, game::button_grab)), "");
+  EXPECT_NE(chains_unsupported_reason(test_support::mixed_swing(), {}).find("cord 0 of the level is a ribbon"),
+            std::string::npos);
+  EXPECT_NE(chains_unsupported_reason(converged(), pressed(3, game::button_drag)).find("drags cords"),
+            std::string::npos);
 }
 
 TEST(ChainMover, AStudyHasChainsWhereTheyAreApplicable) {
@@ -176,12 +178,12 @@ TEST(ChainMover, AStudyHasChainsWhereTheyAreApplicable) {
   const auto chains_in = [&](int buttons) {
     const Study study = measure(LevelFile(level_path), pressed(3, buttons), options);
     EXPECT_TRUE(study.complete);
-    for (const Measured& m : study.settings) EXPECT_EQ(m.failure, "") << m.dials.solver;
+    for (const Measured& m : study.settings) EXPECT_EQ(m.failure, "") << m.setting.solver;
     for (const Point& p : applicable(study))
-      EXPECT_EQ(p.apart, p.method != "direct" || p.setting.find('x') != std::string::npos);
-    EXPECT_EQ(study.no_chains.empty(), (buttons & game::button_drag) == 0);
+      EXPECT_EQ(p.not_compared, p.method != "direct" || p.setting.find('x') != std::string::npos);
+    EXPECT_EQ(study.no_chains_reason.empty(), (buttons & game::button_drag) == 0);
     return std::count_if(study.settings.begin(), study.settings.end(),
-                         [](const Measured& m) { return is_box2d(m.dials); });
+                         [](const Measured& m) { return is_box2d(m.setting); });
   };
   EXPECT_EQ(chains_in(game::button_right), 2);
   EXPECT_EQ(chains_in(game::button_drag), 0);

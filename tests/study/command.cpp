@@ -9,10 +9,10 @@
 
 #include "tests/study/level_study.h"
 #include "tests/study/progress_bar.h"
-#include "tests/study/promises.h"
 #include "tests/study/report.h"
 #include "tests/study/terms.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
+#include "tests/study/validation.h"
 
 namespace study {
 namespace {
@@ -39,32 +39,31 @@ std::string name_of(const Mesh& mesh) {
          (mesh.rows > 1 ? " in " + std::to_string(mesh.rows) + " rows" : "");
 }
 
-std::string seconds_of(const Reference& reference, std::size_t ticks) {
+std::string agreement_of(const Reference& reference, std::size_t ticks) {
   const std::string points = "With " + name_of(reference.mesh) + " ";
   std::string agreement = "two converged runs agree to " + significant(reference.agreement_m, 2) + " m";
   if (reference.unconverged_ticks > 0) {
     agreement += " (though " + count_of(reference.unconverged_ticks, "tick") + " of the finer one did not converge)";
   }
-  if (reference.ticks == ticks) return points + agreement + " all along.";
+  if (reference.ticks == ticks) return points + agreement + " in all ticks.";
   return points + agreement + " for the first " + fixed(static_cast<double>(reference.ticks) / 60.0, 2) +
-         " s; after it a tenth of a millimetre, or a disturbance of 1e-10 m grown to a centimetre, is between them, "
-         "and "
-         "nothing is compared but statistics.";
+         " s; later they differ by 0.1 mm, or a disturbance of 1e-10 m has grown to 1 cm, so that only statistics are "
+         "compared.";
 }
 
 std::string windows_of(const Study& study) {
   const auto per_cent = [](double share) { return fixed(100.0 * share, 0) + " %"; };
   return "Windows: " + std::to_string(study.windows) +
-         " quarters of a second, all along the run, each begun from where the level's own cords are then; cords are "
-         "compared in " +
+         " quarters of a second along the run, each started from the state of the level's own cords; cords are "
+         "compared "
+         "in " +
          per_cent(study.compared_cords) + " of their ticks, players in " + per_cent(study.compared_players) +
-         ", in which converged runs are a tenth of a millimetre apart at most (RMS " +
-         significant(study.agreement.greatest(), 2) +
-         " m). What is recommended keeps its word by the greater of the errors from the start and in windows.";
+         ", in which converged runs differ by at most 0.1 mm (RMS " + significant(study.agreement.greatest(), 2) +
+         " m). Recommendations use the larger of the errors from the start and in windows.";
 }
 
 /// Returns the difference of two converged runs in their chaotic part. Smaller differences do not rank settings.
-std::string yardstick_of(const Reference& reference) {
+std::string chaotic_difference_of(const Reference& reference) {
   std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
   for (std::size_t k = 0; k < Statistics::count; ++k) {
     sentence +=
@@ -74,15 +73,16 @@ std::string yardstick_of(const Reference& reference) {
 }
 
 void add_later_notes(Report& report, const Study& study) {
-  const auto is_chance = [&](const Reference& reference) { return reference.ticks < study.ticks; };
-  if (std::none_of(study.references.begin(), study.references.end(), is_chance)) return;
+  const auto is_chaotic = [&](const Reference& reference) { return reference.ticks < study.ticks; };
+  if (std::none_of(study.references.begin(), study.references.end(), is_chaotic)) return;
   report.notes.push_back(
-      "The columns later_… are of the ticks after those, where a run is one of many that the same input could have led "
-      "to: the mean and standard deviation (sd) of the player's height and of the kinetic energy a unit of mass, the "
-      "cords' mean stretch and the greatest. Each is how far the setting's statistic is from the converged run's, a "
-      "difference of two chaotic runs. What is no greater than the difference of two converged runs says nothing:");
+      "The columns later_… are statistics of the ticks after those, in which the motion is chaotic: the mean and "
+      "standard deviation (sd) of the player's height and of the kinetic energy per mass, and the mean and the "
+      "greatest "
+      "stretch of the cords. Each value is the difference of the setting's statistic from that of the converged run. A "
+      "value below the difference of two converged runs is not significant:");
   for (const Reference& reference : study.references) {
-    if (is_chance(reference)) report.notes.push_back(yardstick_of(reference));
+    if (is_chaotic(reference)) report.notes.push_back(chaotic_difference_of(reference));
   }
 }
 
@@ -91,17 +91,19 @@ std::string cell(double value) { return std::isnan(value) ? "" : significant(val
 
 std::vector<std::string> notes_on_baselines(const Study& study) {
   std::vector<std::string> notes =
-      who_is_ahead(study.points(), [](const std::string& method) { return method == "direct"; });
-  if (study.no_chains.empty()) {
+      compare_with_baselines(study.points(), [](const std::string& method) { return method == "direct"; });
+  if (study.no_chains_reason.empty()) {
     notes.emplace_back(
-        "box2d_chain is the level with each cord as thin boxes on Box2D's joints, in the same world, which takes the "
-        "substeps: springs in the joints where the cord resists bending (softer where it bends far), drag as Box2D's "
-        "damping, mass and contact as the cord's; of stretch, none. box2d_max_distance also keeps a hand no further "
-        "from the cord's pins than the cord is long. Their cost is of player and world alone; that of cords has the "
-        "tick's state hash and snapshot in it. b2Rope neither holds nor meets a body, so that it cannot stand in a "
-        "level; it stands in the scene heavy_swing.");
+        "box2d_chain replaces each cord of the level by thin boxes on Box2D's joints, in the same world, which takes "
+        "the "
+        "substeps: springs in the joints for bending stiffness (softer at large angles), Box2D's damping for drag, the "
+        "cord's mass and contacts, and no stretch. box2d_max_distance also limits the distance of a hand from the "
+        "cord's "
+        "pins to the length of the cord between them. Their cost is that of player and world; the cost of cords "
+        "includes the tick's state hash and snapshot. b2Rope neither holds bodies nor collides with them, so that it "
+        "cannot run a level; it runs the scene heavy_swing.");
   } else {
-    notes.push_back("Box2D's chains are not applicable: " + study.no_chains + ".");
+    notes.push_back("Box2D's chains are not applicable: " + study.no_chains_reason + ".");
   }
   return notes;
 }
@@ -112,39 +114,51 @@ Report report_of(const Study& study, const LevelFile& file) {
   report.notes.push_back(
       "Level " + study.level + ", " + fixed(static_cast<double>(study.ticks) / 60.0, 2) + " s of recorded input (" +
       study.replay +
-      "). Errors are of time and solver, RMS, of the cords' places and of the player's, the greater "
-      "of both; what cannot be told from the converged motion stands at what is known of it. Cords of other "
-      "numbers of points are compared with their own converged motion; mesh_m is how far that is from "
-      "the one of four times the level's links.");
+      "). The error is that of time steps and solver: the larger of the RMS errors of the cords' positions and of the "
+      "player's. An error below the accuracy of the reference is set to that accuracy. Cords with other numbers of "
+      "points are compared with their own converged motion; mesh_m is its difference from the converged motion with "
+      "four times the level's links.");
   if (std::any_of(study.references.begin(), study.references.end(),
                   [](const Reference& r) { return r.mesh.rows > 1; })) {
     report.notes.push_back(
         "Cords of several rows are ribbons of the ropes' mass, bending and thickness, with a stretch_stiffness of " +
         significant(file.ribbon_stiffness(), 2) +
-        " N where the rope has none: five times the weight of all that moves stretches one by a ten thousandth.");
+        " N where the rope has none: five times the weight of everything that moves stretches one by 1e-4.");
   }
   report.notes.push_back(
-      "Each error is of its own kind. tension: of the peak, as a share of the converged one. penetration: the deepest "
-      "that a cord is in a body after a tick, as a share of its radius. energy and momentum: the furthest from the "
-      "converged ones of the same tick, as shares of weight times longest cord, and of mass times the speed of a free "
-      "fall of half that length; who plays gives and takes both, so that there is no drift to be told.");
-  for (const Reference& reference : study.references) report.notes.push_back(seconds_of(reference, study.ticks));
+      "Further errors: tension: of the peak, relative to the converged peak. penetration: the greatest depth of a cord "
+      "in a body after a tick, relative to its radius. energy and momentum: the greatest difference from the converged "
+      "run in the same tick, relative to weight times longest cord, and to mass times the speed after a free fall of "
+      "half that length. The player adds and removes both, so there is no drift to report.");
+  for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
   add_later_notes(report, study);
   report.points = study.points();
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
-  report.columns = {
-      "position_m",      "position_share", "player_m",           "stretch",          "tension", "penetration",
-      "energy",          "momentum",       "windows_position_m", "windows_player_m", "mesh_m",  "newton_a_tick",
-      "contacts_a_tick", "fallbacks",      "halvings",           "unconverged_ticks"};
+  report.columns = {"position_m",
+                    "position_relative",
+                    "player_m",
+                    "stretch",
+                    "tension",
+                    "penetration",
+                    "energy",
+                    "momentum",
+                    "windows_position_m",
+                    "windows_player_m",
+                    "mesh_m",
+                    "newton_per_tick",
+                    "contacts_per_tick",
+                    "fallbacks",
+                    "halvings",
+                    "unconverged_ticks"};
   report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
-    const bool direct = m.dials.solver == "direct";
+    const bool direct = m.setting.solver == "direct";
     report.cells.push_back(
-        {significant(m.error.position_m, 3), significant(m.error.position_share, 3), significant(m.error.player_m, 3),
-         significant(m.error.stretch, 3), cell(m.error.tension), cell(m.error.penetration), cell(m.error.energy),
-         cell(m.error.momentum), cell(m.windows.position_m), cell(m.windows.player_m),
-         significant(m.mesh.greatest_length(), 3),
+        {significant(m.error.position_m, 3), significant(m.error.position_relative, 3),
+         significant(m.error.player_m, 3), significant(m.error.stretch, 3), cell(m.error.tension),
+         cell(m.error.penetration), cell(m.error.energy), cell(m.error.momentum), cell(m.windows.position_m),
+         cell(m.windows.player_m), significant(m.mesh.greatest_length(), 3),
          direct ? fixed(1.0 * m.work.iterations / static_cast<double>(study.ticks), 1) : "",
          direct ? fixed(1.0 * m.contacts / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
@@ -185,7 +199,7 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   std::vector<Point> points = applicable(study);
   if (command.max_error_m && command.budget_us) {
     for (Point& point : points) {
-      if (point.cost_us > kept_budget * *command.budget_us) point.failure = "too dear";
+      if (point.cost_us > usable_budget_share * *command.budget_us) point.failure = "above the budget";
     }
   }
   const auto chosen = command.max_error_m ? cheapest_within(points, *command.max_error_m)
@@ -194,78 +208,79 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
     std::string asked;
     if (command.max_error_m) asked += " an error of " + significant(*command.max_error_m, 4) + " m";
     if (command.budget_us) asked += " a cost of " + significant(*command.budget_us, 4) + " us";
-    std::printf("no setting of the grid keeps%s with the margin that a promise needs\n", asked.c_str());
+    std::printf("no setting of the grid meets%s with the margin of a recommendation\n", asked.c_str());
     return false;
   }
   const Point& p = points[*chosen];
-  std::printf("recommended: %s: %.2f us a tick, error %.3g m", p.setting.c_str(), p.cost_us, p.error_m);
-  if (command.max_error_m)
-    std::printf(", %.0f %% below what is allowed", 100.0 * (1.0 - p.error_m / *command.max_error_m));
+  std::printf("recommended: %s: %.2f us per tick, error %.3g m", p.setting.c_str(), p.cost_us, p.error_m);
+  if (command.max_error_m) std::printf(", %.0f %% below the limit", 100.0 * (1.0 - p.error_m / *command.max_error_m));
   if (command.budget_us) std::printf(", %.0f %% below the budget", 100.0 * (1.0 - p.cost_us / *command.budget_us));
   std::putchar('\n');
   if (command.apply) {
-    file.apply(study.settings[*chosen].dials);
-    std::printf("written into %s; recordings of it have to be made anew\n", file.path().c_str());
+    file.apply(study.settings[*chosen].setting);
+    std::printf("written to %s; its recordings must be made again\n", file.path().c_str());
   }
   return true;
 }
 
-void print_tally(const std::string& promise, const Tally& tally) {
-  std::printf("%s: %d of %d chosen settings kept it with another player", promise.c_str(), tally.kept, tally.found);
-  if (tally.none > 0) std::printf("; none was found in %d more", tally.none);
+void print_tally(const std::string& limit, const Tally& tally) {
+  std::printf("%s: met by %d of %d recommended settings with another input", limit.c_str(), tally.met,
+              tally.recommended);
+  if (tally.not_found > 0) std::printf("; no setting was recommended in %d more runs", tally.not_found);
   std::putchar('\n');
 }
 
 /// Verifies recommendations for the requested limits; the defaults are a centimetre and a tenth of a millisecond.
-int tell_promises(const Command& command) {
+int print_validation(const Command& command) {
   const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
   const std::vector<LevelFile> levels(names.begin(), names.end());
   if (levels.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
-  PromiseOptions options;
+  ValidationOptions options;
   options.max_error_m = command.max_error_m.value_or(options.max_error_m);
   options.budget_us = command.budget_us.value_or(options.budget_us);
-  options.tries = *command.promises;
-  const Promises promises = try_promises(levels, options, [](double share) { show_progress("tries", share); });
-  for (const std::string& broken : promises.broken) std::printf("broken: %s\n", broken.c_str());
-  std::printf("the other player held a cord in %d of %d tries\n", promises.held, options.tries);
-  print_tally("an error of " + significant(options.max_error_m, 6) + " m", promises.error);
-  print_tally("a cost of " + significant(options.budget_us, 6) + " us", promises.budget);
+  options.runs = *command.validation_runs;
+  const Validation validation =
+      validate_recommendations(levels, options, [](double share) { show_progress("runs", share); });
+  for (const std::string& violation : validation.violations) std::printf("violation: %s\n", violation.c_str());
+  std::printf("the player held a cord in %d of %d runs with the other input\n", validation.runs_with_grip,
+              options.runs);
+  print_tally("error limit of " + significant(options.max_error_m, 6) + " m", validation.error);
+  print_tally("budget of " + significant(options.budget_us, 6) + " us", validation.budget);
   return 0;
 }
 
-int tell_terms(const LevelFile& file, const std::string& replay) {
+int print_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
-  std::printf("Compared for %.2f s; after that what a run does is chance.\n", static_cast<double>(terms.ticks) / 60.0);
+  std::printf("Compared for %.2f s; after that the motion is chaotic.\n", static_cast<double>(terms.ticks) / 60.0);
   for (const bool declared : {true, false}) {
-    std::puts(declared ? "Without each term that is declared:"
-                       : "With each term that is not, and has one natural value:");
+    std::puts(declared ? "Without each declared term:" : "With each undeclared term that has a natural value:");
     for (const TermResult& result : terms.results) {
       if (result.declared != declared) continue;
       const std::string cost = std::isnan(result.cost_share) ? "-" : fixed(result.cost_share, 2) + "x";
       std::printf("%-18s cost %6s  %s\n", result.term.c_str(), cost.c_str(), verdict(result).c_str());
     }
   }
-  for (const Symptom& symptom : terms.lacking) {
-    std::printf("%-18s MAY BE LACKING: %s, first in tick %zu, in %zu ticks\n", symptom.term.c_str(),
+  for (const Symptom& symptom : terms.missing) {
+    std::printf("%-18s MAY BE MISSING: %s, first in tick %zu, in %zu ticks\n", symptom.term.c_str(),
                 symptom.what.c_str(), symptom.first_tick, symptom.ticks);
   }
-  if (terms.lacking.empty()) std::puts("nothing is seen that a term which is not declared would prevent");
+  if (terms.missing.empty()) std::puts("no motion was found that an undeclared term would prevent");
   return 0;
 }
 
-void print_grid(const std::vector<Dials>& all) {
+void print_grid(const std::vector<Setting>& all) {
   std::printf("%zu settings:\n", all.size());
-  for (const Dials& dials : all) std::printf("  %-18s %s\n", dials.solver.c_str(), name_of(dials).c_str());
+  for (const Setting& setting : all) std::printf("  %-18s %s\n", setting.solver.c_str(), name_of(setting).c_str());
   std::fflush(stdout);
 }
 
 }  // namespace
 
 int run(const Command& command) {
-  if (command.promises) return tell_promises(command);
+  if (command.validation_runs) return print_validation(command);
   const LevelFile file(command.level);
   const std::string replay = replay_of(command, file);
-  if (command.terms) return tell_terms(file, replay);
+  if (command.terms) return print_terms(file, replay);
 
   print_grid(grid(command.quick));
   StudyOptions options;
@@ -278,20 +293,19 @@ int run(const Command& command) {
   const Study study = measure(file, replay, options);
   std::signal(SIGINT, before);
   if (!study.complete) {
-    std::printf("\ninterrupted; %s\n", command.folder.empty()
-                                           ? "nothing is kept without --out FOLDER"
-                                           : "what is measured is kept, and the same command goes on from there");
+    std::printf("\ninterrupted; %s\n", command.folder.empty() ? "nothing is saved without --out FOLDER"
+                                                              : "results are saved, and the same command continues");
     return 1;
   }
   const Report report = report_of(study, file);
   for (const std::string& note : report.notes) std::printf("%s\n", note.c_str());
   print_table(report);
-  const bool kept = recommend(command, file, study);
+  const bool recommended = recommend(command, file, study);
   if (!command.folder.empty()) {
     write_report(report, command.folder);
     std::printf("report: %s/index.html\n", command.folder.c_str());
   }
-  return kept ? 0 : 1;
+  return recommended ? 0 : 1;
 }
 
 }  // namespace study

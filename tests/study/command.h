@@ -9,7 +9,7 @@ namespace study {
 /// The options of tradeoff for a level.
 struct Command {
   std::string level;
-  std::vector<std::string> levels;  ///< for promises; empty: all levels in the assets folder
+  std::vector<std::string> levels;  ///< for validation; empty: all levels in the assets folder
   std::string replay;               ///< empty: that of the level in the assets folder
   std::string folder;               ///< for the report; empty: no report
   bool quick = false;
@@ -17,7 +17,7 @@ struct Command {
   bool apply = false;
   std::optional<double> max_error_m;
   std::optional<double> budget_us;
-  std::optional<int> promises;  ///< number of tries to verify recommendations
+  std::optional<int> validation_runs;  ///< number of runs that verify recommendations
   int repeats = 9;
 };
 

@@ -32,7 +32,7 @@ double tension_of(const ribbon::Cord& cord) {
   const ribbon::CordDef& def = cord.def();
   const bool has_cells = def.rows > 1 && def.elements == ribbon::Elements::cells;
   const auto cells = static_cast<std::size_t>(has_cells ? (def.points - 1) * (def.rows - 1) : 0);
-  double most = lacking;
+  double most = unavailable;
   for (const double tension : cord.tensions().subspan(cells)) most = greater(most, tension);
   return most;
 }
@@ -96,7 +96,7 @@ Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling
     figures.kinetic += motion.kinetic;
     figures.momentum += motion.momentum;
     if (!is_direct(coupling, c)) {
-      figures.energy = lacking;
+      figures.energy = unavailable;
       continue;
     }
     const ribbon::Cord& cord = coupling.cord(c).direct();

@@ -10,19 +10,19 @@
 
 namespace study {
 
-inline constexpr double lacking = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double unavailable = std::numeric_limits<double>::quiet_NaN();
 
 /// The figures of all cords and bodies of a world at a moment. Unavailable ones are NaN.
 struct Figures {
   /// N, maximum over links of ropes and bars of ribbons; the thesis's cords and cells have none.
-  double tension = lacking;
+  double tension = unavailable;
   /// Greatest depth in a circle, edge or polygon, relative to the cord's radius; for cords of the direct solver
   /// with a radius.
-  double penetration = lacking;
-  double stretch = 0.0;     ///< mean of the cords' stretches, relative to each whole length
-  double energy = lacking;  ///< J, kinetic, elastic and potential; cords of the thesis have no elastic energy
-  double kinetic = 0.0;     ///< J, of cords and dynamic bodies
-  ribbon::Vec2 momentum{};  ///< kg·m/s, linear, of cords and dynamic bodies
+  double penetration = unavailable;
+  double stretch = 0.0;         ///< mean of the cords' stretches, relative to each whole length
+  double energy = unavailable;  ///< J, kinetic, elastic and potential; cords of the thesis have no elastic energy
+  double kinetic = 0.0;         ///< J, of cords and dynamic bodies
+  ribbon::Vec2 momentum{};      ///< kg·m/s, linear, of cords and dynamic bodies
 };
 
 /// Returns the mass of all cords and dynamic bodies, kg.

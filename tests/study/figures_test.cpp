@@ -54,7 +54,7 @@ TEST(Figures, AreThoseOfCordsAndBodies) {
   EXPECT_EQ(figures.penetration, 0.0);
 }
 
-TEST(Figures, TensionIsThatOfTheTautestLink) {
+TEST(Figures, TensionIsTheGreatestOfAllLinks) {
   test_support::CoupledWorld world({}, {0.0, -10.0});
   ribbon::CordDef hanging = rope(0.0);
   for (int i = 0; i < hanging.points; ++i) hanging.positions[static_cast<std::size_t>(i)] = {0.0, -0.5 * i};
@@ -63,7 +63,7 @@ TEST(Figures, TensionIsThatOfTheTautestLink) {
   EXPECT_NEAR(figures_of(world.world, world.coupling, {}).tension, 1.75 * 10.0, 1e-3);  // all but the pinned eighth
 }
 
-TEST(Figures, TheThesisCordsLackWhatTheyHaveNot) {
+TEST(Figures, ThesisCordsHaveNoTensionPenetrationOrEnergy) {
   b2World world({0.0F, -10.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
@@ -84,7 +84,7 @@ TEST(Figures, PenetrationIsAShareOfTheRadius) {
   EXPECT_EQ(figures_of(world.world, world.coupling, none).penetration, 0.0);
 }
 
-TEST(Penetration, OfAPolygonIsTheLeastWayOut) {
+TEST(Penetration, OfAPolygonIsTheDistanceToTheNearestSide) {
   b2World world({0.0F, 0.0F});
   const b2Fixture& box = add_box(world, {0.0, 0.0}, 2.0, 1.0);
   EXPECT_NEAR(depth(box, {-0.5, 0.7}, {0.5, 0.7}), 0.3, single);             // through its top

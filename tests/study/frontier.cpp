@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
 
-bool counts(const Point& point) { return point.failure.empty() && !point.apart && std::isfinite(point.error_m); }
+bool counts(const Point& point) { return point.failure.empty() && !point.not_compared && std::isfinite(point.error_m); }
 
 /// Returns the best by `better` of those that satisfy `meets`; the first of equals.
 template <typename Meets, typename Better>
@@ -21,7 +21,7 @@ std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Bett
 }
 
 std::string with_cost(const Point& point) {
-  return point.method + " " + point.setting + " takes " + significant(point.cost_us, 3) + " us a tick";
+  return point.method + " " + point.setting + " costs " + significant(point.cost_us, 3) + " us per tick";
 }
 
 std::vector<std::size_t> front_of(std::span<const Point> points, const std::string& group) {
@@ -40,13 +40,13 @@ std::vector<std::size_t> front_of(std::span<const Point> points, const std::stri
   return on_it;
 }
 
-void add_who_is_ahead(std::span<const Point> points, const std::string& group,
-                      const std::function<bool(const std::string& method)>& is_ours, const std::string& prefix,
-                      std::vector<std::string>& sentences) {
+void add_comparison(std::span<const Point> points, const std::string& group,
+                    const std::function<bool(const std::string& method)>& is_ours, const std::string& prefix,
+                    std::vector<std::string>& sentences) {
   const auto ours = [&](const Point& p) { return counts(p) && p.group == group && is_ours(p.method); };
   const auto others = [&](const Point& p) { return counts(p) && p.group == group && !is_ours(p.method); };
   if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return;
-  const std::size_t told = sentences.size();
+  const std::size_t count_before = sentences.size();
   const Point* before = nullptr;  // the cheaper neighbour on the front
   for (const std::size_t k : front_of(points, group)) {
     const Point& p = points[k];
@@ -54,13 +54,15 @@ void add_who_is_ahead(std::span<const Point> points, const std::string& group,
       const auto rival = best(
           points, [&](const Point& q) { return ours(q) && q.error_m <= p.error_m; },
           [](const Point& a, const Point& b) { return a.cost_us < b.cost_us; });
-      sentences.push_back(prefix + "A baseline is ahead at errors from " + significant(p.error_m, 3) + " m " +
+      sentences.push_back(prefix + "A baseline is better at errors from " + significant(p.error_m, 3) + " m " +
                           (before == nullptr ? "up" : "to " + significant(before->error_m, 3) + " m") + ": " +
-                          with_cost(p) + ", " + (rival ? with_cost(points[*rival]) : "none of ours is so exact") + ".");
+                          with_cost(p) + ", " +
+                          (rival ? with_cost(points[*rival]) : "no setting of ours is so accurate") + ".");
     }
     before = &p;
   }
-  if (sentences.size() == told) sentences.push_back(prefix + "At every error our settings are the front.");
+  if (sentences.size() == count_before)
+    sentences.push_back(prefix + "Our settings are on the Pareto front at every error.");
 }
 
 }  // namespace
@@ -82,25 +84,25 @@ std::vector<std::size_t> front(std::span<const Point> points) {
   return all;
 }
 
-std::vector<std::string> who_is_ahead(std::span<const Point> points,
-                                      const std::function<bool(const std::string& method)>& is_ours) {
+std::vector<std::string> compare_with_baselines(std::span<const Point> points,
+                                                const std::function<bool(const std::string& method)>& is_ours) {
   std::vector<std::string> sentences;
   const std::vector<std::string> groups = groups_of(points);
   for (const std::string& group : groups) {
-    add_who_is_ahead(points, group, is_ours, groups.size() > 1 ? group + ": " : "", sentences);
+    add_comparison(points, group, is_ours, groups.size() > 1 ? group + ": " : "", sentences);
   }
   return sentences;
 }
 
-std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error) {
+std::optional<std::size_t> cheapest_within(std::span<const Point> points, double max_error) {
   return best(
-      points, [most_error](const Point& p) { return p.error_m <= kept_error * most_error; },
+      points, [max_error](const Point& p) { return p.error_m <= usable_error_share * max_error; },
       [](const Point& a, const Point& b) { return a.cost_us < b.cost_us; });
 }
 
 std::optional<std::size_t> most_exact_within(std::span<const Point> points, double budget_us) {
   return best(
-      points, [budget_us](const Point& p) { return p.cost_us <= kept_budget * budget_us; },
+      points, [budget_us](const Point& p) { return p.cost_us <= usable_budget_share * budget_us; },
       [](const Point& a, const Point& b) { return a.error_m < b.error_m; });
 }
 

@@ -18,16 +18,16 @@ struct Point {
   double p99_us = 0.0;                                        ///< per tick, 99th percentile
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< largest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it counts
-  bool apart = false;      ///< its error is relative to another motion: reported, never compared
-  std::string group = {};  ///< variant of the scene: ratio=100. Groups are not compared
+  bool not_compared = false;  ///< its error is relative to another motion: reported, never compared
+  std::string group = {};     ///< variant of the scene: ratio=100. Groups are not compared
 };
 
 /// Returns the names of the points' groups, each once, in their order.
 std::vector<std::string> groups_of(std::span<const Point> points);
 
 /// The share of a limit that a setting may use when it is measured. The rest is a margin for other runs and machines.
-inline constexpr double kept_error = 0.8;
-inline constexpr double kept_budget = 0.75;
+inline constexpr double usable_error_share = 0.8;
+inline constexpr double usable_budget_share = 0.75;
 
 /// Returns the Pareto front of each group, by increasing cost: the points for which no other one is both cheaper and
 /// more exact. Failed and separate points are excluded.
@@ -35,13 +35,13 @@ std::vector<std::size_t> front(std::span<const Point> points);
 
 /// Returns sentences that compare our methods with the others: where another method is on the front, at which errors,
 /// and what ours cost there; or that none is. Empty if either are missing.
-std::vector<std::string> who_is_ahead(std::span<const Point> points,
-                                      const std::function<bool(const std::string& method)>& is_ours);
+std::vector<std::string> compare_with_baselines(std::span<const Point> points,
+                                                const std::function<bool(const std::string& method)>& is_ours);
 
-/// Returns the cheapest point with an error up to kept_error · `most_error` [m].
-std::optional<std::size_t> cheapest_within(std::span<const Point> points, double most_error);
+/// Returns the cheapest point with an error up to usable_error_share · `max_error` [m].
+std::optional<std::size_t> cheapest_within(std::span<const Point> points, double max_error);
 
-/// Returns the most exact point with a cost up to kept_budget · `budget_us`.
+/// Returns the most exact point with a cost up to usable_budget_share · `budget_us`.
 std::optional<std::size_t> most_exact_within(std::span<const Point> points, double budget_us);
 
 }  // namespace study

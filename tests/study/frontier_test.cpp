@@ -23,15 +23,15 @@ std::vector<Point> scene() {
   return points;
 }
 
-TEST(Frontier, TakesWhatNoOtherIsBothCheaperAndMoreExactThan) {
+TEST(Frontier, HasThePointsThatNoOtherDominates) {
   EXPECT_EQ(front(scene()), (std::vector<std::size_t>{1, 3, 2, 0, 4}));
   EXPECT_TRUE(front(std::vector<Point>{}).empty());
   EXPECT_TRUE(front(std::vector{point(1.0, 1.0, "failed")}).empty());
 }
 
-TEST(Frontier, WhatStandsApartIsNotCompared) {
+TEST(Frontier, ExcludesPointsThatAreNotCompared) {
   std::vector<Point> points = scene();
-  points[1].apart = true;
+  points[1].not_compared = true;
   EXPECT_EQ(front(points), (std::vector<std::size_t>{3, 2, 0, 4}));
   EXPECT_EQ(cheapest_within(points, 100.0), 3U);
 }
@@ -44,19 +44,20 @@ TEST(Frontier, GroupsAreNotCompared) {
   EXPECT_EQ(front(points), (std::vector<std::size_t>{0, 2, 3, 1}));
 }
 
-TEST(Frontier, OfEqualCostTheMoreExactIsOnIt) {
+TEST(Frontier, OfEqualCostItHasTheMoreExact) {
   const std::vector<Point> points = {point(1.0, 0.5), point(1.0, 0.2), point(2.0, 0.2)};
   EXPECT_EQ(front(points), std::vector<std::size_t>{1});
 }
 
 bool is_direct(const std::string& method) { return method == "direct"; }
 
-TEST(Frontier, ABaselineOnItIsToldWithTheErrorsWhereItIsAhead) {
+TEST(Frontier, ReportsTheErrorsAtWhichABaselineIsBetter) {
   std::vector<Point> points = scene();
-  EXPECT_TRUE(who_is_ahead(points, is_direct).empty());  // nothing to compare with
+  EXPECT_TRUE(compare_with_baselines(points, is_direct).empty());  // nothing to compare with
   points.push_back(point(4.0, 0.3));
   points.back().method = "chain";
-  EXPECT_EQ(who_is_ahead(points, is_direct), std::vector<std::string>{"At every error our settings are the front."});
+  EXPECT_EQ(compare_with_baselines(points, is_direct),
+            std::vector<std::string>{"Our settings are on the Pareto front at every error."});
 
   points.push_back(point(3.0, 0.25));
   points.back().method = "chain";
@@ -69,28 +70,28 @@ TEST(Frontier, ABaselineOnItIsToldWithTheErrorsWhereItIsAhead) {
   points.push_back(point(0.1, 0.0, "failed"));
   points.back().method = "chain";
   EXPECT_EQ(
-      who_is_ahead(points, is_direct),
+      compare_with_baselines(points, is_direct),
       (std::vector<std::string>{
-          "A baseline is ahead at errors from 4 m up: chain some takes 0.25 us a tick, direct some takes 1 us a "
-          "tick.",
-          "A baseline is ahead at errors from 2 m to 4 m: chain some takes 0.5 us a tick, direct some takes 1 us a "
-          "tick.",
-          "A baseline is ahead at errors from 0.25 m to 0.5 m: chain some takes 3 us a tick, direct some takes 4 "
-          "us a tick.",
-          "A baseline is ahead at errors from 0.001 m to 0.0625 m: chain some takes 32 us a tick, none of ours "
-          "is so exact."}));
+          "A baseline is better at errors from 4 m up: chain some costs 0.25 us per tick, direct some costs 1 us "
+          "per tick.",
+          "A baseline is better at errors from 2 m to 4 m: chain some costs 0.5 us per tick, direct some costs 1 us "
+          "per tick.",
+          "A baseline is better at errors from 0.25 m to 0.5 m: chain some costs 3 us per tick, direct some costs 4 "
+          "us per tick.",
+          "A baseline is better at errors from 0.001 m to 0.0625 m: chain some costs 32 us per tick, no setting of "
+          "ours is so accurate."}));
 }
 
-TEST(Frontier, TheCheapestKeepsTheErrorWithItsMargin) {
-  EXPECT_EQ(cheapest_within(scene(), 0.25 / kept_error), 2U);
-  EXPECT_EQ(cheapest_within(scene(), 0.99 * 0.25 / kept_error), 0U);
+TEST(Frontier, TheCheapestMeetsTheErrorWithItsMargin) {
+  EXPECT_EQ(cheapest_within(scene(), 0.25 / usable_error_share), 2U);
+  EXPECT_EQ(cheapest_within(scene(), 0.99 * 0.25 / usable_error_share), 0U);
   EXPECT_EQ(cheapest_within(scene(), 100.0), 1U);
   EXPECT_FALSE(cheapest_within(scene(), 0.01));
 }
 
-TEST(Frontier, TheMostExactKeepsTheBudgetWithItsMargin) {
-  EXPECT_EQ(most_exact_within(scene(), 8.0 / kept_budget), 0U);
-  EXPECT_EQ(most_exact_within(scene(), 0.99 * 8.0 / kept_budget), 2U);
+TEST(Frontier, TheMostExactMeetsTheBudgetWithItsMargin) {
+  EXPECT_EQ(most_exact_within(scene(), 8.0 / usable_budget_share), 0U);
+  EXPECT_EQ(most_exact_within(scene(), 0.99 * 8.0 / usable_budget_share), 2U);
   EXPECT_FALSE(most_exact_within(scene(), 0.9));
 }
 

@@ -8,7 +8,7 @@
 #include "engine/scene/tiled_edit.h"
 #include "ribbon/box2d/state_hash.h"
 #include "tests/study/figures.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
@@ -34,7 +34,7 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
   path_ = level.map.file;
   hash_ = level.map.content_hash;
   pixels_per_metre_ = level.map.pixels_per_metre;
-  json_ = Json::parse(content_of(path_));
+  json_ = Json::parse(read_file(path_));
   int cords = 0;
   for_each_cord(json_, [&cords](const Json&) { ++cords; });
   if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
@@ -89,23 +89,23 @@ void LevelFile::multiply_links(Json& cord, double times) {
   set(cord, "columns", std::clamp(links, 1, 4999) + 1);
 }
 
-void LevelFile::set_dials(Json& cord, const Dials& dials) const {
-  if (dials.points != 1.0) multiply_links(cord, dials.points);
-  if (is_box2d(dials)) return;  // the cords only give the geometry, and are not stepped
+void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
+  if (setting.points != 1.0) multiply_links(cord, setting.points);
+  if (is_box2d(setting)) return;  // the cords only give the geometry, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
-  if (dials.solver == "thesis") {
-    if (!is_thesis) make_thesis(cord, dials);
-    set(cord, "substeps", dials.substeps);
+  if (setting.solver == "thesis") {
+    if (!is_thesis) make_thesis(cord, setting);
+    set(cord, "substeps", setting.substeps);
     return;
   }
   if (is_thesis) return;  // its material is not that of the direct solver
-  if (dials.rows > 1) make_ribbon(cord, dials.rows);
+  if (setting.rows > 1) make_ribbon(cord, setting.rows);
   set(cord, "accuracy", nullptr);
-  set(cord, "integrator", dials.integrator);
-  set(cord, "substeps", dials.substeps);
-  set(cord, "tolerance", dials.tolerance);
-  set(cord, "max_iterations", dials.iterations > 0 ? Json(dials.iterations) : Json());
+  set(cord, "integrator", setting.integrator);
+  set(cord, "substeps", setting.substeps);
+  set(cord, "tolerance", setting.tolerance);
+  set(cord, "max_iterations", setting.iterations > 0 ? Json(setting.iterations) : Json());
 }
 
 double LevelFile::ribbon_stiffness() const {
@@ -135,7 +135,7 @@ void LevelFile::make_ribbon(Json& cord, int rows) const {
 
 /// A cord of the thesis with the same mass and columns. Its springs are as stiff and its bars as damped as substeps of
 /// 1/60 s allow. (The remaining error is then that of the sweeps of the spring correction.)
-void LevelFile::make_thesis(Json& cord, const Dials& dials) {
+void LevelFile::make_thesis(Json& cord, const Setting& setting) {
   const int columns = find(cord, "columns")->get<int>();
   const Json* rows = find(cord, "rows");
   const int own_rows = rows == nullptr ? 1 : rows->get<int>();
@@ -166,7 +166,7 @@ void LevelFile::make_thesis(Json& cord, const Dials& dials) {
   set(cord, "solver", "thesis");
   set(cord, "rows", thesis_rows);
   set(cord, "spring_stiffness", 1e12);
-  set(cord, "bar_damping", mass / (columns * thesis_rows) * dials.substeps * 60.0);
+  set(cord, "bar_damping", mass / (columns * thesis_rows) * setting.substeps * 60.0);
 }
 
 game::Level LevelFile::level() const {
@@ -175,12 +175,12 @@ game::Level LevelFile::level() const {
   return level;
 }
 
-game::Level LevelFile::with(const Dials& dials) const { return moved(dials, 0.0); }
+game::Level LevelFile::with(const Setting& setting) const { return moved(setting, 0.0); }
 
-game::Level LevelFile::moved(const Dials& dials, double offset) const {
+game::Level LevelFile::moved(const Setting& setting, double offset) const {
   Json json = json_;
   for_each_cord(json, [&](Json& cord) {
-    set_dials(cord, dials);
+    apply_setting(cord, setting);
     displace(cord, offset);
   });
   return level_of(json);
@@ -273,12 +273,12 @@ std::string LevelFile::with_changes(const std::string& text, const Json& before,
   return changed;
 }
 
-void LevelFile::apply(const Dials& dials) const {
-  std::string text = content_of(path_);
+void LevelFile::apply(const Setting& setting) const {
+  std::string text = read_file(path_);
   Json json = json_;
   for_each_cord(json, [&](Json& cord) {
     const Json before = cord;
-    set_dials(cord, dials);
+    apply_setting(cord, setting);
     text = with_changes(text, before, cord);
   });
   game::level_of(engine::parse_tiled_map(text, path_));  // throws if it cannot be built

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "game/simulation/level.h"
-#include "tests/study/dials.h"
+#include "tests/study/setting.h"
 
 namespace study {
 
@@ -32,9 +32,9 @@ class LevelFile {
   /// that moves stretches one of them by 1e-4.
   double ribbon_stiffness() const;
   /// Returns the level with a setting for all cords. Throws engine::MapError if it cannot be built.
-  game::Level with(const Dials& dials) const;
+  game::Level with(const Setting& setting) const;
   /// The same, with the cords moved by `offset` [m] to the right.
-  game::Level moved(const Dials& dials, double offset) const;
+  game::Level moved(const Setting& setting, double offset) const;
   /// Returns the level with its cords moved by `offset` [m] to the right.
   game::Level displaced(double offset) const;
   /// Returns a random variation of the level: each cord, and the player, within Variation; the same for the same seed.
@@ -48,7 +48,7 @@ class LevelFile {
 
   /// Writes these settings to the file and leaves every other byte. Throws std::runtime_error if it cannot be written;
   /// then the file is unchanged.
-  void apply(const Dials& dials) const;
+  void apply(const Setting& setting) const;
 
  private:
   using Json = nlohmann::ordered_json;
@@ -64,9 +64,9 @@ class LevelFile {
   static const Json* find(const Json& cord, const std::string& name);
   void displace(Json& cord, double offset) const;
   static void multiply_links(Json& cord, double times);
-  void set_dials(Json& cord, const Dials& dials) const;
+  void apply_setting(Json& cord, const Setting& setting) const;
   void make_ribbon(Json& cord, int rows) const;
-  static void make_thesis(Json& cord, const Dials& dials);
+  static void make_thesis(Json& cord, const Setting& setting);
 
   std::string path_;
   std::uint64_t hash_;

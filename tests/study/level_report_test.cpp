@@ -29,7 +29,7 @@ TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
   command.quick = true;
   command.repeats = 1;
   refusal<std::exception>([&] { run(command); });  // without gnuplot it throws because of the plots
-  const std::string csv = content_of(command.folder + "/points.csv");
+  const std::string csv = read_file(command.folder + "/points.csv");
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);) {
@@ -70,15 +70,15 @@ TEST_F(LevelStudy, AReportHasEverySettingInEveryFile) {
   const Report report = small_report();
   const std::string complaint = refusal<std::exception>([&] { write_report(report, folder); });
   EXPECT_EQ(complaint == "no error", can_plot()) << complaint;
-  EXPECT_EQ(content_of(folder + "/points.csv"),
+  EXPECT_EQ(read_file(folder + "/points.csv"),
             "method,setting,cost_us,p99_us,error_m,failure,group,stretch\ndirect,fast,1,2,0.1,,,0.1\n"
             "chain,slow,50,60,0.2,,,0.2\nchain,worse,5,6,,blew up in tick 3,,0.3\n");
-  EXPECT_NE(content_of(folder + "/points.json").find("\"front\": true"), std::string::npos);
-  const std::string page = content_of(folder + "/index.html");
+  EXPECT_NE(read_file(folder + "/points.json").find("\"front\": true"), std::string::npos);
+  const std::string page = read_file(folder + "/index.html");
   EXPECT_NE(page.find("a &lt;scene&gt;"), std::string::npos);
   EXPECT_NE(page.find("<tr class=\"failed\"><td>chain<td>worse"), std::string::npos);
   if (complaint == "no error") {
-    EXPECT_NE(content_of(folder + "/front.svg").find("<svg"), std::string::npos);
+    EXPECT_NE(read_file(folder + "/front.svg").find("<svg"), std::string::npos);
   }
 }
 
@@ -96,11 +96,11 @@ TEST_F(LevelStudy, WithoutAPlottingProgramTheNumbersAreWritten) {
   const std::string complaint = refusal<std::exception>([&] { write_report(small_report(), folder); });
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_NE(complaint.find("gnuplot-nox"), std::string::npos) << complaint;
-  EXPECT_FALSE(content_of(folder + "/points.csv").empty());
-  EXPECT_FALSE(content_of(folder + "/index.html").empty());
+  EXPECT_FALSE(read_file(folder + "/points.csv").empty());
+  EXPECT_FALSE(read_file(folder + "/index.html").empty());
 }
 
-TEST_F(LevelStudy, WithoutAPlottingProgramEveryPageIsWrittenAndItIsSaidOnce) {
+TEST_F(LevelStudy, WithoutAPlottingProgramAllPagesAreWrittenWithOneMessage) {
   const auto page = [&](const std::string& name) {
     return Page{name, [this, name] {
                   write_report(small_report(), home + "/" + name);
@@ -117,13 +117,13 @@ TEST_F(LevelStudy, WithoutAPlottingProgramEveryPageIsWrittenAndItIsSaidOnce) {
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(status, 1);
   EXPECT_EQ(added, (std::vector<std::string>{"first", "second"}));
-  for (const std::string& name : added) EXPECT_FALSE(content_of(home + "/" + name + "/points.csv").empty()) << name;
+  for (const std::string& name : added) EXPECT_FALSE(read_file(home + "/" + name + "/points.csv").empty()) << name;
   EXPECT_NE(complaint.find("of first, second (see gnuplot.log"), std::string::npos) << complaint;
   EXPECT_NE(complaint.find("game/setup tests installs it"), std::string::npos);
   EXPECT_EQ(complaint.find("gnuplot-nox"), complaint.rfind("gnuplot-nox"));
 }
 
-TEST(Report, PagesEndWithTheOneThatDoesNotGoOn) {
+TEST(Report, PagesEndWithTheFirstThatFails) {
   std::vector<std::string> added;
   const auto add = [&added](const std::vector<std::string>& done) { added = done; };
   const auto page = [](const std::string& name, int status) { return Page{name, [status] { return status; }}; };
@@ -135,21 +135,21 @@ TEST(Report, PagesEndWithTheOneThatDoesNotGoOn) {
   EXPECT_THROW(write_pages({full()}, add), std::runtime_error);
 }
 
-TEST_F(LevelStudy, GroupsOfAReportStandApart) {
+TEST_F(LevelStudy, GroupsOfAReportAreSeparate) {
   Report report = small_report();
   report.points[1].group = "heavy & slow";
   report.axis = "depth";
   const std::string folder = home + "/report";
   const std::string complaint = refusal<std::exception>([&] { write_report(report, folder); });
   EXPECT_EQ(complaint == "no error", can_plot()) << complaint;
-  const std::string page = content_of(folder + "/index.html");
+  const std::string page = read_file(folder + "/index.html");
   const std::size_t heading =
       page.find("<tr><th colspan=\"6\">heavy &amp; slow\n<tr class=\"front\"><td>chain<td>slow");
   EXPECT_NE(heading, std::string::npos) << page;
   EXPECT_LT(page.find("<td>worse"), heading);  // beside the reference of the comparison
   EXPECT_NE(page.find("<th>depth"), std::string::npos);
-  EXPECT_NE(content_of(folder + "/points.csv").find("\nchain,slow,50,60,0.2,,heavy & slow,"), std::string::npos);
-  const std::string plot = content_of(folder + "/front.gp");
+  EXPECT_NE(read_file(folder + "/points.csv").find("\nchain,slow,50,60,0.2,,heavy & slow,"), std::string::npos);
+  const std::string plot = read_file(folder + "/front.gp");
   EXPECT_NE(plot.find("$front_0 << END\n1 0.1\nEND"), std::string::npos) << plot;
   EXPECT_NE(plot.find("$front_1 << END\n50 0.2\nEND"), std::string::npos);
   EXPECT_NE(plot.find("set title 'heavy & slow'"), std::string::npos);

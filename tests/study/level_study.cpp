@@ -8,15 +8,15 @@
 #include "engine/replay/replay.h"
 #include "tests/study/chain_mover.h"
 #include "tests/study/results.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
 namespace {
 
-constexpr double disturbance = 1e-10;  // m
-constexpr double grown = 1e-2;         // m, accepted growth of the disturbance
-constexpr double agreed = 1e-4;        // m, accepted difference of converged runs with different substeps
+constexpr double disturbance = 1e-10;              // m
+constexpr double max_disturbance = 1e-2;           // m, accepted growth of the disturbance
+constexpr double max_reference_difference = 1e-4;  // m, accepted difference of converged runs with different substeps
 constexpr double finer_mesh = 4.0;
 constexpr std::size_t many_windows = 20;
 constexpr std::size_t few_windows = 8;
@@ -41,23 +41,23 @@ class Progress {
 };
 
 /// In substeps of a cord with the level's points.
-double work_of(const Dials& dials) {
-  if (is_box2d(dials)) return 1.0 + 0.1 * dials.substeps * dials.iterations;
-  return dials.points * (1.0 + 0.7 * dials.substeps) * (dials.rows > 1 ? 3.0 * dials.rows : 1.0);
+double work_of(const Setting& setting) {
+  if (is_box2d(setting)) return 1.0 + 0.1 * setting.substeps * setting.iterations;
+  return setting.points * (1.0 + 0.7 * setting.substeps) * (setting.rows > 1 ? 3.0 * setting.rows : 1.0);
 }
 
-Method method_of(const Dials& dials) { return is_box2d(dials) ? chain_method(dials) : Method{}; }
+Method method_of(const Setting& setting) { return is_box2d(setting) ? chain_method(setting) : Method{}; }
 
-std::vector<Mesh> meshes_of(const std::vector<Dials>& grid) {
+std::vector<Mesh> meshes_of(const std::vector<Setting>& grid) {
   std::vector<Mesh> meshes;
-  for (const Dials& dials : grid) {
-    if (std::find(meshes.begin(), meshes.end(), mesh_of(dials)) == meshes.end()) meshes.push_back(mesh_of(dials));
+  for (const Setting& setting : grid) {
+    if (std::find(meshes.begin(), meshes.end(), mesh_of(setting)) == meshes.end()) meshes.push_back(mesh_of(setting));
   }
   return meshes;
 }
 
-std::vector<Dials> grid_of(const StudyOptions& options, bool chains) {
-  std::vector<Dials> all = options.grid.empty() ? grid(options.quick) : options.grid;
+std::vector<Setting> grid_of(const StudyOptions& options, bool chains) {
+  std::vector<Setting> all = options.grid.empty() ? grid(options.quick) : options.grid;
   if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
   return all;
 }
@@ -75,8 +75,9 @@ class LevelStudy {
         results_(&results),
         options_(&options),
         inputs_(std::move(inputs)),
-        no_chains_(options.grid.empty() ? why_no_chains(file.level(), inputs_) : "they were not asked for"),
-        grid_(grid_of(options, no_chains_.empty())),
+        no_chains_reason_(options.grid.empty() ? chains_unsupported_reason(file.level(), inputs_)
+                                               : "the grid does not have them"),
+        grid_(grid_of(options, no_chains_reason_.empty())),
         progress_(options, all_work()) {}
 
   Study run() {
@@ -89,17 +90,17 @@ class LevelStudy {
   Study measure_all() {
     Study study;
     study.ticks = inputs_.size();
-    study.no_chains = no_chains_;
+    study.no_chains_reason = no_chains_reason_;
     for (const Mesh& mesh : meshes_of(grid_)) {
       if (!find_reference(mesh)) return study;
       study.references.push_back(converged_[mesh].about);
     }
-    const Dials finest = reference({finer_mesh}, false, options_->quick);
+    const Setting finest = reference({finer_mesh}, false, options_->quick);
     if (stopped()) return study;
     const Trace fine = options_->grid.empty() ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
-    const game::Level as_it_is = file_->level();
-    const Windows windows(as_it_is, inputs_, accuracy_of(reference({}, false, options_->quick)),
+    const game::Level original = file_->level();
+    const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
                           accuracy_of(reference({}, true, options_->quick)),
                           options_->quick ? few_windows : many_windows);
     progress_.add(work_of_windows());
@@ -107,17 +108,17 @@ class LevelStudy {
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();
-    for (const Dials& dials : grid_) {
+    for (const Setting& setting : grid_) {
       if (stopped()) return study;
       Measured measured;
-      if (const Measured* known = results_->find(dials)) {
+      if (const Measured* known = results_->find(setting)) {
         measured = *known;
       } else {
-        measured = measure_error(dials, fine, windows);
+        measured = measure_error(setting, fine, windows);
         results_->add(measured);
       }
       study.settings.push_back(measured);
-      progress_.add(work_of(dials));
+      progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
     return study;
@@ -128,7 +129,7 @@ class LevelStudy {
     for (const Mesh& mesh : meshes_of(grid_)) {
       sum += 2.0 * work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick));
     }
-    for (const Dials& dials : grid_) sum += (1.0 + options_->repeats) * work_of(dials);
+    for (const Setting& setting : grid_) sum += (1.0 + options_->repeats) * work_of(setting);
     return sum;
   }
 
@@ -139,10 +140,10 @@ class LevelStudy {
   bool stopped() const { return options_->stopped && options_->stopped(); }
 
   /// Runs with the cords moved by `offset` [m]; returns the saved run if the folder has one.
-  Trace converged_run(const Dials& dials, double offset) {
-    const std::string name = name_of(dials) + (offset == 0.0 ? "" : " disturbed");
+  Trace converged_run(const Setting& setting, double offset) {
+    const std::string name = name_of(setting) + (offset == 0.0 ? "" : " disturbed");
     if (std::optional<Trace> known = results_->run(name)) return *known;
-    Trace trace = run_once(file_->moved(dials, offset));
+    Trace trace = run_once(file_->moved(setting, offset));
     results_->add_run(name, trace);
     return trace;
   }
@@ -153,8 +154,8 @@ class LevelStudy {
   }
 
   bool find_reference(const Mesh& mesh) {
-    const Dials first = reference(mesh, false, options_->quick);
-    const Dials second = reference(mesh, true, options_->quick);
+    const Setting first = reference(mesh, false, options_->quick);
+    const Setting second = reference(mesh, true, options_->quick);
     if (stopped()) return false;
     Converged converged;
     converged.trace = converged_run(second, 0.0);
@@ -166,8 +167,8 @@ class LevelStudy {
     const Trace disturbed = converged_run(first, disturbance);
     progress_.add(work_of(first));
     converged.about.mesh = mesh;
-    converged.about.ticks =
-        std::min(ticks_together(other, disturbed, grown), ticks_together(other, converged.trace, agreed));
+    converged.about.ticks = std::min(agreeing_ticks(other, disturbed, max_disturbance),
+                                     agreeing_ticks(other, converged.trace, max_reference_difference));
     const std::size_t ticks = converged.about.ticks;
     converged.about.later = difference(statistics(converged.trace, ticks), statistics(other, ticks));
     converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
@@ -176,18 +177,18 @@ class LevelStudy {
     return true;
   }
 
-  Measured measure_error(const Dials& dials, const Trace& fine, const Windows& windows) {
-    const Converged& own = converged_[mesh_of(dials)];
-    const Trace trace = run_once(file_->with(dials), method_of(dials));
+  Measured measure_error(const Setting& setting, const Trace& fine, const Windows& windows) {
+    const Converged& own = converged_[mesh_of(setting)];
+    const Trace trace = run_once(file_->with(setting), method_of(setting));
     Measured measured;
-    measured.dials = dials;
+    measured.setting = setting;
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);  // none without a finer mesh
     measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
-    measured.known_to_m = 10.0 * own.about.agreement_m;
-    if (dials.solver == "direct" && mesh_of(dials) == Mesh{}) {
-      measured.windows = windows.errors(accuracy_of(dials));
-      measured.windows_known_to_m = 10.0 * windows.agreement().greatest();
+    measured.resolution_m = 10.0 * own.about.agreement_m;
+    if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
+      measured.windows = windows.errors(accuracy_of(setting));
+      measured.windows_resolution_m = 10.0 * windows.agreement().greatest();
     }
     measured.work = trace.work;
     measured.contacts = trace.contacts;
@@ -203,15 +204,15 @@ class LevelStudy {
     std::vector<tradeoff::Timed> timed;
     double round = 0.0;
     for (const Measured& measured : settings) {
-      const game::Level& level = levels.emplace_back(file_->with(measured.dials));
-      timed.push_back(timed_run(level, inputs_, method_of(measured.dials)));
-      round += work_of(measured.dials);
+      const game::Level& level = levels.emplace_back(file_->with(measured.setting));
+      timed.push_back(timed_run(level, inputs_, method_of(measured.setting)));
+      round += work_of(measured.setting);
     }
     if (stopped()) return false;
     const auto timings = tradeoff::interleaved_timings(timed, static_cast<int>(inputs_.size()), options_->repeats,
                                                        [&](double) { progress_.add(round); });
     for (std::size_t k = 0; k < settings.size(); ++k) {
-      const bool shows = is_box2d(settings[k].dials);
+      const bool shows = is_box2d(settings[k].setting);
       settings[k].cost_us = shows ? timings[k].share_us : timings[k].median_us;
       settings[k].p99_us = shows ? timings[k].share_p99_us : timings[k].p99_us;
     }
@@ -222,8 +223,8 @@ class LevelStudy {
   Results* results_;
   const StudyOptions* options_;
   std::vector<engine::TickInput> inputs_;
-  std::string no_chains_;
-  std::vector<Dials> grid_;
+  std::string no_chains_reason_;
+  std::vector<Setting> grid_;
   Progress progress_;
   std::map<Mesh, Converged> converged_;
   int runs_ = 0;
@@ -233,16 +234,16 @@ class LevelStudy {
 
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
   if (!run.failure.empty()) return run.failure;
-  std::string passed = let_through(run.passages, reference.passages, reference.declared, ticks);
-  if (!passed.empty()) return passed;
+  std::string tunnelling = tunnelling_failure(run.crossings, reference.crossings, reference.declared, ticks);
+  if (!tunnelling.empty()) return tunnelling;
   return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
 }
 
 Point Measured::point() const {
-  Point point{dials.solver, name_of(dials), cost_us, p99_us};
-  point.error_m = std::max(error.greatest_length(), known_to_m);
+  Point point{setting.solver, name_of(setting), cost_us, p99_us};
+  point.error_m = std::max(error.greatest_length(), resolution_m);
   point.failure = failure;
-  point.apart = mesh_of(dials) != Mesh{};
+  point.not_compared = mesh_of(setting) != Mesh{};
   return point;
 }
 
@@ -275,8 +276,8 @@ std::vector<Point> applicable(const Study& study) {
   std::vector<Point> points = study.points();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Measured& m = study.settings[k];
-    points[k].apart = points[k].apart || m.dials.solver != "direct";
-    points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_known_to_m});
+    points[k].not_compared = points[k].not_compared || m.setting.solver != "direct";
+    points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_resolution_m});
   }
   return points;
 }

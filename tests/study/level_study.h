@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/dials.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
+#include "tests/study/setting.h"
 #include "tests/study/statistics.h"
 #include "tests/study/trace.h"
 #include "tests/study/windows.h"
@@ -15,13 +15,13 @@ namespace study {
 
 /// The measurement of a setting of the grid.
 struct Measured {
-  Dials dials;
-  Errors error;             ///< of time and solver: relative to the converged motion of the same points
-  Errors mesh;              ///< of the mesh: of that motion relative to the converged one with four times as many links
-  Statistics later;         ///< after the compared ticks: difference from the converged motion
-  double known_to_m = 0.0;  ///< smaller errors are unknown
-  WindowErrors windows;     ///< of time and solver, in windows; only for the level's own cords
-  double windows_known_to_m = 0.0;
+  Setting setting;
+  Errors error;      ///< of time and solver: relative to the converged motion of the same points
+  Errors mesh;       ///< of the mesh: of that motion relative to the converged one with four times as many links
+  Statistics later;  ///< after the compared ticks: difference from the converged motion
+  double resolution_m = 0.0;  ///< smaller errors are unknown
+  WindowErrors windows;       ///< of time and solver, in windows; only for the level's own cords
+  double windows_resolution_m = 0.0;
   ribbon::CordReport work;
   int contacts = 0;
   int unconverged_ticks = 0;
@@ -51,9 +51,9 @@ struct Study {
   double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
   double compared_players = 0.0;  ///< share of the windows' ticks in which players are compared
   std::vector<Measured> settings;
-  int runs = 0;           ///< number of runs for errors, without those that were saved in the folder
-  std::string no_chains;  ///< why chains of Box2D are missing; empty if they are present
-  bool complete = false;  ///< false if it was interrupted
+  int runs = 0;                  ///< number of runs for errors, without those that were saved in the folder
+  std::string no_chains_reason;  ///< why chains of Box2D are missing; empty if they are present
+  bool complete = false;         ///< false if it was interrupted
 
   std::vector<Point> points() const;
 };
@@ -61,7 +61,7 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  std::vector<Dials> grid;                       ///< settings to measure in place of those by `quick`, without meshes
+  std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds
@@ -74,8 +74,8 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
 /// The same for inputs that were not recorded; no results are saved.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
 
-/// Returns why a run does not count: it became unstable, let something through that its reference did not (see
-/// let_through), or did not converge in all ticks; empty if it counts.
+/// Returns why a run does not count: it became unstable, tunnelled where its reference did not (see
+/// tunnelling_failure), or did not converge in all ticks; empty if it counts.
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
 
 /// Returns the settings of a level's own cords, by the larger of their errors from the start and in windows. Those of

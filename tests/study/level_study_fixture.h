@@ -7,7 +7,7 @@
 
 #include "engine/replay/replay.h"
 #include "tests/study/level_study.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 
@@ -35,7 +35,7 @@ class LevelStudy : public testing::Test {
 
   /// Writes the test's level: that of a file, with changed cords.
   void change_level(const std::string& from, const std::function<void(Json& cord)>& change) const {
-    Json json = Json::parse(content_of(from));
+    Json json = Json::parse(read_file(from));
     for (Json& layer : json["layers"]) {
       for (Json& object : layer["objects"]) {
         if (object.contains("polyline")) change(object);

@@ -10,10 +10,10 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/buttons.h"
 #include "tests/study/command.h"
-#include "tests/study/kept_trace.h"
 #include "tests/study/level_study_fixture.h"
 #include "tests/study/results.h"
 #include "tests/study/terms.h"
+#include "tests/study/trace_file.h"
 #include "tests/support/refusal.h"
 
 namespace study {
@@ -23,15 +23,15 @@ using test_support::refusal;
 
 bool is_same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-TEST(Dials, NoSettingOfAGridStandsInItTwice) {
+TEST(Setting, AGridHasEachSettingOnce) {
   for (const bool quick : {false, true}) {
     std::set<std::string> names;
-    for (const Dials& dials : grid(quick)) EXPECT_TRUE(names.insert(dials.solver + name_of(dials)).second);
+    for (const Setting& setting : grid(quick)) EXPECT_TRUE(names.insert(setting.solver + name_of(setting)).second);
     EXPECT_GE(names.size(), quick ? 8U : 25U);
   }
 }
 
-TEST_F(LevelStudy, ALevelTakesTheSettingsAndNothingElse) {
+TEST_F(LevelStudy, ALevelGetsTheSettingAndNoOtherChange) {
   const LevelFile file(level_path);
   const game::Level level = file.with({"direct", "implicit_euler", 3, 1e-6, 2.0});
   const auto changed = level.make_scene();
@@ -87,23 +87,23 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
   }
 }
 
-TEST_F(LevelStudy, WhatIsAppliedStandsInTheFile) {
+TEST_F(LevelStudy, AnAppliedSettingIsInTheFile) {
   LevelFile(level_path).apply({"direct", "tr_bdf2", 2, 1e-5});
   const auto scene = game::load_level(level_path).make_scene();
   EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.substeps, 2);
   EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.tolerance, 1e-5);
   EXPECT_EQ(LevelFile(level_path).declares("friction"), true);
-  const std::string before = content_of(level_path);
+  const std::string before = read_file(level_path);
   EXPECT_THROW(LevelFile(level_path).apply({"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
-  EXPECT_EQ(content_of(level_path), before);
+  EXPECT_EQ(read_file(level_path), before);
 }
 
 TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   const Study study = measure(LevelFile(level_path), replay_path, options());
   ASSERT_TRUE(study.complete);
-  const auto error_of = [&](const Dials& dials) {
-    const auto found =
-        std::find_if(study.settings.begin(), study.settings.end(), [&](const Measured& m) { return m.dials == dials; });
+  const auto error_of = [&](const Setting& setting) {
+    const auto found = std::find_if(study.settings.begin(), study.settings.end(),
+                                    [&](const Measured& m) { return m.setting == setting; });
     return found->error.position_m;
   };
   const double one = error_of({});
@@ -115,13 +115,13 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   EXPECT_LT(study.references[0].agreement_m, 0.1 * four);
   for (const Measured& m : study.settings) {
     EXPECT_GT(m.cost_us, 0.0);
-    EXPECT_GE(m.point().error_m, m.known_to_m);
+    EXPECT_GE(m.point().error_m, m.resolution_m);
   }
 }
 
 /// Compares everything that does not depend on the clock.
 void expect_the_same(const Measured& a, const Measured& b) {
-  for (const auto member : {&Errors::position_m, &Errors::position_share, &Errors::player_m, &Errors::stretch,
+  for (const auto member : {&Errors::position_m, &Errors::position_relative, &Errors::player_m, &Errors::stretch,
                             &Errors::tension, &Errors::penetration, &Errors::energy, &Errors::momentum}) {
     EXPECT_PRED2(is_same_number, a.error.*member, b.error.*member);
     EXPECT_PRED2(is_same_number, a.mesh.*member, b.mesh.*member);
@@ -129,7 +129,7 @@ void expect_the_same(const Measured& a, const Measured& b) {
   for (std::size_t k = 0; k < Statistics::count; ++k) {
     EXPECT_PRED2(is_same_number, a.later.values[k], b.later.values[k]);
   }
-  EXPECT_EQ(a.known_to_m, b.known_to_m);
+  EXPECT_EQ(a.resolution_m, b.resolution_m);
   EXPECT_EQ(a.work.iterations, b.work.iterations);
   EXPECT_EQ(a.unconverged_ticks, b.unconverged_ticks);
   EXPECT_EQ(a.contacts, b.contacts);
@@ -159,7 +159,7 @@ TEST_F(LevelStudy, AnInterruptedStudyContinues) {
   EXPECT_FALSE(half.complete);
   ASSERT_GT(half.settings.size(), 0U);
   const std::string path = options().folder + "/results.jsonl";
-  const std::string kept = content_of(path);
+  const std::string kept = read_file(path);
   EXPECT_EQ(static_cast<std::size_t>(std::count(kept.begin(), kept.end(), '\n')), half.settings.size());
 
   std::ofstream(path, std::ios::app) << "{\"key\": \"half a li";
@@ -172,17 +172,17 @@ TEST_F(LevelStudy, AnInterruptedStudyContinues) {
     expect_the_same(whole.settings[k], uninterrupted.settings[k]);
   }
   EXPECT_EQ(whole.references[1].agreement_m, uninterrupted.references[1].agreement_m);
-  EXPECT_EQ(content_of(path).find(kept), 0U);
-  const std::string all = content_of(path);
+  EXPECT_EQ(read_file(path).find(kept), 0U);
+  const std::string all = read_file(path);
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
 }
 
 TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   Measured measured;
-  measured.error = {1.0, 2.0, 3.0, 4.0, lacking, 6.0, 7.0, 8.0};
-  measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, lacking, 18.0};
-  measured.later.values = {21.0, 22.0, lacking, 24.0, 25.0, 26.0};
-  measured.known_to_m = 0.1;
+  measured.error = {1.0, 2.0, 3.0, 4.0, unavailable, 6.0, 7.0, 8.0};
+  measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, unavailable, 18.0};
+  measured.later.values = {21.0, 22.0, unavailable, 24.0, 25.0, 26.0};
+  measured.resolution_m = 0.1;
   measured.unconverged_ticks = 31;
   measured.contacts = 77;
   measured.failure = "31 ticks not converged";
@@ -199,8 +199,8 @@ TEST_F(LevelStudy, AConvergedRunIsSavedToTheSameBits) {
   const std::vector<engine::TickInput> inputs(5);
   Trace trace = run(game::load_level(level_path), inputs);
   trace.failure = "blew up in tick 5";
-  ASSERT_TRUE(keep(trace, "this one", path));
-  const auto again = kept("this one", path);
+  ASSERT_TRUE(save_trace(trace, "this one", path));
+  const auto again = load_trace("this one", path);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->lengths, trace.lengths);
   EXPECT_EQ(again->places, trace.places);
@@ -208,33 +208,33 @@ TEST_F(LevelStudy, AConvergedRunIsSavedToTheSameBits) {
   EXPECT_EQ(again->stretch, trace.stretch);
   EXPECT_EQ(again->figures.back().energy, trace.figures.back().energy);
   EXPECT_EQ(again->declared, trace.declared);
-  EXPECT_EQ(again->passages, trace.passages);
+  EXPECT_EQ(again->crossings, trace.crossings);
   EXPECT_EQ(again->mass, trace.mass);
   EXPECT_EQ(again->gravity, trace.gravity);
   EXPECT_EQ(again->work, trace.work);
   EXPECT_EQ(again->failure, trace.failure);
-  EXPECT_FALSE(kept("another", path));
-  EXPECT_FALSE(kept("this one", home + "/no.run"));
-  const std::string content = content_of(path);
+  EXPECT_FALSE(load_trace("another", path));
+  EXPECT_FALSE(load_trace("this one", home + "/no.run"));
+  const std::string content = read_file(path);
   std::string changed = content;
   changed[content.size() / 2] = static_cast<char>(changed[content.size() / 2] ^ 1);
   for (const std::string& broken : {content.substr(0, content.size() / 2), content + "x", changed, std::string()}) {
     std::ofstream(path, std::ios::binary) << broken;
-    EXPECT_FALSE(kept("this one", path));
+    EXPECT_FALSE(load_trace("this one", path));
   }
 }
 
 TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
   Trace reference;
   reference.declared = {through_body};
-  reference.passages.assign(10, {0});
+  reference.crossings.assign(10, {0});
   Trace trace = reference;
   EXPECT_EQ(failure_of(trace, reference, 10), "");
   trace.unconverged_ticks = 1;
   EXPECT_EQ(failure_of(trace, reference, 10), "1 tick not converged");
   trace.unconverged_ticks = 2;
   EXPECT_EQ(failure_of(trace, reference, 10), "2 ticks not converged");
-  trace.passages[4] = {through_body};
+  trace.crossings[4] = {through_body};
   EXPECT_EQ(failure_of(trace, reference, 10), "cord 1 went through a body in tick 5");
   EXPECT_EQ(failure_of(trace, trace, 10), "2 ticks not converged");  // the reference also lets it through
   trace.failure = "blew up in tick 6";
@@ -242,8 +242,8 @@ TEST(Failure, IsInstabilityPenetrationOrNonconvergence) {
 }
 
 /// Cords of the thesis collide with circles, but not with the ground: released above it, they fall through.
-TEST_F(LevelStudy, WhatFallsThroughTheGroundHasFailed) {
-  auto json = nlohmann::ordered_json::parse(content_of(level_path));
+TEST_F(LevelStudy, ACordThatFallsThroughTheGroundHasFailed) {
+  auto json = nlohmann::ordered_json::parse(read_file(level_path));
   for (auto& layer : json["layers"]) {
     auto objects = nlohmann::ordered_json::array();
     int cords = 0;
@@ -267,11 +267,11 @@ TEST_F(LevelStudy, WhatFallsThroughTheGroundHasFailed) {
   const Study study = measure(LevelFile(level_path), replay_path, options());
   for (const Measured& m : study.settings) {
     const bool passed = m.failure.find("went through a body in tick") != std::string::npos;
-    EXPECT_EQ(passed, m.dials.solver == "thesis") << name_of(m.dials) << ": " << m.failure;
+    EXPECT_EQ(passed, m.setting.solver == "thesis") << name_of(m.setting) << ": " << m.failure;
   }
 }
 
-TEST_F(LevelStudy, RefusesWhatItCannotMeasure) {
+TEST_F(LevelStudy, RefusesInvalidInput) {
   const LevelFile file(level_path);
   record(home + "/none.replay", 0);
   EXPECT_NE(refusal<std::exception>([&] { measure(file, home + "/none.replay", options()); }).find("has no ticks"),
@@ -293,40 +293,40 @@ TEST_F(LevelStudy, AnUnneededTermIsReported) {
   const auto result = [&](const std::string& term) {
     return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });
   };
-  EXPECT_EQ(result("cord_contact").shows_at, 0U);  // its cords do not touch in a third of a second
+  EXPECT_EQ(result("cord_contact").first_difference, 0U);  // its cords do not touch in a third of a second
   EXPECT_EQ(result("cord_contact").change.greatest_length(), 0.0);
   EXPECT_NE(verdict(result("cord_contact")).find("not needed"), std::string::npos);
-  EXPECT_GT(result("bending_stiffness").shows_at, 0U);
+  EXPECT_GT(result("bending_stiffness").first_difference, 0U);
   EXPECT_NE(verdict(result("bending_stiffness")).find("from tick"), std::string::npos);
-  ASSERT_EQ(terms.lacking.size(), 1U);  // links of the falling bridge push
-  EXPECT_EQ(terms.lacking[0].term, "tension_only");
+  ASSERT_EQ(terms.missing.size(), 1U);  // links of the falling bridge push
+  EXPECT_EQ(terms.missing[0].term, "tension_only");
   const TermResult self = result("self_contact");  // no cord declares it
   EXPECT_FALSE(self.declared);
-  EXPECT_EQ(self.shows_at, 0U);
+  EXPECT_EQ(self.first_difference, 0U);
   EXPECT_GT(self.cost_share, 0.0);
   EXPECT_NE(verdict(self).find("not needed: with it"), std::string::npos);
   EXPECT_TRUE(result("tension_only").can_be_built);
   EXPECT_FALSE(result("area_stiffness").can_be_built);  // the level has no ribbons
-  EXPECT_NE(verdict(result("area_stiffness")).find("left out"), std::string::npos);
+  EXPECT_NE(verdict(result("area_stiffness")).find("not applicable"), std::string::npos);
 }
 
-TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
+TEST_F(LevelStudy, PushingLinksOfElasticRopesAreFound) {
   change_level(level_path, [](Json& cord) {
     cord["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
     cord["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
   });
   record(replay_path, 10);
   const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
-  ASSERT_EQ(terms.lacking.size(), 1U);
-  EXPECT_EQ(terms.lacking[0].term, "tension_only");
-  EXPECT_LE(terms.lacking[0].first_tick, 3U);
-  EXPECT_GE(terms.lacking[0].ticks, 5U);
+  ASSERT_EQ(terms.missing.size(), 1U);
+  EXPECT_EQ(terms.missing[0].term, "tension_only");
+  EXPECT_LE(terms.missing[0].first_tick, 3U);
+  EXPECT_GE(terms.missing[0].ticks, 5U);
   const auto tension_only = std::find_if(terms.results.begin(), terms.results.end(),
                                          [](const TermResult& r) { return r.term == "tension_only"; });
   ASSERT_NE(tension_only, terms.results.end());
   EXPECT_TRUE(tension_only->can_be_built);
-  EXPECT_GT(tension_only->shows_at, 0U);
-  EXPECT_NE(verdict(*tension_only).find("with it something is a centimetre elsewhere"), std::string::npos);
+  EXPECT_GT(tension_only->first_difference, 0U);
+  EXPECT_NE(verdict(*tension_only).find("with it a position differs by 1 cm"), std::string::npos);
 
   const game::Level held = *LevelFile(level_path).switched_on("tension_only", true);
   game::Simulation simulation(held);
@@ -335,7 +335,7 @@ TEST_F(LevelStudy, LinksThatPushAreSeenWhereARopeStretches) {
 }
 
 /// The first cord is a rope; the others have two rows and are not.
-TEST_F(LevelStudy, ATermIsSwitchedOnWhereItCanBe) {
+TEST_F(LevelStudy, ATermIsSwitchedOnWhereItIsApplicable) {
   int cords = 0;
   change_level(level_path, [&cords](Json& cord) {
     if (cords++ == 0) return;

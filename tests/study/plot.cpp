@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
@@ -83,7 +83,7 @@ std::string legend_of(std::span<const Point> points, const std::vector<std::stri
   if (std::any_of(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); })) {
     legend += ", keyentry with points pointtype 2 linewidth 2 linecolor 'black' title 'failed'";
   }
-  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return p.apart; })) {
+  if (std::any_of(points.begin(), points.end(), [](const Point& p) { return p.not_compared; })) {
     legend += ", keyentry with points pointtype 7 pointsize 0.3 linecolor 'black' title 'not compared'";
   }
   return legend;
@@ -114,8 +114,9 @@ class Panel {
         return some;
       };
       const std::string index = std::to_string(m);
-      add("method" + index, those([](const Point& p) { return is_drawn(p) && !p.apart; }), mark_of(m));
-      add("apart" + index, those([](const Point& p) { return is_drawn(p) && p.apart; }), mark_of(m) + " pointsize 0.4");
+      add("method" + index, those([](const Point& p) { return is_drawn(p) && !p.not_compared; }), mark_of(m));
+      add("not_compared" + index, those([](const Point& p) { return is_drawn(p) && p.not_compared; }),
+          mark_of(m) + " pointsize 0.4");
       add("failed" + index, those([](const Point& p) { return !p.failure.empty(); }),
           "points pointtype 2 linewidth 2" + color_of(m));
     }

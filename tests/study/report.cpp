@@ -10,12 +10,13 @@
 #include <stdexcept>
 
 #include "tests/study/plot.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
 
-constexpr const char* way_out = "the package is gnuplot-nox, game/setup tests installs it. All numbers are written";
+constexpr const char* gnuplot_hint =
+    "the package is gnuplot-nox, game/setup tests installs it. All numbers are written";
 
 std::string number(double value) { return significant(value, 4); }
 
@@ -117,11 +118,11 @@ void add_rows(std::ostringstream& out, const Report& report, const std::string& 
 
 std::string html_of(const Report& report) {
   std::ostringstream out;
-  out << head_of(report.title + ": what accuracy costs");
+  out << head_of(report.title + ": error against cost");
   for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
   out << "<p><img src=\"front.svg\" alt=\"Error against cost, both logarithmic\"></p>\n"
          "<p>Bold: no other setting is both cheaper and more exact.</p>\n<table>\n<tr><th>method<th>setting<th>µs a "
-         "tick<th>99 of 100 below<th>"
+         "tick<th>99th percentile<th>"
       << escaped(report.axis);
   for (const std::string& column : report.columns) out << "<th>" << escaped(column);
   out << "\n";
@@ -154,7 +155,7 @@ void write_report(const Report& report, const std::string& folder) {
     drawn = plot(folder, points, metric.name, metric.name) && drawn;
   }
   if (!drawn) {
-    throw PlotError("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); " + way_out);
+    throw PlotError("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); " + gnuplot_hint);
   }
 }
 
@@ -174,7 +175,7 @@ int write_pages(const std::vector<Page>& pages, const std::function<void(const s
   }
   if (not_drawn.empty()) return status;
   std::fprintf(stderr, "tradeoff: gnuplot did not draw the plots of %s (see gnuplot.log in their folders); %s\n",
-               not_drawn.c_str(), way_out);
+               not_drawn.c_str(), gnuplot_hint);
   return 1;
 }
 

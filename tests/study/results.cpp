@@ -7,23 +7,23 @@
 #include <stdexcept>
 
 #include "ribbon/box2d/state_hash.h"
-#include "tests/study/kept_trace.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
+#include "tests/study/trace_file.h"
 
 namespace study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-unsigned long long hash_of(const std::string& path) { return ribbon::box2d::hash_bytes(content_of(path)); }
+unsigned long long hash_of(const std::string& path) { return ribbon::box2d::hash_bytes(read_file(path)); }
 
 Json json_of(const Errors& e) {
   return Json::array(
-      {e.position_m, e.position_share, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
+      {e.position_m, e.position_relative, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
 }
 
 /// JSON writes null for NaN.
-double number_of(const Json& j) { return j.is_null() ? lacking : j.get<double>(); }
+double number_of(const Json& j) { return j.is_null() ? unavailable : j.get<double>(); }
 
 Errors errors_of(const Json& j) {
   const auto at = [&j](std::size_t k) { return number_of(j.at(k)); };
@@ -31,18 +31,18 @@ Errors errors_of(const Json& j) {
 }
 
 Json json_of(const Measured& m) {
-  return {{"solver", m.dials.solver},
-          {"integrator", m.dials.integrator},
-          {"substeps", m.dials.substeps},
-          {"tolerance", m.dials.tolerance},
-          {"points", m.dials.points},
-          {"iterations_at_most", m.dials.iterations},
-          {"rows", m.dials.rows},
+  return {{"solver", m.setting.solver},
+          {"integrator", m.setting.integrator},
+          {"substeps", m.setting.substeps},
+          {"tolerance", m.setting.tolerance},
+          {"points", m.setting.points},
+          {"max_iterations", m.setting.iterations},
+          {"rows", m.setting.rows},
           {"error", json_of(m.error)},
           {"mesh", json_of(m.mesh)},
           {"later", m.later.values},
-          {"windows", {m.windows.position_m, m.windows.player_m, m.windows_known_to_m}},
-          {"known_to", m.known_to_m},
+          {"windows", {m.windows.position_m, m.windows.player_m, m.windows_resolution_m}},
+          {"resolution", m.resolution_m},
           {"contacts", m.contacts},
           {"iterations", m.work.iterations},
           {"stages", m.work.stages},
@@ -54,14 +54,14 @@ Json json_of(const Measured& m) {
 
 Measured measured_of(const Json& j) {
   Measured m;
-  m.dials = {j.at("solver"), j.at("integrator"),         j.at("substeps"), j.at("tolerance"),
-             j.at("points"), j.at("iterations_at_most"), j.at("rows")};
+  m.setting = {j.at("solver"), j.at("integrator"),     j.at("substeps"), j.at("tolerance"),
+               j.at("points"), j.at("max_iterations"), j.at("rows")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k) m.later.values[k] = number_of(j.at("later").at(k));
   m.windows = {number_of(j.at("windows").at(0)), number_of(j.at("windows").at(1))};
-  m.windows_known_to_m = j.at("windows").at(2);
-  m.known_to_m = j.at("known_to");
+  m.windows_resolution_m = j.at("windows").at(2);
+  m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
   m.work.iterations = j.at("iterations");
   m.work.stages = j.at("stages");
@@ -94,8 +94,9 @@ Results::Results(const std::string& folder, std::uint64_t level_hash, const std:
   if (!out_) throw std::runtime_error("cannot write to " + path + "; accepted is a folder that can be written (--out)");
 }
 
-const Measured* Results::find(const Dials& dials) const {
-  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Measured& m) { return m.dials == dials; });
+const Measured* Results::find(const Setting& setting) const {
+  const auto found =
+      std::find_if(known_.begin(), known_.end(), [&](const Measured& m) { return m.setting == setting; });
   return found == known_.end() ? nullptr : &*found;
 }
 
@@ -112,11 +113,11 @@ std::string Results::path_of_run(const std::string& name) const {
 
 std::optional<Trace> Results::run(const std::string& name) const {
   if (folder_.empty()) return {};
-  return kept(key_ + " " + name, path_of_run(name));
+  return load_trace(key_ + " " + name, path_of_run(name));
 }
 
 void Results::add_run(const std::string& name, const Trace& trace) {
-  if (!folder_.empty()) keep(trace, key_ + " " + name, path_of_run(name));
+  if (!folder_.empty()) save_trace(trace, key_ + " " + name, path_of_run(name));
 }
 
 }  // namespace study

@@ -18,7 +18,7 @@ class Results {
   Results(const std::string& folder, std::uint64_t level_hash, const std::string& replay_path, bool quick);
 
   /// Returns null if it is not yet known.
-  const Measured* find(const Dials& dials) const;
+  const Measured* find(const Setting& setting) const;
   void add(const Measured& measured);
 
   /// Returns the run with that name; none if it is not yet known.

@@ -18,7 +18,8 @@ struct Statistics {
       "later_kinetic_J_kg",    // mean of kinetic energy per mass, of all cords and dynamic bodies
       "later_kinetic_sd_J_kg"  // its standard deviation
   };
-  std::array<double, count> values = {lacking, lacking, lacking, lacking, lacking, lacking};  ///< by name
+  std::array<double, count> values = {unavailable, unavailable, unavailable,
+                                      unavailable, unavailable, unavailable};  ///< by name
 };
 
 /// Returns the statistics of all ticks after the first `from`; NaN without such ticks, or if the run ended early.

@@ -21,7 +21,7 @@ Trace rising() {
   return trace;
 }
 
-TEST(Statistics, AreOfTheTicksThatAreLeft) {
+TEST(Statistics, AreOfTheRemainingTicks) {
   const Statistics later = statistics(rising(), 2);
   const double deviation = std::sqrt(1.25);  // of 2, 3, 4, 5
   const std::array<double, Statistics::count> expected = {3.5, deviation, 0.035, 0.5, 7.0, 2.0 * deviation};

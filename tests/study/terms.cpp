@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "engine/replay/replay.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 #include "tests/support/contact_figures.h"
 #include "tests/tradeoff/measure.h"
 
@@ -146,16 +146,16 @@ std::vector<Trial> trials_of(const LevelFile& file) {
   return trials;
 }
 
-void compare(Trial& trial, const Trace& as_it_is, std::span<const engine::TickInput> inputs, std::size_t ticks) {
+void compare(Trial& trial, const Trace& original, std::span<const engine::TickInput> inputs, std::size_t ticks) {
   const Trace changed = run(*trial.level, inputs);
-  const std::size_t same = std::min(ticks_together(as_it_is, changed, visible), ticks);
-  trial.result.shows_at = same < ticks ? same + 1 : 0;
-  trial.result.change = difference(changed, as_it_is, same);
+  const std::size_t same = std::min(agreeing_ticks(original, changed, visible), ticks);
+  trial.result.first_difference = same < ticks ? same + 1 : 0;
+  trial.result.change = difference(changed, original, same);
 }
 
-void time(std::vector<Trial>& trials, const game::Level& as_it_is, std::span<const engine::TickInput> inputs,
+void time(std::vector<Trial>& trials, const game::Level& original, std::span<const engine::TickInput> inputs,
           const std::function<void(double)>& progress) {
-  std::vector<tradeoff::Timed> timed{timed_run(as_it_is, inputs)};
+  std::vector<tradeoff::Timed> timed{timed_run(original, inputs)};
   for (const Trial& trial : trials) {
     if (trial.level) timed.push_back(timed_run(*trial.level, inputs));
   }
@@ -184,35 +184,36 @@ bool pushes(const ribbon::Cord& cord, double gravity) {
 
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress) {
   const std::vector<engine::TickInput> inputs = inputs_of(engine::load_replay(replay_path));
-  const game::Level as_it_is = file.level();
-  const Trace trace = run(as_it_is, inputs);
+  const game::Level original = file.level();
+  const Trace trace = run(original, inputs);
   const Trace disturbed = run(file.displaced(disturbance), inputs);
   Terms terms;
-  terms.ticks = ticks_together(trace, disturbed, visible);
-  terms.lacking = find_symptoms(file, inputs);
+  terms.ticks = agreeing_ticks(trace, disturbed, visible);
+  terms.missing = find_symptoms(file, inputs);
 
   std::vector<Trial> trials = trials_of(file);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     if (trials[k].level) compare(trials[k], trace, inputs, terms.ticks);
     progress(0.5 * static_cast<double>(k + 1) / static_cast<double>(trials.size()));
   }
-  time(trials, as_it_is, inputs, [&](double share) { progress(0.5 + 0.5 * share); });
+  time(trials, original, inputs, [&](double share) { progress(0.5 + 0.5 * share); });
   for (Trial& trial : trials) terms.results.push_back(std::move(trial.result));
   return terms;
 }
 
 std::string verdict(const TermResult& result) {
   if (!result.can_be_built) {
-    return result.declared ? "needed: such a cord cannot be built without it" : "left out: no cord of it can have it";
+    return result.declared ? "needed: such a cord cannot be built without it"
+                           : "not applicable: no cord of the level can have it";
   }
   const std::string how = result.declared ? "without" : "with";
   const std::string cost = cost_in_words(result.cost_share);
-  if (result.shows_at > 0) {
-    const std::string elsewhere =
-        how + " it something is a centimetre elsewhere from tick " + std::to_string(result.shows_at) + " on";
-    return result.declared ? "needed: " + elsewhere : "changes what happens: " + elsewhere + ", " + cost;
+  if (result.first_difference > 0) {
+    const std::string difference =
+        how + " it a position differs by 1 cm from tick " + std::to_string(result.first_difference) + " on";
+    return result.declared ? "needed: " + difference : "changes the motion: " + difference + ", " + cost;
   }
-  return "not needed: " + how + " it all is where it was, to " + significant(result.change.greatest_length(), 2) +
+  return "not needed: " + how + " it all positions agree to " + significant(result.change.greatest_length(), 2) +
          " m, " + cost;
 }
 

@@ -13,10 +13,10 @@ namespace study {
 struct TermResult {
   std::string term;  ///< friction, self_contact
   bool declared = true;
-  bool can_be_built = true;     ///< false if no cord can have the term
-  std::size_t shows_at = 0;     ///< first tick with a displacement of a centimetre; 0 if there is none
-  Errors change;                ///< before that tick
-  double cost_share = lacking;  ///< relative to the level's cost
+  bool can_be_built = true;          ///< false if no cord can have the term
+  std::size_t first_difference = 0;  ///< first tick with a displacement of 1 cm; 0 if there is none
+  Errors change;                     ///< before that tick
+  double cost_share = unavailable;   ///< relative to the level's cost
 };
 
 /// A motion of a level's cords that an undeclared term would prevent.
@@ -29,7 +29,7 @@ struct Symptom {
 
 struct Terms {
   std::vector<TermResult> results;  ///< of declared terms, then of undeclared ones
-  std::vector<Symptom> lacking;
+  std::vector<Symptom> missing;
   std::size_t ticks = 0;  ///< compared ticks; after them the motion is chaotic
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double furthest = 1e3;  // m, from the origin
+constexpr double max_coordinate = 1e3;  // m, from the origin
 
 double length_of(const std::vector<Vec2>& line) {
   double sum = 0.0;
@@ -46,14 +46,14 @@ void add_places(Errors& errors, const Trace& run, const Trace& reference, std::s
       const Vec2 off = run.places[k][s] - reference.places[k][s];
       const double own_length = run.lengths[s / Trace::stations];
       errors.position_m += dot(off, off);
-      errors.position_share += dot(off, off) / (own_length * own_length);
+      errors.position_relative += dot(off, off) / (own_length * own_length);
       ++count;
     }
     const Vec2 off = run.player[k] - reference.player[k];
     errors.player_m += dot(off, off);
   }
   errors.position_m = std::sqrt(errors.position_m / static_cast<double>(count));
-  errors.position_share = std::sqrt(errors.position_share / static_cast<double>(count));
+  errors.position_relative = std::sqrt(errors.position_relative / static_cast<double>(count));
   errors.player_m = std::sqrt(errors.player_m / static_cast<double>(ticks));
 }
 
@@ -84,8 +84,8 @@ b2Filter cord_filter(const Method& method) {
 Figures figures_of(const engine::Scene& scene, const Method& method) {
   Figures figures = study::figures_of(scene.world(), scene.coupling(), cord_filter(method));
   if (!method.make_mover) return figures;
-  figures.tension = figures.energy = figures.kinetic = lacking;
-  figures.momentum = {lacking, lacking};
+  figures.tension = figures.energy = figures.kinetic = unavailable;
+  figures.momentum = {unavailable, unavailable};
   return figures;
 }
 
@@ -93,13 +93,13 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<Vec2>& places = trace.places.emplace_back();
   Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene(), method));
-  double& most_stretch = trace.stretch.emplace_back(0.0);
+  double& max_stretch = trace.stretch.emplace_back(0.0);
   bool unconverged = false;
   for (int c = 0; c < coupling.size(); ++c) {
     const std::vector<Vec2> line = middle_line(coupling, c);
     add_stations(line, places);
     const double stretch = length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0;
-    most_stretch = std::max(most_stretch, stretch);
+    max_stretch = std::max(max_stretch, stretch);
     figures.stretch += stretch / coupling.size();
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
     trace.work += coupling.cord(c).island_report();
@@ -122,7 +122,7 @@ Trace trace_of(const engine::Scene& start) {
   return trace;
 }
 
-bool is_somewhere(Vec2 place) { return std::abs(place.x) <= furthest && std::abs(place.y) <= furthest; }
+bool is_in_bounds(Vec2 place) { return std::abs(place.x) <= max_coordinate && std::abs(place.y) <= max_coordinate; }
 
 }  // namespace
 
@@ -164,15 +164,15 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, c
   LevelRun run(level, inputs, method);
   run.reset();
   Trace trace = trace_of(run.simulation().scene());
-  PassageWatch watch;
+  TunnellingDetector watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
     run.show();
     add_tick(trace, run.simulation(), method);
-    if (run.simulation().run_ticks() == 1) watch.forget();  // after a restart
+    if (run.simulation().run_ticks() == 1) watch.reset();  // after a restart
     const engine::Scene& now = run.simulation().scene();
-    trace.passages.push_back(watch.look(now.world(), now.coupling(), cord_filter(method)));
-    if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_somewhere)) {
+    trace.crossings.push_back(watch.detect(now.world(), now.coupling(), cord_filter(method)));
+    if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_in_bounds)) {
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;
     }
@@ -209,7 +209,7 @@ Errors difference(const Trace& run, const Trace& reference, std::size_t ticks) {
   return errors;
 }
 
-std::size_t ticks_together(const Trace& a, const Trace& b, double most) {
+std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.places.size(), b.places.size());
   for (std::size_t k = 0; k < ticks; ++k) {
     if (!(length(a.player[k] - b.player[k]) <= most)) return k;

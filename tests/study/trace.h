@@ -11,7 +11,7 @@
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 #include "tests/study/figures.h"
-#include "tests/study/passages.h"
+#include "tests/study/tunnelling.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
@@ -25,8 +25,8 @@ struct Trace {
   std::vector<ribbon::Vec2> player;               ///< m, by tick
   std::vector<double> stretch;                    ///< by tick: maximum over cords, relative to the whole length
   std::vector<Figures> figures;                   ///< by tick
-  Passages declared;                              ///< what its cords must not pass through
-  std::vector<Passages> passages;                 ///< by tick
+  Crossings declared;                             ///< what its cords must not pass through
+  std::vector<Crossings> crossings;               ///< by tick
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², magnitude
   ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver
@@ -85,14 +85,14 @@ Trace run_from(const game::Level& level, std::span<const engine::TickInput> inpu
 /// Energy and momentum are not drifts: the player adds and removes both, so each is compared with that of the reference
 /// in the same tick.
 struct Errors {
-  double position_m = 0.0;       ///< RMS over all stations and ticks
-  double position_share = 0.0;   ///< the same, relative to each cord's length
-  double player_m = 0.0;         ///< RMS over all ticks
-  double stretch = 0.0;          ///< of the peak, relative to a cord's length
-  double tension = lacking;      ///< of the peak, relative to the reference's peak
-  double penetration = lacking;  ///< maximum of the run itself after any tick, relative to the cord's radius
-  double energy = lacking;       ///< maximum after any tick, relative to total weight × longest cord
-  double momentum = lacking;     ///< maximum after any tick, relative to total mass × √(g × longest cord)
+  double position_m = 0.0;           ///< RMS over all stations and ticks
+  double position_relative = 0.0;    ///< the same, relative to each cord's length
+  double player_m = 0.0;             ///< RMS over all ticks
+  double stretch = 0.0;              ///< of the peak, relative to a cord's length
+  double tension = unavailable;      ///< of the peak, relative to the reference's peak
+  double penetration = unavailable;  ///< maximum of the run itself after any tick, relative to the cord's radius
+  double energy = unavailable;       ///< maximum after any tick, relative to total weight × longest cord
+  double momentum = unavailable;     ///< maximum after any tick, relative to total mass × √(g × longest cord)
 
   /// Returns the largest of the errors that are lengths, m.
   double greatest_length() const { return position_m > player_m ? position_m : player_m; }
@@ -102,6 +102,6 @@ struct Errors {
 Errors difference(const Trace& run, const Trace& reference, std::size_t ticks);
 
 /// Returns the number of ticks in which two runs differ by at most `most` metres everywhere. Later motion is chaotic.
-std::size_t ticks_together(const Trace& a, const Trace& b, double most);
+std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most);
 
 }  // namespace study

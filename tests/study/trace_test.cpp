@@ -29,7 +29,7 @@ Trace still(std::size_t ticks) {
   return trace;
 }
 
-TEST(Trace, ErrorsAreWhatTheyAreMadeOf) {
+TEST(Trace, ErrorsAreTheirDefinitions) {
   const Trace a = still(10);
   Trace b = still(10);
   for (auto& places : b.places) {
@@ -39,7 +39,7 @@ TEST(Trace, ErrorsAreWhatTheyAreMadeOf) {
   b.stretch[3] = 0.01;
   const Errors errors = difference(a, b, 10);
   EXPECT_NEAR(errors.position_m, std::sqrt(0.5 * (0.09 + 0.16)), 1e-15);
-  EXPECT_NEAR(errors.position_share, std::sqrt(0.5 * (0.09 + 0.01)), 1e-15);
+  EXPECT_NEAR(errors.position_relative, std::sqrt(0.5 * (0.09 + 0.01)), 1e-15);
   EXPECT_NEAR(errors.player_m, std::sqrt(2.0), 1e-15);
   EXPECT_NEAR(errors.stretch, 0.01, 1e-15);
   EXPECT_NEAR(errors.greatest_length(), std::sqrt(2.0), 1e-15);
@@ -64,7 +64,7 @@ TEST(Trace, ErrorsOfOtherKindsAreSharesOfTheirScales) {
   EXPECT_EQ(difference(trace, reference, 2).energy, 0.0);
 }
 
-TEST(Trace, WhatARunLacksIsNoError) {
+TEST(Trace, UnavailableFiguresGiveNoError) {
   Trace trace = still(10);
   trace.figures[3] = {};
   Errors errors = difference(trace, still(10), 10);
@@ -78,17 +78,17 @@ TEST(Trace, WhatARunLacksIsNoError) {
   EXPECT_TRUE(std::isnan(difference(still(10), weightless, 10).energy));
 }
 
-TEST(Trace, RunsAreTogetherUntilTheirFirstDifference) {
+TEST(Trace, RunsAgreeUntilTheirFirstDifference) {
   const Trace a = still(10);
   Trace b = still(10);
-  EXPECT_EQ(ticks_together(a, b, 0.01), 10U);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 10U);
   b.player[7] = {0.02, 0.0};
-  EXPECT_EQ(ticks_together(a, b, 0.01), 7U);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 7U);
   b.places[4][40] = {0.0, -0.02};
-  EXPECT_EQ(ticks_together(a, b, 0.01), 4U);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 4U);
   b.places[2][0] = {std::nan(""), 0.0};
-  EXPECT_EQ(ticks_together(a, b, 0.01), 2U);
-  EXPECT_EQ(ticks_together(a, still(1), 0.01), 1U);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 2U);
+  EXPECT_EQ(agreeing_ticks(a, still(1), 0.01), 1U);
 }
 
 TEST(Trace, ARunOfALevelIsTheSimulation) {
@@ -132,7 +132,7 @@ constexpr const char* thrown_over = R"({
    {"name": "density", "type": "float", "value": 1}, {"name": "velocity_x", "type": "float", "value": 2},
    {"name": "velocity_y", "type": "float", "value": 4.9}]}]}]})";
 
-TEST(Trace, WhatARestartPutsBackWentThroughNothing) {
+TEST(Trace, ARestartIsNoTunnelling) {
   const game::Level level = game::level_of(engine::parse_tiled_map(thrown_over, "thrown_over.tmj"));
   std::vector<engine::TickInput> inputs(70);
   inputs[60].buttons = game::button_restart;
@@ -148,8 +148,8 @@ TEST(Trace, WhatARestartPutsBackWentThroughNothing) {
   EXPECT_NEAR(ball().x, start, 0.1);
 
   const Trace trace = run(level, inputs);
-  ASSERT_EQ(trace.passages.size(), inputs.size());
-  for (std::size_t k = 0; k < inputs.size(); ++k) EXPECT_EQ(trace.passages[k], Passages{0}) << "in tick " << k + 1;
+  ASSERT_EQ(trace.crossings.size(), inputs.size());
+  for (std::size_t k = 0; k < inputs.size(); ++k) EXPECT_EQ(trace.crossings[k], Crossings{0}) << "in tick " << k + 1;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace study {
 namespace {
 
-constexpr double agreed = 1e-4;  // m, accepted difference of the references
+constexpr double max_reference_difference = 1e-4;  // m, accepted difference of the references
 
 /// Evenly spaced along a run; each window is complete if the run is long enough.
 std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
@@ -28,7 +28,7 @@ double WindowErrors::greatest() const {
   return most;
 }
 
-std::size_t cords_together(const Trace& a, const Trace& b, double most) {
+std::size_t agreeing_cord_ticks(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.places.size(), b.places.size());
   for (std::size_t k = 0; k < ticks; ++k) {
     double sum = 0.0;
@@ -41,7 +41,7 @@ std::size_t cords_together(const Trace& a, const Trace& b, double most) {
   return ticks;
 }
 
-std::size_t players_together(const Trace& a, const Trace& b, double most) {
+std::size_t agreeing_player_ticks(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.player.size(), b.player.size());
   for (std::size_t k = 0; k < ticks; ++k) {
     if (!(length(a.player[k] - b.player[k]) <= most)) return k;
@@ -56,8 +56,8 @@ Windows::Windows(const game::Level& level, std::span<const engine::TickInput> in
   for (const std::size_t begin : begins_of(inputs.size(), most)) {
     Window& window = windows_.emplace_back(Window{begin, run_from(level, inputs, begin, ticks, finer)});
     const Trace& other = others.emplace_back(run_from(level, inputs, begin, ticks, fine));
-    window.cords = cords_together(other, window.reference, agreed);
-    window.player = players_together(other, window.reference, agreed);
+    window.cords = agreeing_cord_ticks(other, window.reference, max_reference_difference);
+    window.player = agreeing_player_ticks(other, window.reference, max_reference_difference);
   }
   agreement_ =
       pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
@@ -85,8 +85,8 @@ WindowErrors Windows::pooled(Run&& run) const {
     cords += static_cast<double>(window.cords);
     players += static_cast<double>(window.player);
   }
-  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : lacking,
-          players > 0.0 ? std::sqrt(sum.player_m / players) : lacking};
+  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : unavailable,
+          players > 0.0 ? std::sqrt(sum.player_m / players) : unavailable};
 }
 
 double Windows::share(std::size_t Window::*compared) const {

@@ -11,8 +11,8 @@ namespace study {
 
 /// RMS errors, m; NaN if not compared.
 struct WindowErrors {
-  double position_m = lacking;  ///< over all stations
-  double player_m = lacking;
+  double position_m = unavailable;  ///< over all stations
+  double player_m = unavailable;
 
   /// 0 if nothing is compared.
   double greatest() const;
@@ -59,7 +59,7 @@ class Windows {
 
 /// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations, and
 /// their players.
-std::size_t cords_together(const Trace& a, const Trace& b, double most);
-std::size_t players_together(const Trace& a, const Trace& b, double most);
+std::size_t agreeing_cord_ticks(const Trace& a, const Trace& b, double most);
+std::size_t agreeing_player_ticks(const Trace& a, const Trace& b, double most);
 
 }  // namespace study

@@ -21,22 +21,22 @@ Trace still(std::size_t ticks) {
   return trace;
 }
 
-TEST(Windows, CordsAndPlayersPartEachInTheirOwnTick) {
+TEST(Windows, CordsAndPlayersAgreeForDifferentTimes) {
   const Trace a = still(10);
   Trace b = still(10);
   b.places[6][0] = {0.0, 0.01 * std::sqrt(1.0 * Trace::stations)};
   b.player[3] = {0.02, 0.0};
-  EXPECT_EQ(cords_together(a, b, 0.0099), 6U);
-  EXPECT_EQ(cords_together(a, b, 0.0101), 10U);
-  EXPECT_EQ(players_together(a, b, 0.01), 3U);
+  EXPECT_EQ(agreeing_cord_ticks(a, b, 0.0099), 6U);
+  EXPECT_EQ(agreeing_cord_ticks(a, b, 0.0101), 10U);
+  EXPECT_EQ(agreeing_player_ticks(a, b, 0.01), 3U);
   b.places[2][0] = {std::nan(""), 0.0};
-  EXPECT_EQ(cords_together(a, b, 1.0), 2U);
-  EXPECT_EQ(players_together(a, still(2), 0.01), 2U);
+  EXPECT_EQ(agreeing_cord_ticks(a, b, 1.0), 2U);
+  EXPECT_EQ(agreeing_player_ticks(a, still(2), 0.01), 2U);
 }
 
-TEST(Windows, WhatIsNotComparedIsNoError) {
+TEST(Windows, ValuesThatAreNotComparedAreNoError) {
   EXPECT_EQ(WindowErrors{}.greatest(), 0.0);
-  EXPECT_EQ((WindowErrors{lacking, 2.0}.greatest()), 2.0);
+  EXPECT_EQ((WindowErrors{unavailable, 2.0}.greatest()), 2.0);
   EXPECT_EQ((WindowErrors{3.0, 2.0}.greatest()), 3.0);
 }
 

@@ -54,14 +54,14 @@ void ContactWorld::step() {
   for (RigidBody& body : bodies) {
     body.impulse = {};
     body.angular_impulse = 0.0;
-    body.met = false;
+    body.solved = false;
   }
   report = cord.step(dt, gravity, {bodies, circles, grips, segments});
   total += report;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     RigidBody& body = bodies[k];
     double turned = dt * body.angular_velocity;
-    if (body.met) {
+    if (body.solved) {
       turned = body.turned;
       body.position += body.moved;
       body.velocity += dt * body.acceleration + body.inverse_mass * body.impulse;

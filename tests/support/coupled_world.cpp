@@ -94,7 +94,7 @@ int CoupledWorld::add(ribbon::CordDef def) {
 void CoupledWorld::add_chain(const ribbon::CordDef& def) {
   b2Filter filter;
   filter.categoryBits = box_category;
-  if (!method_.chain_meets_itself) filter.maskBits &= static_cast<uint16>(~box_category);
+  if (!method_.chain_self_contact) filter.maskBits &= static_cast<uint16>(~box_category);
   chains_.push_back({JointChain(world, def, filter)});
   const int cord = static_cast<int>(chains_.size()) - 1;
   for (const int pin : def.pins) hold_chain(cord, pin, *ground_);

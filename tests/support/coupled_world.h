@@ -19,7 +19,7 @@ struct CordMethod {
   int substeps = 1;                 ///< per tick: world steps for a chain, iterations for the thesis's method
   int velocity_iterations = 8;      ///< per substep
   int position_iterations = 3;      ///< per substep
-  bool chain_meets_itself = false;  ///< its boxes collide, except neighbours: CordDef::self_contact
+  bool chain_self_contact = false;  ///< its boxes collide, except neighbours: CordDef::self_contact
 };
 
 /// A Box2D world of 60 ticks per second with cords, which may be chains of Box2D's joints or cords of the thesis, so

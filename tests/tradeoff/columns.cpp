@@ -17,12 +17,12 @@ Column frames_per_second() {
   return {"frames_per_second", 1, [](const Row& row) { return 1e6 / row.timing.median_us; }};
 }
 
-Column our_us() {
-  return {"our_us", 1, [](const Row& row) { return row.timing.share_us; }};
+Column cords_us() {
+  return {"cords_us", 1, [](const Row& row) { return row.timing.share_us; }};
 }
 
-Column our_worst_us() {
-  return {"our_worst_us", 1, [](const Row& row) { return row.timing.worst_us; }};
+Column cords_max_us() {
+  return {"cords_max_us", 1, [](const Row& row) { return row.timing.worst_us; }};
 }
 
 Column world_step_us() {

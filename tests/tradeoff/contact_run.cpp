@@ -14,7 +14,7 @@ using test_support::CoupledWorld;
 
 namespace {
 
-constexpr double furthest = 1e4;  // m
+constexpr double max_coordinate = 1e4;  // m
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Accuracy preset(const std::string& name) {
@@ -27,19 +27,20 @@ void count_reports(const CoupledWorld& world, ContactFigures& figures) {
     if (world.method().thesis) {
       const ribbon::StepReport& report = world.coupling.cord(c).thesis_report();
       figures.unconverged += report.fem_skipped > 0 ? 1 : 0;
-      figures.mended += report.motion_limited > 0 ? 1 : 0;
+      figures.corrected += report.motion_limited > 0 ? 1 : 0;
       continue;
     }
     const ribbon::CordReport& report = world.coupling.cord(c).island_report();
     figures.unconverged += report.unconverged > 0 ? 1 : 0;
-    figures.mended += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
+    figures.corrected += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
   }
 }
 
-bool is_somewhere(const CoupledWorld& world) {
+bool is_in_bounds(const CoupledWorld& world) {
   for (int c = 0; c < world.cords(); ++c) {
     const std::vector<ribbon::Vec2> points = world.outline(c);
-    if (!std::all_of(points.begin(), points.end(), [](ribbon::Vec2 p) { return length(p) <= furthest; })) return false;
+    if (!std::all_of(points.begin(), points.end(), [](ribbon::Vec2 p) { return length(p) <= max_coordinate; }))
+      return false;
   }
   return true;
 }
@@ -64,13 +65,13 @@ std::vector<NamedMethod> presets(const std::vector<std::string>& names) {
   return list;
 }
 
-std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool meets_itself) {
+std::vector<NamedMethod> chains(const std::vector<int>& substeps, bool self_contact) {
   std::vector<NamedMethod> list;
   for (const int count : substeps) {
     CordMethod how;
     how.chain = true;
     how.substeps = count;
-    how.chain_meets_itself = meets_itself;
+    how.chain_self_contact = self_contact;
     list.push_back({"box2d_chain", "substeps=" + std::to_string(count), how});
   }
   return list;
@@ -99,7 +100,7 @@ ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(Coup
   double gain = 0.0;
   for (int tick = 0; tick < ticks; ++tick) {
     world.tick();
-    if (!is_somewhere(world)) {
+    if (!is_in_bounds(world)) {
       figures.blew_up = tick + 1;
       break;
     }
@@ -120,19 +121,20 @@ ContactFigures run(CoupledWorld& world, int ticks, const std::function<void(Coup
   return figures;
 }
 
-std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& figures, std::optional<double> bar_us) {
+std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& figures,
+                               std::optional<double> target_us) {
   const bool chain = world.method().chain;
   const bool ropes = world.def(0).rows == 1;
-  const bool meets_itself = any_cord(world, [](const ribbon::CordDef& def) { return def.self_contact; });
-  const bool meets_others = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
-  return {world.method().thesis || chain ? none : bar_us.value_or(none),
+  const bool self_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.self_contact; });
+  const bool cord_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
+  return {world.method().thesis || chain ? none : target_us.value_or(none),
           ropes ? 100.0 * figures.max_stretch : none,
           100.0 * figures.energy_gain,
-          chain ? none : figures.mended,
+          chain ? none : figures.corrected,
           chain ? none : figures.unconverged,
           figures.penetration,
-          meets_itself ? figures.self_crossings : none,
-          meets_others ? figures.mutual_crossings : none,
+          self_contact ? figures.self_crossings : none,
+          cord_contact ? figures.mutual_crossings : none,
           ropes ? none : figures.inverted,
           static_cast<double>(figures.blew_up)};
 }
@@ -151,7 +153,7 @@ Contestant contestant(const ContactContestant& how) {
   return {how.method.method,
           how.method.setting,
           points,
-          how.goes_on ? std::function<void()>() : set_up,
+          how.continues ? std::function<void()>() : set_up,
           [world] { (*world)->step_cords(); },
           [world, set_up, how] {
             set_up();
@@ -163,10 +165,10 @@ Contestant contestant(const ContactContestant& how) {
 }
 
 std::vector<Column> contact_columns(const std::vector<std::string>& more) {
-  std::vector<Column> columns = {us_per_tick(), p99_us(), our_us(), our_worst_us(), world_step_us()};
+  std::vector<Column> columns = {us_per_tick(), p99_us(), cords_us(), cords_max_us(), world_step_us()};
   std::size_t index = 0;
-  for (const char* name : {"our_bar_us", "max_stretch_pct", "energy_gain_pct", "mended", "unconverged", "penetration_m",
-                           "crossings", "mutual_crossings", "inverted", "blew_up"}) {
+  for (const char* name : {"cords_target_us", "max_stretch_pct", "energy_gain_pct", "corrected", "unconverged",
+                           "penetration_m", "crossings", "mutual_crossings", "inverted", "blew_up"}) {
     columns.push_back(figure(name, index++));
   }
   for (const std::string& name : more) columns.push_back(figure(name, index++));

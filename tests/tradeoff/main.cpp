@@ -9,7 +9,7 @@
 #include "tests/baseline/check.h"
 #include "tests/study/command.h"
 #include "tests/study/report.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 #include "tests/tradeoff/run_scene.h"
 #include "tests/tradeoff/scene_report.h"
 #include "tests/tradeoff/scenes.h"
@@ -78,7 +78,7 @@ CLI::Validator measured_in(const std::map<std::string, double>& units) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      std::string("Measures what a cord's accuracy costs: medians of interleaved repeats in one process, and the 99th "
+      std::string("Measures error against cost of cords: medians of interleaved repeats in one process, and the 99th "
                   "percentile of single ticks. Box2D is ") +
       box2d};
   bool list = false;
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", study.folder, "A folder for the report: CSV, JSON, a plot and a page");
   auto* level = app.add_option("--level", study.levels, "A level (a name, or a .tmj file) instead of a scene")
                     ->allow_extra_args(false);
-  app.add_option("--replay", study.replay, "Its recorded input; that of its name in the assets unless given")
+  app.add_option("--replay", study.replay, "Its recorded input; default: the replay of the same name in the assets")
       ->needs(level);
   app.add_flag("--quick", study.quick, "A small grid of a level; a report of fewer scenes too");
   bool report = false;
@@ -104,19 +104,19 @@ int main(int argc, char** argv) {
       ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}));
   app.add_option("--budget", study.budget_us, "Recommend the most exact setting that costs at most this: 50us")
       ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
-  app.add_flag("--apply", study.apply, "Write what is recommended into the level")->needs(level);
-  app.add_option(
-         "--promises", study.promises,
-         "So often vary a level, choose settings with one random player in it and measure them with another; of "
-         "all the game's levels unless --level, once or more, says otherwise")
+  app.add_flag("--apply", study.apply, "Write the recommended setting to the level")->needs(level);
+  app.add_option("--validate,--promises", study.validation_runs,
+                 "Validate recommendations in this many runs: each varies a level, recommends settings for one random "
+                 "input and "
+                 "measures them with another; for all levels of the game, or those of --level, which may be repeated")
       ->check(CLI::Range(1, 10000));
-  app.add_flag("--terms", study.terms, "Tell which terms of its cords the level needs")->needs(level);
+  app.add_flag("--terms", study.terms, "Report which terms of its cords the level needs")->needs(level);
   std::string table;
   bool accept = false;
   auto* baseline = app.add_option("--baseline", table,
                                   "Count the work of all scenes and recorded runs and compare it with this table")
                        ->excludes("--scene", "--level");
-  app.add_flag("--accept", accept, "Write the table anew instead")->needs(baseline);
+  app.add_flag("--accept", accept, "Rewrite the table instead")->needs(baseline);
   app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
   try {
     app.parse(argc, argv);
@@ -136,14 +136,13 @@ int main(int argc, char** argv) {
     if (!table.empty()) return baseline::check(tradeoff::scenes(), table);
     const std::optional<int> asked_repeats = repeats_option->count() > 0 ? std::optional(repeats) : std::nullopt;
     if (report) return tradeoff::write({study.folder, study.quick, asked_repeats});
-    if (study.promises) return study::run(study);
+    if (study.validation_runs) return study::run(study);
     if (study.levels.empty() && (study.max_error_m || study.budget_us)) {
-      throw std::runtime_error(
-          "--max-error and --budget are of a level; accepted is --level, or --promises, beside them");
+      throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");
     }
     if (study.levels.empty()) return run_named_scene(name, repeats, csv, study.folder);
     if (study.levels.size() > 1) {
-      throw std::runtime_error("--level is given more than once; accepted is that beside --promises only");
+      throw std::runtime_error("--level is given more than once; accepted is that only with --validate");
     }
     study.level = study.levels.front();
     if (study.apply && !study.max_error_m && !study.budget_us) {

@@ -12,7 +12,7 @@ using Tick = std::function<void()>;
 struct Timed {
   std::function<void()> reset;  ///< restores the start before every repeat, for equal work; empty: the run continues
   Tick tick;
-  Tick rest = {};  ///< a part of the tick that is timed separately: b2World::Step after our part; may be empty
+  Tick rest = {};  ///< a part of the tick that is timed separately: b2World::Step after the cords; may be empty
 };
 
 struct Timing {

@@ -62,9 +62,9 @@ Scene bridge_scene() {
           "a ball of 0.01 to 100 times a cord's mass that rests on it: drift and jitter in ten seconds",
           120,
           contestants,
-          contact_columns({"drift_m", "jitter_m", "let_through"}),
+          contact_columns({"drift_m", "jitter_m", "tunnelled"}),
           {},
-          {"let_through is 1 if the ball is below the cord in the end.", thesis_strip, no_b2_rope},
+          {"tunnelled is 1 if the ball is below the cord at the end.", thesis_strip, no_b2_rope},
           {"substeps=32 k=0.45"}};
 }
 

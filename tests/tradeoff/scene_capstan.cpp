@@ -92,7 +92,7 @@ Scene capstan_scene() {
           contact_columns({"slip_ratio", "exact_ratio", "ratio_error_pct", "creep_50pct_m", "creep_95pct_m"}),
           {},
           {"creep_95pct_m is how far the cord slips in eight seconds with its ends pulled at a ratio that 95 % of the "
-           "angle would hold: it should stay. The thesis's cord has no friction, and takes no part.",
+           "angle would hold: it should stick. The thesis's cord has no friction, and is not included.",
            no_b2_rope}};
 }
 

@@ -53,8 +53,8 @@ Scene coil(const std::string& name, const std::string& length_note, Length lengt
       contact_columns(),
       {},
       {length_note,
-       "The thesis's cord takes no part: it has no friction and no forces on points, meets no edges, and its square "
-       "cells are wider than the turns are apart.",
+       "The thesis's cord is not included: it has no friction, no forces on points and no contacts with edges, and its "
+       "square cells are wider than the distance of the turns.",
        "Box2D has no ribbons.", no_b2_rope},
       {"balanced", "substeps=16"},
       5,
@@ -64,7 +64,7 @@ Scene coil(const std::string& name, const std::string& length_note, Length lengt
 }  // namespace
 
 Scene coil_scene() {
-  return coil("coil", "Five seconds of each, of which the first two, the dearest, are timed.", {120, 300, 120});
+  return coil("coil", "Five seconds of each, of which the first two, the most expensive, are timed.", {120, 300, 120});
 }
 
 Scene short_coil_scene() {

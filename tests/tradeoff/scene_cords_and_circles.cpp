@@ -8,7 +8,7 @@ namespace {
 using test_support::CoupledWorld;
 
 constexpr int ticks = 300;
-constexpr double bar = 8000.0;  // µs
+constexpr double target_us = 8000.0;  // µs
 
 std::vector<Contestant> contestants() {
   std::vector<Contestant> list;
@@ -18,7 +18,7 @@ std::vector<Contestant> contestants() {
                                [](CoupledWorld& world) { test_support::hang_hall(world); },
                                false,
                                {0.0, -9.81},
-                               [](CoupledWorld& world) { return figures_of(world, run(world, ticks), bar); }}));
+                               [](CoupledWorld& world) { return figures_of(world, run(world, ticks), target_us); }}));
   }
   return list;
 }

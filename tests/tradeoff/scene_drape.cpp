@@ -10,8 +10,8 @@ namespace {
 using test_support::CoupledWorld;
 
 constexpr int ticks = 120;
-constexpr double falling_bar = 200.0;  // µs
-constexpr double resting_bar = 60.0;
+constexpr double falling_target = 200.0;  // µs
+constexpr double resting_target = 60.0;
 
 double fastest(const CoupledWorld& world) {
   double speed = 0.0;
@@ -27,8 +27,8 @@ double fastest(const CoupledWorld& world) {
   return speed;
 }
 
-std::vector<double> with_speed(CoupledWorld& world, double bar) {
-  std::vector<double> figures = figures_of(world, run(world, ticks), bar);
+std::vector<double> with_speed(CoupledWorld& world, double target_us) {
+  std::vector<double> figures = figures_of(world, run(world, ticks), target_us);
   figures.push_back(fastest(world));
   return figures;
 }
@@ -45,16 +45,16 @@ std::vector<Contestant> contestants() {
       const auto set_up = [=](CoupledWorld& world) { test_support::lay_over_circles(world, friction); };
       const std::string setting = "friction=" + number(friction);
       list.push_back(contestant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
-                                   return with_speed(world, falling_bar);
+                                   return with_speed(world, falling_target);
                                  }}));
       if (friction == 0.0) continue;  // the cord slides off
       list.push_back(contestant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
                                    for (int k = 0; k < 480; ++k) world.tick();
-                                   return with_speed(world, falling_bar);
+                                   return with_speed(world, falling_target);
                                  }}));
       list.push_back(contestant({method, setting + " at rest", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
                                    world.settle(900);
-                                   return with_speed(world, resting_bar);
+                                   return with_speed(world, resting_target);
                                  }}));
     }
   }
@@ -65,12 +65,12 @@ std::vector<Contestant> contestants() {
 
 Scene drape_scene() {
   return {"drape",
-          "a cord of 50 points that falls over 20 static circles, and lies on them",
+          "a cord of 50 points that falls over 20 static circles, and rests on them",
           ticks,
           contestants,
           contact_columns({"speed_m_s"}),
           {},
-          {std::string(thesis_strip) + " It takes part where there is none.", no_b2_rope}};
+          {std::string(thesis_strip) + " It is included where there is no friction.", no_b2_rope}};
 }
 
 }  // namespace tradeoff

@@ -31,11 +31,11 @@ std::string failure_of(const Scene& scene, const Row& row) {
   if (tick > 0.0) return "blew up in tick " + text(tick);
   const double energy = value_of(scene, row, "energy_gain_pct");
   if (energy > 100.0) return "blew up: " + text(energy) + " % more energy";
-  if (value_of(scene, row, "let_through") > 0.0) return "let something through";
+  if (value_of(scene, row, "tunnelled") > 0.0) return "tunnelling";
   const double own = value_of(scene, row, "crossings");
   const double mutual = value_of(scene, row, "mutual_crossings");
   const double crossings = (own > 0.0 ? own : 0.0) + (mutual > 0.0 ? mutual : 0.0);
-  if (crossings > 0.0) return "let something through: " + text(crossings) + " crossings";
+  if (crossings > 0.0) return "tunnelling: " + text(crossings) + " crossings";
   const double unconverged = value_of(scene, row, "unconverged");
   if (unconverged > 0.0) return "not converged " + text(unconverged) + " times";
   return {};
@@ -54,12 +54,12 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   report.axis = error;
   const bool is_depth = report.axis == "penetration_m";
   report.notes = {scene.description + ". The error is " + error + "."};
-  if (is_depth) report.notes.front() += " Less than a micrometre counts as that: nothing is ahead by less.";
+  if (is_depth) report.notes.front() += " Less than a micrometre counts as a micrometre.";
   report.notes.insert(report.notes.end(), scene.notes.begin(), scene.notes.end());
-  std::vector<const Column*> told;
+  std::vector<const Column*> reported;
   for (const Column& column : scene.columns) {
     if (column.name == "us_per_tick" || column.name == "p99_us") continue;
-    told.push_back(&column);
+    reported.push_back(&column);
     report.columns.push_back(column.name);
   }
   for (const Row& row : rows) {
@@ -69,10 +69,11 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
     point.failure = failure_of(scene, row);
     report.points.push_back(point);
     std::vector<std::string> cells;
-    for (const Column* column : told) cells.push_back(text(column->value(row)));
+    for (const Column* column : reported) cells.push_back(text(column->value(row)));
     report.cells.push_back(std::move(cells));
   }
-  for (std::string& sentence : study::who_is_ahead(report.points, is_cord)) report.notes.push_back(std::move(sentence));
+  for (std::string& sentence : study::compare_with_baselines(report.points, is_cord))
+    report.notes.push_back(std::move(sentence));
   for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct", "pull_error_pct",
                            "ratio_error_pct", "penetration_m", "drift_m", "jitter_m"}) {
     if (!has(name) || name == report.axis) continue;

@@ -17,8 +17,8 @@ struct Size {
   int counted_ticks;  // for the baseline of work
 };
 
-Scene strips(const std::string& name, const std::string& size_note, Size size, double bar_us) {
-  const auto contestants = [size, bar_us] {
+Scene strips(const std::string& name, const std::string& size_note, Size size, double target_us) {
+  const auto contestants = [size, target_us] {
     std::vector<Contestant> list;
     const auto add = [&](const NamedMethod& method, bool meeting) {
       list.push_back(
@@ -27,24 +27,26 @@ Scene strips(const std::string& name, const std::string& size_note, Size size, d
                       [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, meeting); },
                       false,
                       {0.0, -9.81},
-                      [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), bar_us); }}));
+                      [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), target_us); }}));
     };
     for (const NamedMethod& method : presets({"fast", "balanced"})) add(method, true);
     for (const NamedMethod& method : together(presets({"fast", "balanced"}), thesis_cords({8, 16}, 0.45)))
       add(method, false);
     return list;
   };
-  return {name,
-          "ribbons of 33 x 2 points that fall through a lattice of circles",
-          size.ticks,
-          contestants,
-          contact_columns(),
-          {},
-          {size_note, "The thesis's strips meet circles alone: not each other, walls or a floor, and without friction.",
-           "Box2D has no ribbons; a chain of a strip's middle line would be another thing.", no_b2_rope},
-          {"balanced"},
-          5,
-          size.counted_ticks};
+  return {
+      name,
+      "ribbons of 33 x 2 points that fall through a lattice of circles",
+      size.ticks,
+      contestants,
+      contact_columns(),
+      {},
+      {size_note,
+       "The thesis's strips have contacts with circles only, not with each other, walls or the floor, and no friction.",
+       "Box2D has no ribbons; a chain of a strip's middle line would be another model.", no_b2_rope},
+      {"balanced"},
+      5,
+      size.counted_ticks};
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ Column us_per_tick();
 Column p99_us();
 Column frames_per_second();
 // For contestants that time the rest of a tick separately, see Timing:
-Column our_us();
-Column our_worst_us();
+Column cords_us();
+Column cords_max_us();
 Column world_step_us();
 /// Returns the column of the index-th figure.
 Column figure(std::string name, std::size_t index);
@@ -56,7 +56,8 @@ struct Scene {
   int ticks = 0;  ///< per repeat
   std::function<std::vector<Contestant>()> contestants;
   std::vector<Column> columns = {us_per_tick(), p99_us()};
-  std::string yardstick = {};  ///< the setting whose cost is 1 in the last column of the table; empty: the first row's
+  /// The setting whose cost is 1 in the last column of the table; empty: that of the first row.
+  std::string reference_setting = {};
   std::vector<std::string> notes = {};  ///< sentences for its report: which contestants are missing, and why
   std::vector<std::string> slow = {};   ///< settings that a quick report leaves out
   int report_repeats = 9;               ///< default for the standard report

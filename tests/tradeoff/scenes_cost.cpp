@@ -19,9 +19,9 @@ using test_support::earth_gravity;
 using test_support::frame_dt;
 
 /// Cords that are stepped one after the other, and their reports since the last reset.
-class Herd {
+class CordBatch {
  public:
-  Herd(const Cord& start, int count) : state_(start.save()) {
+  CordBatch(const Cord& start, int count) : state_(start.save()) {
     for (int k = 0; k < count; ++k) cords_.emplace_back(start.def());
     reset();
   }
@@ -51,23 +51,23 @@ class Herd {
 
 /// Figures of a whole repeat: Newton iterations per tick and cord, corrections, and unconverged substeps.
 Contestant contestant(const char* method, std::string setting, const Cord& start, int count, int ticks) {
-  const auto herd = std::make_shared<Herd>(start, count);
+  const auto batch = std::make_shared<CordBatch>(start, count);
   return {method,
           std::move(setting),
-          herd->points(),
-          [herd] { herd->reset(); },
-          [herd] { herd->tick(); },
-          [herd, count, ticks] {
-            herd->reset();
-            for (int k = 0; k < ticks; ++k) herd->tick();
-            const CordReport& report = herd->report();
+          batch->points(),
+          [batch] { batch->reset(); },
+          [batch] { batch->tick(); },
+          [batch, count, ticks] {
+            batch->reset();
+            for (int k = 0; k < ticks; ++k) batch->tick();
+            const CordReport& report = batch->report();
             return std::vector<double>{static_cast<double>(report.iterations) / (count * ticks),
                                        static_cast<double>(report.searches + report.fallbacks + report.energy_gains),
                                        static_cast<double>(report.unconverged)};
           },
           {},
           {},
-          [herd] { return herd->work(); }};
+          [batch] { return batch->work(); }};
 }
 
 constexpr int scaling_ticks = 20;
@@ -110,8 +110,8 @@ std::vector<Contestant> cord_scaling() {
   return list;
 }
 
-Column ns_a_point_and_iteration() {
-  return {"ns_a_point_and_iteration", 2,
+Column ns_per_point_and_iteration() {
+  return {"ns_per_point_and_iteration", 2,
           [](const Row& row) { return 1e3 * row.timing.median_us / (row.contestant.points * row.figures[0]); }};
 }
 
@@ -145,15 +145,16 @@ std::vector<Contestant> ribbons() {
 std::vector<Scene> cost_scenes() {
   return {
       {"cord_scaling",
-       "hanging ropes of 50 to 50,000 points: cost a point and Newton iteration",
+       "hanging ropes of 50 to 50,000 points: cost per point and Newton iteration",
        scaling_ticks,
        cord_scaling,
-       {us_per_tick(), p99_us(), figure("iterations_a_tick", 0), ns_a_point_and_iteration(), figure("unconverged", 2)}},
+       {us_per_tick(), p99_us(), figure("iterations_per_tick", 0), ns_per_point_and_iteration(),
+        figure("unconverged", 2)}},
       {"ribbons",
        "a ribbon of 25 x 2 points, one of 10 x 5, and 150 of 33 x 2, swinging: a tick of all of them",
        ribbon_ticks,
        ribbons,
-       {us_per_tick(), p99_us(), figure("iterations_a_tick", 0), figure("mended", 1), figure("unconverged", 2)}},
+       {us_per_tick(), p99_us(), figure("iterations_per_tick", 0), figure("corrected", 1), figure("unconverged", 2)}},
   };
 }
 

@@ -123,7 +123,7 @@ std::vector<Scene> guide_scenes() {
        "51 points let go from the horizontal with as much weight at the end, and each term of the model: its cost",
        ticks_of_terms,
        terms,
-       {us_per_tick(), p99_us(), figure("iterations_a_tick", 0), figure("unconverged", 1)}},
+       {us_per_tick(), p99_us(), figure("iterations_per_tick", 0), figure("unconverged", 1)}},
       {"links",
        "a hanging rope of 4 to 128 links: how far its sag is from that of a continuous one",
        ticks_of_terms,

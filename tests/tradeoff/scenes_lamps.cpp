@@ -62,7 +62,7 @@ double iterations(const ribbon::box2d::Coupling& coupling) {
 }
 
 /// Returns the largest distance between the same points of both, m.
-double furthest(const ribbon::box2d::Coupling& a, const ribbon::box2d::Coupling& b) {
+double max_distance(const ribbon::box2d::Coupling& a, const ribbon::box2d::Coupling& b) {
   double most = 0.0;
   for (int c = 0; c < a.size(); ++c) {
     for (std::size_t p = 0; p < a.cord(c).positions().size(); ++p) {
@@ -77,18 +77,19 @@ std::vector<Contestant> lamps() {
   std::vector<Contestant> list;
   for (const bool may_sleep : {false, true}) {
     const auto hung = may_sleep ? std::make_shared<Lamps>(true) : awake;
-    list.push_back({"coupling",
-                    may_sleep ? "asleep" : "awake",
-                    lamps_count * 21,
-                    [] {},
-                    [hung] { hung->tick(); },
-                    [hung, awake] {
-                      hung->tick();
-                      return std::vector{iterations(hung->coupling), 1e3 * furthest(hung->coupling, awake->coupling)};
-                    },
-                    {},
-                    {},
-                    [hung] { return hung->coupling.tick_report().work; }});
+    list.push_back(
+        {"coupling",
+         may_sleep ? "asleep" : "awake",
+         lamps_count * 21,
+         [] {},
+         [hung] { hung->tick(); },
+         [hung, awake] {
+           hung->tick();
+           return std::vector{iterations(hung->coupling), 1e3 * max_distance(hung->coupling, awake->coupling)};
+         },
+         {},
+         {},
+         [hung] { return hung->coupling.tick_report().work; }});
   }
   return list;
 }
@@ -97,10 +98,10 @@ std::vector<Contestant> lamps() {
 
 std::vector<Scene> lamp_scenes() {
   return {{"lamps",
-           "100 lamps that hang on ropes at rest: what they cost, awake and asleep, and where sleep left them",
+           "100 lamps that hang on ropes at rest: their cost awake and asleep, and the displacement by sleep",
            ticks_of_lamps,
            lamps,
-           {us_per_tick(), p99_us(), figure("iterations_a_tick", 0), figure("from_awake_mm", 1)}}};
+           {us_per_tick(), p99_us(), figure("iterations_per_tick", 0), figure("difference_from_awake_mm", 1)}}};
 }
 
 }  // namespace tradeoff

@@ -40,9 +40,9 @@ constexpr int settling_ticks = 60;
 constexpr int measured_ticks = 20;
 
 /// A world with cords of 21 points that hang down at rest, 3 m apart in as many rows as columns.
-class Place {
+class LargeWorld {
  public:
-  Place(int cords, bool may_sleep) : columns_(static_cast<int>(std::ceil(std::sqrt(cords)))) {
+  LargeWorld(int cords, bool may_sleep) : columns_(static_cast<int>(std::ceil(std::sqrt(cords)))) {
     for (int k = 0; k < cords; ++k) hang_cord(k, may_sleep);
     settled_ = may_sleep ? settling_ticks : 2;
   }
@@ -135,7 +135,7 @@ class Place {
       body->SetLinearVelocity(ribbon::box2d::to_float((20.0 / length(place)) * perp(place)));
     }
   }
-  void let_a_body_hold() {
+  void hold_by_a_body() {
     b2BodyDef def;
     def.type = b2_dynamicBody;
     def.position = ribbon::box2d::to_float(Vec2{0.0, -link * (points - 1) - box_half});
@@ -206,16 +206,16 @@ struct Layout {
   const char* setting;
   int cords;
   bool asleep;
-  std::function<void(Place&)> furnish;
+  std::function<void(LargeWorld&)> populate;
 };
 
 Contestant contestant(const Layout& layout) {
   // Created at the first use, because some of them are large.
-  const auto made = std::make_shared<std::unique_ptr<Place>>();
-  const auto place = [made, layout]() -> Place& {
+  const auto made = std::make_shared<std::unique_ptr<LargeWorld>>();
+  const auto large = [made, layout]() -> LargeWorld& {
     if (*made == nullptr) {
-      *made = std::make_unique<Place>(layout.cords, layout.asleep);
-      if (layout.furnish) layout.furnish(**made);
+      *made = std::make_unique<LargeWorld>(layout.cords, layout.asleep);
+      if (layout.populate) layout.populate(**made);
       (*made)->settle();
     }
     return **made;
@@ -224,41 +224,41 @@ Contestant contestant(const Layout& layout) {
           layout.setting,
           layout.cords * points,
           [] {},
-          [place] { place().gather(); },
-          [place] {
-            const auto [step, world] = place().step_and_world();
-            return std::vector{step, world, static_cast<double>(place().cords())};
+          [large] { large().gather(); },
+          [large] {
+            const auto [step, world] = large().step_and_world();
+            return std::vector{step, world, static_cast<double>(large().cords())};
           },
-          [place] {
-            place().turn_the_fast();
-            place().rest();
+          [large] {
+            large().turn_the_fast();
+            large().rest();
           },
           {},
           {}};
 }
 
-std::vector<Contestant> places() {
-  const auto far = [](Place& place) { place.add_boxes_far_away(); };
-  const auto among = [](Place& place) { place.add_boxes_among(); };
-  const auto held = [](Place& place) { place.let_a_body_hold(); };
+std::vector<Contestant> large_worlds() {
+  const auto far = [](LargeWorld& large) { large.add_boxes_far_away(); };
+  const auto among = [](LargeWorld& large) { large.add_boxes_among(); };
+  const auto held = [](LargeWorld& large) { large.hold_by_a_body(); };
   std::vector<Contestant> list;
   for (const Layout& layout : std::vector<Layout>{
            {"1 cord, nothing else", 1, false, {}},
            {"1 cord, 10,000 boxes", 1, false, far},
            {"1 cord that a body holds, 10,000 boxes", 1, false,
-            [=](Place& place) {
-              far(place);
-              held(place);
+            [=](LargeWorld& large) {
+              far(large);
+              held(large);
             }},
-           {"the same, and destructions are told", 1, false,
-            [=](Place& place) {
-              far(place);
-              held(place);
-              place.trust_forget();
+           {"the same, and destructions are reported", 1, false,
+            [=](LargeWorld& large) {
+              far(large);
+              held(large);
+              large.trust_forget();
             }},
-           {"1 cord, a chain of 20,000 edges near it", 1, false, [](Place& place) { place.add_chain(); }},
-           {"1 cord, 10,000 sleeping bodies", 1, false, [](Place& place) { place.add_sleepers(); }},
-           {"1 cord, 100 fast bodies", 1, false, [](Place& place) { place.add_fast(); }},
+           {"1 cord, a chain of 20,000 edges near it", 1, false, [](LargeWorld& large) { large.add_chain(); }},
+           {"1 cord, 10,000 sleeping bodies", 1, false, [](LargeWorld& large) { large.add_sleepers(); }},
+           {"1 cord, 100 fast bodies", 1, false, [](LargeWorld& large) { large.add_fast(); }},
            {"10 cords, nothing else", 10, false, {}},
            {"100 cords, nothing else", 100, false, {}},
            {"1,000 cords, nothing else", 1000, false, {}},
@@ -277,26 +277,26 @@ Column gather_us() {
   return {"gather_us", 2, [](const Row& row) { return row.timing.share_us; }};
 }
 
-Column ns_a_cord() {
-  return {"gather_and_step_ns_a_cord", 0,
+Column ns_per_cord() {
+  return {"gather_and_step_ns_per_cord", 0,
           [](const Row& row) { return 1e3 * (row.timing.share_us + row.figures[0]) / row.figures[2]; }};
 }
 
 /// Cords without contacts, in a continuing world.
 Contestant free_cords(int count) {
   const auto workers = std::make_shared<engine::Workers>(count);
-  const auto place = std::make_shared<Place>(1000, false);
-  place->use(*workers);
+  const auto large = std::make_shared<LargeWorld>(1000, false);
+  large->use(*workers);
   return {"coupling",
           std::to_string(count) + (count == 1 ? " worker" : " workers"),
           1000 * points,
           [] {},
-          [place, workers] {
-            place->gather();
-            place->step();
+          [large, workers] {
+            large->gather();
+            large->step();
           },
           [] { return std::vector<double>{}; },
-          [place] { place->step_world(); },
+          [large] { large->step_world(); },
           "1,000 free cords",
           {}};
 }
@@ -333,15 +333,15 @@ std::vector<Contestant> by_workers() {
 std::vector<Scene> scale_scenes() {
   return {
       {"scale",
-       "cords that hang in large worlds: what gathering what is near them costs, and a step of many of them",
+       "cords that hang in large worlds: the cost of finding what is near them, and of a step of many of them",
        20,
-       places,
-       {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_a_cord()}},
+       large_worlds,
+       {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_per_cord()}},
       {"workers",
        "many cords by one worker and by two: free ones, a hall of cords and balls, and strips that fall on each other",
        120,
        by_workers,
-       {us_per_tick(), our_us(), our_worst_us()},
+       {us_per_tick(), cords_us(), cords_max_us()},
        "1 worker",
        {},
        {},

@@ -62,15 +62,15 @@ Contestant contestant(const char* method, std::string setting, std::shared_ptr<S
           work};
 }
 
-std::string dials(double stiffness, const Accuracy& accuracy) {
+std::string setting_of(double stiffness, const Accuracy& accuracy) {
   return std::string(accuracy.integrator == Integrator::tr_bdf2 ? "tr_bdf2" : "implicit_euler") +
          " EA=" + number(stiffness) + " substeps=" + std::to_string(accuracy.substeps) +
          " tolerance=" + number(accuracy.tolerance);
 }
 
 Contestant cord(const std::string& name, double stiffness, const Accuracy& accuracy) {
-  return contestant("cord", name.empty() ? dials(stiffness, accuracy) : name, cord_swing(stiffness, accuracy), points,
-                    stiffness);
+  return contestant("cord", name.empty() ? setting_of(stiffness, accuracy) : name, cord_swing(stiffness, accuracy),
+                    points, stiffness);
 }
 
 void add_presets(std::vector<Contestant>& list) {
@@ -81,7 +81,7 @@ void add_presets(std::vector<Contestant>& list) {
 
 /// `balanced` with one parameter changed at a time, and substeps for every stiffness. The row without a change shows
 /// the repeatability of times.
-void add_dials(std::vector<Contestant>& list) {
+void add_parameter_sweep(std::vector<Contestant>& list) {
   for (const double stiffness : {infinity, 1e8, 1e7}) {
     for (const int substeps : {1, 2, 4, 8}) {
       Accuracy accuracy = Accuracy::balanced();
@@ -102,12 +102,13 @@ void add_dials(std::vector<Contestant>& list) {
   }
 }
 
-void add_chain(std::vector<Contestant>& list, const char* method, Box2dChain::Limit limit, const Box2dDials& dials) {
+void add_chain(std::vector<Contestant>& list, const char* method, Box2dChain::Limit limit,
+               const Box2dSetting& setting) {
   list.push_back(contestant(method,
-                            "substeps=" + std::to_string(dials.substeps) +
-                                " iterations=" + std::to_string(dials.velocity_iterations) + "/" +
-                                std::to_string(dials.position_iterations),
-                            box2d_chain(limit, dials)));
+                            "substeps=" + std::to_string(setting.substeps) +
+                                " iterations=" + std::to_string(setting.velocity_iterations) + "/" +
+                                std::to_string(setting.position_iterations),
+                            box2d_chain(limit, setting)));
 }
 
 /// More iterations in Box2D's ratio of 8 to 3.
@@ -120,7 +121,7 @@ void add_chains(std::vector<Contestant>& list) {
   }
 }
 
-struct RopeDials {
+struct RopeSetting {
   b2StretchingModel model;
   float hertz;  // of XPBD alone
   int substeps;
@@ -130,7 +131,7 @@ struct RopeDials {
 /// The best settings at each cost. XPBD is best at 1 to 2 kHz; damping, or the load as the first point, has no
 /// advantage. With more substeps all are worse, because single precision rounds away the motion of a point in a
 /// substep.
-constexpr std::array<RopeDials, 13> rope_dials = {{
+constexpr std::array<RopeSetting, 13> rope_settings = {{
     {b2_pbdStretchingModel, 0.0F, 1, 50},
     {b2_pbdStretchingModel, 0.0F, 16, 1},
     {b2_pbdStretchingModel, 0.0F, 16, 8},
@@ -147,13 +148,13 @@ constexpr std::array<RopeDials, 13> rope_dials = {{
 }};
 
 void add_ropes(std::vector<Contestant>& list) {
-  for (const RopeDials& dials : rope_dials) {
-    const bool xpbd = dials.model == b2_xpbdStretchingModel;
+  for (const RopeSetting& setting : rope_settings) {
+    const bool xpbd = setting.model == b2_xpbdStretchingModel;
     list.push_back(contestant(
         xpbd ? "b2rope_xpbd" : "b2rope_pbd",
-        "substeps=" + std::to_string(dials.substeps) + " iterations=" + std::to_string(dials.iterations) +
-            (xpbd ? " hertz=" + number(static_cast<double>(dials.hertz)) : ""),
-        box2d_rope(test_support::without_bending(dials.model, dials.hertz), dials.substeps, dials.iterations)));
+        "substeps=" + std::to_string(setting.substeps) + " iterations=" + std::to_string(setting.iterations) +
+            (xpbd ? " hertz=" + number(static_cast<double>(setting.hertz)) : ""),
+        box2d_rope(test_support::without_bending(setting.model, setting.hertz), setting.substeps, setting.iterations)));
   }
 }
 
@@ -166,7 +167,7 @@ void add_thesis(std::vector<Contestant>& list) {
 std::vector<Contestant> heavy_swing() {
   std::vector<Contestant> list;
   add_presets(list);
-  add_dials(list);
+  add_parameter_sweep(list);
   add_chains(list);
   add_ropes(list);
   add_thesis(list);
@@ -206,13 +207,13 @@ std::vector<Scene> swing_scenes() {
        "51 points of 1 kg and a load of 70 kg, released from the horizontal: cords, Box2D's, the thesis's",
        test_support::heavy::ticks, heavy_swing, with_own, "balanced"},
       {"held_swing",
-       "the same with the load a body of Box2D's that the cord carries, and what b2World::Step takes of it",
+       "the same with the load a body of Box2D's that the cord carries, and the cost of b2World::Step alone",
        test_support::heavy::ticks,
        held_swings,
        columns,
        "balanced",
        {"`cord` carries a point mass in place of the body. The load of Box2D's chains and of the thesis's cord is a "
-        "body in any case: they are those of heavy_swing. b2Rope holds no body, and takes no part."}}};
+        "body in any case: they are those of heavy_swing. b2Rope holds no body, and is not included."}}};
 }
 
 }  // namespace tradeoff

@@ -34,9 +34,9 @@ void write_contents(const StandardReport& report, const std::vector<std::string>
   }
   if (done.size() < all) {
     notes.push_back("Not finished: " + std::to_string(done.size()) + " of " + std::to_string(all) +
-                    " pages. The same command does scenes anew, and goes on in the level where it stopped.");
+                    " pages. The same command runs scenes again, and continues in the level where it stopped.");
   }
-  study::write_contents("What a cord's accuracy costs", notes, done, report.folder);
+  study::write_contents("Error against cost", notes, done, report.folder);
 }
 
 void write_scene(const StandardReport& report, const Scene& scene) {

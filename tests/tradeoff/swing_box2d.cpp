@@ -19,14 +19,14 @@ constexpr auto half_link = static_cast<float>(0.5 * heavy::length / heavy::links
 
 class ChainSwing final : public Swing {
  public:
-  ChainSwing(Box2dChain::Limit limit, Box2dDials dials) : limit_(limit), dials_(dials) { reset(); }
+  ChainSwing(Box2dChain::Limit limit, Box2dSetting setting) : limit_(limit), setting_(setting) { reset(); }
 
   void reset() override { chain_.emplace(limit_); }
 
   void tick() override {
-    for (int k = 0; k < dials_.substeps; ++k) {
-      chain_->step(tick_seconds / static_cast<float>(dials_.substeps), dials_.velocity_iterations,
-                   dials_.position_iterations);
+    for (int k = 0; k < setting_.substeps; ++k) {
+      chain_->step(tick_seconds / static_cast<float>(setting_.substeps), setting_.velocity_iterations,
+                   setting_.position_iterations);
     }
   }
 
@@ -52,7 +52,7 @@ class ChainSwing final : public Swing {
 
  private:
   Box2dChain::Limit limit_;
-  Box2dDials dials_;
+  Box2dSetting setting_;
   std::optional<Box2dChain> chain_;
 };
 
@@ -100,8 +100,8 @@ class RopeSwing final : public Swing {
 
 }  // namespace
 
-std::unique_ptr<Swing> box2d_chain(Box2dChain::Limit limit, Box2dDials dials) {
-  return std::make_unique<ChainSwing>(limit, dials);
+std::unique_ptr<Swing> box2d_chain(Box2dChain::Limit limit, Box2dSetting setting) {
+  return std::make_unique<ChainSwing>(limit, setting);
 }
 
 std::unique_ptr<Swing> box2d_rope(const b2RopeTuning& tuning, int substeps, int iterations) {

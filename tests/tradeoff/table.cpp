@@ -39,9 +39,9 @@ void print_cells(const Cells& cells) {
   std::putchar('\n');
 }
 
-double yardstick_us(const Scene& scene, const std::vector<Row>& rows) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.contestant.setting == scene.yardstick; });
+double reference_us(const Scene& scene, const std::vector<Row>& rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.contestant.setting == scene.reference_setting; });
   return (found == rows.end() ? rows.front() : *found).timing.median_us;
 }
 
@@ -70,13 +70,13 @@ void print_csv(const Scene& scene, const std::vector<Row>& rows) {
 
 void print_table(const Scene& scene, const std::vector<Row>& rows) {
   std::vector<Cells> lines = {header(scene)};
-  lines.back().push_back("ns_a_point");
-  lines.back().push_back("x_" + (scene.yardstick.empty() ? "first" : scene.yardstick));
+  lines.back().push_back("ns_per_point");
+  lines.back().push_back("relative_to_" + (scene.reference_setting.empty() ? "first" : scene.reference_setting));
   for (const Row& row : rows) {
     lines.push_back(cells_of(scene, row));
     const double us = row.timing.median_us;
     lines.back().push_back(text(1e3 * us / row.contestant.points, 1));
-    lines.back().push_back(text(us / yardstick_us(scene, rows), 2));
+    lines.back().push_back(text(us / reference_us(scene, rows), 2));
   }
   print_aligned(lines);
 }

@@ -7,7 +7,7 @@
 namespace tradeoff {
 
 /// Prints rows to the standard output: as comma-separated values, or as a table with the cost per point and relative to
-/// the scene's yardstick.
+/// the scene's reference_setting.
 void print_csv(const Scene& scene, const std::vector<Row>& rows);
 void print_table(const Scene& scene, const std::vector<Row>& rows);
 

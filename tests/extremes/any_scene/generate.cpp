@@ -159,10 +159,11 @@ std::string_view name(Family family) {
   return names[static_cast<std::size_t>(family)];
 }
 
-std::string_view name(Mood mood) { return mood == Mood::gentle ? "gentle" : "wild"; }
+std::string_view name(Difficulty difficulty) { return difficulty == Difficulty::gentle ? "gentle" : "wild"; }
 
-Scene generate(const Which& which) {
-  Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.mood) + 12345U);
+Scene generate(const SceneId& which) {
+  Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.difficulty) +
+            12345U);
   const bool mixed = which.family == Family::mixed;
   const Recipe recipe = recipe_of(which.family, dice);
   Scene scene;
@@ -179,7 +180,7 @@ Scene generate(const Which& which) {
     room.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
   }
   add_holders(dice, recipe, scene);
-  if (which.mood == Mood::wild) make_wild(dice, scene);
+  if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
   return scene;
 }
 

@@ -27,23 +27,23 @@ constexpr std::array<Family, 10> all_families = {
 std::string_view name(Family family);
 
 /// The difficulty of a scene.
-enum class Mood : unsigned char {
+enum class Difficulty : unsigned char {
   gentle,  ///< no overlaps, no drives
   wild,    ///< overlaps at the start, kinematic bodies, drags, reels, climbers, and speeds up to 100 m/s
 };
-std::string_view name(Mood mood);
+std::string_view name(Difficulty difficulty);
 
 /// Identifies a generated scene.
-struct Which {
+struct SceneId {
   unsigned seed = 0;
   Family family = Family::rope_falls;
-  Mood mood = Mood::gentle;
+  Difficulty difficulty = Difficulty::gentle;
   std::optional<Preset> preset;  ///< empty: the seed decides
 
-  bool operator==(const Which&) const = default;
+  bool operator==(const SceneId&) const = default;
 };
 
 /// Generates a scene. Equal arguments give equal scenes.
-Scene generate(const Which& which);
+Scene generate(const SceneId& which);
 
 }  // namespace any_scene

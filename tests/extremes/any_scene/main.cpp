@@ -17,7 +17,7 @@ namespace {
 
 using any_scene::Family;
 using any_scene::Preset;
-using any_scene::Which;
+using any_scene::SceneId;
 
 struct Options {
   std::string seeds = "0-19";
@@ -41,12 +41,12 @@ std::pair<unsigned, unsigned> range_of(const std::string& seeds) {
   return {first, dash == std::string::npos ? first : static_cast<unsigned>(std::stoul(seeds.substr(dash + 1)))};
 }
 
-std::vector<Which> wanted(const Options& options, unsigned first, unsigned last) {
-  std::vector<Which> scenes;
+std::vector<SceneId> wanted(const Options& options, unsigned first, unsigned last) {
+  std::vector<SceneId> scenes;
   for (unsigned seed = first; seed <= last; ++seed) {
     for (const Family family : any_scene::all_families) {
       if (options.family != "all" && options.family != name(family)) continue;
-      Which which{seed, family, options.wild ? any_scene::Mood::wild : any_scene::Mood::gentle, {}};
+      SceneId which{seed, family, options.wild ? any_scene::Difficulty::wild : any_scene::Difficulty::gentle, {}};
       if (options.preset == "all") scenes.push_back(which);
       for (const Preset preset : {Preset::fast, Preset::balanced, Preset::accurate}) {
         if (options.preset != name(preset) && options.preset != "each") continue;
@@ -59,8 +59,8 @@ std::vector<Which> wanted(const Options& options, unsigned first, unsigned last)
 }
 
 /// Returns the sort key of a run.
-std::tuple<unsigned, Family, any_scene::Mood, Preset> key(const Which& which) {
-  return {which.seed, which.family, which.mood, which.preset.value_or(static_cast<Preset>(which.seed % 3))};
+std::tuple<unsigned, Family, any_scene::Difficulty, Preset> key(const SceneId& which) {
+  return {which.seed, which.family, which.difficulty, which.preset.value_or(static_cast<Preset>(which.seed % 3))};
 }
 
 std::vector<any_scene::Summary> read(const std::string& path) {
@@ -87,16 +87,16 @@ std::vector<any_scene::Summary> of_before(const Options& options, const Keys& as
 /// Runs the scenes that the file lacks, appends them, prints the table of all requested runs, and plots them.
 void run(const Options& options) {
   const auto [first, last] = range_of(options.seeds);
-  const std::vector<Which> scenes = wanted(options, first, last);
+  const std::vector<SceneId> scenes = wanted(options, first, last);
   Keys asked;
-  for (const Which& which : scenes) asked.insert(key(which));
+  for (const SceneId& which : scenes) asked.insert(key(which));
   std::vector<any_scene::Summary> runs;
   Keys there;
   for (const any_scene::Summary& done : options.out.empty() ? std::vector<any_scene::Summary>{} : read(options.out)) {
     if (there.insert(key(done.which)).second && asked.count(key(done.which)) != 0) runs.push_back(done);
   }
-  std::vector<Which> left;
-  for (const Which& which : scenes) {
+  std::vector<SceneId> left;
+  for (const SceneId& which : scenes) {
     if (there.count(key(which)) == 0) left.push_back(which);
   }
   std::ofstream out;
@@ -116,7 +116,7 @@ void run(const Options& options) {
 
 void show(const Options& options) {
   const auto seed = static_cast<unsigned>(options.show);
-  for (const Which& which : wanted(options, seed, seed)) {
+  for (const SceneId& which : wanted(options, seed, seed)) {
     std::printf("%s, seed %u, %s\n", std::string(name(which.family)).c_str(), seed,
                 std::string(name(generate(which).preset)).c_str());
     print_ticks(any_scene::play(generate(which), 1e9));
@@ -125,39 +125,39 @@ void show(const Options& options) {
 
 void print_code(const Options& options) {
   const auto seed = static_cast<unsigned>(options.code);
-  for (const Which& which : wanted(options, seed, seed)) {
+  for (const SceneId& which : wanted(options, seed, seed)) {
     std::printf("%s", any_scene::to_code(generate(which), "scene").c_str());
   }
 }
 
-/// Returns the requested figure's bar, or the first bar that the run exceeds.
-const any_scene::Bar* bar_of(const Options& options, const any_scene::Summary& run) {
-  if (options.figure.empty()) return first_broken(run);
-  for (const any_scene::Bar& bar : any_scene::bars()) {
-    if (bar.figure == options.figure && !(bar.value(run) <= bar.most)) return &bar;
+/// Returns the requested figure's limit, or the first limit that the run exceeds.
+const any_scene::Limit* exceeded_limit(const Options& options, const any_scene::Summary& run) {
+  if (options.figure.empty()) return first_exceeded(run);
+  for (const any_scene::Limit& limit : any_scene::limits()) {
+    if (limit.figure == options.figure && !(limit.value(run) <= limit.most)) return &limit;
   }
   return nullptr;
 }
 
 void shrink(const Options& options) {
   const auto seed = static_cast<unsigned>(options.shrink);
-  for (const Which& which : wanted(options, seed, seed)) {
+  for (const SceneId& which : wanted(options, seed, seed)) {
     const any_scene::Scene scene = generate(which);
     const auto play = [&](const any_scene::Scene& played) {
       return any_scene::run_guarded(which, played, options.run.max_seconds);
     };
-    const any_scene::Bar* bar = bar_of(options, play(scene));
+    const any_scene::Limit* limit = exceeded_limit(options, play(scene));
     const std::string family(name(which.family));
-    if (bar == nullptr) {
-      std::printf("// %s, seed %u: nothing is above its bar\n", family.c_str(), seed);
+    if (limit == nullptr) {
+      std::printf("// %s, seed %u: nothing is above its limit\n", family.c_str(), seed);
       continue;
     }
-    const bool clear = which.mood == any_scene::Mood::gentle;
+    const bool clear = which.difficulty == any_scene::Difficulty::gentle;
     const any_scene::Scene small = any_scene::shrink(scene, [&](const any_scene::Scene& played) {
-      return (!clear || any_scene::starts_clear(played)) && !(bar->value(play(played)) <= bar->most);
+      return (!clear || any_scene::starts_clear(played)) && !(limit->value(play(played)) <= limit->most);
     });
-    std::printf("// %s, seed %u: %s is %g, above %g\n%s", family.c_str(), seed, std::string(bar->figure).c_str(),
-                bar->value(play(small)), bar->most, any_scene::to_code(small, "shrunk_scene").c_str());
+    std::printf("// %s, seed %u: %s is %g, above %g\n%s", family.c_str(), seed, std::string(limit->figure).c_str(),
+                limit->value(play(small)), limit->most, any_scene::to_code(small, "shrunk_scene").c_str());
   }
 }
 
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> families = {"all"};
   for (const Family family : any_scene::all_families) families.emplace_back(name(family));
   std::vector<std::string> figures;
-  for (const any_scene::Bar& bar : any_scene::bars()) figures.emplace_back(bar.figure);
+  for (const any_scene::Limit& limit : any_scene::limits()) figures.emplace_back(limit.figure);
   app.add_option("--seeds", options.seeds, "SEED or FIRST-LAST");
   app.add_option("--family", options.family, "One family")->check(CLI::IsMember(families));
   app.add_option("--preset", options.preset, "fast, balanced, accurate; all: one a seed; each: all three a seed")
@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
   app.add_option("--code", options.code, "Prints the scene of this seed as C++");
   app.add_option("--shrink", options.shrink,
                  "Makes the scene of this seed as small as still fails, and prints it as C++");
-  app.add_option("--figure", options.figure, "That is above its bar in what --shrink looks for; otherwise the first")
+  app.add_option("--figure", options.figure, "That is above its limit in what --shrink looks for; otherwise the first")
       ->check(CLI::IsMember(figures));
   CLI11_PARSE(app, argc, argv);
   try {

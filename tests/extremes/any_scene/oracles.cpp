@@ -78,8 +78,8 @@ bool Oracles::meet(int a, int b) const {
   return first.cord_contact && scene_.cords[slot(b)].def.cord_contact;
 }
 
-std::vector<Meeting> Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
-  std::vector<Meeting> found;
+std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
+  std::vector<CrossedPair> found;
   const int cords = static_cast<int>(scene_.cords.size());
   for (int a = 0; a < cords; ++a) {
     for (int b = a; b < cords; ++b) {
@@ -190,7 +190,7 @@ double Oracles::nearest(int a, int b, const Snapshot& now, double within) const 
 
 Depth Oracles::penetration(const Snapshot& now) const {
   Depth deepest;
-  const auto take = [&](double share, const Meeting& where) {
+  const auto take = [&](double share, const CrossedPair& where) {
     if (share > deepest.share) deepest = {share, where};
   };
   const int cords = static_cast<int>(scene_.cords.size());

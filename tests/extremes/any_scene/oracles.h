@@ -7,7 +7,7 @@ namespace any_scene {
 // Detects forbidden states from positions at successive ticks, independent of the solver.
 
 /// A cord and what it crosses: itself, another cord or a solid.
-struct Meeting {
+struct CrossedPair {
   int cord = 0;
   int other = 0;         ///< index of a cord or of a solid
   bool solid = false;    ///< whether `other` is a solid
@@ -17,7 +17,7 @@ struct Meeting {
 /// The greatest depth of a penetration, and its place.
 struct Depth {
   double share = 0.0;  ///< divided by the contact distance
-  Meeting where;
+  CrossedPair where;
 };
 
 /// Judges a scene's snapshots. The constructor computes what depends on the scene alone.
@@ -30,7 +30,7 @@ class Oracles {
   ///   point passed through a link. Links that are close at rest are exempt.
   /// - A line came nearer to a circle's centre than half of the contact distance, deeper into a box than its radius
   ///   and a fifth of the half thickness, or to the other side of an edge. A solid that ever holds the cord is exempt.
-  std::vector<Meeting> crossings(const Snapshot& before, const Snapshot& after) const;
+  std::vector<CrossedPair> crossings(const Snapshot& before, const Snapshot& after) const;
   /// Returns the deepest penetration divided by the contact distance. For a cord and a solid this is the cord's radius
   /// plus the polygon's skin, so that 1 is a line on the surface; for two cords it is the sum of their radii.
   Depth penetration(const Snapshot& now) const;

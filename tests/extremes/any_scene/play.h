@@ -22,9 +22,9 @@ struct Sample {
   double gain = 0.0;          ///< energy gained in the tick / (greatest kinetic energy so far + m·g·height range)
   double rise = 0.0;          ///< the same, since the lowest energy so far
   World::Gaps gaps;
-  Depth penetration;               ///< Oracles::penetration
-  std::vector<Meeting> crossings;  ///< Oracles::crossings
-  int inverted = 0;                ///< number of newly inverted corners of ribbons
+  Depth penetration;                   ///< Oracles::penetration
+  std::vector<CrossedPair> crossings;  ///< Oracles::crossings
+  int inverted = 0;                    ///< number of newly inverted corners of ribbons
   bool finite = true;
 };
 

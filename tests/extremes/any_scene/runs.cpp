@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 /// A process that plays one scene and writes its summary into a pipe.
 struct Child {
-  Which which;
+  SceneId which;
   pid_t process = 0;
   int pipe = 0;
   Clock::time_point begun;
@@ -43,7 +43,7 @@ std::string read_all(int file) {
   return text;
 }
 
-Child begin(const Which& which, const std::function<Scene()>& scene_of, double max_seconds) {
+Child begin(const SceneId& which, const std::function<Scene()>& scene_of, double max_seconds) {
   int ends[2] = {0, 0};
   if (::pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   std::fflush(stdout);
@@ -88,13 +88,13 @@ bool has_ended(const Child& child, double max_seconds, bool& was_ended) {
 
 }  // namespace
 
-void run_all(std::span<const Which> scenes, const RunOptions& options,
+void run_all(std::span<const SceneId> scenes, const RunOptions& options,
              const std::function<void(const Summary&)>& take) {
   std::vector<Child> children;
   std::size_t next = 0;
   while (next < scenes.size() || !children.empty()) {
     while (next < scenes.size() && static_cast<int>(children.size()) < options.jobs) {
-      const Which which = scenes[next++];
+      const SceneId which = scenes[next++];
       children.push_back(begin(
           which, [which] { return generate(which); }, options.max_seconds));
     }
@@ -113,7 +113,7 @@ void run_all(std::span<const Which> scenes, const RunOptions& options,
   }
 }
 
-Summary run_guarded(const Which& which, const Scene& scene, double max_seconds) {
+Summary run_guarded(const SceneId& which, const Scene& scene, double max_seconds) {
   const Child child = begin(
       which, [&scene] { return scene; }, max_seconds);
   bool was_ended = false;

@@ -15,8 +15,9 @@ struct RunOptions {
 };
 
 /// Plays the scenes, and calls `take` with each summary as its scene ends.
-void run_all(std::span<const Which> scenes, const RunOptions& options, const std::function<void(const Summary&)>& take);
+void run_all(std::span<const SceneId> scenes, const RunOptions& options,
+             const std::function<void(const Summary&)>& take);
 /// Plays one scene that was not generated, in its own process.
-Summary run_guarded(const Which& which, const Scene& scene, double max_seconds);
+Summary run_guarded(const SceneId& which, const Scene& scene, double max_seconds);
 
 }  // namespace any_scene

@@ -156,8 +156,8 @@ bool Shrinker::round_numbers() {
 
 }  // namespace
 
-const std::vector<Bar>& bars() {
-  static const std::vector<Bar> all = {
+const std::vector<Limit>& limits() {
+  static const std::vector<Limit> all = {
       {"end", 0.0, ends},
       {"crossings", 0.0, [](const Summary& run) { return static_cast<double>(all_crossings(run)); }},
       {"inverted", 0.0, [](const Summary& run) { return static_cast<double>(run.inverted); }},
@@ -171,10 +171,10 @@ const std::vector<Bar>& bars() {
   return all;
 }
 
-const Bar* first_broken(const Summary& run) {
-  const auto found =
-      std::find_if(bars().begin(), bars().end(), [&](const Bar& bar) { return !(bar.value(run) <= bar.most); });
-  return found == bars().end() ? nullptr : &*found;
+const Limit* first_exceeded(const Summary& run) {
+  const auto found = std::find_if(limits().begin(), limits().end(),
+                                  [&](const Limit& limit) { return !(limit.value(run) <= limit.most); });
+  return found == limits().end() ? nullptr : &*found;
 }
 
 bool starts_clear(const Scene& scene) {

@@ -9,15 +9,15 @@
 namespace any_scene {
 
 /// A figure of a run, and its upper bound.
-struct Bar {
+struct Limit {
   std::string_view figure;
   double most;
   double (*value)(const Summary& run);
 };
-/// Returns the default bars, most severe first: end, crossings, inverted, unconverged, stretch, gap, rise, work.
-const std::vector<Bar>& bars();
-/// Returns the first bar that the run exceeds; null if none.
-const Bar* first_broken(const Summary& run);
+/// Returns the default limits, most severe first: end, crossings, inverted, unconverged, stretch, gap, rise, work.
+const std::vector<Limit>& limits();
+/// Returns the first limit that the run exceeds; null if none.
+const Limit* first_exceeded(const Summary& run);
 
 /// Returns whether a scene still fails in the same way.
 using Fails = std::function<bool(const Scene& scene)>;

@@ -163,7 +163,7 @@ void print_histogram(const std::vector<Summary>& runs) {
 
 namespace {
 
-std::string text(const Meeting& where) {
+std::string text(const CrossedPair& where) {
   return std::to_string(where.cord) + (where.solid ? "/s" : "/c") + std::to_string(where.other) +
          (where.pressed ? "p" : "");
 }
@@ -177,7 +177,7 @@ void print_ticks(const Outcome& outcome) {
   for (std::size_t k = 0; k < outcome.ticks.size(); ++k) {
     const Sample& tick = outcome.ticks[k];
     std::string crossings;
-    for (const Meeting& where : tick.crossings) crossings += text(where) + " ";
+    for (const CrossedPair& where : tick.crossings) crossings += text(where) + " ";
     std::printf("%5d %6d %6d %8.3f %9.3g %9.3g %9.3g %12.6g %9.3g %9.3g %9.3g %7.3g %-6s %5d %s%s\n",
                 static_cast<int>(k), tick.work, tick.unconverged, tick.milliseconds, 100.0 * tick.stretch,
                 100.0 * tick.strain, tick.speed, tick.energy, 100.0 * tick.gain, 100.0 * tick.rise,

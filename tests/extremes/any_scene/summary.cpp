@@ -19,7 +19,7 @@ Value named(const std::string& word, const std::array<Value, Size>& values) {
 }
 
 constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accurate};
-constexpr std::array all_moods = {Mood::gentle, Mood::wild};
+constexpr std::array all_difficulties = {Difficulty::gentle, Difficulty::wild};
 constexpr std::array all_ends = {End::whole, End::cut, End::broken, End::refused, End::crashed};
 
 constexpr double bins_a_decade = 4.0;
@@ -63,7 +63,7 @@ void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
   sum.gap = std::max(sum.gap, tick.gaps.free);
   sum.gap_pressed = std::max(sum.gap_pressed, tick.gaps.pressed);
   sum.penetration = std::max(sum.penetration, tick.penetration.share);
-  for (const Meeting& where : tick.crossings) {
+  for (const CrossedPair& where : tick.crossings) {
     const auto solid = static_cast<std::size_t>(where.other);
     const bool fixed = where.solid && scene.solids[solid].motion == Motion::fixed;
     int& moving = where.pressed ? sum.crossings_pressed : sum.crossings_moving;
@@ -78,7 +78,7 @@ void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
 
 }  // namespace
 
-Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome) {
+Summary sum_up(const SceneId& which, const Scene& scene, const Outcome& outcome) {
   Summary sum;
   sum.which = which;
   sum.preset = scene.preset;
@@ -100,7 +100,8 @@ int all_crossings(const Summary& summary) {
 }
 
 std::string csv_header() {
-  return "family,mood,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,rise,gap,"
+  return "family,difficulty,preset,seed,end,ticks,points,unconverged,max_work,total_work,stretch,strain,speed,gain,"
+         "rise,gap,"
          "gap_pressed,"
          "penetration,crossings,crossings_fixed,crossings_moving,crossings_pressed,inverted,worst_ms,seconds,worst_"
          "tick,first_bad,work,left";
@@ -108,7 +109,7 @@ std::string csv_header() {
 
 std::string to_csv(const Summary& sum) {
   std::ostringstream line;
-  line << std::setprecision(6) << name(sum.which.family) << ',' << name(sum.which.mood) << ',' << name(sum.preset)
+  line << std::setprecision(6) << name(sum.which.family) << ',' << name(sum.which.difficulty) << ',' << name(sum.preset)
        << ',' << sum.which.seed << ',' << name(sum.end) << ',' << sum.ticks << ',' << sum.points << ','
        << sum.unconverged << ',' << sum.max_work << ',' << sum.total_work << ',' << sum.stretch << ',' << sum.strain
        << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.gap_pressed << ','
@@ -131,16 +132,16 @@ Summary from_csv(std::string_view text) {
   std::replace(line.begin(), line.end(), ',', ' ');
   std::istringstream in(line);
   std::string family;
-  std::string mood;
+  std::string difficulty;
   std::string preset;
   std::string end;
-  in >> family >> mood >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
+  in >> family >> difficulty >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
       sum.max_work >> sum.total_work >> sum.stretch >> sum.strain >> sum.speed >> sum.gain >> sum.rise >> sum.gap >>
       sum.gap_pressed >> sum.penetration >> sum.crossings >> sum.crossings_fixed >> sum.crossings_moving >>
       sum.crossings_pressed >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >> sum.first_bad;
   if (!in) throw std::invalid_argument("a line of results is not as they are written: " + line);
   sum.which.family = named(family, all_families);
-  sum.which.mood = named(mood, all_moods);
+  sum.which.difficulty = named(difficulty, all_difficulties);
   sum.preset = named(preset, all_presets);
   sum.which.preset = sum.preset;
   sum.end = named(end, all_ends);

@@ -12,7 +12,7 @@ namespace any_scene {
 
 /// The result of a run, one line of CSV.
 struct Summary {
-  Which which;
+  SceneId which;
   Preset preset = Preset::balanced;
   End end = End::whole;
   int ticks = 0;         ///< number of ticks played
@@ -47,7 +47,7 @@ int bin_of(double value);
 /// Returns the greatest value of a bin.
 double end_of_bin(int bin);
 
-Summary sum_up(const Which& which, const Scene& scene, const Outcome& outcome);
+Summary sum_up(const SceneId& which, const Scene& scene, const Outcome& outcome);
 int all_crossings(const Summary& summary);
 /// Returns the header of the CSV.
 std::string csv_header();

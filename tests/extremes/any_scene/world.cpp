@@ -141,7 +141,7 @@ double World::tick(int number) {
   const double before = energy_of_free_bodies();
   world_.Step(static_cast<float>(dt), 8, 3);
   box2d_work_ += energy_of_free_bodies() - before;
-  see_who_was_pushed();
+  update_pushed_bodies();
   return time.count();
 }
 
@@ -259,7 +259,7 @@ double World::gap(std::size_t hold) const {
   return length(grip.state().place - hand);
 }
 
-void World::see_who_was_pushed() {
+void World::update_pushed_bodies() {
   for (std::size_t k = 0; k < grips_.size(); ++k) {
     if (is_pressed(*bodies_[slot(scene_.holds[k].solid)])) {
       pushed_[k] = 1;

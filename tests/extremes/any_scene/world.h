@@ -56,7 +56,7 @@ class World {
   void drive(int number);
   bool has_slipped_off(double arc, const Hold& hold) const;
   double gap(std::size_t hold) const;
-  void see_who_was_pushed();
+  void update_pushed_bodies();
   struct Moving;
   double energy(const b2Body& body, const Moving& moving) const;
   Moving now(const b2Body& body) const;

@@ -55,12 +55,12 @@ struct Near {
   bool has_grip = false;
 
   CordReport step(Cord& cord, Vec2 g = gravity) {
-    Surroundings met;
-    met.bodies = {&body, 1};
-    if (has_circle) met.circles = circle;
-    if (has_segment) met.segments = segment;
-    if (has_grip) met.grips = grip;
-    return cord.step(dt, g, met);
+    Surroundings surroundings;
+    surroundings.bodies = {&body, 1};
+    if (has_circle) surroundings.circles = circle;
+    if (has_segment) surroundings.segments = segment;
+    if (has_grip) surroundings.grips = grip;
+    return cord.step(dt, g, surroundings);
   }
   bool sleeps_in(Cord& cord, int most) {
     for (int k = 0; k < most && !cord.is_asleep(); ++k) step(cord);

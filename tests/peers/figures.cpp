@@ -1,4 +1,4 @@
-#include "tests/peers/judge.h"
+#include "tests/peers/figures.h"
 
 #include <algorithm>
 
@@ -46,19 +46,19 @@ int crossings_of(const Plan& plan, const Frame& frame) {
 
 }  // namespace
 
-Figures judge(const SetUp& set_up, const Plan& plan, const Recording& recording) {
+Figures figures_of(const SetUp& set_up, const Plan& plan, const Recording& recording) {
   test_support::CoupledWorld world{test_support::CordMethod{}};
   set_up(world);
-  const std::vector<b2Body*> movers = movers_of(world.world);
+  const std::vector<b2Body*> moving_bodies = moving_bodies_of(world.world);
   Figures figures;
   for (std::size_t tick = 0; tick < recording.size(); ++tick) {
     const Frame& frame = recording[tick];
-    if (!is_somewhere(frame)) {
+    if (!is_in_bounds(frame)) {
       figures.blew_up = static_cast<int>(tick) + 1;
       return figures;
     }
-    for (std::size_t m = 0; m < movers.size(); ++m) {
-      movers[m]->SetTransform(ribbon::box2d::to_float(frame.movers[m]), movers[m]->GetAngle());
+    for (std::size_t m = 0; m < moving_bodies.size(); ++m) {
+      moving_bodies[m]->SetTransform(ribbon::box2d::to_float(frame.moving_bodies[m]), moving_bodies[m]->GetAngle());
     }
     for (std::size_t c = 0; c < plan.cords.size(); ++c) {
       const CordPlan& cord = plan.cords[c];
@@ -67,23 +67,23 @@ Figures judge(const SetUp& set_up, const Plan& plan, const Recording& recording)
       raise(figures.stretch_m, stretch_m(cord, frame.cords[c]));
       raise(figures.stretch, stretch_m(cord, frame.cords[c]) / cord.def.length);
     }
-    if (frame.movers.empty()) continue;
-    raise(figures.drift, length(frame.movers.back() - recording.front().movers.back()));
+    if (frame.moving_bodies.empty()) continue;
+    raise(figures.drift, length(frame.moving_bodies.back() - recording.front().moving_bodies.back()));
     if (tick == 0 || tick + jitter_ticks < recording.size()) continue;
-    raise(figures.jitter, length(frame.movers.back() - recording[tick - 1].movers.back()));
+    raise(figures.jitter, length(frame.moving_bodies.back() - recording[tick - 1].moving_bodies.back()));
   }
   const Frame& last = recording.back();
   figures.crossings = crossings_of(plan, last);
-  figures.let_through =
-      !last.movers.empty() && !last.cords.empty() &&
-      std::all_of(last.cords[0].begin(), last.cords[0].end(), [&](Vec2 p) { return last.movers.back().y < p.y; });
+  figures.tunnelled = !last.moving_bodies.empty() && !last.cords.empty() &&
+                      std::all_of(last.cords[0].begin(), last.cords[0].end(),
+                                  [&](Vec2 p) { return last.moving_bodies.back().y < p.y; });
   return figures;
 }
 
 double path_error(const Recording& recording, const std::vector<Vec2>& path) {
   if (recording.size() < path.size()) return std::numeric_limits<double>::infinity();
   std::vector<Vec2> went;
-  for (std::size_t k = 0; k < path.size(); ++k) went.push_back(recording[k].movers.back());
+  for (std::size_t k = 0; k < path.size(); ++k) went.push_back(recording[k].moving_bodies.back());
   return test_support::rms_distance(went, path);
 }
 

@@ -15,16 +15,16 @@ struct Figures {
   double stretch = none;      ///< of the rope that stretches most, maximum over ticks, relative to its length
   double stretch_m = none;    ///< the same, as a length
   double penetration = none;  ///< m, of a cord in a circle or an edge, maximum over ticks
-  double drift = none;        ///< m, greatest distance of the last mover from its position in the first frame
+  double drift = none;        ///< m, greatest distance of the last moving_body from its position in the first frame
   double jitter = none;       ///< m, its greatest motion in any of the last 60 ticks
-  bool let_through = false;   ///< whether it ends below every point of the first cord
+  bool tunnelled = false;     ///< whether it ends below every point of the first cord
   int crossings = 0;          ///< of ribbons with themselves and each other, after the last tick
 };
 
 /// Returns the figures of any scene. `set_up` is that of the plan.
-Figures judge(const SetUp& set_up, const Plan& plan, const Recording& recording);
+Figures figures_of(const SetUp& set_up, const Plan& plan, const Recording& recording);
 
-/// Returns the RMS distance of the last mover from a path, m; infinite if the recording is shorter.
+/// Returns the RMS distance of the last moving_body from a path, m; infinite if the recording is shorter.
 double path_error(const Recording& recording, const std::vector<ribbon::Vec2>& path);
 
 }  // namespace peers

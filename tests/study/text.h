@@ -11,6 +11,6 @@ std::string fixed(double value, int decimals);
 /// Returns a count with its unit: 1 tick, 2 ticks.
 std::string count_of(int count, const std::string& what);
 /// Returns the content of a file; empty if it cannot be read.
-std::string content_of(const std::string& path);
+std::string read_file(const std::string& path);
 
 }  // namespace study

@@ -1,11 +1,11 @@
-#include "tests/study/promises.h"
+#include "tests/study/validation.h"
 
 #include <algorithm>
 #include <iterator>
 #include <random>
 
 #include "game/simulation/buttons.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
@@ -13,15 +13,15 @@ namespace {
 constexpr int repeats = 3;
 
 /// The settings of the quick grid for a level's own cords.
-std::vector<Dials> own_settings() {
-  std::vector<Dials> own;
-  const std::vector<Dials> all = grid(true);
+std::vector<Setting> own_settings() {
+  std::vector<Setting> own;
+  const std::vector<Setting> all = grid(true);
   std::copy_if(all.begin(), all.end(), std::back_inserter(own),
-               [](const Dials& dials) { return dials.solver == "direct" && mesh_of(dials) == Mesh{}; });
+               [](const Setting& setting) { return setting.solver == "direct" && mesh_of(setting) == Mesh{}; });
   return own;
 }
 
-StudyOptions options_of(std::vector<Dials> settings) {
+StudyOptions options_of(std::vector<Setting> settings) {
   StudyOptions options;
   options.quick = true;
   options.repeats = repeats;
@@ -34,24 +34,24 @@ struct Chosen {
   std::optional<std::size_t> cheapest;
   std::optional<std::size_t> most_exact;
 
-  std::vector<Dials> dials(const std::vector<Measured>& settings) const {
-    std::vector<Dials> some;
-    if (cheapest) some.push_back(settings[*cheapest].dials);
-    if (most_exact && most_exact != cheapest) some.push_back(settings[*most_exact].dials);
+  std::vector<Setting> to_measure(const std::vector<Measured>& settings) const {
+    std::vector<Setting> some;
+    if (cheapest) some.push_back(settings[*cheapest].setting);
+    if (most_exact && most_exact != cheapest) some.push_back(settings[*most_exact].setting);
     return some;
   }
 };
 
-/// Counts the result of a promise: `value` of the setting must be at most `most`.
+/// Counts the result of a limit: `value` of the setting must be at most `most`.
 void count(Tally& tally, const Point& again, double Point::*value, double most, const std::string& what,
-           std::vector<std::string>& broken) {
-  ++tally.found;
+           std::vector<std::string>& violations) {
+  ++tally.recommended;
   if (again.failure.empty() && again.*value <= most) {
-    ++tally.kept;
+    ++tally.met;
     return;
   }
-  broken.push_back(what + ": " + again.setting + ": " +
-                   (again.failure.empty() ? significant(again.*value, 3) : again.failure));
+  violations.push_back(what + ": " + again.setting + ": " +
+                       (again.failure.empty() ? significant(again.*value, 3) : again.failure));
 }
 
 bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>& inputs) {
@@ -84,42 +84,42 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   return inputs;
 }
 
-Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
-                      const std::function<void(double)>& progress, const Measure& measure_level) {
-  Promises promises;
-  for (int k = 0; k < options.tries; ++k) {
+Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                                    const std::function<void(double)>& progress, const Measure& measure_level) {
+  Validation validation;
+  for (int k = 0; k < options.runs; ++k) {
     const auto seed = static_cast<unsigned>(2 * k);
     const LevelFile level = levels[static_cast<std::size_t>(k) % levels.size()].varied(seed);
     const Study chosen_on = measure_level(level, random_inputs(seed, options.ticks), options_of(own_settings()));
     const std::vector<Point> points = applicable(chosen_on);
     const Chosen chosen{cheapest_within(points, options.max_error_m), most_exact_within(points, options.budget_us)};
-    promises.error.none += chosen.cheapest ? 0 : 1;
-    promises.budget.none += chosen.most_exact ? 0 : 1;
-    const std::vector<Dials> dials = chosen.dials(chosen_on.settings);
-    if (!dials.empty()) {
-      const Study tried_on = measure_level(level, random_inputs(seed + 1, options.ticks), options_of(dials));
+    validation.error.not_found += chosen.cheapest ? 0 : 1;
+    validation.budget.not_found += chosen.most_exact ? 0 : 1;
+    const std::vector<Setting> retested = chosen.to_measure(chosen_on.settings);
+    if (!retested.empty()) {
+      const Study tried_on = measure_level(level, random_inputs(seed + 1, options.ticks), options_of(retested));
       const std::vector<Point> again = tried_on.points();
-      const std::string where = chosen_on.level + ", try " + std::to_string(k + 1) + ", ";
+      const std::string where = chosen_on.level + ", run " + std::to_string(k + 1) + ", ";
       if (chosen.cheapest) {
-        count(promises.error, again.front(), &Point::error_m, options.max_error_m, where + "error [m]",
-              promises.broken);
+        count(validation.error, again.front(), &Point::error_m, options.max_error_m, where + "error [m]",
+              validation.violations);
       }
       if (chosen.most_exact) {
-        count(promises.budget, again.back(), &Point::cost_us, options.budget_us, where + "cost [us]", promises.broken);
+        count(validation.budget, again.back(), &Point::cost_us, options.budget_us, where + "cost [us]",
+              validation.violations);
       }
     }
-    promises.held += holds_a_cord(level.level(), random_inputs(seed + 1, options.ticks)) ? 1 : 0;
-    progress(static_cast<double>(k + 1) / options.tries);
+    validation.runs_with_grip += holds_a_cord(level.level(), random_inputs(seed + 1, options.ticks)) ? 1 : 0;
+    progress(static_cast<double>(k + 1) / options.runs);
   }
-  return promises;
+  return validation;
 }
 
-Promises try_promises(std::span<const LevelFile> levels, const PromiseOptions& options,
-                      const std::function<void(double)>& progress) {
-  return try_promises(levels, options, progress,
-                      [](const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& how) {
-                        return measure(file, inputs, how);
-                      });
+Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                                    const std::function<void(double)>& progress) {
+  return validate_recommendations(levels, options, progress,
+                                  [](const LevelFile& file, const std::vector<engine::TickInput>& inputs,
+                                     const StudyOptions& how) { return measure(file, inputs, how); });
 }
 
 }  // namespace study

@@ -8,9 +8,9 @@
 namespace fuzz {
 
 /// The surroundings of a cord from a fuzzer's bytes: up to three bodies, and up to three of each kind of their parts.
-struct SomeSurroundings {
+struct ArbitrarySurroundings {
   /// `points` is the number of points of the cord.
-  SomeSurroundings(Bytes& bytes, int points);
+  ArbitrarySurroundings(Bytes& bytes, int points);
 
   ribbon::Surroundings view() { return {bodies, circles, grips, segments}; }
 

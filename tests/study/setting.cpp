@@ -1,43 +1,43 @@
-#include "tests/study/dials.h"
+#include "tests/study/setting.h"
 
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 
-std::string name_of(const Dials& dials) {
-  std::string name = "substeps=" + std::to_string(dials.substeps);
-  if (is_box2d(dials)) {
-    name += " iterations=" + std::to_string(dials.iterations) + "/" + std::to_string(3 * dials.iterations / 8);
-  } else if (dials.solver != "thesis") {
-    name = dials.integrator + " " + name + " tolerance=" + significant(dials.tolerance, 6);
+std::string name_of(const Setting& setting) {
+  std::string name = "substeps=" + std::to_string(setting.substeps);
+  if (is_box2d(setting)) {
+    name += " iterations=" + std::to_string(setting.iterations) + "/" + std::to_string(3 * setting.iterations / 8);
+  } else if (setting.solver != "thesis") {
+    name = setting.integrator + " " + name + " tolerance=" + significant(setting.tolerance, 6);
   }
-  if (!is_box2d(dials) && dials.iterations != 0) name += " iterations=" + std::to_string(dials.iterations);
-  if (dials.rows != 1) name += " rows=" + std::to_string(dials.rows);
-  if (dials.points != 1.0) name += " points=x" + significant(dials.points, 6);
+  if (!is_box2d(setting) && setting.iterations != 0) name += " iterations=" + std::to_string(setting.iterations);
+  if (setting.rows != 1) name += " rows=" + std::to_string(setting.rows);
+  if (setting.points != 1.0) name += " points=x" + significant(setting.points, 6);
   return name;
 }
 
-ribbon::Accuracy accuracy_of(const Dials& dials) {
+ribbon::Accuracy accuracy_of(const Setting& setting) {
   ribbon::Accuracy accuracy;
-  if (dials.integrator == "implicit_euler") accuracy.integrator = ribbon::Integrator::implicit_euler;
+  if (setting.integrator == "implicit_euler") accuracy.integrator = ribbon::Integrator::implicit_euler;
   accuracy.soft_contacts = accuracy.integrator == ribbon::Integrator::implicit_euler;
-  accuracy.substeps = dials.substeps;
-  accuracy.tolerance = dials.tolerance;
-  if (dials.iterations > 0) accuracy.max_iterations = dials.iterations;
+  accuracy.substeps = setting.substeps;
+  accuracy.tolerance = setting.tolerance;
+  if (setting.iterations > 0) accuracy.max_iterations = setting.iterations;
   return accuracy;
 }
 
-Mesh mesh_of(const Dials& dials) { return {dials.points, dials.rows}; }
+Mesh mesh_of(const Setting& setting) { return {setting.points, setting.rows}; }
 
-bool is_box2d(const Dials& dials) { return dials.solver.starts_with("box2d"); }
+bool is_box2d(const Setting& setting) { return setting.solver.starts_with("box2d"); }
 
-std::vector<Dials> grid(bool quick) {
-  std::vector<Dials> all = {{"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
-  const auto add = [&all](const Dials& dials) {
-    for (const Dials& known : all) {
-      if (known == dials) return;
+std::vector<Setting> grid(bool quick) {
+  std::vector<Setting> all = {{"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
+  const auto add = [&all](const Setting& setting) {
+    for (const Setting& known : all) {
+      if (known == setting) return;
     }
-    all.push_back(dials);
+    all.push_back(setting);
   };
   const std::vector<int> substeps = quick ? std::vector{1, 4} : std::vector{1, 2, 4, 8};
   const std::vector<double> tolerances = quick ? std::vector{5e-4} : std::vector{1e-2, 5e-4, 1e-5};
@@ -69,7 +69,7 @@ std::vector<Dials> grid(bool quick) {
   return all;
 }
 
-Dials reference(const Mesh& mesh, bool second, bool quick) {
+Setting reference(const Mesh& mesh, bool second, bool quick) {
   return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick || mesh.rows > 1 ? 2 : 1), 1e-7, mesh.points, 0, mesh.rows};
 }
 

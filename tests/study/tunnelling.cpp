@@ -1,4 +1,4 @@
-#include "tests/study/passages.h"
+#include "tests/study/tunnelling.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ std::vector<const b2Fixture*> fixtures_of(const b2World& world, const b2Filter& 
   return fixtures;
 }
 
-PassingLink passing_link(const PassageWatch::Moment& moment, std::size_t cord, std::size_t link, std::size_t fixture) {
+LinkAndPoint link_and_point(const TunnellingDetector::Moment& moment, std::size_t cord, std::size_t link,
+                            std::size_t fixture) {
   const Line& line = moment.lines[cord];
   return {line[link], line[link + 1], moment.centers[fixture]};
 }
@@ -58,7 +59,7 @@ std::vector<char> driven_columns(const ribbon::box2d::Coupling& coupling, ribbon
 }
 
 /// Returns whether the link is, or was, so near that it may have crossed the fixture.
-bool may_meet(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is) {
+bool may_overlap(const b2Fixture& fixture, const LinkAndPoint& was, const LinkAndPoint& is) {
   b2AABB box;
   fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), 0);
   const Vec2 low = to_double(box.lowerBound) - (is.c - was.c);
@@ -71,19 +72,19 @@ bool may_meet(const b2Fixture& fixture, const PassingLink& was, const PassingLin
 }
 
 /// Returns whether a link of this half thickness is on both sides of the fixture, or moved to its other side.
-bool is_through(const b2Fixture& fixture, const PassingLink& was, const PassingLink& is, double half_thickness) {
-  if (!may_meet(fixture, was, is)) return false;
+bool is_through(const b2Fixture& fixture, const LinkAndPoint& was, const LinkAndPoint& is, double half_thickness) {
+  if (!may_overlap(fixture, was, is)) return false;
   const double depth = test_support::depth(fixture, is.a, is.b);
   switch (fixture.GetType()) {
     case b2Shape::e_edge: return depth > 0.0;
-    case b2Shape::e_circle: return depth > std::max(radius_of(fixture) - half_thickness, 0.0) || passes(was, is);
-    default: return depth > half_thickness || passes(was, is);
+    case b2Shape::e_circle: return depth > std::max(radius_of(fixture) - half_thickness, 0.0) || crosses(was, is);
+    default: return depth > half_thickness || crosses(was, is);
   }
 }
 
-bool is_marked(const std::vector<Passages>& passages, std::size_t from, std::size_t to, std::size_t cord, int kind) {
-  for (std::size_t k = from; k < std::min(to, passages.size()); ++k) {
-    if (cord < passages[k].size() && (passages[k][cord] & kind) != 0) return true;
+bool is_marked(const std::vector<Crossings>& crossings, std::size_t from, std::size_t to, std::size_t cord, int kind) {
+  for (std::size_t k = from; k < std::min(to, crossings.size()); ++k) {
+    if (cord < crossings[k].size() && (crossings[k][cord] & kind) != 0) return true;
   }
   return false;
 }
@@ -93,29 +94,29 @@ bool may_declare(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId 
   return coupling.cord(cord).solver() == ribbon::box2d::Solver::thesis || coupling.cord(cord).direct().def().*contact;
 }
 
-void mark(Passages& passages, int cord, Passage kind) {
-  unsigned char& bits = passages[static_cast<std::size_t>(cord)];
+void mark(Crossings& crossings, int cord, Crossed kind) {
+  unsigned char& bits = crossings[static_cast<std::size_t>(cord)];
   bits = static_cast<unsigned char>(bits | kind);
 }
 
-void mark_crossings(Passages& passages, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines) {
+void mark_crossings(Crossings& crossings, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines) {
   for (int a = 0; a < coupling.size(); ++a) {
     const Line& line = lines[static_cast<std::size_t>(a)];
     if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
-      mark(passages, a, through_itself);
+      mark(crossings, a, through_itself);
     }
     for (int b = 0; b < a && may_declare(coupling, a, &ribbon::CordDef::cord_contact); ++b) {
       if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
       if (test_support::mutual_crossings(line, false, lines[static_cast<std::size_t>(b)], false) == 0) continue;
-      mark(passages, a, through_cord);
-      mark(passages, b, through_cord);
+      mark(crossings, a, through_cord);
+      mark(crossings, b, through_cord);
     }
   }
 }
 
 }  // namespace
 
-bool passes(const PassingLink& before, const PassingLink& after) {
+bool crosses(const LinkAndPoint& before, const LinkAndPoint& after) {
   // Relative to c the ends are p + t·dp and q + t·dq. They are in line with c where their cross product is 0.
   const Vec2 p = before.a - before.c;
   const Vec2 q = before.b - before.c;
@@ -132,7 +133,8 @@ bool passes(const PassingLink& before, const PassingLink& after) {
   return (sum != 0.0 && is_between(c0 / sum)) || (c2 != 0.0 && is_between(sum / c2));
 }
 
-Passages PassageWatch::look(const b2World& world, const ribbon::box2d::Coupling& coupling, const b2Filter& filter) {
+Crossings TunnellingDetector::detect(const b2World& world, const ribbon::box2d::Coupling& coupling,
+                                     const b2Filter& filter) {
   const std::vector<const b2Fixture*> fixtures = fixtures_of(world, filter);
   Moment now;
   for (const b2Fixture* fixture : fixtures) now.centers.push_back(center_of(*fixture));
@@ -140,26 +142,26 @@ Passages PassageWatch::look(const b2World& world, const ribbon::box2d::Coupling&
   const bool is_known = before_.centers.size() == now.centers.size() && before_.lines.size() == now.lines.size();
   const Moment& before = is_known ? before_ : now;
 
-  Passages passages(now.lines.size(), 0);
+  Crossings found(now.lines.size(), 0);
   for (int c = 0; c < coupling.size(); ++c) {
     const std::vector<char> driven = driven_columns(coupling, c);
     const double half_thickness = 0.5 * coupling.cord(c).shape().thickness;
     for (std::size_t k = 0; k + 1 < driven.size(); ++k) {
       if (driven[k] != 0 || driven[k + 1] != 0) continue;
       for (std::size_t f = 0; f < fixtures.size(); ++f) {
-        const PassingLink was = passing_link(before, static_cast<std::size_t>(c), k, f);
-        const PassingLink is = passing_link(now, static_cast<std::size_t>(c), k, f);
-        if (is_through(*fixtures[f], was, is, half_thickness)) mark(passages, c, through_body);
+        const LinkAndPoint was = link_and_point(before, static_cast<std::size_t>(c), k, f);
+        const LinkAndPoint is = link_and_point(now, static_cast<std::size_t>(c), k, f);
+        if (is_through(*fixtures[f], was, is, half_thickness)) mark(found, c, through_body);
       }
     }
   }
-  mark_crossings(passages, coupling, now.lines);
+  mark_crossings(found, coupling, now.lines);
   before_ = std::move(now);
-  return passages;
+  return found;
 }
 
-Passages declared_contacts(const ribbon::box2d::Coupling& coupling) {
-  Passages declared(static_cast<std::size_t>(coupling.size()), through_body);
+Crossings declared_contacts(const ribbon::box2d::Coupling& coupling) {
+  Crossings declared(static_cast<std::size_t>(coupling.size()), through_body);
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.cord(c).solver() == ribbon::box2d::Solver::thesis) continue;
     if (coupling.cord(c).direct().def().self_contact) mark(declared, c, through_itself);
@@ -168,9 +170,9 @@ Passages declared_contacts(const ribbon::box2d::Coupling& coupling) {
   return declared;
 }
 
-std::string let_through(const std::vector<Passages>& run, const std::vector<Passages>& reference,
-                        const Passages& declared, std::size_t ticks) {
-  constexpr std::array<std::pair<Passage, const char*>, 3> kinds = {
+std::string tunnelling_failure(const std::vector<Crossings>& run, const std::vector<Crossings>& reference,
+                               const Crossings& declared, std::size_t ticks) {
+  constexpr std::array<std::pair<Crossed, const char*>, 3> kinds = {
       {{through_body, "a body"}, {through_itself, "itself"}, {through_cord, "another cord"}}};
   for (std::size_t k = 0; k < run.size(); ++k) {
     const std::size_t from = std::min(k, ticks) - std::min({k, ticks, lag});

@@ -9,7 +9,7 @@
 namespace study {
 
 /// The solver settings of a level's cords: the parameters of a sweep.
-struct Dials {
+struct Setting {
   std::string solver = "direct";       ///< or thesis, box2d_chain, box2d_max_distance (tests/study/chain_mover.h)
   std::string integrator = "tr_bdf2";  ///< or implicit_euler; for the direct solver
   int substeps = 1;
@@ -19,7 +19,7 @@ struct Dials {
                        ///< per substep, with 3/8 as many position iterations
   int rows = 1;        ///< of the ribbon that replaces each rope
 
-  bool operator==(const Dials&) const = default;
+  bool operator==(const Setting&) const = default;
 };
 
 /// The parameters that determine the converged motion.
@@ -31,23 +31,23 @@ struct Mesh {
   bool operator<(const Mesh& other) const { return std::pair(points, rows) < std::pair(other.points, other.rows); }
 };
 
-Mesh mesh_of(const Dials& dials);
+Mesh mesh_of(const Setting& setting);
 
 /// Returns the name: tr_bdf2 substeps=1 tolerance=0.0005 points=x2
-std::string name_of(const Dials& dials);
+std::string name_of(const Setting& setting);
 
 /// Returns the accuracy of the direct solver.
-ribbon::Accuracy accuracy_of(const Dials& dials);
+ribbon::Accuracy accuracy_of(const Setting& setting);
 
 /// Returns whether chains of Box2D's joints replace the cords.
-bool is_box2d(const Dials& dials);
+bool is_box2d(const Setting& setting);
 
 /// Returns the grid: both integrators, 1 … 8 substeps, three tolerances; few and many iterations; half and twice the
 /// points; two and three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step from each.
-std::vector<Dials> grid(bool quick);
+std::vector<Setting> grid(bool quick);
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
 /// `quick` and for ribbons.
-Dials reference(const Mesh& mesh, bool second, bool quick);
+Setting reference(const Mesh& mesh, bool second, bool quick);
 
 }  // namespace study

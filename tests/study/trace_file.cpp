@@ -1,4 +1,4 @@
-#include "tests/study/kept_trace.h"
+#include "tests/study/trace_file.h"
 
 #include <cstring>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "ribbon/box2d/state_hash.h"
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 namespace study {
 namespace {
@@ -69,7 +69,7 @@ class Reader {
 /// Visits all members of a trace by name. A new member does not compile until it is saved too.
 template <typename T, typename Visit>
 void visit_all(T& trace, Visit& visit) {
-  auto& [lengths, places, player, stretch, figures, declared, passages, mass, gravity, work, contacts,
+  auto& [lengths, places, player, stretch, figures, declared, crossings, mass, gravity, work, contacts,
          unconverged_ticks, failure] = trace;
   visit(lengths);
   visit(places);
@@ -77,7 +77,7 @@ void visit_all(T& trace, Visit& visit) {
   visit(stretch);
   visit(figures);
   visit(declared);
-  visit(passages);
+  visit(crossings);
   visit(mass);
   visit(gravity);
   visit(work);
@@ -93,7 +93,7 @@ std::string head_of(const std::string& key, const std::string& content) {
 
 }  // namespace
 
-bool keep(const Trace& trace, const std::string& key, const std::string& path) {
+bool save_trace(const Trace& trace, const std::string& key, const std::string& path) {
   Writer writer;
   visit_all(trace, writer);
   const std::string beside = path + ".new";
@@ -108,8 +108,8 @@ bool keep(const Trace& trace, const std::string& key, const std::string& path) {
   return !error;
 }
 
-std::optional<Trace> kept(const std::string& key, const std::string& path) {
-  const std::string all = content_of(path);
+std::optional<Trace> load_trace(const std::string& key, const std::string& path) {
+  const std::string all = read_file(path);
   const std::size_t end = all.find('\n');
   if (end == std::string::npos) return {};
   const std::string content = all.substr(end + 1);

@@ -1,4 +1,4 @@
-#include "tests/study/promises.h"
+#include "tests/study/validation.h"
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,20 @@ namespace {
 // --- arithmetic: a level whose settings have the results that the test defines
 // ----------------------------------------------------
 
-constexpr double found_at = 0.5;  // relative to the promise, in the first measurement: below each margin
+constexpr double found_at = 0.5;  // relative to the limit, in the first measurement: below each margin
 
-/// Each setting of the grid has half of the promised cost and error; in the second measurement it has those of `again`.
-Promises promises_of(int tries, const std::function<void(int k, Measured&)>& first,
-                     const std::function<void(int k, Measured&)>& again) {
+/// Each setting of the grid has half of the cost and error limits; in the second measurement it has those of `again`.
+Validation validation_of(int runs, const std::function<void(int k, Measured&)>& first,
+                         const std::function<void(int k, Measured&)>& again) {
   int k = -1;
   const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
-    const bool is_first = options.grid.size() > 2;  // in a try; the chosen settings are one or two
+    const bool is_first = options.grid.size() > 2;  // in a run; the recommended settings are one or two
     k += is_first ? 1 : 0;
     Study study;
     study.level = "some";
-    for (const Dials& dials : options.grid) {
+    for (const Setting& setting : options.grid) {
       Measured& m = study.settings.emplace_back();
-      m.dials = dials;
+      m.setting = setting;
       m.error.position_m = found_at * 1e-2;
       m.cost_us = found_at * 100.0;
       (is_first ? first : again)(k, m);
@@ -33,101 +33,101 @@ Promises promises_of(int tries, const std::function<void(int k, Measured&)>& fir
     return study;
   };
   const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
-  PromiseOptions options;
-  options.tries = tries;
-  return try_promises(
+  ValidationOptions options;
+  options.runs = runs;
+  return validate_recommendations(
       levels, options, [](double) {}, measure);
 }
 
-const auto as_it_is = [](int, Measured&) {};
+const auto original = [](int, Measured&) {};
 
-TEST(Promises, AreKeptUpToWhatIsPromised) {
-  const Promises promises = promises_of(4, as_it_is, [](int k, Measured& m) {
+TEST(Validation, CountsMetLimits) {
+  const Validation validation = validation_of(4, original, [](int k, Measured& m) {
     m.error.position_m = k == 0 ? 1e-2 : k == 1 ? 1.01e-2 : 1e-3;
     m.cost_us = k == 2 ? 101.0 : 100.0;
   });
-  EXPECT_EQ(promises.error.found, 4);
-  EXPECT_EQ(promises.error.kept, 3);
-  EXPECT_EQ(promises.budget.found, 4);
-  EXPECT_EQ(promises.budget.kept, 3);
-  ASSERT_EQ(promises.broken.size(), 2U);
-  EXPECT_EQ(promises.broken[0].find("some, try 2, error [m]: "), 0U) << promises.broken[0];
-  EXPECT_NE(promises.broken[0].find(": 0.0101"), std::string::npos);
-  EXPECT_EQ(promises.broken[1].find("some, try 3, cost [us]: "), 0U) << promises.broken[1];
+  EXPECT_EQ(validation.error.recommended, 4);
+  EXPECT_EQ(validation.error.met, 3);
+  EXPECT_EQ(validation.budget.recommended, 4);
+  EXPECT_EQ(validation.budget.met, 3);
+  ASSERT_EQ(validation.violations.size(), 2U);
+  EXPECT_EQ(validation.violations[0].find("some, run 2, error [m]: "), 0U) << validation.violations[0];
+  EXPECT_NE(validation.violations[0].find(": 0.0101"), std::string::npos);
+  EXPECT_EQ(validation.violations[1].find("some, run 3, cost [us]: "), 0U) << validation.violations[1];
 }
 
-TEST(Promises, WhatFailsKeepsNone) {
-  const Promises promises = promises_of(2, as_it_is, [](int k, Measured& m) {
+TEST(Validation, AFailedRunMeetsNoLimit) {
+  const Validation validation = validation_of(2, original, [](int k, Measured& m) {
     if (k == 1) m.failure = "blew up in tick 3";
   });
-  EXPECT_EQ(promises.error.kept, 1);
-  EXPECT_EQ(promises.budget.kept, 1);
-  ASSERT_EQ(promises.broken.size(), 2U);
-  EXPECT_NE(promises.broken[0].find("blew up in tick 3"), std::string::npos);
+  EXPECT_EQ(validation.error.met, 1);
+  EXPECT_EQ(validation.budget.met, 1);
+  ASSERT_EQ(validation.violations.size(), 2U);
+  EXPECT_NE(validation.violations[0].find("blew up in tick 3"), std::string::npos);
 }
 
-TEST(Promises, TriesWithoutASettingAreToldApart) {
+TEST(Validation, RunsWithoutARecommendationAreCountedSeparately) {
   const auto first = [](int k, Measured& m) {
     if (k == 0) m.failure = "blew up in tick 3";
     if (k == 1) m.cost_us = 99.0;           // within the budget, but not with its margin
     if (k == 2) m.error.position_m = 9e-3;  // within the error, but not with its margin
   };
-  const Promises promises = promises_of(4, first, as_it_is);
-  EXPECT_EQ(promises.error.none, 2);
-  EXPECT_EQ(promises.error.found, 2);
-  EXPECT_EQ(promises.error.kept, 2);
-  EXPECT_EQ(promises.budget.none, 2);
-  EXPECT_EQ(promises.budget.found, 2);
-  EXPECT_EQ(promises.budget.kept, 2);
-  EXPECT_TRUE(promises.broken.empty());
+  const Validation validation = validation_of(4, first, original);
+  EXPECT_EQ(validation.error.not_found, 2);
+  EXPECT_EQ(validation.error.recommended, 2);
+  EXPECT_EQ(validation.error.met, 2);
+  EXPECT_EQ(validation.budget.not_found, 2);
+  EXPECT_EQ(validation.budget.recommended, 2);
+  EXPECT_EQ(validation.budget.met, 2);
+  EXPECT_TRUE(validation.violations.empty());
 }
 
-TEST(Promises, OnlyWhatWasChosenIsMeasuredAgain) {
+TEST(Validation, OnlyRecommendedSettingsAreMeasuredAgain) {
   std::vector<std::size_t> grids;
   const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
     grids.push_back(options.grid.size());
     Study study;
-    for (const Dials& dials : options.grid) {
+    for (const Setting& setting : options.grid) {
       Measured& m = study.settings.emplace_back();
-      m.dials = dials;
-      EXPECT_EQ(dials.solver, "direct");
-      EXPECT_EQ(dials.points, 1.0);
-      m.error.position_m = 1e-3 / dials.substeps;
-      m.cost_us = 10.0 * dials.substeps + (dials.integrator == "tr_bdf2" ? 1.0 : 0.0);
+      m.setting = setting;
+      EXPECT_EQ(setting.solver, "direct");
+      EXPECT_EQ(setting.points, 1.0);
+      m.error.position_m = 1e-3 / setting.substeps;
+      m.cost_us = 10.0 * setting.substeps + (setting.integrator == "tr_bdf2" ? 1.0 : 0.0);
     }
     return study;
   };
   const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
-  PromiseOptions options;
-  options.tries = 1;
-  const Promises promises = try_promises(
+  ValidationOptions options;
+  options.runs = 1;
+  const Validation validation = validate_recommendations(
       levels, options, [](double) {}, measure);
   ASSERT_EQ(grids.size(), 2U);
   EXPECT_GE(grids[0], 4U);
   EXPECT_EQ(grids[1], 2U);
-  EXPECT_EQ(promises.error.kept + promises.budget.kept, 2);
+  EXPECT_EQ(validation.error.met + validation.budget.met, 2);
 }
 
-TEST(Promises, LevelsTakeTurnsAndEachTryIsAnother) {
+TEST(Validation, LevelsAlternateAndEachRunDiffers) {
   std::vector<std::uint64_t> hashes;
   std::vector<std::vector<engine::TickInput>> inputs;
   const Measure measure = [&](const LevelFile& file, const auto& input, const StudyOptions& options) {
     hashes.push_back(file.hash());
     inputs.push_back(input);
     Study study;
-    for (const Dials& dials : options.grid) study.settings.emplace_back().dials = dials;
+    for (const Setting& setting : options.grid) study.settings.emplace_back().setting = setting;
     return study;
   };
   const LevelFile level(TEST_ASSETS "/levels/first_swing.tmj");
   const std::vector<LevelFile> levels = {level, level.varied(1000)};
-  PromiseOptions options;
-  options.tries = 3;
-  try_promises(
+  ValidationOptions options;
+  options.runs = 3;
+  validate_recommendations(
       levels, options, [](double) {}, measure);
   ASSERT_EQ(hashes.size(), 6U);
   EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 3U);
   EXPECT_EQ(hashes[0], level.varied(0).hash());
-  EXPECT_EQ(hashes[1], hashes[0]);  // both players of a try have the same variation
+  EXPECT_EQ(hashes[1], hashes[0]);  // both inputs of a run have the same variation
   EXPECT_EQ(hashes[2], level.varied(1000).varied(2).hash());
   EXPECT_EQ(hashes[4], level.varied(4).hash());
   for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -138,16 +138,16 @@ TEST(Promises, LevelsTakeTurnsAndEachTryIsAnother) {
   }
 }
 
-TEST(Promises, OfARealLevelAreMeasured) {
+TEST(Validation, MeasuresARealLevel) {
   const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
-  PromiseOptions options;
-  options.tries = 1;
+  ValidationOptions options;
+  options.runs = 1;
   options.max_error_m = 10.0;
   options.budget_us = 1e9;
   options.ticks = 5;
-  const Promises promises = try_promises(levels, options, [](double) {});
-  EXPECT_EQ(promises.error.kept, 1);
-  EXPECT_EQ(promises.budget.kept, 1);
+  const Validation validation = validate_recommendations(levels, options, [](double) {});
+  EXPECT_EQ(validation.error.met, 1);
+  EXPECT_EQ(validation.budget.met, 1);
 }
 
 // --- variation
@@ -178,7 +178,7 @@ void expect_range(const Range& range, double factor) {
   EXPECT_GT(range.most, factor / 1.3);
 }
 
-TEST(Variation, GoesThroughItsRangesAndNoFurther) {
+TEST(Variation, CoversItsRangesAndNoMore) {
   const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
   const auto own = file.level().make_scene();
   const double own_mass = file.level().player_mass;

@@ -1,4 +1,4 @@
-#include "tests/study/words.h"
+#include "tests/study/text.h"
 
 #include <array>
 #include <cstdio>
@@ -23,7 +23,7 @@ std::string count_of(int count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-std::string content_of(const std::string& path) {
+std::string read_file(const std::string& path) {
   const std::ifstream in(path, std::ios::binary);
   std::ostringstream content;
   if (in) content << in.rdbuf();

@@ -1,4 +1,4 @@
-#include "tests/fuzz/some_body.h"
+#include "tests/fuzz/arbitrary_body.h"
 
 #include <algorithm>
 #include <array>
@@ -7,27 +7,27 @@
 namespace fuzz {
 namespace {
 
-constexpr double furthest = 1e6;  // m, m/s: beyond this Box2D itself loses collisions
+constexpr double max_coordinate = 1e6;  // m, m/s: beyond this Box2D itself loses collisions
 
 float single(double value) { return static_cast<float>(value); }
 
-float tame(Bytes& bytes, double low, double high) {
+float finite_float(Bytes& bytes, double low, double high) {
   const double value = bytes.number(low, high);
-  return std::isfinite(value) ? single(std::clamp(value, -furthest, furthest)) : 0.0F;
+  return std::isfinite(value) ? single(std::clamp(value, -max_coordinate, max_coordinate)) : 0.0F;
 }
 
-b2Vec2 tame_vector(Bytes& bytes, double low, double high) {
-  const float x = tame(bytes, low, high);
-  return {x, tame(bytes, low, high)};
+b2Vec2 finite_vector(Bytes& bytes, double low, double high) {
+  const float x = finite_float(bytes, low, high);
+  return {x, finite_float(bytes, low, high)};
 }
 
 void add_fixture(b2Body& body, Bytes& bytes) {
   b2FixtureDef def;
-  def.density = std::abs(tame(bytes, 0.0, 100.0));
+  def.density = std::abs(finite_float(bytes, 0.0, 100.0));
   def.friction = single(bytes.number(0.0, 1.0));
   def.restitution = single(bytes.number(0.0, 1.0));
   def.isSensor = bytes.below(16) == 0;
-  const float size = std::max(0.01F, std::abs(tame(bytes, 0.05, 0.5)));
+  const float size = std::max(0.01F, std::abs(finite_float(bytes, 0.05, 0.5)));
   b2CircleShape circle;
   b2PolygonShape box;
   b2EdgeShape edge;
@@ -55,15 +55,15 @@ void add_fixture(b2Body& body, Bytes& bytes) {
 
 }  // namespace
 
-b2Body& add_some_body(b2World& world, Bytes& bytes) {
+b2Body& add_arbitrary_body(b2World& world, Bytes& bytes) {
   constexpr std::array types = {b2_dynamicBody, b2_dynamicBody, b2_kinematicBody, b2_staticBody};
   b2BodyDef def;
   def.type = types[bytes.byte() % types.size()];
-  def.position = tame_vector(bytes, -2.0, 2.0);
-  def.angle = tame(bytes, -3.0, 3.0);
-  if (bytes.yes()) def.linearVelocity = tame_vector(bytes, -10.0, 10.0);
-  if (bytes.yes()) def.angularVelocity = tame(bytes, -10.0, 10.0);
-  if (bytes.below(4) == 0) def.linearDamping = std::abs(tame(bytes, 0.0, 1.0));
+  def.position = finite_vector(bytes, -2.0, 2.0);
+  def.angle = finite_float(bytes, -3.0, 3.0);
+  if (bytes.boolean()) def.linearVelocity = finite_vector(bytes, -10.0, 10.0);
+  if (bytes.boolean()) def.angularVelocity = finite_float(bytes, -10.0, 10.0);
+  if (bytes.below(4) == 0) def.linearDamping = std::abs(finite_float(bytes, 0.0, 1.0));
   if (bytes.below(4) == 0) def.gravityScale = single(bytes.number(-1.0, 2.0));
   def.fixedRotation = bytes.below(4) == 0;
   def.bullet = bytes.below(8) == 0;
@@ -74,23 +74,23 @@ b2Body& add_some_body(b2World& world, Bytes& bytes) {
 
 void disturb(b2Body& body, Bytes& bytes) {
   switch (bytes.below(7)) {
-    case 0: body.SetTransform(tame_vector(bytes, -2.0, 2.0), tame(bytes, -3.0, 3.0)); break;
-    case 1: body.SetLinearVelocity(tame_vector(bytes, -10.0, 10.0)); break;
-    case 2: body.SetAngularVelocity(tame(bytes, -10.0, 10.0)); break;
-    case 3: body.SetEnabled(bytes.yes()); break;
-    case 4: body.SetType(bytes.yes() ? b2_dynamicBody : b2_kinematicBody); break;
-    case 5: body.ApplyLinearImpulseToCenter(tame_vector(bytes, -10.0, 10.0), true); break;
+    case 0: body.SetTransform(finite_vector(bytes, -2.0, 2.0), finite_float(bytes, -3.0, 3.0)); break;
+    case 1: body.SetLinearVelocity(finite_vector(bytes, -10.0, 10.0)); break;
+    case 2: body.SetAngularVelocity(finite_float(bytes, -10.0, 10.0)); break;
+    case 3: body.SetEnabled(bytes.boolean()); break;
+    case 4: body.SetType(bytes.boolean() ? b2_dynamicBody : b2_kinematicBody); break;
+    case 5: body.ApplyLinearImpulseToCenter(finite_vector(bytes, -10.0, 10.0), true); break;
     default: {
       b2MassData mass;
-      mass.mass = std::abs(tame(bytes, 0.01, 100.0));
+      mass.mass = std::abs(finite_float(bytes, 0.01, 100.0));
       mass.center.SetZero();
-      mass.I = std::abs(tame(bytes, 0.0, 10.0));
+      mass.I = std::abs(finite_float(bytes, 0.0, 10.0));
       body.SetMassData(&mass);
     }
   }
 }
 
-b2Vec2 some_hand(Bytes& bytes) {
+b2Vec2 arbitrary_anchor(Bytes& bytes) {
   const float x = single(bytes.number(-1.0, 1.0));
   return {x, single(bytes.number(-1.0, 1.0))};
 }
