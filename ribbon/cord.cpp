@@ -79,7 +79,7 @@ double Cord::mass(int point) const { return parts_->state.masses[slot(point)]; }
 double Cord::rest_length(int i) const { return parts_->state.rest[slot(i)]; }
 Cord::Energy Cord::energy(Vec2 gravity) const { return parts_->energy(gravity); }
 Vec2 Cord::reaction(int point, Vec2 gravity) const {
-  check_point(point);
+  check_point(*parts_, point);
   return kind(point) == PointKind::free ? Vec2{} : parts_->reaction(slot(point), gravity);
 }
 Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
