@@ -15,18 +15,25 @@ struct FirstLeaf {
   int leaf = b2_nullNode;
 };
 
-}  // namespace
-
-BroadPhaseTree::BroadPhaseTree(const b2BroadPhase& broad_phase) {
-  static_assert(std::is_standard_layout_v<b2TreeNode> && offsetof(b2TreeNode, aabb) == 0);
-  if (broad_phase.GetProxyCount() == 0) return;
+/// Returns the index of a leaf. The broad phase must have one.
+int any_leaf(const b2BroadPhase& broad_phase) {
   FirstLeaf first;
   b2AABB everything;
   everything.lowerBound.Set(-b2_maxFloat, -b2_maxFloat);
   everything.upperBound.Set(b2_maxFloat, b2_maxFloat);
   broad_phase.Query(&first, everything);
-  nodes_ = reinterpret_cast<const b2TreeNode*>(&broad_phase.GetFatAABB(first.leaf)) - first.leaf;
-  root_ = first.leaf;
+  return first.leaf;
+}
+
+}  // namespace
+
+/// Node 0 is mostly in use: it belongs to the first fixture of the world, unless that was destroyed.
+BroadPhaseTree::BroadPhaseTree(const b2BroadPhase& broad_phase) {
+  static_assert(std::is_standard_layout_v<b2TreeNode> && offsetof(b2TreeNode, aabb) == 0);
+  if (broad_phase.GetProxyCount() == 0) return;
+  nodes_ = reinterpret_cast<const b2TreeNode*>(&broad_phase.GetFatAABB(0));
+  const bool is_free = nodes_[0].height < 0;
+  root_ = is_free ? any_leaf(broad_phase) : 0;
   while (nodes_[root_].parent != b2_nullNode) root_ = nodes_[root_].parent;
 }
 

@@ -83,7 +83,7 @@ class LeafSearch {
 
   /// Reserves memory for so many nodes on one level of the tree.
   void reserve(std::size_t nodes) { open_.reserve(2 * nodes); }
-  /// Calls take(leaf, set), with the index of the leaf, for each leaf that overlaps some of the boxes, at most
+  /// Calls take(leaf, set), with the index of the leaf, for each leaf that overlaps some of the boxes, 1 …
   /// max_boxes of them. `take` may shrink boxes. O(nodes near the boxes).
   ///
   /// It goes through the tree level by level. So the memory of a node is fetched long before the node is read.

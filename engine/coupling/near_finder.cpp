@@ -143,8 +143,8 @@ void NearFinder::run(Task& task, const BroadPhaseTree& tree, std::span<const Nea
   task.lists_distant = true;
   for (; first < last; first += LeafSearch::max_boxes) {
     const auto group = queries.subspan(first, std::min(LeafSearch::max_boxes, last - first));
-    std::array<SearchBox, LeafSearch::max_boxes> at_rest;
-    std::array<SearchBox, LeafSearch::max_boxes> moving;
+    auto& at_rest = task.at_rest;
+    auto& moving = task.moving;
     for (std::size_t k = 0; k < group.size(); ++k) {
       at_rest[k] = search_box(widened(group[k].swept_aabb, travel_margin * fall_));
       moving[k] = task.lists_distant ? search_box(widened(group[k].swept_aabb, max_travel(fall_))) : at_rest[k];

@@ -2,6 +2,7 @@
 
 #include <box2d/box2d.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -49,6 +50,9 @@ class NearFinder {
   /// The memory and the results of one task, which runs some of the queries.
   struct Task {
     LeafSearch search;
+    // Of a group of cords: the boxes in which bodies can be near that do not move, and others.
+    std::array<SearchBox, LeafSearch::max_boxes> at_rest;
+    std::array<SearchBox, LeafSearch::max_boxes> moving;
     std::vector<Found> found;                          // near a group of cords
     std::vector<std::pair<std::size_t, int>> distant;  // query, and leaf that is near the cord only if its body moves
     bool lists_distant = true;                         // there are few enough of them to test each

@@ -1,0 +1,119 @@
+#include "ribbon/box2d/leaf_search.h"
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "tests/support/dice.h"
+
+// The search of the broad phase's tree finds what queries of Box2D find.
+
+namespace ribbon::box2d {
+namespace {
+
+using test_support::Dice;
+
+/// Collects the leaves of a query of Box2D.
+struct Collect {
+  bool QueryCallback(int32 leaf) {  // NOLINT(readability-identifier-naming): Box2D names it
+    leaves.insert(leaf);
+    return true;
+  }
+  std::set<int> leaves;
+};
+
+b2AABB box(double x, double y, double width, double height) {
+  b2AABB aabb;
+  aabb.lowerBound.Set(static_cast<float>(x), static_cast<float>(y));
+  aabb.upperBound.Set(static_cast<float>(x + width), static_cast<float>(y + height));
+  return aabb;
+}
+
+b2AABB random_box(Dice& dice) { return box(dice(-9.0, 9.0), dice(-9.0, 9.0), dice(0.0, 3.0), dice(0.0, 3.0)); }
+
+using Pairs = std::set<std::pair<std::size_t, int>>;  // box and leaf
+
+Pairs found_by_box2d(const b2BroadPhase& broad_phase, const std::vector<b2AABB>& boxes) {
+  Pairs pairs;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    Collect collect;
+    broad_phase.Query(&collect, boxes[k]);
+    for (const int leaf : collect.leaves) pairs.insert({k, leaf});
+  }
+  return pairs;
+}
+
+Pairs found_by_search(const b2BroadPhase& broad_phase, const std::vector<b2AABB>& boxes) {
+  std::vector<SearchBox> search_boxes;
+  for (const b2AABB& aabb : boxes) search_boxes.emplace_back(aabb);
+  Pairs pairs;
+  LeafSearch().find(BroadPhaseTree(broad_phase), search_boxes, [&](int leaf, BoxSet set) {
+    for_each_box(set, [&](std::size_t k) { EXPECT_TRUE(pairs.insert({k, leaf}).second) << "found twice"; });
+  });
+  return pairs;
+}
+
+TEST(LeafSearch, FindsWhatQueriesFind) {
+  Dice dice(3);
+  b2BroadPhase broad_phase;
+  std::vector<int> proxies;
+  for (int round = 0; round < 200; ++round) {
+    // The first proxies go first, so that the first nodes of the tree become free.
+    if (round % 3 == 2 && !proxies.empty()) {
+      broad_phase.DestroyProxy(proxies.front());
+      proxies.erase(proxies.begin());
+    }
+    for (int k = 0; k < round % 5; ++k) proxies.push_back(broad_phase.CreateProxy(random_box(dice), nullptr));
+    std::vector<b2AABB> boxes(1 + static_cast<std::size_t>(round) % LeafSearch::max_boxes);
+    for (b2AABB& aabb : boxes) aabb = random_box(dice);
+    EXPECT_EQ(found_by_search(broad_phase, boxes), found_by_box2d(broad_phase, boxes)) << "round " << round;
+  }
+}
+
+TEST(LeafSearch, FindsNothingInAnEmptyTree) {
+  b2BroadPhase broad_phase;
+  const std::vector<b2AABB> boxes(3, box(-1e9, -1e9, 2e9, 2e9));
+  EXPECT_TRUE(found_by_search(broad_phase, boxes).empty());
+  const int only = broad_phase.CreateProxy(box(0.0, 0.0, 1.0, 1.0), nullptr);
+  EXPECT_EQ(found_by_search(broad_phase, boxes).size(), 3U);
+  broad_phase.DestroyProxy(only);
+  EXPECT_TRUE(found_by_search(broad_phase, boxes).empty());
+}
+
+TEST(LeafSearch, BoxesOverlapAsInBox2D) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float limit = std::numeric_limits<float>::max();
+  std::vector<b2AABB> boxes{box(0.0, 0.0, 1.0, 1.0),        box(1.0, 0.0, 1.0, 1.0),   box(0.0, 1.0, 0.0, 0.0),
+                            box(1.0 + 1e-6, 0.0, 1.0, 1.0), box(-3.0, -3.0, 9.0, 9.0), box(-0.0, -5.0, 0.0, 10.0)};
+  boxes.push_back(boxes[0]);
+  boxes.back().lowerBound.x = nan;
+  boxes.push_back(boxes[0]);
+  boxes.back().upperBound.y = -infinity;
+  boxes.push_back(boxes[0]);
+  boxes.back().lowerBound.x = -limit;
+  boxes.back().upperBound.x = limit;
+  for (const b2AABB& a : boxes) {
+    for (const b2AABB& b : boxes) EXPECT_EQ(SearchBox(a).overlaps(b), b2TestOverlap(a, b));
+  }
+}
+
+TEST(LeafSearch, BoxesMayShrinkDuringASearch) {
+  b2BroadPhase broad_phase;
+  for (int k = 0; k < 100; ++k) broad_phase.CreateProxy(box(k, 0.0, 0.5, 0.5), nullptr);
+  std::vector<SearchBox> boxes{SearchBox(box(0.0, 0.0, 100.0, 1.0))};
+  int found = 0;
+  LeafSearch().find(BroadPhaseTree(broad_phase), boxes, [&](int, BoxSet) {
+    ++found;
+    boxes[0] = SearchBox(box(200.0, 0.0, 1.0, 1.0));
+  });
+  EXPECT_EQ(found, 1);
+}
+
+}  // namespace
+}  // namespace ribbon::box2d
