@@ -99,6 +99,7 @@ std::string code_of(const ribbon::CordDef& def, const std::string& object) {
 std::string code_of(const SceneCord& cord, const std::string& object) {
   Lines lines(object);
   lines.set("velocity", cord.velocity, {});
+  lines.set("other_softness", cord.other_softness, false);
   return code_of(cord.def, object + ".def") + lines.all();
 }
 

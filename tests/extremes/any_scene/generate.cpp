@@ -151,6 +151,14 @@ void add_scenery(Dice& dice, Room& room, Scene& scene) {
   }
 }
 
+/// Varies what was added to the library later. It has dice of its own, so all else of a scene stays as it was.
+void vary_cords(Dice dice, Scene& scene) {
+  for (SceneCord& cord : scene.cords) {
+    if (chance(dice, 0.25)) cord.def.gravity_scale = dice(-1.0, 3.0);
+    cord.other_softness = chance(dice, 0.15);
+  }
+}
+
 }  // namespace
 
 std::string_view name(Family family) {
@@ -180,6 +188,7 @@ Scene generate(const SceneId& which) {
     room.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
   }
   add_holders(dice, recipe, scene);
+  if (mixed) vary_cords(Dice(which.seed), scene);
   if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
   return scene;
 }

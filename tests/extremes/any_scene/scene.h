@@ -37,8 +37,9 @@ struct Solid {
 
 /// A cord and its initial velocity, uniform over all points.
 struct SceneCord {
-  ribbon::CordDef def;    ///< with positions; the scene's preset sets the accuracy
-  ribbon::Vec2 velocity;  ///< m/s
+  ribbon::CordDef def;          ///< with positions; the scene's preset sets the accuracy
+  ribbon::Vec2 velocity;        ///< m/s
+  bool other_softness = false;  ///< Accuracy::soft_contacts is the opposite of the preset's
 
   bool operator==(const SceneCord&) const = default;
 };

@@ -90,6 +90,7 @@ void World::add(const Solid& solid) {
 void World::add(const SceneCord& cord, Preset preset) {
   ribbon::CordDef def = cord.def;
   def.accuracy = accuracy_of(preset);
+  if (cord.other_softness) def.accuracy.soft_contacts = !def.accuracy.soft_contacts;
   ribbon::Cord made(def);
   for (int p = 0; p < made.size() && cord.velocity != Vec2{}; ++p) {
     if (made.kind(p) == ribbon::PointKind::free) made.set_velocity(p, cord.velocity);
