@@ -139,7 +139,7 @@ class GripRef : public GripView {
 };
 
 /// A body of Box2D as the coupling sees it, for reading: a small handle like CordView, also for bodies that no cord has
-/// met. It must outlive neither the body nor the coupling.
+/// met. It must not outlive the body or the coupling.
 class BodyView {
  public:
   /// Returns the handle of a body; Coupling::body calls this.
