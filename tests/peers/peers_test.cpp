@@ -108,8 +108,8 @@ TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
   EXPECT_EQ(json["cords"][0]["links"].size(), 40U);
   EXPECT_EQ(json["cords"][0]["positions"].size(), 41U);
   EXPECT_EQ(json["hinges"].size(), 41U);
-  EXPECT_EQ(json["moving_bodies"].size(), 1U);
-  const nlohmann::json& ball = json["bodies"][json["moving_bodies"][0].get<std::size_t>()];
+  EXPECT_EQ(json["movingBodies"].size(), 1U);
+  const nlohmann::json& ball = json["bodies"][json["movingBodies"][0].get<std::size_t>()];
   EXPECT_EQ(ball["radius"], 0.25);
   EXPECT_EQ(ball["dynamic"], true);
 }

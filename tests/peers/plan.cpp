@@ -173,7 +173,7 @@ std::string to_json(const Plan& plan) {
                     {"ticks", plan.ticks},
                     {"bodies", ordered_json::array()},
                     {"hinges", ordered_json::array()},
-                    {"moving_bodies", plan.moving_bodies()},
+                    {"movingBodies", plan.moving_bodies()},
                     {"cords", ordered_json::array()}};
   for (const BodyPlan& body : plan.bodies) json["bodies"].push_back(json_of(body));
   for (const HingePlan& hinge : plan.hinges) {

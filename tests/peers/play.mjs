@@ -42,7 +42,7 @@ const parameters = Object.fromEntries(settings.map((text) => {
   return [key, Number(value)];
 }));
 
-const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.moving_bodies.length);
+const columns = 1 + 2 * (plan.cords.reduce((sum, cord) => sum + cord.positions.length, 0) + plan.movingBodies.length);
 
 /// Writes the points of each cord, or the front end of its first link and the rear ends of all links.
 function record(world, row) {
@@ -65,8 +65,8 @@ function record(world, row) {
     end(cord.links[0], -1);
     for (const link of cord.links) end(link, 1);
   }
-  for (const moving_body of plan.moving_bodies) {
-    world.pose(moving_body, pose);
+  for (const movingBody of plan.movingBodies) {
+    world.pose(movingBody, pose);
     put(pose[0], pose[1]);
   }
 }
