@@ -13,6 +13,7 @@ namespace {
 
 constexpr double single_roundings = 8.0;      // multiples of the rounding error within which positions are equal
 constexpr double min_contact_delta_v = 1e-5;  // m/s, and as a share of the velocity: below, it is a rounding error
+constexpr double max_impact_share = 0.5;      // of a push that goes into the velocity; above, the push is an impact
 constexpr double max_acceleration = 1e19;     // m/s², of a body in a step of the solver
 
 /// Box2D divides a velocity by this in each tick.
@@ -126,12 +127,22 @@ double remaining_angular_carry(const b2Body& body, const CarryState& state) {
   return std::abs(pushed + rest) <= most ? rest : std::clamp(pushed + rest, -most, most) - pushed;
 }
 
+/// Returns the part of Box2D's push [m/s] that may go on: all of it, unless it is an impact. An impact goes into the
+/// velocity, which has changed by `change` in the tick; what is left supports the body.
+Vec2 steady_part(const b2Body& body, Vec2 push, Vec2 change) {
+  const double size = length(push);
+  if (size == 0.0 || !meets_anything(body)) return push;
+  const double share = dot(change, push) / (size * size);
+  return share > max_impact_share ? std::max(0.0, 1.0 - share) * push : push;
+}
+
 /// Returns the acceleration [m/s²] by which Box2D's contacts and forces have pushed a body in both of the last two
 /// ticks: what supports a standing or leaning body, or a steady force. Without it the cord would let the body fall in
-/// each tick.
-Vec2 expected_acceleration(const b2Body& body, CarryState& state, double dt) {
+/// each tick. `velocity` is the momentary one of now, m/s.
+Vec2 expected_acceleration(const b2Body& body, CarryState& state, Vec2 velocity, double dt) {
   const Vec2 before = state.contact_delta_v;
-  state.contact_delta_v = contact_delta_v(body, state);
+  const Vec2 change = velocity - external_delta_v(body, state) - state.start_velocity;
+  state.contact_delta_v = steady_part(body, contact_delta_v(body, state), change);
   state.expected_delta_v = {};
   if (dot(before, state.contact_delta_v) > 0.0) {
     const double smaller = std::min(length(before), length(state.contact_delta_v));
@@ -160,7 +171,7 @@ void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr) return;
   rigid.velocity += remaining_carry(body, *found);
-  rigid.acceleration += expected_acceleration(body, *found, dt);
+  rigid.acceleration += expected_acceleration(body, *found, rigid.velocity, dt);
   rigid.angular_velocity += remaining_angular_carry(body, *found);
   if (length(rigid.position - found->position) <= single_rounding(rigid.position)) rigid.position = found->position;
 }
@@ -178,6 +189,7 @@ void VelocityCarry::drive(b2Body& body, const RigidBody& rigid, const StepCondit
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
   state.carry = bounded((1.0 / divisor) * (end - (to_double(body.GetLinearVelocity()) + fall)), CarryState::max_carry);
   state.start = to_double(body.GetWorldCenter());
+  state.start_velocity = rigid.velocity;
   state.dt = dt;
   state.position = rigid.position + rigid.moved;
   const Vec2 weight = (dt * static_cast<double>(body.GetGravityScale())) * conditions.gravity;
