@@ -10,7 +10,7 @@ namespace ribbon {
 namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
-constexpr double max_regainable = 2e-3;
+constexpr double max_regainable = 1e-3;
 constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
