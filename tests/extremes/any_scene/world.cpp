@@ -186,17 +186,22 @@ double World::energy_of_free_bodies(const CouplingState& planned) const {
 }
 
 /// Returns the energy that Box2D's contacts gave the bodies that cords move, J, from the velocities that Box2D works
-/// with. What a collision takes from one body and gives another one is no gain.
+/// with. What a collision takes from one body and gives another one is no gain. A collision takes no more kinetic energy
+/// from a body than it had at that moment: Box2D's velocities are means of a tick, and may be higher.
 double World::work_on_moved_bodies(const CouplingState& planned) const {
   double sum = 0.0;
   for (const auto& carry : planned.carries) {
     const b2Body& body = *bodies_[slot(carry.body)];
     if (body.GetType() != b2_dynamicBody) continue;
-    const Moving plan{carry.memory.position, carry.memory.velocity + carry.memory.expected_delta_v,
-                      carry.memory.angular_velocity};
+    const ribbon::box2d::CarryState& memory = carry.memory;
+    const Moving plan{memory.position, memory.velocity + memory.expected_delta_v, memory.angular_velocity};
+    const Moving momentary{plan.center, plan.velocity + memory.carry, plan.turning + memory.angular_carry};
     const Moving done{to_double(body.GetWorldCenter()), to_double(body.GetLinearVelocity()),
                       static_cast<double>(body.GetAngularVelocity())};
-    sum += energy(body, done) - energy(body, plan);
+    const double lifting = energy(body, {done.center, {}, 0.0}) - energy(body, {plan.center, {}, 0.0});
+    const double speeding = energy(body, done) - energy(body, plan) - lifting;
+    const double kinetic = energy(body, momentary) - energy(body, {plan.center, {}, 0.0});
+    sum += lifting + std::max(speeding, -kinetic);
   }
   return sum;
 }
