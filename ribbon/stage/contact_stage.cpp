@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ribbon/system/stretch.h"
+
 namespace ribbon {
 namespace {
 
@@ -51,7 +53,8 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     strict = !strict && taken.crawls;
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
-    if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.are_bars_settled(state, stage, iteration)) {
+    if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || became_stretched(state) ||
+        !newton.are_bars_settled(state, stage, iteration)) {
       continue;
     }
     if (contacts.are_settled(state.positions, tolerated) ||
