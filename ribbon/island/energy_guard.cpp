@@ -94,6 +94,12 @@ void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts,
   if (gained_energy(state, contacts, before, tolerated_gain)) slow_down(state, after_.total() - before.total());
 }
 
+void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before) {
+  if (!gained_energy(state, contacts, before, tolerated_gain)) return;
+  const double motion = after_.kinetic - before.kinetic + after_.potential - before.potential;
+  slow_down(state, std::clamp(motion, 0.0, after_.total() - before.total()));
+}
+
 void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {
   const double kept = regainable_ > 0.0 ? regainable_decay * regainable_ : regainable_;
   const double scene = scale(before);
