@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "ribbon/collision/motion_bounds.h"
 #include "ribbon/contact/contacts.h"
 #include "ribbon/island/energy_guard.h"
@@ -34,15 +32,8 @@ struct StepContext {
     state.return_to_start();
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
-  /// At the start of the step a contact has no more energy than its force had at the end of the last one: what pushed
-  /// it deeper since then, the solver does not know, and it must not come out as motion.
   Cord::Energy energy_before() const {
-    if (state.driven) return {};
-    Cord::Energy energy = EnergyGuard::total_energy(state, contacts);
-    if (state.start.time == 0.0 && !contacts.empty()) {
-      energy.elastic += std::min(0.0, contacts.energy_of_forces() - contacts.energy());
-    }
-    return energy;
+    return state.driven ? Cord::Energy{} : EnergyGuard::total_energy(state, contacts);
   }
   bool gained_energy(const Cord::Energy& before, double tolerated) const {
     return guard.gained_energy(state, contacts, before, tolerated);
