@@ -57,8 +57,9 @@ struct CarryState {
   Vec2 velocity;                  ///< m/s, after a world.Step in which nothing pushes it
   double angular_velocity = 0.0;  ///< rad/s, the same for the rotation
   Vec2 start;                     ///< m, position before the world.Step
+  Vec2 start_velocity;            ///< m/s, momentary velocity before that step
   double dt = 0.0;                ///< s, duration of that step
-  Vec2 contact_delta_v;           ///< m/s, change of velocity by Box2D in the step before the last
+  Vec2 contact_delta_v;           ///< m/s, steady part of Box2D's push in the step before the last
   Vec2 expected_delta_v;          ///< m/s, change of velocity that the solver expected in the last step
 
   bool operator==(const CarryState&) const = default;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double single_roundings = 8.0;      // multiples of the rounding error within which positions are equal
 constexpr double min_contact_delta_v = 1e-5;  // m/s, and as a share of the velocity: below, it is a rounding error
+constexpr double max_impact_share = 0.5;      // of a push that goes into the velocity; above, the push is an impact
 constexpr double max_acceleration = 1e19;     // m/s², of a body in a step of the solver
 
 /// Box2D divides a velocity by this in each tick.
@@ -57,33 +58,91 @@ Vec2 contact_delta_v(const b2Body& body, const CarryState& state) {
   return to_double(body.GetLinearVelocity()) - state.velocity - external_delta_v(body, state);
 }
 
-/// Returns the part of the carry that is still valid: without its component along the direction n in which Box2D pushed
-/// the body. A contact stops the body, so it removes the whole component. A force removes no more than it gave, and
-/// nothing as far as the cord expected it.
-Vec2 remaining_carry(const b2Body& body, const CarryState& state) {
-  const Vec2 all = contact_delta_v(body, state);
-  const Vec2 unexpected = meets_anything(body) ? all : all - state.expected_delta_v;
-  const double size = length(unexpected);
-  if (!(size > min_contact_delta_v * (1.0 + length(state.velocity)))) return state.carry;
-  const Vec2 n = (1.0 / size) * unexpected;
-  const double along = dot(state.carry, n);
-  return state.carry - (meets_anything(body) ? along : std::clamp(along, -size, size)) * n;
+/// Returns `v` with its component along the unit vector n shortened until |v|² is at most `most`, m²/s².
+Vec2 slowed_along(Vec2 n, Vec2 v, double most) {
+  if (dot(v, v) <= most) return v;
+  const double along = dot(v, n);
+  const Vec2 across = v - along * n;
+  const double limit = std::sqrt(std::max(0.0, most - dot(across, across)));
+  return across + std::clamp(along, -limit, limit) * n;
 }
 
-/// The same for the rotation: a contact that turned the body against its carry ends the carry.
+/// Returns the largest |v|² [m²/s²] that a body may have with its carry, so that its energy rises by no more than
+/// Box2D's pushes did work on it.
+///
+/// The solver left the body with the velocity v + e + c at the end of the tick: v of a step without pushes, the push e
+/// that it expected, and the carry c. Box2D's body would have had v + e, and has w = v + Δv. Its contacts did the work
+/// m·(|w|² − |v + e|²)/2, so
+///
+///     |v_end|² ≤ |v + e + c|² + |w|² − |v + e|².
+///
+/// Where an expected push does not come, w lacks it, and no contact did that work. So the smaller one of |w| with and
+/// without the part of e that is missing counts.
+double allowed_speed_squared(const CarryState& state, Vec2 delta_v) {
+  const Vec2 expected = state.expected_delta_v;
+  const Vec2 planned = state.velocity + expected;
+  const Vec2 solved = planned + state.carry;
+  const Vec2 pushed = state.velocity + delta_v;
+  const double expected_squared = dot(expected, expected);
+  const double missing =
+      expected_squared > 0.0 ? 1.0 - std::clamp(dot(delta_v, expected) / expected_squared, 0.0, 1.0) : 0.0;
+  const Vec2 completed = pushed + missing * expected;
+  return dot(solved, solved) - dot(planned, planned) + std::min(dot(pushed, pushed), dot(completed, completed));
+}
+
+/// Returns the part of the carry that is still valid. A contact stops the body, so it removes the whole component along
+/// the direction n of its push. A force removes no more than it gave, and nothing as far as the cord expected it.
+/// Nothing may add energy: where the cord slowed the body down, the carry is against its velocity, and without it the
+/// body is faster than the cord has left it.
+Vec2 remaining_carry(const b2Body& body, const CarryState& state) {
+  const double noise = min_contact_delta_v * (1.0 + length(state.velocity));
+  const bool meets = meets_anything(body);
+  const Vec2 delta_v = contact_delta_v(body, state);
+  const Vec2 unexpected = delta_v - state.expected_delta_v;
+  const double push = length(meets ? delta_v : unexpected);
+  const double surprise = length(unexpected);
+  if (!(push > noise) && !(surprise > noise)) return state.carry;
+
+  const Vec2 n = push > noise ? (1.0 / push) * (meets ? delta_v : unexpected) : Vec2{};
+  const double along = dot(state.carry, n);
+  const Vec2 rest = state.carry - (meets ? along : std::clamp(along, -push, push)) * n;
+  const Vec2 pushed = state.velocity + delta_v;
+  const Vec2 slowed_in = surprise > noise ? (1.0 / surprise) * unexpected : n;
+  const Vec2 end = pushed + rest;
+  const Vec2 bounded_end = slowed_along(slowed_in, end, allowed_speed_squared(state, delta_v));
+  return bounded_end == end ? rest : bounded_end - pushed;
+}
+
+/// The same for the rotation: a contact that turned the body against its carry ends the carry, as far as the energy of
+/// the rotation allows.
 double remaining_angular_carry(const b2Body& body, const CarryState& state) {
-  const double delta = static_cast<double>(body.GetAngularVelocity()) - state.angular_velocity;
-  const bool is_against = std::abs(delta) > min_contact_delta_v * (1.0 + std::abs(state.angular_velocity)) &&
-                          delta * state.angular_carry < 0.0;
-  return meets_anything(body) && is_against ? 0.0 : state.angular_carry;
+  const double pushed = static_cast<double>(body.GetAngularVelocity());
+  const double before = state.angular_velocity;
+  const double delta = pushed - before;
+  const bool is_turned = std::abs(delta) > min_contact_delta_v * (1.0 + std::abs(before));
+  if (!meets_anything(body) || !is_turned) return state.angular_carry;
+  const double rest = delta * state.angular_carry < 0.0 ? 0.0 : state.angular_carry;
+  const double solved = before + state.angular_carry;
+  const double most = std::sqrt(std::max(0.0, solved * solved + pushed * pushed - before * before));
+  return std::abs(pushed + rest) <= most ? rest : std::clamp(pushed + rest, -most, most) - pushed;
+}
+
+/// Returns the part of Box2D's push [m/s] that may go on: all of it, unless it is an impact. An impact goes into the
+/// velocity, which has changed by `change` in the tick; what is left supports the body.
+Vec2 steady_part(const b2Body& body, Vec2 push, Vec2 change) {
+  const double size = length(push);
+  if (size == 0.0 || !meets_anything(body)) return push;
+  const double share = dot(change, push) / (size * size);
+  return share > max_impact_share ? std::max(0.0, 1.0 - share) * push : push;
 }
 
 /// Returns the acceleration [m/s²] by which Box2D's contacts and forces have pushed a body in both of the last two
 /// ticks: what supports a standing or leaning body, or a steady force. Without it the cord would let the body fall in
-/// each tick.
-Vec2 expected_acceleration(const b2Body& body, CarryState& state, double dt) {
+/// each tick. `velocity` is the momentary one of now, m/s.
+Vec2 expected_acceleration(const b2Body& body, CarryState& state, Vec2 velocity, double dt) {
   const Vec2 before = state.contact_delta_v;
-  state.contact_delta_v = contact_delta_v(body, state);
+  const Vec2 change = velocity - external_delta_v(body, state) - state.start_velocity;
+  state.contact_delta_v = steady_part(body, contact_delta_v(body, state), change);
   state.expected_delta_v = {};
   if (dot(before, state.contact_delta_v) > 0.0) {
     const double smaller = std::min(length(before), length(state.contact_delta_v));
@@ -112,7 +171,7 @@ void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr) return;
   rigid.velocity += remaining_carry(body, *found);
-  rigid.acceleration += expected_acceleration(body, *found, dt);
+  rigid.acceleration += expected_acceleration(body, *found, rigid.velocity, dt);
   rigid.angular_velocity += remaining_angular_carry(body, *found);
   if (length(rigid.position - found->position) <= single_rounding(rigid.position)) rigid.position = found->position;
 }
@@ -130,6 +189,7 @@ void VelocityCarry::drive(b2Body& body, const RigidBody& rigid, const StepCondit
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
   state.carry = bounded((1.0 / divisor) * (end - (to_double(body.GetLinearVelocity()) + fall)), CarryState::max_carry);
   state.start = to_double(body.GetWorldCenter());
+  state.start_velocity = rigid.velocity;
   state.dt = dt;
   state.position = rigid.position + rigid.moved;
   const Vec2 weight = (dt * static_cast<double>(body.GetGravityScale())) * conditions.gravity;

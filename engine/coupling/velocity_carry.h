@@ -38,8 +38,9 @@ bool meets_anything(const b2Body& body);
 /// left with:
 ///
 /// - The contacts, joints and forces of Box2D change it by Δv (contact_delta_v). A body that a contact stops must not
-///   go on with the carry: c loses its component along Δv. A force that pushes in two successive ticks is also handed
-///   to the solver as an acceleration, so that the cord expects it.
+///   go on with the carry: c loses its component along Δv, as long as that does not make the body's energy rise by more
+///   than the work of the contacts. A force that pushes in two successive ticks is also handed to the solver as an
+///   acceleration, so that the cord expects it. An impact is not: it is told by the velocity that it changed.
 /// - The user may change it, by ApplyLinearImpulse or SetLinearVelocity, after the step (external_delta_v). Such a
 ///   change leaves c as it is. It shows as a difference between the velocity and the displacement over dt, which
 ///   world.Step keeps equal.

@@ -10,7 +10,7 @@ namespace ribbon {
 namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
-constexpr double max_regainable = 2e-3;
+constexpr double max_regainable = 7e-4;
 constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
@@ -85,12 +85,19 @@ void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
   if (state.driven) return false;
   after_ = total_energy(state, contacts);
-  const double work = grip_work(state);
-  return !(after_.total() - before.total() <= regainable_ + work + tolerated * scale(before));
+  const double share = tolerated * scale(before);
+  const double allowed = regainable_ > 0.0 ? std::max(regainable_, share) : regainable_ + share;
+  return !(after_.total() - before.total() <= grip_work(state) + allowed);
 }
 
 void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
   if (gained_energy(state, contacts, before, tolerated_gain)) slow_down(state, after_.total() - before.total());
+}
+
+void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before) {
+  if (!gained_energy(state, contacts, before, tolerated_gain)) return;
+  const double motion = after_.kinetic - before.kinetic + after_.potential - before.potential;
+  slow_down(state, std::clamp(motion, 0.0, after_.total() - before.total()));
 }
 
 void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {

@@ -43,10 +43,14 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
   const Cord::Energy before = context.energy_before();
-  if (!take_second_order(context, time, dt, before) && !take_damped(context, time, dt, before)) {
-    if (!context.work.has_large_budget()) return false;
-    ++context.work.report.unconverged;
-    context.guard.remove_spurious_energy(context.state, context.contacts, before);
+  if (!take_second_order(context, time, dt, before)) {
+    if (take_damped(context, time, dt, before)) {
+      context.guard.remove_spurious_motion(context.state, context.contacts, before);
+    } else {
+      if (!context.work.has_large_budget()) return false;
+      ++context.work.report.unconverged;
+      context.guard.remove_spurious_energy(context.state, context.contacts, before);
+    }
   }
   end(context, before, dt, restitution);
   return true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ribbon/system/stretch.h"
+
 namespace ribbon {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr double negligible_share = 1e-3;        // of the tolerance: so small a
 constexpr double unsettled_share = 1e-2;         // of the tolerance, by which unexpected forces may move something
 constexpr double crawling_share = 0.1;           // of a step: if less is taken, its contacts were not as expected
 constexpr int enough_full_steps = 2;             // of a stage with soft contacts
+constexpr int max_length_iterations = 6;         // of a stage, in which links may not stretch; later ones may
 constexpr double driven_rest = 1e-9;             // share of a driven displacement that counts as none
 
 }  // namespace
@@ -54,6 +57,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.are_bars_settled(state, stage, iteration)) {
       continue;
     }
+    if (iteration < max_length_iterations && became_stretched(state)) continue;
     if (contacts.are_settled(state.positions, tolerated) ||
         (soft && full_steps >= enough_full_steps && contacts.active.are_shallow(contacts.scene.pairs))) {
       return is_solution(context, request);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ribbon/system/grips.h"
+#include "ribbon/system/stretch.h"
 
 namespace ribbon {
 namespace {
@@ -173,7 +174,8 @@ bool FreeStage::full_steps(const StageContext& context, const Stage& stage) {
     if (!(moved <= NewtonSolver::max_displacement)) return false;
     newton.move(state, state.positions, 1.0);
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && newton.are_bars_settled(state, stage, iteration)) {
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
+        newton.are_bars_settled(state, stage, iteration)) {
       return true;
     }
   }
@@ -203,7 +205,8 @@ bool FreeStage::searched_steps(const StageContext& context, const Stage& stage) 
     }
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && newton.are_bars_settled(state, stage, iteration)) {
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
+        newton.are_bars_settled(state, stage, iteration)) {
       return true;
     }
   }

@@ -332,15 +332,15 @@ void drive_asleep(BitWorld& scene, int tick) {
 }
 
 constexpr std::array<BitScene, 9> scenes = {{
-    {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
-    {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
-    {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
-    {"contacts", build_contacts, nullptr, 150, 0xc597ec3c71ffcd81},
-    {"grips", build_grips, drive_grips, 180, 0xa3a76ff7a65d3bca},
-    {"self_contact", build_self_contact, nullptr, 80, 0x18858f40b8ed8302},
-    {"thesis", build_thesis, drive_thesis, 180, 0x60c02759fffca4d2},
-    {"rough", build_rough, drive_rough, 120, 0xd2a6ed2e886765eb},
-    {"asleep", build_asleep, drive_asleep, 220, 0x1f85e0956a8befc8},
+    {"ropes", build_ropes, drive_ropes, 180, 0x33108a2a9e3f4ad2},
+    {"terms", build_terms, nullptr, 180, 0xc381da45a8b9d4fd},
+    {"ribbons", build_ribbons, nullptr, 180, 0x010cb0e1ec26d610},
+    {"contacts", build_contacts, nullptr, 150, 0x4299adb6e28ed3e5},
+    {"grips", build_grips, drive_grips, 180, 0x90e0b23a4682d174},
+    {"self_contact", build_self_contact, nullptr, 80, 0xc5ea504f70b5135d},
+    {"thesis", build_thesis, drive_thesis, 180, 0xd53ed847008e0eaa},
+    {"rough", build_rough, drive_rough, 120, 0x9a7d1712b2d1796b},
+    {"asleep", build_asleep, drive_asleep, 220, 0x80a469fd9ae0712b},
 }};
 
 }  // namespace

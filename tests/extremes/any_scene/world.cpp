@@ -9,6 +9,7 @@
 namespace any_scene {
 
 using ribbon::Vec2;
+using ribbon::box2d::CouplingState;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
@@ -139,9 +140,10 @@ double World::tick(int number) {
   coupling_.step();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
-  const double before = energy_of_free_bodies();
+  const CouplingState planned = coupling_.save(world_);
+  const double before = energy_of_free_bodies(planned);
   world_.Step(static_cast<float>(dt), 8, 3);
-  box2d_work_ += energy_of_free_bodies() - before;
+  box2d_work_ += energy_of_free_bodies(planned) - before + work_on_moved_bodies(planned);
   update_pushed_bodies();
   return time.count();
 }
@@ -173,12 +175,33 @@ double World::energy(const b2Body& body, const Moving& moving) const {
 }
 
 /// Returns the energy of bodies that no cord affects, J.
-double World::energy_of_free_bodies() const {
-  std::vector<char> is_led(bodies_.size(), 0);
-  for (const auto& carry : coupling_.save(world_).carries) is_led[slot(carry.body)] = 1;
+double World::energy_of_free_bodies(const CouplingState& planned) const {
+  std::vector<char> is_moved(bodies_.size(), 0);
+  for (const auto& carry : planned.carries) is_moved[slot(carry.body)] = 1;
   double sum = 0.0;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    if (bodies_[k]->GetType() == b2_dynamicBody && is_led[k] == 0) sum += energy(*bodies_[k], now(*bodies_[k]));
+    if (bodies_[k]->GetType() == b2_dynamicBody && is_moved[k] == 0) sum += energy(*bodies_[k], now(*bodies_[k]));
+  }
+  return sum;
+}
+
+/// Returns the energy that Box2D's contacts gave the bodies that cords move, J, from the velocities that Box2D works
+/// with. What a collision takes from one body and gives another one is no gain. A collision takes no more kinetic energy
+/// from a body than it had at that moment: Box2D's velocities are means of a tick, and may be higher.
+double World::work_on_moved_bodies(const CouplingState& planned) const {
+  double sum = 0.0;
+  for (const auto& carry : planned.carries) {
+    const b2Body& body = *bodies_[slot(carry.body)];
+    if (body.GetType() != b2_dynamicBody) continue;
+    const ribbon::box2d::CarryState& memory = carry.memory;
+    const Moving plan{memory.position, memory.velocity + memory.expected_delta_v, memory.angular_velocity};
+    const Moving momentary{plan.center, plan.velocity + memory.carry, plan.turning + memory.angular_carry};
+    const Moving done{to_double(body.GetWorldCenter()), to_double(body.GetLinearVelocity()),
+                      static_cast<double>(body.GetAngularVelocity())};
+    const double lifting = energy(body, {done.center, {}, 0.0}) - energy(body, {plan.center, {}, 0.0});
+    const double speeding = energy(body, done) - energy(body, plan) - lifting;
+    const double kinetic = energy(body, momentary) - energy(body, {plan.center, {}, 0.0});
+    sum += lifting + std::max(speeding, -kinetic);
   }
   return sum;
 }

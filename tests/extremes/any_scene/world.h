@@ -60,7 +60,8 @@ class World {
   struct Moving;
   double energy(const b2Body& body, const Moving& moving) const;
   Moving now(const b2Body& body) const;
-  double energy_of_free_bodies() const;
+  double energy_of_free_bodies(const ribbon::box2d::CouplingState& planned) const;
+  double work_on_moved_bodies(const ribbon::box2d::CouplingState& planned) const;
 
   const Scene scene_;
   b2World world_;

@@ -209,6 +209,30 @@ TEST(CordContactLimits, ACapstansStepsConverge) {
 }
 
 /// No penetration increases, and a ball that separates is free.
+/// The tolerance for scenery is a fifth of these links: within it a link that turns fast could stretch by a twentieth.
+TEST(CordContactLimits, ShortLinksDoNotStretchWithinALargeTolerance) {
+  for (const double speed : {0.0, 5.0, 10.0, 20.0}) {
+    CordDef def;
+    def.points = 41;
+    def.length = 2.0;
+    def.pins = {0};
+    def.accuracy = Accuracy::fast();
+    for (int i = 0; i < def.points; ++i) def.positions.push_back({i / 20.0, 0.0});
+    ContactWorld world(def);
+    const int ball = world.add_ball({0.7, -0.5}, 0.1, 1.0, 0.3);
+    world.body(ball).velocity = {0.0, speed};
+    world.add_peg({0.4, -0.4}, 0.05, 0.3);
+    double most = 0.0;
+    for (int k = 0; k < 120; ++k) {
+      world.step();
+      const auto& x = world.cord.positions();
+      for (std::size_t i = 1; i < x.size(); ++i) most = std::max(most, std::abs(20.0 * length(x[i] - x[i - 1]) - 1.0));
+    }
+    EXPECT_LE(most, 5e-3) << speed;
+    EXPECT_EQ(world.total.unconverged, 0) << speed;
+  }
+}
+
 TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   for (const double along : {0.5, 0.525, 0.51}) {
     for (const double radius : {5e-6, 5e-4, 0.05}) {
