@@ -10,8 +10,9 @@ namespace ribbon {
 namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
-constexpr double max_regainable = 7e-4;
-constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
+constexpr double max_regainable = 2e-3;           // of a smooth motion, whose integration sways about the exact energy
+constexpr double max_regainable_touching = 7e-4;  // where a contact begins, a gain is not smooth
+constexpr double max_total_gain = 5e-7;           // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
@@ -86,7 +87,10 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
   if (state.driven) return false;
   after_ = total_energy(state, contacts);
   const double share = tolerated * scale(before);
-  const double allowed = regainable_ > 0.0 ? std::max(regainable_, share) : regainable_ + share;
+  double allowed = regainable_ + share;
+  if (!contacts.empty() && regainable_ > 0.0) {
+    allowed = std::max(std::min(regainable_, max_regainable_touching * scale(before)), share);
+  }
   return !(after_.total() - before.total() <= grip_work(state) + allowed);
 }
 
@@ -105,7 +109,8 @@ void EnergyGuard::account(IslandState& state, const Contacts& contacts, const En
   const double scene = scale(before);
   const double lost = before.total() - after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + grip_work(state)) : lost;
-  regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, max_regainable * scene);
+  const double most = contacts.empty() ? max_regainable : max_regainable_touching;
+  regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, most * scene);
   if (contacts.impacts.any() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain
   drift_ += unexplained;
   const double excess = -drift_ - max_total_gain * scene;

@@ -25,14 +25,14 @@ class EnergyGuard {
   static Energy total_energy(IslandState& state, Contacts& contacts);
   /// Stores the energy at the end of the substep, unless something drives the island.
   void measure(IslandState& state, Contacts& contacts);
-  /// Measures, and returns whether the energy has risen since `before` by more than the work of grips and the larger one
-  /// of what may be regained and `tolerated` [share of the scene's energy]. Returns false while something drives the
-  /// island.
+  /// Measures, and returns whether the energy has risen since `before` by more than the work of grips and the larger
+  /// one of what may be regained and `tolerated` [share of the scene's energy]. Returns false while something drives
+  /// the island.
   bool gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated);
   /// The last resort for a substep that is not solved: takes the energy that came from nowhere out of the velocities.
   void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
-  /// The same for a solved substep of implicit Euler, which may gain where contacts begin. It takes out no more than the
-  /// motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself.
+  /// The same for a solved substep of implicit Euler, which may gain where contacts begin. It takes out no more than
+  /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself.
   void remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before);
   /// Ends a substep: updates what may be regained and what was lost, and slows down what has gained too much in all.
   void account(IslandState& state, const Contacts& contacts, const Energy& before);

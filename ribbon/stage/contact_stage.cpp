@@ -57,7 +57,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.are_bars_settled(state, stage, iteration)) {
       continue;
     }
-    if (iteration < max_length_iterations && became_stretched(state)) continue;
+    if (iteration < max_length_iterations && !state.driven && became_stretched(state)) continue;
     if (contacts.are_settled(state.positions, tolerated) ||
         (soft && full_steps >= enough_full_steps && contacts.active.are_shallow(contacts.scene.pairs))) {
       return is_solution(context, request);

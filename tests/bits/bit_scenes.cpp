@@ -332,15 +332,15 @@ void drive_asleep(BitWorld& scene, int tick) {
 }
 
 constexpr std::array<BitScene, 9> scenes = {{
-    {"ropes", build_ropes, drive_ropes, 180, 0x33108a2a9e3f4ad2},
-    {"terms", build_terms, nullptr, 180, 0xc381da45a8b9d4fd},
-    {"ribbons", build_ribbons, nullptr, 180, 0x010cb0e1ec26d610},
-    {"contacts", build_contacts, nullptr, 150, 0x4299adb6e28ed3e5},
-    {"grips", build_grips, drive_grips, 180, 0x90e0b23a4682d174},
-    {"self_contact", build_self_contact, nullptr, 80, 0xc5ea504f70b5135d},
-    {"thesis", build_thesis, drive_thesis, 180, 0xd53ed847008e0eaa},
-    {"rough", build_rough, drive_rough, 120, 0x9a7d1712b2d1796b},
-    {"asleep", build_asleep, drive_asleep, 220, 0x80a469fd9ae0712b},
+    {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
+    {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
+    {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
+    {"contacts", build_contacts, nullptr, 150, 0x8baa29c400f95204},
+    {"grips", build_grips, drive_grips, 180, 0xa622600601890af5},
+    {"self_contact", build_self_contact, nullptr, 80, 0xd305d23c4c91575f},
+    {"thesis", build_thesis, drive_thesis, 180, 0xf745b06e8dd5b555},
+    {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
+    {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
 }};
 
 }  // namespace

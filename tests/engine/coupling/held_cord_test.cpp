@@ -232,8 +232,8 @@ class CarryOfABoxOnTheGround : public testing::Test {
     return scene.coupling.body(*scene.body).velocity().x;
   }
 
-  /// Returns the push [m/s] that the solver expects of the ground after one of 4 m/s in the tick before, and another one
-  /// that changed the body's velocity from `start_velocity` to 0.
+  /// Returns the push [m/s] that the solver expects of the ground after one of 4 m/s in the tick before, and another
+  /// one that changed the body's velocity from `start_velocity` to 0.
   double expected_push(double start_velocity) {
     scene.body->SetLinearVelocity({0.0F, 0.0F});
     ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);

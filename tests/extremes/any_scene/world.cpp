@@ -186,8 +186,8 @@ double World::energy_of_free_bodies(const CouplingState& planned) const {
 }
 
 /// Returns the energy that Box2D's contacts gave the bodies that cords move, J, from the velocities that Box2D works
-/// with. What a collision takes from one body and gives another one is no gain. A collision takes no more kinetic energy
-/// from a body than it had at that moment: Box2D's velocities are means of a tick, and may be higher.
+/// with. What a collision takes from one body and gives another one is no gain. A collision takes no more kinetic
+/// energy from a body than it had at that moment: Box2D's velocities are means of a tick, and may be higher.
 double World::work_on_moved_bodies(const CouplingState& planned) const {
   double sum = 0.0;
   for (const auto& carry : planned.carries) {
