@@ -32,24 +32,6 @@ void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
 
 }  // namespace
 
-CordReport& CordReport::operator+=(const CordReport& other) {
-  stages += other.stages;
-  iterations += other.iterations;
-  searches += other.searches;
-  fallbacks += other.fallbacks;
-  energy_gains += other.energy_gains;
-  halvings += other.halvings;
-  impacts += other.impacts;
-  posed += other.posed;
-  cuts += other.cuts;
-  unlocked += other.unlocked;
-  unconverged += other.unconverged;
-  work += other.work;
-  position_error = std::max(position_error, other.position_error);
-  force_error = std::max(force_error, other.force_error);
-  return *this;
-}
-
 Cord::Cord(const CordDef& def)
     : parts_(std::make_unique<CordParts>(checked(def))), island_(std::make_unique<Island>()) {
   reserve(initial_grips);
@@ -59,12 +41,13 @@ Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
 
-CordReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
+IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
   check_surroundings(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
   const IslandCord alone{this, surroundings};
-  return island_->step({&alone, 1}, surroundings.bodies, dt, gravity);
+  CordReport report;
+  return island_->step({&alone, 1}, surroundings.bodies, dt, gravity, {&report, 1});
 }
 
 const CordDef& Cord::def() const { return parts_->def; }
@@ -80,7 +63,11 @@ double Cord::rest_length(int i) const { return parts_->state.rest[slot(i)]; }
 Cord::Energy Cord::energy(Vec2 gravity) const { return parts_->energy(gravity); }
 Vec2 Cord::reaction(int point, Vec2 gravity) const {
   check_point(*parts_, point);
-  return kind(point) == PointKind::free ? Vec2{} : parts_->reaction(slot(point), gravity);
+  return kind(point) == PointKind::free ? Vec2{} : holding_force(point, gravity);
+}
+Vec2 Cord::holding_force(int point, Vec2 gravity) const {
+  check_point(*parts_, point);
+  return parts_->holding_force(slot(point), gravity);
 }
 Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
 bool Cord::remembers_sweep() const { return parts_->sweep.has_value(); }

@@ -9,6 +9,7 @@
 #include "ribbon/box.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/definition.h"
+#include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/touch.h"
 #include "ribbon/vec2.h"
@@ -17,34 +18,6 @@ namespace ribbon {
 
 class Island;
 struct CordParts;
-
-/// Statistics of one step, summed over its substeps. Counts from `searches` to `unlocked` are of difficulties that the
-/// solver overcame; `unconverged` counts those that it did not.
-struct CordReport {
-  int stages = 0;        ///< implicit solves: two per substep of TR-BDF2, one per substep of implicit Euler
-  int iterations = 0;    ///< Newton steps, each of which solves one linear system in O(points)
-  int searches = 0;      ///< stages restarted with a line search, because full Newton steps did not converge
-  int fallbacks = 0;     ///< substeps redone by implicit Euler, because a stage did not converge
-  int energy_gains = 0;  ///< substeps redone, by implicit Euler or with a smaller tolerance, because the energy rose
-                         ///< without a cause; not checked while a point of the cord is driven
-  int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
-  int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
-  int posed = 0;         ///< steps whose contacts were linearised once, because Newton steps did not converge
-  int cuts = 0;  ///< parts of posed substeps in which a point was stopped to prevent penetration or an energy gain, and
-                 ///< lost velocity
-  int unlocked = 0;     ///< steps in which inverted cells were turned back
-  int unconverged = 0;  ///< substeps that did not converge and were kept as they are
-  /// Work done, in a unit that does not depend on the machine: 1 for each 2 × 2 block of the matrix of a linear system
-  /// (4 per point for the band matrix of a single cord), and 1 for each pair tested for contact.
-  std::int64_t work = 0;
-  // Residuals of the worst unconverged substep; 0 if all substeps converged:
-  double position_error = 0.0;  ///< m, the largest correction of a point by the last linear solve
-  double force_error = 0.0;     ///< N, the inertia force of that correction
-
-  bool operator==(const CordReport&) const = default;
-  /// Adds the counts of another step and keeps the larger residuals.
-  CordReport& operator+=(const CordReport& other);
-};
 
 /// A cord that keeps its length under any load: a direct solver computes all its points at once, in O(points). A rope
 /// has one row of points; a ribbon has several and resists shear and compression too. A step allocates no memory. It
@@ -94,6 +67,9 @@ class Cord {
   /// damping after set_velocity and while inverted cells are turned back. It is 0 for a free point. Throws
   /// DefinitionError for an unknown point. O(points).
   Vec2 reaction(int point, Vec2 gravity) const;
+  /// Returns the same for a point that a static or kinematic body holds, or for any other: the force that balances all
+  /// others on the point.
+  Vec2 holding_force(int point, Vec2 gravity) const;
 
   /// Bounds of a cord's position and motion.
   struct Sweep {
@@ -140,7 +116,7 @@ class Cord {
   /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord
   /// (`grips`, at most one per body) or touch it are solved with it. Each receives the impulses that give it its
   /// velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
-  CordReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
+  IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
@@ -180,7 +156,7 @@ class Cord {
     std::vector<Holder> holders;          ///< see Cord::holders
     std::vector<Touch> touches;           ///< see Cord::touches
     bool touch_changed = false;           ///< a contact began or ended in the last step
-    double regainable_energy = 0.0;       ///< J, energy that may be regained; see CordReport::energy_gains
+    double regainable_energy = 0.0;       ///< J, energy that may be regained; see IslandReport::energy_gains
     double energy_drift = 0.0;            ///< J, lost since the cord was created; negative if gained
     bool damping_excluded = false;        ///< the tensions exclude damping
     bool restart = true;                  ///< the accelerations are out of date

@@ -38,25 +38,30 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   for (const IslandCord& cord : cords)
     check_surroundings(cord.surroundings, bodies.size(), cord.cord->size(), cord.cord->def().rows);
   total_ = {};
+  island_reports_.clear();
   first_members_.assign(1, 0);
   if (cords.empty()) return;
   find_swept_boxes(cords, bodies, dt, gravity);
   find_islands(cords, bodies);
   list_members(cords);
+  island_reports_.resize(at(islands()));
+  member_reports_.resize(cords.size());
   parallel_for_(divide_into_parts(), [&](int part) {
     const std::size_t p = at(part);
     for (std::size_t k = first_of_part_[p]; k < first_of_part_[p + 1]; ++k) {
       const std::size_t first = first_members_[k];
-      const auto members = std::span<const IslandCord>(members_).subspan(first, first_members_[k + 1] - first);
-      reports[member_cords_[first]] = island_solvers_[p]->step(members, bodies, dt, gravity);
+      const std::size_t count = first_members_[k + 1] - first;
+      const auto members = std::span<const IslandCord>(members_).subspan(first, count);
+      const auto member_reports = std::span(member_reports_).subspan(first, count);
+      island_reports_[k] = island_solvers_[p]->step(members, bodies, dt, gravity, member_reports);
       for (const IslandCord& member : members) member.cord->parts().remember_sweep();
     }
   });
-  for (std::size_t k = 0; k < cords.size(); ++k) {
-    if (parents_[k] == k) {
-      if (!cords[k].cord->is_asleep()) total_ += reports[k];
-    } else {
-      reports[k] = reports[parents_[k]];
+  for (std::size_t k = 0; k < island_reports_.size(); ++k) {
+    if (!members_[first_members_[k]].cord->is_asleep()) total_ += island_reports_[k];
+    for (std::size_t m = first_members_[k]; m < first_members_[k + 1]; ++m) {
+      member_reports_[m].island = static_cast<int>(k);
+      reports[member_cords_[m]] = member_reports_[m];
     }
   }
 }

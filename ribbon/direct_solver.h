@@ -9,6 +9,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/island_cord.h"
 #include "ribbon/parallel_for.h"
+#include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/vec2.h"
 
@@ -26,7 +27,7 @@ class DirectSolver {
   ~DirectSolver();
 
   /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Islands are stepped in the order of their
-  /// first cords. Writes the report of the island of cords[k] to reports[k]. Throws DefinitionError, and moves nothing,
+  /// first cords. Writes the report of cords[k] to reports[k]. Throws DefinitionError, and moves nothing,
   /// if check_step, check_bodies or check_surroundings do.
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
@@ -37,8 +38,10 @@ class DirectSolver {
 
   /// Returns the number of islands in the last step.
   int islands() const { return static_cast<int>(first_members_.size()) - 1; }
+  /// Returns the reports of all islands in the last step; see CordReport::island.
+  std::span<const IslandReport> island_reports() const { return island_reports_; }
   /// Returns the sum of the reports of all islands in the last step.
-  const CordReport& total() const { return total_; }
+  const IslandReport& total() const { return total_; }
 
  private:
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
@@ -68,7 +71,9 @@ class DirectSolver {
   std::vector<std::size_t> first_members_;  // index in members_ of each island, and the end of the last
   std::vector<std::size_t> next_members_;   // by first cord of an island: index of its next member
   std::vector<std::size_t> first_of_part_;  // first island of each part, which is one task, and the end of the last
-  CordReport total_;
+  std::vector<IslandReport> island_reports_;
+  std::vector<CordReport> member_reports_;  // of members_
+  IslandReport total_;
   std::vector<std::unique_ptr<Island>> island_solvers_;  // by part; each keeps the memory that its part needs
 };
 

@@ -12,6 +12,7 @@
 #include "ribbon/island_cord.h"
 #include "ribbon/layout.h"
 #include "ribbon/parallel_for.h"
+#include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "ribbon/touch.h"

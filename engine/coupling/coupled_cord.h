@@ -44,8 +44,9 @@ struct CoupledCord {
   std::vector<FixtureTouch> touching_before{};  // in the step before it
 
   std::uintptr_t user_data = 0;
-  CordReport island_report{};
-  CordReport island_total{};
+  CordReport report{};
+  IslandReport island_report{};
+  IslandReport island_total{};
   double error = 0.0;
   StepReport thesis_report{};
   StepReport thesis_total{};

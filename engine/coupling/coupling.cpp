@@ -94,12 +94,13 @@ void step_direct(CouplingParts& parts) {
   const SolverInput input{parts.island_cords, bodies, dt, gravity};
   if (parts.watcher != nullptr) parts.watcher->before(input);
   parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
-  if (parts.watcher != nullptr) parts.watcher->after(input, parts.reports, parts.solver.total());
+  if (parts.watcher != nullptr) parts.watcher->after(input, parts.solver.island_reports(), parts.solver.total());
   std::size_t k = 0;
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
     if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
-    cord.island_report = parts.reports[k++];
+    cord.report = parts.reports[k++];
+    cord.island_report = parts.solver.island_reports()[static_cast<std::size_t>(cord.report.island)];
     if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
   }
 }
@@ -259,7 +260,7 @@ void Coupling::use(const ParallelFor& parallel_for) {
   parts_->solver.use(parallel_for);
 }
 
-const CordReport& Coupling::tick_report() const { return parts_->solver.total(); }
+const IslandReport& Coupling::tick_report() const { return parts_->solver.total(); }
 int Coupling::islands() const { return parts_->islands; }
 
 void Coupling::estimate_errors(bool wanted) {

@@ -125,7 +125,7 @@ class Coupling {
 
   /// Returns the report of the last step of all cords of the direct solver, which counts each island once. Its `work`
   /// is that of the whole tick.
-  const CordReport& tick_report() const;
+  const IslandReport& tick_report() const;
   /// Returns the number of islands of the direct solver in the last step.
   int islands() const;
   /// Starts or stops to estimate the error of each tick of the cords of the direct solver; see ErrorProbe. An estimate

@@ -22,7 +22,7 @@ void add(Hasher& hasher, b2Vec2 v) {
 }
 
 /// Adds the counts that differ if two runs differ.
-void add(Hasher& hasher, const CordReport& report) {
+void add(Hasher& hasher, const IslandReport& report) {
   for (const int count : {report.stages, report.iterations, report.searches, report.fallbacks, report.energy_gains,
                           report.halvings, report.impacts, report.unlocked, report.unconverged}) {
     hasher.add(count);

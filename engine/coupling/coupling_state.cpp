@@ -206,6 +206,7 @@ void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
     to.thesis().restore(std::get<ThesisCord::State>(from.state));
   }
   to.enabled = from.enabled;
+  to.report = {};
   to.island_report = from.island_report;
   to.island_total = from.island_total;
   to.error = from.error;

@@ -82,8 +82,8 @@ struct CouplingState {
     CordId id = 0;                                               ///< its id
     std::variant<ThesisCord::State, ribbon::Cord::State> state;  ///< of its solver
     bool enabled = true;                                         ///< see CordView
-    CordReport island_report;                                    ///< see CordView
-    CordReport island_total;                                     ///< see CordView
+    IslandReport island_report;                                  ///< see CordView
+    IslandReport island_total;                                   ///< see CordView
     double error = 0.0;                                          ///< m, see CordView
     StepReport thesis_report;                                    ///< see CordView
     StepReport thesis_total;                                     ///< see CordView

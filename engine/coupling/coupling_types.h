@@ -62,7 +62,8 @@ struct GripState {
   CordId cord = 0;     ///< the cord
   double arc = 0.0;    ///< m of rest length from the first point
   Vec2 place;          ///< m, position on the cord
-  Vec2 pull;           ///< N, force on a dynamic body in the last tick
+  /// N, force on the body in the last tick; of a cord of the thesis's solver always 0
+  Vec2 pull;
   bool slips = false;  ///< the grip slipped in the last tick
   int point = 0;       ///< index of the point that it holds, or of the one before its place
   double along = 0.0;  ///< position between this point and the one in the next column, 0 … below 1

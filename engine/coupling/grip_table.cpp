@@ -56,10 +56,12 @@ double climb_in_tick(const BodyGrip& grip, const CoupledCord& cord, double dt) {
 /// Reads the result of a step for one grip of a cord: its force, and the distance that it slid and climbed.
 void follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
   grip.pull = {};
+  grip.drives_point = true;
   double slid = 0.0;
   for (const Cord::Holder& solved : cord.direct().holders()) {
     if (solved.grip != static_cast<int>(index)) continue;
     grip.pull = solved.pull;
+    grip.drives_point = false;
     slid = solved.slid;
   }
   grip.slips = slid != 0.0;

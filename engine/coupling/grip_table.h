@@ -18,6 +18,7 @@ namespace ribbon::box2d {
 struct BodyGrip : GripMemory {
   b2Body* body = nullptr;
   SeenBody seen;
+  bool drives_point = false;  // in the last step: its body is static or kinematic, and it holds a point
 };
 
 /// Moves a grip to a column of its cord, 0 … columns − 1, at the same row: to the nearest end if the column is beyond

@@ -16,6 +16,11 @@ void check_place(const CoupledCord& cord, int point, double along) {
   check_range("along", along, 0.0, 1.0);
 }
 
+/// Returns the force of a cord on the static or kinematic body that holds a point, N; 0 if a pin holds it too.
+Vec2 pull_on_driver(const Cord& cord, int point, Vec2 gravity) {
+  return cord.kind(point) == PointKind::free ? -cord.holding_force(point, gravity) : Vec2{};
+}
+
 }  // namespace
 
 bool CordView::is_valid() const { return parts_->cords.find(id_) != nullptr; }
@@ -55,8 +60,9 @@ int CordView::near_count() const {
 }
 
 Box CordView::swept_aabb() const { return parts_->cords.at(id_).swept_aabb; }
-const CordReport& CordView::island_report() const { return parts_->cords.at(id_).island_report; }
-const CordReport& CordView::island_total() const { return parts_->cords.at(id_).island_total; }
+const CordReport& CordView::report() const { return parts_->cords.at(id_).report; }
+const IslandReport& CordView::island_report() const { return parts_->cords.at(id_).island_report; }
+const IslandReport& CordView::island_total() const { return parts_->cords.at(id_).island_total; }
 double CordView::error() const { return parts_->cords.at(id_).error; }
 const StepReport& CordView::thesis_report() const { return parts_->cords.at(id_).thesis_report; }
 const StepReport& CordView::thesis_total() const { return parts_->cords.at(id_).thesis_total; }
@@ -82,6 +88,7 @@ void CordRef::set_enabled(bool enabled) const {
   cord.enabled = enabled;
   if (enabled) return;
   parts_->detach(id());
+  cord.report = {};
   cord.island_report = {};
   cord.error = 0.0;
   cord.thesis_report = {};
@@ -110,7 +117,7 @@ GripState GripView::state() const {
   return {grip.cord,
           cord.arc_at(column_of(grip, cord)),
           cord.position(grip.point, grip.along),
-          grip.pull,
+          grip.drives_point ? pull_on_driver(cord.direct(), grip.point, parts_->conditions.gravity) : grip.pull,
           grip.slips,
           grip.point,
           grip.along};

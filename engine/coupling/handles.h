@@ -55,10 +55,12 @@ class CordView {
   Box swept_aabb() const;
 
   // Of cords of the direct solver:
+  /// Returns what the last step did to the cord; empty after Coupling::restore.
+  const CordReport& report() const;
   /// Returns the report of the last step of the island that the cord belongs to.
-  const CordReport& island_report() const;
+  const IslandReport& island_report() const;
   /// Returns the sum of these reports since the cord was added.
-  const CordReport& island_total() const;
+  const IslandReport& island_total() const;
   /// Returns the estimated time integration error of the last tick [m], for exact initial values; 0 if errors are not
   /// estimated.
   double error() const;

@@ -28,9 +28,9 @@ class StepWatcher {
 
   /// Called before the step.
   virtual void before(const SolverInput& input) noexcept = 0;
-  /// Called after the step, with the report of each cord's island and their total.
-  virtual void after(const SolverInput& input, std::span<const CordReport> reports,
-                     const CordReport& total) noexcept = 0;
+  /// Called after the step, with the reports of all islands, in the order of their first cords, and their total.
+  virtual void after(const SolverInput& input, std::span<const IslandReport> islands,
+                     const IslandReport& total) noexcept = 0;
 };
 
 }  // namespace ribbon::box2d

@@ -31,8 +31,8 @@ void FlightRecorder::before(const ribbon::box2d::SolverInput& input) noexcept {
   }
 }
 
-void FlightRecorder::after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> /*reports*/,
-                           const ribbon::CordReport& total) noexcept {
+void FlightRecorder::after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::IslandReport> /*reports*/,
+                           const ribbon::IslandReport& total) noexcept {
   if (!has_step_) return;
   has_step_ = false;
   try {
@@ -48,7 +48,7 @@ void FlightRecorder::after(const ribbon::box2d::SolverInput& input, std::span<co
 }
 
 /// Returns the first condition that holds, in words; empty if none does.
-std::string FlightRecorder::reason(const ribbon::box2d::SolverInput& input, const ribbon::CordReport& total) const {
+std::string FlightRecorder::reason(const ribbon::box2d::SolverInput& input, const ribbon::IslandReport& total) const {
   if (conditions_.unconverged && total.unconverged > 0) {
     return "unconverged substeps: " + std::to_string(total.unconverged);
   }

@@ -11,7 +11,7 @@ namespace engine {
 
 /// The steps to record: those for which at least one condition holds. By default all conditions are off.
 struct FlightConditions {
-  std::optional<std::int64_t> max_work{};  ///< more work in all islands than this: CordReport::work
+  std::optional<std::int64_t> max_work{};  ///< more work in all islands than this: IslandReport::work
   bool unconverged = false;                ///< a substep that did not converge
   std::optional<double> max_speed{};       ///< m/s: a point that is faster than this after the step
   std::optional<double> max_stretch{};     ///< a link whose strain is larger than this after the step
@@ -28,8 +28,8 @@ class FlightRecorder : public ribbon::box2d::StepWatcher {
   FlightRecorder(const FlightConditions& conditions, std::string prefix, int max_files);
 
   void before(const ribbon::box2d::SolverInput& input) noexcept override;
-  void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::CordReport> reports,
-             const ribbon::CordReport& total) noexcept override;
+  void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::IslandReport> reports,
+             const ribbon::IslandReport& total) noexcept override;
 
   /// False after the last file and after a failure.
   bool is_armed() const { return written_ < max_files_ && failure_.empty(); }
@@ -39,7 +39,7 @@ class FlightRecorder : public ribbon::box2d::StepWatcher {
   const std::string& failure() const { return failure_; }
 
  private:
-  std::string reason(const ribbon::box2d::SolverInput& input, const ribbon::CordReport& total) const;
+  std::string reason(const ribbon::box2d::SolverInput& input, const ribbon::IslandReport& total) const;
   void write();
   void fail(const char* sentence) noexcept;
 

@@ -35,7 +35,7 @@ struct SolverStep {
   /// The outcome when the step was recorded, to compare with a repetition.
   struct Outcome {
     std::string why;              ///< why it was recorded, in words
-    std::int64_t work = 0;        ///< CordReport::work of all islands
+    std::int64_t work = 0;        ///< IslandReport::work of all islands
     int unconverged = 0;          ///< unconverged substeps of all islands
     std::uint64_t positions = 0;  ///< hash_of_positions of the cords
   };

@@ -57,8 +57,8 @@ void cell(double value, const char* unit) {
 }
 
 void show_direct_row(const Coupling& coupling, ribbon::box2d::CordId c, const Meter& meter) {
-  const ribbon::CordReport& last = coupling.cord(c).island_report();
-  const ribbon::CordReport& total = coupling.cord(c).island_total();
+  const ribbon::IslandReport& last = coupling.cord(c).island_report();
+  const ribbon::IslandReport& total = coupling.cord(c).island_total();
   cell(static_cast<int>(coupling.cord(c).direct().touches().size()));
   cell(greatest_tension(coupling, c), "");
   cell(inverted_cells(coupling, c));

@@ -108,7 +108,7 @@ Table direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter)
   if (meter != nullptr) table.front().insert(table.front().end(), {"peak stretch", "est. error mm/s"});
   for (const ribbon::box2d::CordId c : coupling.cords()) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
-    const ribbon::CordReport& total = coupling.cord(c).island_total();
+    const ribbon::IslandReport& total = coupling.cord(c).island_total();
     const auto touches = static_cast<int>(coupling.cord(c).direct().touches().size());
     table.push_back(in_words({c, points_of(coupling, c), touches, coupling.cord(c).island_report().iterations,
                               total.impacts, total.fallbacks, total.unconverged}));

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "ribbon/island/sleep.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
 
@@ -16,9 +17,13 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 /// A step in which something leaves its motion bound is redone with a larger one. A step in which a substep does not
 /// converge is redone with contacts that are linearised once.
-CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity) {
+IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
+                          std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
-  if (try_sleep(cords, bodies, gravity)) return {};
+  if (try_sleep(cords, bodies, gravity)) {
+    std::fill(reports.begin(), reports.end(), CordReport{});
+    return {};
+  }
   state_.dt = dt;
   state_.gravity = gravity;
   state_.rigid = bodies;
@@ -37,6 +42,7 @@ CordReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   }
   work_.report.work += contacts_.scene.candidates.take_checks();
   end_step();
+  write_reports(reports);
   return work_.report;
 }
 
@@ -92,6 +98,24 @@ void Island::store_touches() {
   for (const Member& member : state_.members) {
     auto& touches = member.cord->state.touches;
     std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  }
+}
+
+/// A contact of two cords is stored by the one whose point touches the other.
+void Island::write_reports(std::span<CordReport> reports) const {
+  for (std::size_t m = 0; m < state_.members.size(); ++m) reports[m] = state_.members[m].report;
+  const auto count = [&reports](std::size_t member, double force) {
+    ++reports[member].contacts;
+    reports[member].max_normal_force = std::max(reports[member].max_normal_force, force);
+  };
+  for (const ContactPair& pair : contacts_.scene.pairs.all()) {
+    if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;
+    count(pair.cord, pair.touch.force);
+    if (!pair.is_mutual) continue;
+    const auto behind = std::upper_bound(state_.members.begin(), state_.members.end(), at(pair.a),
+                                         [](std::size_t slot, const Member& m) { return slot < m.first_point; });
+    const auto other = static_cast<std::size_t>(behind - state_.members.begin()) - 1;
+    if (other != pair.cord) count(other, pair.touch.force);
   }
 }
 

@@ -23,8 +23,10 @@ namespace ribbon {
 /// other. It stores no state between steps, only memory.
 class Island {
  public:
-  /// Advances the cords by dt seconds. The surroundings of all of them refer to `bodies`.
-  CordReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity);
+  /// Advances the cords by dt seconds. The surroundings of all of them refer to `bodies`. Writes the report of cords[k]
+  /// to reports[k].
+  IslandReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
+                    std::span<CordReport> reports);
   /// Reserves memory for steps of a cord with up to this many grips.
   void reserve(const CordParts& cord, std::size_t grips);
 
@@ -34,6 +36,7 @@ class Island {
   bool take_substeps(bool linearised);
   void end_step();
   void store_touches();
+  void write_reports(std::span<CordReport> reports) const;
   void resize(std::size_t slots, std::size_t tensions);
 
   IslandState state_;

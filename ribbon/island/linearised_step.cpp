@@ -73,12 +73,13 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
       continue;
     }
     if (!taken.solved) {
-      ++work.report.unconverged;
       const double position_error = std::min(taken.result.position_error, NewtonSolver::max_displacement);
-      work.report.position_error = std::max(work.report.position_error, position_error);
-      work.report.force_error = std::max(work.report.force_error, taken.result.force_error);
+      context.report_unconverged(position_error, taken.result.force_error);
     }
     if (end_piece(context, taken, dt, restitution) || taken.result.cut) ++work.report.cuts;
+    for (Member& member : state.members) {
+      if (taken.result.cut && member.stopped) ++member.report.cuts;
+    }
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
   }

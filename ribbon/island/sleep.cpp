@@ -113,7 +113,7 @@ bool try_sleep(std::span<const IslandCord> cords, std::span<RigidBody> bodies, V
   return true;
 }
 
-void count_rest_time(const IslandState& state, const CordReport& report) {
+void count_rest_time(const IslandState& state, const IslandReport& report) {
   for (const Member& member : state.members) {
     const CordParts& cord = *member.cord;
     if (!cord.def.allow_sleep) continue;

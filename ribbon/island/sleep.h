@@ -13,6 +13,6 @@ namespace ribbon {
 /// still at rest. Otherwise it wakes them all. Returns whether they sleep.
 bool try_sleep(std::span<const IslandCord> cords, std::span<RigidBody> bodies, Vec2 gravity);
 /// After a step: updates how long each cord has rested.
-void count_rest_time(const IslandState& state, const CordReport& report);
+void count_rest_time(const IslandState& state, const IslandReport& report);
 
 }  // namespace ribbon

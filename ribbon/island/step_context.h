@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "ribbon/collision/motion_bounds.h"
 #include "ribbon/contact/contacts.h"
 #include "ribbon/island/energy_guard.h"
@@ -30,6 +32,17 @@ struct StepContext {
     contacts.scene.anchors.place_kinematics(state.start.time);
     contacts.impacts.scale_impulses(0.0);
     state.return_to_start();
+  }
+  /// Counts a substep that is kept although it did not converge, with the residuals of the island and of each member.
+  void report_unconverged(double position_error, double force_error) const {
+    IslandReport& report = work.report;
+    ++report.unconverged;
+    report.position_error = std::max(report.position_error, position_error);
+    report.force_error = std::max(report.force_error, force_error);
+    for (Member& member : state.members) {
+      member.report.position_error = std::max(member.report.position_error, member.last_correction);
+      report.position_error = std::max(report.position_error, member.last_correction);
+    }
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
   Cord::Energy energy_before() const {

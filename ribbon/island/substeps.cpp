@@ -48,7 +48,8 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
       context.guard.remove_spurious_motion(context.state, context.contacts, before);
     } else {
       if (!context.work.has_large_budget()) return false;
-      ++context.work.report.unconverged;
+      context.stages.store_corrections(context.state);
+      context.report_unconverged(0.0, 0.0);
       context.guard.remove_spurious_energy(context.state, context.contacts, before);
     }
   }
@@ -95,7 +96,7 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
 /// Returns whether the substep converged and gained no energy. If not, it returns to the start.
 bool Substeps::accept(const StepContext& context, bool converged, const Cord::Energy& before) {
   if (converged && !context.gained_energy(before, EnergyGuard::tolerated_gain)) return true;
-  CordReport& report = context.work.report;
+  IslandReport& report = context.work.report;
   ++(converged ? report.energy_gains : report.fallbacks);
   context.state.restart = true;  // the acceleration of implicit Euler is of first order
   context.return_to_start();

@@ -111,6 +111,7 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
   result.position_error = newton.largest_displacement(state);
   if (!(result.position_error <= NewtonSolver::max_displacement)) return Iteration::ended;
   result.force_error = inertia_force(context, stage);
+  newton.store_corrections(state);
   newton.raise_penalty();
   const double fraction = k < full_linearisations ? 1.0 : step_fraction(context, stage);
   course.is_near = k > 0 && result.position_error <= state.tolerance && solved == ConvexSolver::Result::exact &&
@@ -258,6 +259,11 @@ bool LinearisedStage::keep_apart(const StageContext& context, const MotionBounds
   const bool apart =
       context.contacts.sweep.separate_groups(context.contacts.scene, from, state.positions, groups_, group_shares_);
   if (apart && within) return true;
+  for (Member& member : state.members) {
+    const auto groups = IslandState::points_of(member, groups_);
+    member.stopped = std::any_of(groups.begin(), groups.end(),
+                                 [this](int group) { return group >= 0 && group_shares_[at(group)] < 1.0; });
+  }
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] != 0 || groups_[p] < 0) continue;
     state.positions[p] = from[p] + group_shares_[at(groups_[p])] * (state.positions[p] - from[p]);

@@ -103,6 +103,14 @@ double NewtonSolver::largest_displacement(const IslandState& state) const {
   return std::isfinite(all2) ? std::sqrt(max2) : all2;
 }
 
+void NewtonSolver::store_corrections(IslandState& state) const {
+  for (Member& member : state.members) {
+    double largest2 = 0.0;
+    for (const Vec2 step : IslandState::points_of(member, direction_)) largest2 = std::max(largest2, dot(step, step));
+    member.last_correction = std::min(std::sqrt(largest2), max_displacement);
+  }
+}
+
 void NewtonSolver::move(const IslandState& state, std::span<Vec2> x, double fraction) const {
   for (std::size_t p = 0; p < x.size(); ++p) x[p] = state.positions[p] + fraction * direction_[p];
 }

@@ -29,6 +29,8 @@ class NewtonSolver {
   bool take_solution(IslandState& state, const Stage& stage);
   /// Returns the largest displacement of a point, grip or (coupled) body centre, m; not finite if one is not.
   double largest_displacement(const IslandState& state) const;
+  /// Stores the largest displacement of each member's points in the last direction.
+  void store_corrections(IslandState& state) const;
   /// Writes the positions after a fraction of the direction. Bodies move straight, so that forces balance and momentum
   /// is conserved to the last bits; the separation that this leaves at an arm is of second order, in a step below the
   /// tolerance.

@@ -42,6 +42,9 @@ class StageSolver {
   /// with restitution. Returns null if the system is singular.
   const std::vector<Vec2>* find_restitution(IslandState& state, Contacts& contacts, double dt);
 
+  /// Stores the largest correction of each member's points by the last linear solve.
+  void store_corrections(IslandState& state) const { newton_.store_corrections(state); }
+
   /// Selects how the contacts of the next stages are solved.
   void set_contact_solve(ContactSolve solve);
   /// Returns how the last linearised stage ended.

@@ -11,7 +11,7 @@ namespace ribbon {
 /// The report of a step, and the limits of the work that it may take.
 class StepWork {
  public:
-  CordReport report;
+  IslandReport report;
 
   /// Begins an attempt at the step; its cords and bodies are known.
   void begin_attempt(const IslandState& state);
@@ -38,7 +38,7 @@ class StepWork {
  private:
   std::size_t points_ = 0;
   double max_work_factor_ = 0.0;  // Accuracy::max_work
-  double max_work_ = 0.0;         // in the unit of CordReport::work
+  double max_work_ = 0.0;         // in the unit of IslandReport::work
   int attempt_iterations_ = 0;    // of the report when the attempt began
   std::int64_t attempt_work_ = 0;
   int linearised_iterations_ = 0;  // of the report when linearising began

@@ -73,7 +73,7 @@ Motion CordParts::motion_of_tensions() const {
 }
 
 /// The point moves at constant velocity, so the forces on it are in balance.
-Vec2 CordParts::reaction(std::size_t point, Vec2 gravity) const {
+Vec2 CordParts::holding_force(std::size_t point, Vec2 gravity) const {
   Vec2 others = elasticity->force_on(point, motion_of_tensions(), state.tensions) +
                 state.masses[point] * (def.gravity_scale * gravity) -
                 (def.drag * own_masses[point]) * state.velocities[point];

@@ -22,7 +22,7 @@ struct CordParts {
   /// Returns the energies under `gravity` [m/s²].
   Cord::Energy energy(Vec2 gravity) const;
   /// Returns the force that moves a driven point as it moves; see Cord::reaction.
-  Vec2 reaction(std::size_t point, Vec2 gravity) const;
+  Vec2 holding_force(std::size_t point, Vec2 gravity) const;
   /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
   Cord::Sweep find_sweep() const;
   /// Stores them until the cord is changed.

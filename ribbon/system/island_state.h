@@ -8,6 +8,7 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/system/cord_parts.h"
 #include "ribbon/system/held_body.h"
@@ -26,7 +27,10 @@ struct Member {
   std::size_t first_dual = 0;  ///< of the tensions that are unknowns of the linear system
   std::size_t first_grip = 0;
   std::size_t end_grip = 0;
-  double pressing_mass = 0.0;  ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
+  CordReport report;             ///< of the step; see Island::end_step
+  double last_correction = 0.0;  ///< m, the largest of its points by the last linear solve of a linearised stage
+  bool stopped = false;          ///< that stage stopped it to prevent penetration
+  double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
 
   std::size_t end_point() const { return first_point + points; }
   bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }

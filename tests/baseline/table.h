@@ -7,7 +7,7 @@
 
 namespace baseline {
 
-/// The work of a run by CordReport::work, which is the same on every machine.
+/// The work of a run by IslandReport::work, which is the same on every machine.
 struct Row {
   std::string scene;    ///< or the level of a recorded run
   std::string method;   ///< cord, held, recorded run

@@ -45,7 +45,7 @@ TEST(SameBitsThreads, OfAnyNumberOfThreads) {
 
 /// The golden hashes cover only what the scenes use.
 TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
-  ribbon::CordReport direct;
+  ribbon::IslandReport direct;
   ribbon::StepReport thesis;
   std::size_t begun = 0;
   std::size_t slipped = 0;

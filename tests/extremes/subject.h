@@ -22,7 +22,7 @@ ribbon::Accuracy accuracy_of(Method method);
 /// The sum of what the steps of either solver report.
 struct Counts {
   long steps = 0;
-  ribbon::CordReport direct;
+  ribbon::IslandReport direct;
   ribbon::StepReport thesis;
 
   Counts& operator+=(const Counts& other);

@@ -22,7 +22,7 @@ void WorstCase::take(double value, std::string_view setting, std::string_view ho
 }
 
 bool Row::is_reported() const {
-  const ribbon::CordReport& direct = counts.direct;
+  const ribbon::IslandReport& direct = counts.direct;
   const ribbon::StepReport& thesis = counts.thesis;
   return direct.unconverged > 0 || thesis.fem_skipped > 0 || thesis.motion_limited > 0 || thesis.tangled_columns > 0 ||
          thesis.strained_bars > 0 || thesis.turned_over > 0 || thesis.energy_gains > 0;
@@ -55,7 +55,7 @@ void print_rows(const std::vector<Row>& rows) {
     std::printf("%-34s %-8.*s %6d  %-26s %10.3g %8.2g  %-18s ", row.what.c_str(),
                 static_cast<int>(name(row.method).size()), name(row.method).data(), row.cases, row.figure.c_str(),
                 row.worst, row.limit, verdict(row).c_str());
-    const ribbon::CordReport& direct = row.counts.direct;
+    const ribbon::IslandReport& direct = row.counts.direct;
     const ribbon::StepReport& thesis = row.counts.thesis;
     if (row.method == Method::thesis) {
       std::printf("motion limited %d, strained %d, turned over %d, tangled %d, gains %d, FEM skipped %d",

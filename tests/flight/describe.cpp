@@ -16,7 +16,7 @@ namespace {
 constexpr double bar_after = 1.0;  // s; shorter work shows no progress bar
 
 /// Prints the work and all other counts that are not 0.
-void print_report(const std::string& what, const ribbon::CordReport& report) {
+void print_report(const std::string& what, const ribbon::IslandReport& report) {
   std::printf("%s: work %lld", what.c_str(), static_cast<long long>(report.work));
   const std::pair<const char*, int> counts[] = {{"stages", report.stages},
                                                 {"iterations", report.iterations},
@@ -89,12 +89,15 @@ void print_replay(const engine::SolverStep& step, Replay& replay) {
   print_figures(before, after);
   print_report("all", replay.total());
   std::printf("%d islands\n", replay.islands());
+  for (std::size_t k = 0; k < replay.island_reports().size(); ++k) {
+    print_report("island " + std::to_string(k), replay.island_reports()[k]);
+  }
   for (std::size_t k = 0; k < replay.reports().size(); ++k) {
     const ribbon::Cord& cord = replay.cords()[k];
-    const std::string what = "cord " + std::to_string(k) + (cord.is_asleep() ? ", asleep" : "") + ", of " +
-                             std::to_string(cord.def().points) + " x " + std::to_string(cord.def().rows) +
-                             ", its island";
-    print_report(what, replay.reports()[k]);
+    const ribbon::CordReport& report = replay.reports()[k];
+    std::printf("cord %zu%s, of %d x %d, island %d: contacts %d, normal force %g N, cuts %d, position error %g m\n", k,
+                cord.is_asleep() ? ", asleep" : "", cord.def().points, cord.def().rows, report.island, report.contacts,
+                report.max_normal_force, report.cuts, report.position_error);
   }
 }
 
@@ -111,7 +114,7 @@ void print_profile(Replay& replay, int repeats) {
   }
   std::sort(seconds.begin(), seconds.end());
   const double median = seconds[seconds.size() / 2];
-  const ribbon::CordReport& total = replay.total();
+  const ribbon::IslandReport& total = replay.total();
   std::printf("%d times: median %.4f ms, least %.4f ms", repeats, 1e3 * median, 1e3 * seconds.front());
   if (total.work > 0) std::printf("; %.1f ns a unit of work", 1e9 * median / static_cast<double>(total.work));
   if (total.iterations > 0) std::printf(", %.4f ms a Newton step", 1e3 * median / total.iterations);

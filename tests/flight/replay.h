@@ -25,9 +25,10 @@ class Replay {
   const std::vector<ribbon::Cord>& cords() const { return cords_; }
   /// The bodies after the step: see ribbon::RigidBody.
   const std::vector<ribbon::RigidBody>& bodies() const { return bodies_; }
-  /// By cord: the report of its island.
+  /// By cord.
   const std::vector<ribbon::CordReport>& reports() const { return reports_; }
-  const ribbon::CordReport& total() const { return solver_.total(); }
+  std::span<const ribbon::IslandReport> island_reports() const { return solver_.island_reports(); }
+  const ribbon::IslandReport& total() const { return solver_.total(); }
   int islands() const { return solver_.islands(); }
   /// engine::hash_of_positions.
   std::uint64_t hash() const { return engine::hash_of_positions(island_cords_); }

@@ -100,7 +100,7 @@ void Fuzzed::step(const ribbon::Surroundings& surroundings) {
     copy->restore(cord_.save());
   }
   const Cord::Energy before = cord_.energy(gravity);
-  ribbon::CordReport report;
+  ribbon::IslandReport report;
   if (!accepts(cord_, [&] { report = cord_.step(dt, gravity, surroundings); })) return;
   fuzz::require_finite(cord_);
   require(report.stages > 0 && report.iterations >= 0 && report.unconverged >= 0, "the report has valid counts");

@@ -117,7 +117,7 @@ TEST(CordDamping, ALivelyRopeConverges) {
   def.mass_per_length = 0.5;
   def.stretch_stiffness = 1e3;
   def.damping = 0.05;
-  CordReport report;
+  IslandReport report;
   for (unsigned seed = 0; seed < 5; ++seed) {
     std::mt19937 random(seed);
     const auto dice = [&random] { return static_cast<double>(random()) / 4294967296.0; };
@@ -142,7 +142,7 @@ TEST(CordTensionOnly, NeverPushes) {
       def.accuracy.tolerance = 1e-9;  // a link may push by that much times the inertia of its points
       Cord cord(def);
       for (int p = 1; p <= 20; ++p) cord.set_velocity(p, {0.3, 6.0});  // thrown upwards, past the pin
-      CordReport report;
+      IslandReport report;
       double shortest = 2.0;
       for (int k = 0; k < 180; ++k) {
         report += cord.step(1.0 / 60.0, gravity);
@@ -188,7 +188,7 @@ TEST(CordTensionOnly, HangsStillInShortSteps) {
         def.accuracy = {Integrator::tr_bdf2, substeps, 8, 1e-7};
         Cord cord(def);
         const std::vector<Vec2> start(cord.positions().begin(), cord.positions().end());
-        CordReport report;
+        IslandReport report;
         for (int k = 0; k < 20; ++k) report += cord.step(1.0 / 60.0, gravity);
         for (std::size_t p = 0; p < start.size(); ++p) {
           EXPECT_LE(length(cord.positions()[p] - start[p]), stiffness < infinity ? 1e-6 : 1e-10) << substeps;

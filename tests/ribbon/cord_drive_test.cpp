@@ -81,7 +81,7 @@ TEST(CordReel, NoBurstWhenItStartsTurnsAndStops) {
   Cord cord(def);
   cord.attach_mass(30, 300.0);
   double fastest = 0.0;
-  CordReport report;
+  IslandReport report;
   const auto run = [&](int ticks) {
     for (int k = 0; k < ticks; ++k) {
       report += cord.step(1.0 / 60.0, gravity);
@@ -134,7 +134,7 @@ TEST(CordReel, OfARopeThatBendsAndOfARibbon) {
   for (const CordDef& def : {rope, ribbon}) {
     Cord cord(def);
     cord.reel(0, 10, 0.6, 0.5);
-    CordReport report;
+    IslandReport report;
     for (int k = 0; k < 600; ++k) report += cord.step(1.0 / 60.0, gravity);
     EXPECT_EQ(report.unconverged, 0);
     EXPECT_NEAR(cord.positions().back().y, -0.6, 5e-3) << def.rows;
@@ -256,7 +256,7 @@ TEST(CordAccuracy, ChangedBetweenStepsItHoldsFromTheNextOn) {
   other.restore(changed.save());
   changed.set_accuracy(fine);
   for (int k = 0; k < 10; ++k) {
-    const CordReport report = changed.step(1.0 / 60.0, gravity);
+    const IslandReport report = changed.step(1.0 / 60.0, gravity);
     EXPECT_EQ(report.stages, 32);
     EXPECT_TRUE(report == other.step(1.0 / 60.0, gravity));
   }

@@ -96,7 +96,7 @@ TEST(CordGravityScale, AHeavyBodySwingsOnAWeightlessCord) {
   body.acceleration = gravity;
   const std::array grips = {Grip{10, 0, {}}};
   double lowest = 0.0;
-  CordReport total;
+  IslandReport total;
   for (int k = 0; k < 120; ++k) {
     std::array bodies = {body};
     total += cord.step(dt, gravity, {bodies, {}, grips});

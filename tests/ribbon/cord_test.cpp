@@ -197,7 +197,7 @@ TEST(Cord, TakesNoHeapMemoryInAStep) {
   bars.elements = Elements::bars;
   bars.bending_stiffness = 0.0;
   bars.area_stiffness = 0.0;
-  CordReport report;
+  IslandReport report;
   for (const CordDef& def : {rope, bending, ribbon, bars}) {
     Cord cord(def);
     cord.attach_mass(cord.size() - 1, 100.0);

@@ -22,7 +22,7 @@ struct Measured {
   double resolution_m = 0.0;  ///< smaller errors are unknown
   WindowErrors windows;       ///< of time and solver, in windows; only for the level's own cords
   double windows_resolution_m = 0.0;
-  ribbon::CordReport work;
+  ribbon::IslandReport work;
   int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;

@@ -29,7 +29,7 @@ struct Trace {
   std::vector<Crossings> crossings;               ///< by tick
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², magnitude
-  ribbon::CordReport work;                        ///< of all cords and ticks of the direct solver
+  ribbon::IslandReport work;                      ///< of all cords and ticks of the direct solver
   int contacts = 0;                               ///< sum over cords and ticks, after each tick
   int unconverged_ticks = 0;                      ///< ticks with an unconverged cord of the direct solver
   std::string failure;                            ///< why it ended early; empty if it did not

@@ -48,8 +48,8 @@ struct ContactWorld {
   std::vector<ribbon::Grip> grips{};
   ribbon::Vec2 gravity{0.0, -9.81};
   double dt = 1.0 / 60.0;
-  ribbon::CordReport report{};  ///< of the last step
-  ribbon::CordReport total{};
+  ribbon::IslandReport report{};  ///< of the last step
+  ribbon::IslandReport total{};
   std::uint64_t next_id = 1;
 };
 

@@ -14,7 +14,7 @@ struct HeavySwingRun {
   std::vector<ribbon::Vec2> load;  ///< m, after each tick of 1/60 s
   double lost_energy = 0.0;        ///< at the end, as a share of M·g·L, M the mass of cord and load
   double peak_stretch = 0.0;       ///< of the whole cord, as a share of its length
-  ribbon::CordReport report;       ///< summed over all ticks
+  ribbon::IslandReport report;     ///< summed over all ticks
 };
 
 /// Runs it for five seconds.

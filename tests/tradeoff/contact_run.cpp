@@ -30,7 +30,7 @@ void count_reports(const CoupledWorld& world, ContactFigures& figures) {
       figures.corrected += report.motion_limited > 0 ? 1 : 0;
       continue;
     }
-    const ribbon::CordReport& report = world.coupling.cord(c).island_report();
+    const ribbon::IslandReport& report = world.coupling.cord(c).island_report();
     figures.unconverged += report.unconverged > 0 ? 1 : 0;
     figures.corrected += report.searches + report.fallbacks + report.energy_gains + report.halvings > 0 ? 1 : 0;
   }

@@ -20,7 +20,7 @@ struct Contestant {
                                                  ///< empty if there are no such columns
   Tick rest = {};                                ///< see Timed
   std::string group = {};                        ///< variant of the scene: ratio=100
-  std::function<std::int64_t()> work = {};       ///< CordReport::work of the last tick; empty if not counted
+  std::function<std::int64_t()> work = {};       ///< IslandReport::work of the last tick; empty if not counted
 };
 
 /// The results of a contestant.

@@ -13,7 +13,7 @@ namespace {
 using ribbon::Accuracy;
 using ribbon::Cord;
 using ribbon::CordDef;
-using ribbon::CordReport;
+using ribbon::IslandReport;
 using ribbon::Vec2;
 using test_support::earth_gravity;
 using test_support::frame_dt;
@@ -38,14 +38,14 @@ class CordBatch {
   }
 
   int points() const { return static_cast<int>(cords_.size()) * cords_.front().size(); }
-  const CordReport& report() const { return report_; }
+  const IslandReport& report() const { return report_; }
   /// Returns the work of the last tick.
   std::int64_t work() const { return work_; }
 
  private:
   std::vector<Cord> cords_;
   Cord::State state_;
-  CordReport report_;
+  IslandReport report_;
   std::int64_t work_ = 0;
 };
 
@@ -60,7 +60,7 @@ Contestant contestant(const char* method, std::string setting, const Cord& start
           [batch, count, ticks] {
             batch->reset();
             for (int k = 0; k < ticks; ++k) batch->tick();
-            const CordReport& report = batch->report();
+            const IslandReport& report = batch->report();
             return std::vector<double>{static_cast<double>(report.iterations) / (count * ticks),
                                        static_cast<double>(report.searches + report.fallbacks + report.energy_gains),
                                        static_cast<double>(report.unconverged)};

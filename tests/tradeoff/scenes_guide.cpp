@@ -48,7 +48,7 @@ Contestant swing(std::string setting, const CordDef& def) {
       [cord, work] { *work = cord->step(frame_dt, earth_gravity).work; },
       [cord, state] {
         cord->restore(*state);
-        ribbon::CordReport sum;
+        ribbon::IslandReport sum;
         for (int k = 0; k < ticks_of_terms; ++k) sum += cord->step(frame_dt, earth_gravity);
         return std::vector{static_cast<double>(sum.iterations) / ticks_of_terms, static_cast<double>(sum.unconverged)};
       },

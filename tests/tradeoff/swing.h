@@ -28,7 +28,7 @@ class Swing {
   virtual double energy() = 0;
   /// Returns the number of unconverged solves since the start; none if the method does not count them.
   virtual std::optional<int> unconverged() const { return std::nullopt; }
-  /// Returns CordReport::work of the last tick; none if the method does not count it.
+  /// Returns IslandReport::work of the last tick; none if the method does not count it.
   virtual std::optional<std::int64_t> work() const { return std::nullopt; }
 };
 

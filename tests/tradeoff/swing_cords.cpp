@@ -25,7 +25,7 @@ class CordSwing final : public Swing {
   }
 
   void tick() override {
-    const ribbon::CordReport report = cord_.step(heavy::tick, gravity);
+    const ribbon::IslandReport report = cord_.step(heavy::tick, gravity);
     unconverged_ += report.unconverged;
     work_ = report.work;
   }

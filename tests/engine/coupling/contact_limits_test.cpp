@@ -190,7 +190,7 @@ TEST(ContactCordLimits, FrictionTakesFewNewtonSteps) {
     method.accuracy = accuracy;
     test_support::CoupledWorld world(method);
     test_support::lay_over_circles(world, 0.5);
-    ribbon::CordReport total;
+    ribbon::IslandReport total;
     for (int k = 0; k < 600; ++k) {
       world.tick();
       total += world.coupling.cord(0).island_report();

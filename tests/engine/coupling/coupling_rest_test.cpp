@@ -35,8 +35,8 @@ constexpr double spacing = 4.0;  // m, between two cords
 class Counter : public ribbon::box2d::StepWatcher {
  public:
   void before(const ribbon::box2d::SolverInput& input) noexcept override { stepped = input.cords.size(); }
-  void after(const ribbon::box2d::SolverInput& /*input*/, std::span<const ribbon::CordReport> /*reports*/,
-             const ribbon::CordReport& /*total*/) noexcept override {}
+  void after(const ribbon::box2d::SolverInput& /*input*/, std::span<const ribbon::IslandReport> /*reports*/,
+             const ribbon::IslandReport& /*total*/) noexcept override {}
   std::size_t stepped = 0;
 };
 

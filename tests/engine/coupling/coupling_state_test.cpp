@@ -252,7 +252,7 @@ TEST(CouplingState, EventsAndReportsAreRestoredToo) {
   ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
   const b2Fixture* fixture = scene.coupling.touch_events()[0].fixture;
   EXPECT_EQ(fixture, scene.ball->GetFixtureList());
-  const ribbon::CordReport total = scene.coupling.cord(0).island_total();
+  const ribbon::IslandReport total = scene.coupling.cord(0).island_total();
   scene.coupling.restore(start, scene.world);
   EXPECT_TRUE(scene.coupling.touch_events().empty());
   EXPECT_EQ(scene.coupling.cord(0).island_total().stages, 0);

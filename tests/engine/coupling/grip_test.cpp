@@ -214,6 +214,28 @@ TEST(Grip, AStaticOrKinematicBodyHoldsACordWithContacts) {
   }
 }
 
+/// The pull on a static body is the weight, and on a kinematic one also what accelerates the cord.
+TEST(Grip, PullsAStaticOrKinematicBodyWithTheCordsWeight) {
+  for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
+    for (const double arc : {0.0, 0.1}) {
+      GripWorld scene;
+      CordDef def = hanging();
+      def.pins = {};
+      def.drag = 20.0;
+      scene.coupling.add(Cord(def));
+      b2Body* hand = scene.add_body({0.0, -arc}, 0.0, type);
+      const ribbon::box2d::GripId grip = scene.coupling.hold(*hand, {.cord = 0, .arc = arc});
+      b2Body* load = scene.add_body({0.0, -10.0}, 3.0);
+      scene.coupling.hold(*load, {.cord = 0, .arc = 10.0});
+      scene.tick(600);
+      const double weight = (3.0 + def.length * def.mass_per_length) * g;
+      const Vec2 pull = scene.coupling.grip(grip).state().pull;
+      EXPECT_NEAR(pull.y, -weight, 1e-3 * weight) << type << ", arc " << arc;
+      EXPECT_NEAR(pull.x, 0.0, 1e-3 * weight) << type << ", arc " << arc;
+    }
+  }
+}
+
 /// If only static grips hold a cord, a body that hits the cord transfers its momentum to them, as to pins.
 TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
   const auto hit = [](bool pinned) {

@@ -24,7 +24,7 @@ Wound wound(const ribbon::Accuracy& accuracy, int ticks) {
   Wound sum;
   for (int tick = 0; tick < ticks; ++tick) {
     world.tick();
-    const ribbon::CordReport report = world.coupling.tick_report();
+    const ribbon::IslandReport report = world.coupling.tick_report();
     sum.unconverged += report.unconverged;
   }
   sum.way = length(world.points(0).back() - end);

@@ -13,7 +13,7 @@ namespace any_scene {
 struct Sample {
   int work = 0;               ///< Newton steps; each island counts once
   int unconverged = 0;        ///< substeps
-  double left = 0.0;          ///< m, the greatest CordReport::position_error of them; 0 if all converged
+  double left = 0.0;          ///< m, the greatest IslandReport::position_error of them; 0 if all converged
   double milliseconds = 0.0;  ///< of Coupling::step; for information only
   double stretch = 0.0;       ///< of inextensible ropes, relative length error
   double strain = 0.0;        ///< of all other cords

@@ -60,8 +60,8 @@ struct Held {
   std::vector<Grip> grips;
   std::vector<RigidCircle> circles = {};
 
-  CordReport step() {
-    const CordReport report = cord.step(dt, gravity_on_cord, {bodies, circles, grips});
+  IslandReport step() {
+    const IslandReport report = cord.step(dt, gravity_on_cord, {bodies, circles, grips});
     for (RigidBody& body : bodies) {
       if (body.inverse_mass == 0.0) continue;
       body.position += body.moved;

@@ -87,7 +87,7 @@ TEST_P(LongSnap, NeverGainsEnergy) {
     all.push_back(accuracy);
   }
   for (const Accuracy& accuracy : all) {
-    CordReport report;
+    IslandReport report;
     double worst = 0.0;
     for (unsigned seed = 0; seed < 45; ++seed) {
       Cord cord = slack(GetParam(), seed, accuracy);
@@ -167,7 +167,7 @@ TEST(LongMaxWork, BoundsWhatAStepCosts) {
   for (const int max_work : {1, 100, 500}) {
     Cord cord = dashed(how, max_work);
     const double start = cord.energy(gravity).total();
-    const CordReport report = cord.step(1.0, gravity);
+    const IslandReport report = cord.step(1.0, gravity);
     EXPECT_LT(report.iterations, max_work + 250) << max_work;
     EXPECT_GE(report.unconverged, 1) << max_work;
     EXPECT_LE(cord.energy(gravity).total(), start) << max_work;
@@ -185,7 +185,7 @@ class LongMassRatios : public testing::TestWithParam<int> {};
 
 TEST_P(LongMassRatios, ConvergeEverywhere) {
   const int links = GetParam();
-  CordReport all;
+  IslandReport all;
   for (const double load : {0.0, 1.0, 1e3, 1e6}) {
     for (const double ratio : {10.0, 1e3, 1e5, 1e7, 1e9, infinity}) {
       CordDef def;
@@ -195,7 +195,7 @@ TEST_P(LongMassRatios, ConvergeEverywhere) {
       Cord cord(def);
       cord.attach_mass(links, load);
       const double start = cord.energy(gravity).total();
-      CordReport report;
+      IslandReport report;
       for (int k = 0; k < 300; ++k) report += cord.step(1.0 / 60.0, gravity);
       EXPECT_EQ(report.unconverged, 0) << load << " : 1, EA/(Mg) = " << ratio;
       EXPECT_LE(report.iterations, 4.0 * report.stages) << load << " : 1, EA/(Mg) = " << ratio;
@@ -279,7 +279,7 @@ TEST(CordGuard, RemovesSpuriousEnergy) {
 }
 
 TEST(CordGuard, CountsItsCorrections) {
-  CordReport report;
+  IslandReport report;
   for (unsigned seed = 0; seed < 5; ++seed) {
     Cord cord = slack({51, 1, 1e7, 0.0}, seed, Accuracy::balanced());
     for (int k = 0; k < 240; ++k) report += cord.step(1.0 / 60.0, gravity);
@@ -307,7 +307,7 @@ TEST(CordGuard, ImplicitEulerGainsNoEnergyEither) {
     cord.set_velocity(p, {5.0 * (p * 7919 % 101 / 50.0 - 1.0), 5.0 * (p * 104729 % 103 / 51.0 - 1.0)});
   }
   const double start = cord.energy(gravity).total();
-  CordReport report;
+  IslandReport report;
   for (int k = 0; k < 120; ++k) {
     report += cord.step(1.0 / 60.0, gravity);
     ASSERT_LE(cord.energy(gravity).total(), start + 0.1) << "tick " << k;
@@ -326,7 +326,7 @@ TEST(CordGuard, TriesNoLongerThanItsBudget) {
 /// An unsolved step stays finite and is reported: one Newton step per stage, and a tolerance that cannot be reached.
 TEST(CordGuard, ReportsWhatStaysUnconvergedAndStaysFinite) {
   Cord cord = slack({501, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
-  CordReport report;
+  IslandReport report;
   for (int k = 0; k < 20; ++k) report += cord.step(1.0, gravity);
   EXPECT_GT(report.unconverged, 0);
   EXPECT_GT(report.halvings, 0);

@@ -86,7 +86,7 @@ CordDef crushed(const Crushed& what, unsigned seed) {
 class LongCrushedRibbon : public testing::TestWithParam<Crushed> {};
 
 TEST_P(LongCrushedRibbon, IsItselfAgainAfterFourSeconds) {
-  CordReport report;
+  IslandReport report;
   double worst = 0.0;
   for (unsigned seed = 0; seed < 500; ++seed) {
     Cord cord(crushed(GetParam(), seed));

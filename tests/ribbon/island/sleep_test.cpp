@@ -54,7 +54,7 @@ struct Near {
   bool has_segment = false;
   bool has_grip = false;
 
-  CordReport step(Cord& cord, Vec2 g = gravity) {
+  IslandReport step(Cord& cord, Vec2 g = gravity) {
     Surroundings surroundings;
     surroundings.bodies = {&body, 1};
     if (has_circle) surroundings.circles = circle;
@@ -75,7 +75,7 @@ TEST(CordSleep, ComesAfterHalfASecondOfRestAndCostsNothingFromThenOn) {
   Near nothing;
   double slow = 0.0;
   while (!cord.is_asleep()) {
-    const CordReport report = nothing.step(cord);
+    const IslandReport report = nothing.step(cord);
     ASSERT_EQ(report.stages == 0, slow >= Cord::time_to_sleep);
     ASSERT_EQ(report.stages == 0, cord.is_asleep());
     const bool is_slow =
@@ -85,7 +85,7 @@ TEST(CordSleep, ComesAfterHalfASecondOfRestAndCostsNothingFromThenOn) {
   const std::vector<Vec2> before = points_of(cord);
   const double elastic = cord.energy({}).elastic;
   const test_support::AllocationCount allocations;
-  for (int k = 0; k < 1000; ++k) EXPECT_EQ(nothing.step(cord), CordReport{});
+  for (int k = 0; k < 1000; ++k) EXPECT_EQ(nothing.step(cord), IslandReport{});
   EXPECT_EQ(allocations.so_far(), 0);
   EXPECT_EQ(points_of(cord), before);
   EXPECT_NEAR(cord.energy({}).elastic, elastic, 1e-12 * elastic);
@@ -252,9 +252,9 @@ TEST(CordSleep, CordsThatAreNearEachOtherSleepAndWakeTogether) {
   for (const Cord& cord : cords) ASSERT_TRUE(cord.is_asleep());
   cords[0].wake();
   step();
-  EXPECT_GT(reports[0].stages, 0);
-  EXPECT_GT(reports[1].stages, 0);
-  EXPECT_EQ(reports[2].stages, 0) << "far away";
+  EXPECT_GT(solver.island_reports()[at(reports[0].island)].stages, 0);
+  EXPECT_GT(solver.island_reports()[at(reports[1].island)].stages, 0);
+  EXPECT_EQ(solver.island_reports()[at(reports[2].island)].stages, 0) << "far away";
 }
 
 TEST(CordSleep, IsSavedAndRestoredToTheSameBits) {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ribbon {
+
+/// Statistics of one step of an island: of cords that were solved together, or of a single cord. They are summed over
+/// its substeps. Counts from `searches` to `unlocked` are of difficulties that the solver overcame; `unconverged`
+/// counts those that it did not.
+struct IslandReport {
+  int stages = 0;        ///< implicit solves: two per substep of TR-BDF2, one per substep of implicit Euler
+  int iterations = 0;    ///< Newton steps, each of which solves one linear system in O(points)
+  int searches = 0;      ///< stages restarted with a line search, because full Newton steps did not converge
+  int fallbacks = 0;     ///< substeps redone by implicit Euler, because a stage did not converge
+  int energy_gains = 0;  ///< substeps redone, by implicit Euler or with a smaller tolerance, because the energy rose
+                         ///< without a cause; not checked while a point of the cord is driven
+  int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
+  int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
+  int posed = 0;         ///< steps whose contacts were linearised once, because Newton steps did not converge
+  int cuts = 0;  ///< parts of posed substeps in which a point was stopped to prevent penetration or an energy gain, and
+                 ///< lost velocity
+  int unlocked = 0;     ///< steps in which inverted cells were turned back
+  int unconverged = 0;  ///< substeps that did not converge and were kept as they are
+  /// Work done, in a unit that does not depend on the machine: 1 for each 2 × 2 block of the matrix of a linear system
+  /// (4 per point for the band matrix of a single cord), and 1 for each pair tested for contact.
+  std::int64_t work = 0;
+  // Residuals of the worst unconverged substep; 0 if all substeps converged:
+  double position_error = 0.0;  ///< m, the largest correction of a point by the last linear solve
+  double force_error = 0.0;     ///< N, the inertia force of that correction
+
+  bool operator==(const IslandReport&) const = default;
+  /// Adds the counts of another step and keeps the larger residuals.
+  IslandReport& operator+=(const IslandReport& other);
+};
+
+/// What one step did to one cord.
+struct CordReport {
+  int island = 0;                 ///< index of its island in the step; see DirectSolver::island_reports
+  int contacts = 0;               ///< at the end of the step, or hit in it; one with another cord counts for both
+  double max_normal_force = 0.0;  ///< N, of a contact at the end of the step
+  int cuts = 0;                   ///< times that it was stopped to prevent penetration, and lost velocity
+  double position_error = 0.0;    ///< m, as IslandReport::position_error, of its own points
+
+  bool operator==(const CordReport&) const = default;
+};
+
+}  // namespace ribbon
