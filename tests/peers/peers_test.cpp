@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "tests/peers/figures.h"
-#include "tests/peers/players.h"
+#include "tests/peers/runners.h"
 #include "tests/peers/recording.h"
 #include "tests/peers/scenes.h"
 #include "tests/peers/table.h"
@@ -101,7 +101,7 @@ TEST(PeersPlan, APolygonHasNoPlaceInAPlan) {
   EXPECT_THROW(plan_of(set_up, 0, 1), std::invalid_argument);
 }
 
-TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
+TEST(PeersPlan, ItsJsonHasAllThatARunnerReads) {
   const nlohmann::json json = nlohmann::json::parse(to_json(plan_for(scene("bridge"))));
   EXPECT_EQ(json["settlingTicks"], 600);
   EXPECT_EQ(json["cords"].size(), 1U);
@@ -210,21 +210,21 @@ TEST_F(PeersRecording, OfAnotherPlanIsRefused) {
   EXPECT_THROW(read_recording(path, plan), std::runtime_error);
 }
 
-TEST(PeersPlayers, OursKeepsToTheExactPathOfAHeavyLoad) {
+TEST(PeersRunners, OursKeepsToTheExactPathOfAHeavyLoad) {
   const Scene& swing = scene("heavy_swing");
   const Plan plan = plan_for(swing);
-  const Recording recording = play_coupled(swing.set_up, plan, test_support::CordMethod{});
+  const Recording recording = run_coupled(swing.set_up, plan, test_support::CordMethod{});
   ASSERT_EQ(recording.size(), 300U);
   EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 0.05);
 }
 
-TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
+TEST(PeersRunners, AChainIsRecordedByTheEndsOfItsLinks) {
   const Scene& swing = scene("heavy_swing");
   const Plan plan = plan_for(swing);
   test_support::CordMethod how;
   how.chain = true;
   how.substeps = 64;
-  const Recording recording = play_coupled(swing.set_up, plan, how);
+  const Recording recording = run_coupled(swing.set_up, plan, how);
   ASSERT_EQ(recording.front().cords[0].size(), 51U);
   ASSERT_EQ(recording.front().moving_bodies.size(), 1U);
   EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 1.0);
