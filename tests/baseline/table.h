@@ -20,7 +20,7 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-/// Returns the unique name of a row: strips cord fast meeting each other, 9900 points.
+/// Returns the unique name of a row: strips cord fast with contact between strips, 9900 points.
 std::string name(const Row& row);
 
 /// Returns a header and a line per row, in their order.

@@ -22,10 +22,10 @@ Trace rising() {
 }
 
 TEST(Statistics, AreOfTheRemainingTicks) {
-  const Statistics later = statistics(rising(), 2);
+  const Statistics found = statistics(rising(), 2);
   const double deviation = std::sqrt(1.25);  // of 2, 3, 4, 5
   const std::array<double, Statistics::count> expected = {3.5, deviation, 0.035, 0.5, 7.0, 2.0 * deviation};
-  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(later.values[k], expected[k], 1e-15) << later.names[k];
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(found.values[k], expected[k], 1e-15) << found.names[k];
   EXPECT_NEAR(statistics(rising(), 4).values[3], 0.1, 1e-15);
 }
 

@@ -20,11 +20,11 @@ struct Size {
 Scene strips(const std::string& name, const std::string& size_note, Size size, double target_us) {
   const auto variants = [size, target_us] {
     std::vector<Variant> list;
-    const auto add = [&](const NamedMethod& method, bool meeting) {
+    const auto add = [&](const NamedMethod& method, bool strip_contact) {
       list.push_back(
           variant({method,
-                   meeting ? "meeting each other" : "meeting circles alone",
-                   [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, meeting); },
+                   strip_contact ? "with contact between strips" : "with circles only",
+                   [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, strip_contact); },
                    false,
                    {0.0, -9.81},
                    [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), target_us); }}));

@@ -301,7 +301,7 @@ Variant free_cords(int count) {
           {}};
 }
 
-Variant meeting(int count, const std::string& name, const SetUp& set_up) {
+Variant in_contact(int count, const std::string& name, const SetUp& set_up) {
   const auto workers = std::make_shared<engine::Workers>(count);
   NamedMethod method = presets({"fast"}).front();
   method.setting = std::to_string(count) + (count == 1 ? " worker" : " workers");
@@ -320,10 +320,10 @@ std::vector<Variant> by_workers() {
   std::vector<Variant> list;
   for (const int count : {1, 2}) list.push_back(free_cords(count));
   for (const int count : {1, 2}) {
-    list.push_back(meeting(count, "cords_and_circles", [](auto& world) { test_support::hang_hall(world); }));
+    list.push_back(in_contact(count, "cords_and_circles", [](auto& world) { test_support::hang_hall(world); }));
   }
   for (const int count : {1, 2}) {
-    list.push_back(meeting(count, "30 strips", [](auto& world) { test_support::drop_strips(world, 30, true); }));
+    list.push_back(in_contact(count, "30 strips", [](auto& world) { test_support::drop_strips(world, 30, true); }));
   }
   return list;
 }
