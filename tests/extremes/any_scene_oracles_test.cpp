@@ -186,7 +186,7 @@ TEST(AnySceneOracles, FindNothingWhereABallFallsPastARope) {
   scene.solids = {ball};
   const Outcome outcome = play(scene, 10.0);
   ASSERT_EQ(outcome.ticks.size(), 60U);
-  EXPECT_EQ(outcome.end, End::whole);
+  EXPECT_EQ(outcome.end, End::completed);
   for (const Sample& tick : outcome.ticks) {
     EXPECT_TRUE(tick.crossings.empty());
     EXPECT_EQ(tick.penetration.share, 0.0);

@@ -223,7 +223,7 @@ TEST(AnySceneRuns, GiveTheSameTwice) {
 TEST(AnySceneRuns, EndWhenTheirTimeIsUp) {
   Scene scene = generate({0, Family::mixed, Difficulty::gentle, Preset::accurate});
   scene.ticks = 1'000'000;
-  EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::cut);
+  EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::timed_out);
 }
 
 TEST(AnySceneRuns, SayThatADefinitionIsRefused) {
