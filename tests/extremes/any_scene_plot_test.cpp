@@ -56,7 +56,7 @@ TEST(AnyScenePlot, BarsAreSharesOfTicks) {
 TEST(AnyScenePlot, WhatWasBeforeStandsBehind) {
   const std::string text = plot_of({some_run(Preset::balanced)}, {run_before(Preset::balanced)}, "some.svg");
   expect_part(text, "'before: 99.9 % of ticks up to 5000, most 5000'");
-  expect_part(text, "'before: 7 substeps unsolved, not told how far'");
+  expect_part(text, "'before: 7 substeps unsolved, residual not reported'");
   expect_part(text, "'before: 0 of 1 scenes above 1 %'");
   expect_part(text, "plot NaN notitle, $work_balanced_before using");
   EXPECT_LT(text.find("$work_balanced_before using"), text.find("$work_balanced_now using"));

@@ -11,7 +11,7 @@
 
 namespace peers {
 
-/// A parameter of an engine by name, such as substeps=4; the runner of the engine knows the names.
+/// A parameter of an engine by name, such as substeps=4; the names are those of its runner.
 struct Parameter {
   std::string name;
   double value = 0.0;

@@ -80,8 +80,8 @@ TEST(LongCantileverOfASoftStrip, BendsByItsOwnStiffness) {
   }
 }
 
-/// The link angles θ of a clamped–free chain of n free links that is pressed by P: (EI/l)·(D·θ) = P·l·θ with D of the
-/// fixed–free chain, whose least eigenvalue is 4·sin²(π/(2(2n + 1))).
+/// The link angles θ of a clamped–free chain of n free links under a compressive force P: (EI/l)·(D·θ) = P·l·θ with D
+/// of the fixed–free chain, whose least eigenvalue is 4·sin²(π/(2(2n + 1))).
 TEST(CordBuckling, BeginsAtTheExactDiscreteLoad) {
   constexpr int links = 20;
   const auto grown = [](double share) {

@@ -186,12 +186,12 @@ TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   measured.unconverged_ticks = 31;
   measured.contacts = 77;
   measured.failure = "31 ticks not converged";
-  Results(home + "/kept", 1, replay_path, false).add(measured);
-  const Results again(home + "/kept", 1, replay_path, false);
+  Results(home + "/saved", 1, replay_path, false).add(measured);
+  const Results again(home + "/saved", 1, replay_path, false);
   ASSERT_NE(again.find({}), nullptr);
   expect_the_same(*again.find({}), measured);
-  EXPECT_EQ(Results(home + "/kept", 1, replay_path, true).find({}), nullptr);  // another grid's reference
-  EXPECT_EQ(Results(home + "/kept", 2, replay_path, false).find({}), nullptr);
+  EXPECT_EQ(Results(home + "/saved", 1, replay_path, true).find({}), nullptr);  // another grid's reference
+  EXPECT_EQ(Results(home + "/saved", 2, replay_path, false).find({}), nullptr);
 }
 
 TEST_F(LevelStudy, AConvergedRunIsSavedToTheSameBits) {

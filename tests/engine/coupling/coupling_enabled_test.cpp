@@ -136,7 +136,7 @@ TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
   EXPECT_EQ(there.coupling.touch_events()[0].fixture, ball.GetFixtureList());
   EXPECT_TRUE(there.coupling.cord(0).touching().empty());
   there.tick();
-  EXPECT_TRUE(there.coupling.touch_events().empty()) << "told once";
+  EXPECT_TRUE(there.coupling.touch_events().empty()) << "reported once";
 
   there.coupling.cord(0).set_enabled(true);
   for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();

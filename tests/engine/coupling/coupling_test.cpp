@@ -327,7 +327,7 @@ TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).positions()));
 }
 
-/// A refused tick is not half begun.
+/// A refused tick changes nothing.
 TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;

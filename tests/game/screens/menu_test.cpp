@@ -137,7 +137,7 @@ TEST(Rebinding, AKeyOfAnotherActionIsAskedForTwice) {
   EXPECT_FALSE(press(rebinding, bindings, Key::q));
   EXPECT_EQ(bindings.action_of(Key::q), Action::reel_in);
   EXPECT_NE(rebinding.prompt(bindings).find("Reel in"), std::string::npos) << rebinding.prompt(bindings);
-  EXPECT_FALSE(press(rebinding, bindings, Key::z)) << "another one: it is asked for anew";
+  EXPECT_FALSE(press(rebinding, bindings, Key::z)) << "another one: it must be confirmed again";
   EXPECT_TRUE(press(rebinding, bindings, Key::z));
   EXPECT_EQ(bindings.action_of(Key::z), Action::jump);
   EXPECT_EQ(bindings.action_of(Key::q), Action::reel_in);

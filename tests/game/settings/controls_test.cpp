@@ -177,7 +177,7 @@ TEST(Controls, WhatIsStillDownFromAMenuDoesNothingUntilItWasUp) {
   hands.events.take();  // the events of the menu
   hands.controls.discard();
   hands.frame();
-  EXPECT_EQ(hands.tick(), button_grab) << "who hangs on goes on to";
+  EXPECT_EQ(hands.tick(), button_grab) << "a player that hangs continues to hold";
   hands.frame();
   EXPECT_EQ(hands.tick(), button_grab);
   hands.events.key_up(Key::space);

@@ -184,7 +184,7 @@ TEST(NoFall, AFallContinuesFromTheLastFooting) {
   EXPECT_GT(back_at, level.player_start.x + 1.0) << "not at the start";
   EXPECT_EQ(simulation.falls(), 0);
   for (int k = 0; k < 60; ++k) simulation.tick({});
-  EXPECT_NEAR(simulation.player().position().x, back_at, 0.05) << "he stands there";
+  EXPECT_NEAR(simulation.player().position().x, back_at, 0.05) << "it stands there";
   EXPECT_TRUE(simulation.player().is_on_firm_ground());
 }
 
