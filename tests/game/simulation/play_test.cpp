@@ -177,12 +177,12 @@ TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
 }
 
 TEST_F(ThrownLine, IsDrawnFromWhereItWasMadeOn) {
-  Simulation anew(level);
-  play(anew, {test_support::run_past(7.2), test_support::stand()});
-  tick(anew, button_throw, 1, ring);
-  while (anew.player().line().state() == Line::State::flying) tick(anew, 0, 1, ring);
-  const Snapshot between = interpolate(anew.previous(), anew.current(), 0.5);
-  EXPECT_EQ(between.cords.back(), anew.current().cords.back());
+  Simulation fresh(level);
+  play(fresh, {test_support::run_past(7.2), test_support::stand()});
+  tick(fresh, button_throw, 1, ring);
+  while (fresh.player().line().state() == Line::State::flying) tick(fresh, 0, 1, ring);
+  const Snapshot between = interpolate(fresh.previous(), fresh.current(), 0.5);
+  EXPECT_EQ(between.cords.back(), fresh.current().cords.back());
 }
 
 /// The line snaps back with its stored energy, crumples, falls and comes to rest below its hook.
