@@ -11,7 +11,7 @@ Row strips(std::int64_t work, std::int64_t worst_tick = 100) {
   return {"strips", "cord", "fast with contact between strips", 9900, 60, work, worst_tick};
 }
 
-TEST(BaselineCompare, TheSameIsNeitherWorseNorBetter) {
+TEST(BaselineCompare, EqualTablesHaveNoDifference) {
   const Comparison found = compare({strips(1000)}, {strips(1000)});
   EXPECT_EQ(found.worse, Sentences{});
   EXPECT_EQ(found.better, Sentences{});
@@ -25,14 +25,14 @@ TEST(BaselineCompare, FourPercentMoreAreAllowedAndSixAreNot) {
                 "more (5 % allowed)"});
 }
 
-TEST(BaselineCompare, TheWorstTickIsHeldToItToo) {
+TEST(BaselineCompare, TheWorstTickHasTheSameLimit) {
   EXPECT_EQ(compare({strips(1000, 100)}, {strips(1000, 104)}).worse, Sentences{});
   EXPECT_EQ(compare({strips(1000, 100)}, {strips(1000, 106)}).worse,
             Sentences{"strips cord fast with contact between strips, 9900 points: worst tick 106, baseline 100: 6 % "
                       "more (5 % allowed)"});
 }
 
-TEST(BaselineCompare, WhatIsBetterIsToldAndNotWorse) {
+TEST(BaselineCompare, LessWorkIsReportedAndAccepted) {
   const Comparison found = compare({strips(1000)}, {strips(940)});
   EXPECT_EQ(found.worse, Sentences{});
   EXPECT_EQ(found.better,
@@ -48,7 +48,7 @@ TEST(BaselineCompare, AnyWorkIsMoreThanNone) {
                                    "more than none (5 % allowed)"});
 }
 
-TEST(BaselineCompare, OtherTicksAreNotCompared) {
+TEST(BaselineCompare, RowsWithOtherTickCountsAreWorse) {
   Row fewer = strips(1000);
   fewer.ticks = 30;
   EXPECT_EQ(
@@ -57,7 +57,7 @@ TEST(BaselineCompare, OtherTicksAreNotCompared) {
           "strips cord fast with contact between strips, 9900 points: 30 ticks, baseline 60; accepted are as many"});
 }
 
-TEST(BaselineCompare, RowsThatOnlyOneOfBothHasAreWorse) {
+TEST(BaselineCompare, MissingAndNewRowsAreWorse) {
   EXPECT_EQ(compare({strips(1000)}, {}).worse,
             Sentences{"strips cord fast with contact between strips, 9900 points: in the baseline, and not counted"});
   EXPECT_EQ(compare({}, {strips(1000)}).worse,

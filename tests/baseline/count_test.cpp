@@ -40,19 +40,19 @@ TEST(BaselineCount, AddsUpTheTicksThatASceneTimes) {
   EXPECT_EQ(count(scene_of({worker("fast", false)})), std::vector{row});
 }
 
-TEST(BaselineCount, PlaysFewerTicksWhereASceneAsksForIt) {
+TEST(BaselineCount, CountsFewerTicksIfTheSceneLimitsThem) {
   Scene scene = scene_of({worker("fast", false)});
   scene.counted_ticks = 2;
   const Row row{"some", "cord", "fast", 51, 2, 1 + 2, 2};
   EXPECT_EQ(count(scene), std::vector{row});
 }
 
-TEST(BaselineCount, GoesOnWhereFiguresEnd) {
+TEST(BaselineCount, ContinuesAfterTheFigures) {
   const Row row{"some", "cord", "fast", 51, 5, 11 + 12 + 13 + 14 + 15, 15};
   EXPECT_EQ(count(scene_of({worker("fast", true)})), std::vector{row});
 }
 
-TEST(BaselineCount, StepsWhatIsBesideTheTickToo) {
+TEST(BaselineCount, RunsTheRestOfATickToo) {
   Variant variant = worker("fast", false);
   variant.rest = variant.tick;
   const Row row{"some", "cord", "fast", 51, 5, 1 + 3 + 5 + 7 + 9, 9};
@@ -77,7 +77,7 @@ TEST(BaselineCount, NamesRowsBySettingGroupAndPoints) {
   EXPECT_EQ(name(rows[3]), "some cord fast, 501 points");
 }
 
-TEST(BaselineCount, OfARecordedRunEveryTickCounts) {
+TEST(BaselineCount, CountsEveryTickOfARecordedRun) {
   const Row row = count_run(TEST_ASSETS "/replays/first_swing.replay");
   EXPECT_EQ(name(row).rfind("first_swing recorded run, ", 0), 0U) << name(row);
   EXPECT_GT(row.ticks, 100);

@@ -123,7 +123,7 @@ TEST_F(LevelStudy, WithoutAPlottingProgramAllPagesAreWrittenWithOneMessage) {
   EXPECT_EQ(complaint.find("gnuplot-nox"), complaint.rfind("gnuplot-nox"));
 }
 
-TEST(Report, PagesEndWithTheFirstThatFails) {
+TEST(Report, WritingStopsAtTheFirstPageThatFails) {
   std::vector<std::string> added;
   const auto add = [&added](const std::vector<std::string>& done) { added = done; };
   const auto page = [](const std::string& name, int status) { return Page{name, [status] { return status; }}; };

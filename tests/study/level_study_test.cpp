@@ -310,7 +310,7 @@ TEST_F(LevelStudy, AnUnneededTermIsReported) {
   EXPECT_NE(verdict(result("area_stiffness")).find("not applicable"), std::string::npos);
 }
 
-TEST_F(LevelStudy, PushingLinksOfElasticRopesAreFound) {
+TEST_F(LevelStudy, FindsCompressedLinksOfElasticRopes) {
   change_level(level_path, [](Json& cord) {
     cord["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
     cord["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});

@@ -32,7 +32,7 @@ TEST(Grip, IsReleasedAboveItsStrength) {
   EXPECT_LT(body->GetPosition().y, -6.0);
 }
 
-TEST(Grip, RefusesWhatCannotBe) {
+TEST(Grip, RefusesInvalidArguments) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
   b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
@@ -209,7 +209,7 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
 }
 
 /// A user's destruction listener reports what the order of the world's list cannot show: that the newest body is new.
-TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
+TEST(Grip, EndsWhenAListenerReportsTheEndOfItsBody) {
   struct Listener : b2DestructionListener {
     void SayGoodbye(b2Joint* /*joint*/) override {}
     void SayGoodbye(b2Fixture* fixture) override { coupling->forget(*fixture->GetBody()); }

@@ -163,7 +163,7 @@ TEST(LongCord, DroppedOnACircleItComesToRestAroundIt) {
   EXPECT_LT(nearest, 0.2 + 1e-2);
 }
 
-TEST(LongCord, AFreeCordAndAFreeCircleThatMeetKeepTheirMomentum) {
+TEST(LongCord, AFreeCordAndAFreeCircleThatCollideConserveMomentum) {
   ThesisDef def = test_support::thesis_def(thesis_conditions[0]);
   def.drag = 0.0;
   ThesisCord cord(def);

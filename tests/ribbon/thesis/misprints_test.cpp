@@ -280,7 +280,7 @@ TEST(Misprint7Inside, ACentreInsideATriangleHasNoDirection) {
   EXPECT_GT(inside, 0);
 }
 
-TEST(Misprint8Memory, LengthsAloneAreContentWithAMirroredCord) {
+TEST(Misprint8Memory, LengthsAloneAcceptAMirroredCord) {
   const Mesh mesh = make_mesh(6, 2, 1.0);
   std::vector<Vec2> x = lay_along(std::array{Vec2{0.0, 0.0}, Vec2{1.0, 0.0}}, 6, 2, 1.0);
   for (Vec2& p : x) p.y = -p.y;
