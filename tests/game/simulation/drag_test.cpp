@@ -150,7 +150,7 @@ TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordIsLong) {
   EXPECT_EQ(coupling.cord(held->cord).island_total().unconverged, 0);
 }
 
-TEST(Drag, SameBitsOfTheSameInputsWhateverIsDragged) {
+TEST(Drag, SameBitsOfTheSameInputsForAnyDraggedObject) {
   const auto run = [] {
     Simulation simulation(sandbox());
     std::vector<std::uint64_t> hashes;

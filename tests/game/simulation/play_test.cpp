@@ -258,7 +258,7 @@ TEST(Checkpoint, IsTheStartAfterAFallAndARetry) {
   EXPECT_GT(simulation.player().position().y, area.center.y - 0.5 * area.size.y);
 }
 
-TEST(Bridge, CarriesAPlayerWhoWalksAndJumps) {
+TEST(Bridge, CarriesAPlayerThatWalksAndJumps) {
   const Level level = load_level("rolling_bridge");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(14.0), test_support::stand()});
