@@ -30,7 +30,7 @@ class ActiveContacts {
   void find(ContactScene& scene, std::span<const Vec2> x, std::span<const double> forces, double margin);
   /// Finds the contacts at x.
   void find(ContactScene& scene, std::span<const Vec2> x) { find(scene, x, {}, 0.0); }
-  /// Makes the next update() find the contacts anew.
+  /// Makes the next update() find the contacts again.
   void invalidate() { is_current_ = false; }
   /// Replaces the contacts, at x, by the ones that add() is called for. changed() does not see them.
   void begin_other(const ContactAnchors& anchors, std::span<const Vec2> x);

@@ -43,7 +43,7 @@ class CandidateList {
   std::vector<std::size_t> anchors_;
   std::vector<Vec2> listed_at_;  // m, by anchor: the centre of its skin
   std::vector<double> skins_;    // m, by anchor
-  std::vector<char> left_skin_;  // by anchor: it must be listed anew
+  std::vector<char> left_skin_;  // by anchor: it must be listed again
   double min_skin_ = 0.0;        // m
   std::int64_t checks_ = 0;
 };

@@ -32,7 +32,7 @@ bool Contacts::changed_at(std::span<const Vec2> x) {
 void Contacts::store(std::span<const Vec2> x) {
   active.update(scene, x);
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) scene.pairs[k].touch.impulse += impacts.impulse(k);
-  // The depth does not tell the force of a linearised contact, because its normal and its place are kept.
+  // The depth does not determine the force of a linearised contact, because its normal and position are fixed.
   std::span<const double> known;
   if (linearised.has_forces()) known = forces.normal;
   CompliantContacts::store(state(x), known, scene.pairs);

@@ -31,7 +31,7 @@ bool LinearisedContacts::find(ContactScene& scene, const ContactSweep& sweep, co
   contacts_.clear();
   positions_.resize(scene.anchors.size());
   for (const std::size_t k : scene.candidates.pairs_to_check()) find_pair(scene, sweep, k);
-  // Without it the next solve would go through a pair that presses, which would then be linearised, and so on.
+  // Without it the next solve would go through a pair with a force, which would then be linearised, and so on.
   keep_previous([&forces](std::size_t pair) { return forces.normal[pair] > 0.0; });
   return !std::equal(contacts_.begin(), contacts_.end(), previous_.begin(), previous_.end(),
                      [](const ActiveContact& a, const ActiveContact& b) { return a.pair == b.pair; });

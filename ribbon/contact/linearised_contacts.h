@@ -20,9 +20,9 @@ class LinearisedContacts {
   /// each other, where it touches first. A pair that has a force and is not found again stays. Returns whether other
   /// pairs are linearised than before.
   bool find(ContactScene& scene, const ContactSweep& sweep, const ContactForces& forces);
-  /// Linearises anew, or in addition, the pairs that overlap on the sweep's path, or end deeper than their force
-  /// explains by more than `tolerance` [m]: their rotation or slip is too large for their rows. Returns whether there
-  /// are any.
+  /// Linearises, again or for the first time, the pairs that overlap on the sweep's path, or end deeper than their
+  /// force explains by more than `tolerance` [m]: their rotation or slip is too large for their rows. Returns whether
+  /// there are any.
   bool find_missed(ContactScene& scene, const ContactSweep& sweep, const ContactForces& forces, double tolerance);
   void clear();
 
@@ -49,7 +49,7 @@ class LinearisedContacts {
   double friction_limit(const ContactPairs& pairs, std::size_t pair) const;
 
   std::vector<ActiveContact> contacts_;  // by pair, ascending
-  std::vector<ActiveContact> previous_;  // the same, before they were found anew
+  std::vector<ActiveContact> previous_;  // the same, before they were found again
   std::vector<ActiveContact> stored_;
   ContactForces stored_forces_;
   std::vector<double> limiting_forces_;  // N, by pair: the normal force that limits friction

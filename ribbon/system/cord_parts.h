@@ -28,7 +28,7 @@ struct CordParts {
   /// Stores them until the cord is changed.
   void remember_sweep();
 
-  /// Call it after a change from outside: the next step starts anew, and the cord is awake.
+  /// Call it after a change from outside: the next step uses no stored results, and the cord is awake.
   void disturb();
   void wake();
   /// Puts the cord to sleep: stops what is left of its motion.

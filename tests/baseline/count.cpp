@@ -15,12 +15,12 @@ void add_tick(Row& row, std::int64_t work) {
   row.worst_tick = std::max(row.worst_tick, work);
 }
 
-/// Prepares a contestant. One that continues from its figures computes them first.
-void begin(const tradeoff::Contestant& contestant) {
-  if (contestant.reset) {
-    contestant.reset();
+/// Prepares a variant. One that continues from its figures computes them first.
+void begin(const tradeoff::Variant& variant) {
+  if (variant.reset) {
+    variant.reset();
   } else {
-    contestant.figures();
+    variant.figures();
   }
 }
 
@@ -44,18 +44,17 @@ int points(const ribbon::box2d::Coupling& coupling) {
 std::vector<Row> count(const tradeoff::Scene& scene) {
   const int ticks = scene.counted_ticks > 0 ? scene.counted_ticks : scene.ticks;
   std::vector<Row> rows;
-  for (const tradeoff::Contestant& contestant : scene.contestants()) {
-    if (!contestant.work) continue;
-    const std::string behind =
-        contestant.group.empty() ? "" : (contestant.setting.empty() ? "" : " ") + contestant.group;
-    Row row{scene.name, contestant.method, contestant.setting + behind, contestant.points};
+  for (const tradeoff::Variant& variant : scene.variants()) {
+    if (!variant.work) continue;
+    const std::string behind = variant.group.empty() ? "" : (variant.setting.empty() ? "" : " ") + variant.group;
+    Row row{scene.name, variant.method, variant.setting + behind, variant.points};
     const auto has_its_name = [&](const Row& other) { return name(other) == name(row); };
     if (std::any_of(rows.begin(), rows.end(), has_its_name)) continue;
-    begin(contestant);
+    begin(variant);
     while (row.ticks < ticks) {
-      contestant.tick();
-      add_tick(row, contestant.work());
-      if (contestant.rest) contestant.rest();
+      variant.tick();
+      add_tick(row, variant.work());
+      if (variant.rest) variant.rest();
     }
     rows.push_back(std::move(row));
   }

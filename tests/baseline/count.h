@@ -9,8 +9,8 @@
 
 namespace baseline {
 
-/// Returns the rows of a scene: of its contestants that count work, over the timed ticks, or over counted_ticks from
-/// the first timed one. Contestants with the same name have one row.
+/// Returns the rows of a scene: of its variants that count work, over the timed ticks, or over counted_ticks from
+/// the first timed one. Variants with the same name have one row.
 std::vector<Row> count(const tradeoff::Scene& scene);
 
 /// Returns the row of a whole recorded run, for the cords of the direct solver. Throws std::runtime_error if the run

@@ -11,13 +11,13 @@
 namespace baseline {
 namespace {
 
-using tradeoff::Contestant;
 using tradeoff::Scene;
+using tradeoff::Variant;
 
 /// Counts work 1 in the first tick after a reset, 2 in the second and so on, with 100 more in the fourth.
-Contestant worker(const std::string& setting, bool continues) {
+Variant worker(const std::string& setting, bool continues) {
   const auto tick = std::make_shared<int>(0);
-  Contestant out;
+  Variant out;
   out.method = "cord";
   out.setting = setting;
   out.points = 51;
@@ -31,8 +31,8 @@ Contestant worker(const std::string& setting, bool continues) {
   return out;
 }
 
-Scene scene_of(const std::vector<Contestant>& contestants) {
-  return {"some", "", 5, [contestants] { return contestants; }};
+Scene scene_of(const std::vector<Variant>& variants) {
+  return {"some", "", 5, [variants] { return variants; }};
 }
 
 TEST(BaselineCount, AddsUpTheTicksThatASceneTimes) {
@@ -40,33 +40,33 @@ TEST(BaselineCount, AddsUpTheTicksThatASceneTimes) {
   EXPECT_EQ(count(scene_of({worker("fast", false)})), std::vector{row});
 }
 
-TEST(BaselineCount, PlaysFewerTicksWhereASceneAsksForIt) {
+TEST(BaselineCount, CountsFewerTicksIfTheSceneLimitsThem) {
   Scene scene = scene_of({worker("fast", false)});
   scene.counted_ticks = 2;
   const Row row{"some", "cord", "fast", 51, 2, 1 + 2, 2};
   EXPECT_EQ(count(scene), std::vector{row});
 }
 
-TEST(BaselineCount, GoesOnWhereFiguresEnd) {
+TEST(BaselineCount, ContinuesAfterTheFigures) {
   const Row row{"some", "cord", "fast", 51, 5, 11 + 12 + 13 + 14 + 15, 15};
   EXPECT_EQ(count(scene_of({worker("fast", true)})), std::vector{row});
 }
 
-TEST(BaselineCount, StepsWhatIsBesideTheTickToo) {
-  Contestant contestant = worker("fast", false);
-  contestant.rest = contestant.tick;
+TEST(BaselineCount, RunsTheRestOfATickToo) {
+  Variant variant = worker("fast", false);
+  variant.rest = variant.tick;
   const Row row{"some", "cord", "fast", 51, 5, 1 + 3 + 5 + 7 + 9, 9};
-  EXPECT_EQ(count(scene_of({contestant})), std::vector{row});
+  EXPECT_EQ(count(scene_of({variant})), std::vector{row});
 }
 
 TEST(BaselineCount, NamesRowsBySettingGroupAndPoints) {
-  Contestant grouped = worker("fast", false);
+  Variant grouped = worker("fast", false);
   grouped.group = "ratio=10";
-  Contestant group_alone = worker("", false);
+  Variant group_alone = worker("", false);
   group_alone.group = "pile";
-  Contestant uncounted = worker("substeps=8", false);
+  Variant uncounted = worker("substeps=8", false);
   uncounted.work = {};
-  Contestant longer = worker("fast", false);
+  Variant longer = worker("fast", false);
   longer.points = 501;
   const std::vector<Row> rows =
       count(scene_of({worker("fast", false), uncounted, worker("fast", false), grouped, group_alone, longer}));
@@ -77,7 +77,7 @@ TEST(BaselineCount, NamesRowsBySettingGroupAndPoints) {
   EXPECT_EQ(name(rows[3]), "some cord fast, 501 points");
 }
 
-TEST(BaselineCount, OfARecordedRunEveryTickCounts) {
+TEST(BaselineCount, CountsEveryTickOfARecordedRun) {
   const Row row = count_run(TEST_ASSETS "/replays/first_swing.replay");
   EXPECT_EQ(name(row).rfind("first_swing recorded run, ", 0), 0U) << name(row);
   EXPECT_GT(row.ticks, 100);

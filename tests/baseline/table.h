@@ -11,7 +11,7 @@ namespace baseline {
 struct Row {
   std::string scene;    ///< or the level of a recorded run
   std::string method;   ///< cord, held, recorded run
-  std::string setting;  ///< balanced; followed by what is simulated if the scene has variants; may be empty
+  std::string setting;  ///< balanced; followed by the part if the scene has parts; may be empty
   int points = 0;       ///< of all cords; of a recorded run those at its start
   int ticks = 0;
   std::int64_t work = 0;        ///< of all ticks
@@ -20,7 +20,7 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-/// Returns the unique name of a row: strips cord fast meeting each other, 9900 points.
+/// Returns the unique name of a row: strips cord fast with contact between strips, 9900 points.
 std::string name(const Row& row);
 
 /// Returns a header and a line per row, in their order.

@@ -28,7 +28,7 @@ std::string refusal_of(const std::string& text) {
   return message.substr(path.string().size());
 }
 
-TEST(BaselineTable, WhatIsWrittenIsRead) {
+TEST(BaselineTable, ReadsWhatItWrites) {
   const std::vector<Row> rows = {{"bridge", "cord", "fast ratio=0.01", 31, 120, 12'345'678'901, 4'000'000'000},
                                  {"cords_and_circles", "cord", "fast", 5000, 30, 0, 0},
                                  {"curtains", "recorded run", "", 204, 1, 7, 7}};
@@ -37,7 +37,7 @@ TEST(BaselineTable, WhatIsWrittenIsRead) {
   EXPECT_EQ(read_table(path), rows);
 }
 
-TEST(BaselineTable, AHeaderIsAskedFor) {
+TEST(BaselineTable, RequiresAHeader) {
   EXPECT_EQ(refusal_of("scene,work\n"),
             ":1: 'scene,work' is not accepted; accepted is scene,method,setting,points,ticks,work,worst_tick");
   EXPECT_EQ(refusal_of(""), ":1: '' is not accepted; accepted is scene,method,setting,points,ticks,work,worst_tick");
@@ -69,7 +69,7 @@ TEST(BaselineTable, ARowHasASceneAndAMethod) {
   EXPECT_EQ(refusal_of(header + ",cord,fast,51,1,2,2\n"), ":2: no scene or no method; accepted is a name of each");
 }
 
-TEST(BaselineTable, ARowIsThereOnce) {
+TEST(BaselineTable, RefusesDuplicateRows) {
   EXPECT_EQ(refusal_of(header + "a,cord,fast,51,1,2,2\na,cord,fast,51,1,2,2\n"),
             ":3: 'a cord fast, 51 points' is there twice; accepted is one row of a name");
 }

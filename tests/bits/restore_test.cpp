@@ -58,7 +58,7 @@ class Restored : public testing::TestWithParam<BitScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, Restored, testing::ValuesIn(bit_scenes().begin(), bit_scenes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-TEST_P(Restored, SavedIsWhatComesBack) {
+TEST_P(Restored, ReturnsTheSavedState) {
   BitWorld world;
   GetParam().build(world);
   const ribbon::box2d::Coupling::State start = world.coupling.save(world.world);
@@ -72,7 +72,7 @@ TEST_P(Restored, SavedIsWhatComesBack) {
 }
 
 /// Two equal worlds. They are changed and restored alternately, so that every tick follows a restore.
-TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
+TEST_P(Restored, InAnEqualWorldContinuesWithTheSameBitsFromEveryTick) {
   const BitScene& scene = GetParam();
   BitWorld world;
   scene.build(world);
@@ -99,7 +99,7 @@ TEST_P(Restored, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
 class RestoredReplay : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Golden, RestoredReplay, testing::ValuesIn(golden_replays()), name_of_replay);
 
-TEST_P(RestoredReplay, InAWorldAlikeAtEveryTickItRunsOnToTheSameBits) {
+TEST_P(RestoredReplay, InAnEqualWorldContinuesWithTheSameBitsFromEveryTick) {
   const GoldenRun run(GetParam());
   game::Simulation simulation(run.level);
   std::vector<std::unique_ptr<game::Simulation>> twins;
@@ -191,7 +191,7 @@ class Stand {
 };
 
 /// This test holds cords only at points, so that it can follow runs with little climbing and few contacts.
-TEST(RestoredRun, InItsOwnWorldAtEveryTickItStepsAgainToTheSameBits) {
+TEST(RestoredRun, InItsOwnWorldRepeatsEveryTickWithTheSameBits) {
   const GoldenRun run(game::assets_folder() + "/replays/first_swing.replay");
   const std::vector<Frame> frames = record(run);
   Stand stand(run.level);

@@ -44,7 +44,7 @@ TEST(SameBitsThreads, OfAnyNumberOfThreads) {
 }
 
 /// The golden hashes cover only what the scenes use.
-TEST(BitScenes, TakeEveryWayThroughTheSolvers) {
+TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
   ribbon::IslandReport direct;
   ribbon::StepReport thesis;
   std::size_t begun = 0;

@@ -77,7 +77,7 @@ struct Shuffled {
   int most = 0;
 };
 
-TEST(SameBitsWorkers, HoweverManyThereAre) {
+TEST(SameBitsWorkers, WithAnyNumberOfWorkers) {
   const std::vector<std::uint64_t> alone = hashes({});
   for (const int count : {1, 2, 3, 8}) {
     engine::Workers workers(count);
@@ -85,7 +85,7 @@ TEST(SameBitsWorkers, HoweverManyThereAre) {
   }
 }
 
-TEST(SameBitsWorkers, WhateverTheyDoFirst) {
+TEST(SameBitsWorkers, InAnyOrderOfTasks) {
   const std::vector<std::uint64_t> alone = hashes({});
   for (const int threads : {1, 2, 5}) {
     Shuffled shuffled{threads, std::mt19937(static_cast<unsigned>(threads))};

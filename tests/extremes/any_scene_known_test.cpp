@@ -56,7 +56,7 @@ class KnownScene : public testing::TestWithParam<Known> {};
 TEST_P(KnownScene, StaysWithinItsLimit) {
   const Known& known = GetParam();
   const Summary run = run_guarded(known.which, generate(known.which), 60.0);
-  ASSERT_EQ(run.end, End::whole);
+  ASSERT_EQ(run.end, End::completed);
   EXPECT_LE(known.value(run), known.limit) << known.figure;
 }
 

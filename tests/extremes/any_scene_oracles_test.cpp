@@ -54,7 +54,7 @@ std::size_t crossings(const Scene& scene, const Snapshot& before, const Snapshot
 class Obstacle : public testing::TestWithParam<Solid> {};
 
 /// A rope starts 0.3 m above the obstacle and moves down: into contact, into it, and through it.
-TEST_P(Obstacle, IsCrossedByARopeThatGoesIntoItOrThroughIt) {
+TEST_P(Obstacle, IsCrossedByARopeThatEntersOrPassesIt) {
   Scene scene;
   scene.cords = {rope({-0.5, 0.3})};
   scene.solids = {GetParam()};
@@ -147,7 +147,7 @@ TEST(AnySceneOracles, FindAStretchedLink) {
   EXPECT_NEAR(worst.strain, 0.2, 1e-12);
 }
 
-TEST(AnySceneOracles, CountCornersInsideOut) {
+TEST(AnySceneOracles, CountInvertedCorners) {
   Scene scene;
   SceneCord strip;
   strip.def.points = 3;
@@ -164,7 +164,7 @@ TEST(AnySceneOracles, CountCornersInsideOut) {
   EXPECT_EQ(inverted(World(scene).coupling()), 4);
 }
 
-TEST(AnySceneOracles, FindEnergyFromNowhere) {
+TEST(AnySceneOracles, FindSpuriousEnergy) {
   const auto balance = [](double lost, double gained) {
     EnergyBalance energies({1.0, 0.0}, 10.0, {0.0, 2.0});
     energies.take({1.0 - lost, 0.5}, {0.0, 1.0});
@@ -186,7 +186,7 @@ TEST(AnySceneOracles, FindNothingWhereABallFallsPastARope) {
   scene.solids = {ball};
   const Outcome outcome = play(scene, 10.0);
   ASSERT_EQ(outcome.ticks.size(), 60U);
-  EXPECT_EQ(outcome.end, End::whole);
+  EXPECT_EQ(outcome.end, End::completed);
   for (const Sample& tick : outcome.ticks) {
     EXPECT_TRUE(tick.crossings.empty());
     EXPECT_EQ(tick.penetration.share, 0.0);

@@ -53,10 +53,10 @@ TEST(AnyScenePlot, BarsAreSharesOfTicks) {
   EXPECT_EQ(text.find("before"), std::string::npos) << text;
 }
 
-TEST(AnyScenePlot, WhatWasBeforeStandsBehind) {
+TEST(AnyScenePlot, DrawsEarlierRunsBehind) {
   const std::string text = plot_of({some_run(Preset::balanced)}, {run_before(Preset::balanced)}, "some.svg");
   expect_part(text, "'before: 99.9 % of ticks up to 5000, most 5000'");
-  expect_part(text, "'before: 7 substeps unsolved, not told how far'");
+  expect_part(text, "'before: 7 substeps unsolved, residual not reported'");
   expect_part(text, "'before: 0 of 1 scenes above 1 %'");
   expect_part(text, "plot NaN notitle, $work_balanced_before using");
   EXPECT_LT(text.find("$work_balanced_before using"), text.find("$work_balanced_now using"));
@@ -64,7 +64,7 @@ TEST(AnyScenePlot, WhatWasBeforeStandsBehind) {
   EXPECT_EQ(text.find("$work_fast"), std::string::npos) << text;
 }
 
-TEST(AnyScenePlot, BinsOfWorkMeetEachOther) {
+TEST(AnyScenePlot, BinsOfWorkAreContiguous) {
   for (int work = 0; work <= 8; ++work) EXPECT_EQ(end_of_work_bin(work), work);
   for (int work = 1; work < 1000; ++work) {
     const int end = end_of_work_bin(work);
@@ -75,7 +75,7 @@ TEST(AnyScenePlot, BinsOfWorkMeetEachOther) {
   }
 }
 
-TEST(AnyScenePlot, IsDrawnIntoAFileOrRefused) {
+TEST(AnyScenePlot, IsWrittenToAFileOrRefused) {
   const std::string path = testing::TempDir() + "any_scene's plot.svg";
   std::filesystem::remove(path);
   draw({some_run(Preset::fast), some_run(Preset::accurate)}, {run_before(Preset::accurate)}, path);

@@ -20,8 +20,8 @@ struct Figure {
   double (*value)(const Summary& run);
   double limit = no_limit;
 };
-/// A cut run counts as whole: it only exceeded its time on this machine.
-bool is_whole(any_scene::End end) { return end == any_scene::End::whole || end == any_scene::End::cut; }
+/// A run that timed out counts as completed: it only exceeded its time on this machine.
+bool has_completed(any_scene::End end) { return end == any_scene::End::completed || end == any_scene::End::timed_out; }
 
 constexpr std::array figures = {
     Figure{"Newton steps in a tick", [](const Summary& run) { return static_cast<double>(run.max_work); }, 400.0},
@@ -31,7 +31,7 @@ constexpr std::array figures = {
     Figure{"stretch", [](const Summary& run) { return run.stretch; }},
     Figure{"rise of energy, relative", [](const Summary& run) { return run.rise; }},
     Figure{"gap of a grip, m", [](const Summary& run) { return run.gap; }},
-    Figure{"runs that crashed or broke", [](const Summary& run) { return is_whole(run.end) ? 0.0 : 1.0; }, 0.0},
+    Figure{"runs that crashed or broke", [](const Summary& run) { return has_completed(run.end) ? 0.0 : 1.0; }, 0.0},
 };
 
 Method method_of(any_scene::Preset preset) { return static_cast<Method>(preset); }

@@ -39,7 +39,7 @@ TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
   }
 }
 
-TEST_P(AnyFamily, LinksOfAGentleSceneAreOfTheirRestLength) {
+TEST_P(AnyFamily, LinksOfAGentleSceneHaveTheirRestLength) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const World world(generate({seed, GetParam(), Difficulty::gentle, {}}));
     const Lengths worst = lengths(world.coupling());
@@ -103,7 +103,7 @@ Scene full_scene() {
   return scene;
 }
 
-TEST(AnySceneCode, NamesEveryFieldThatIsNotAsByDefault) {
+TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
   const std::string code = to_code(full_scene(), "some_scene");
   for (const char* part : {
            "any_scene::Scene some_scene() {",
@@ -170,7 +170,7 @@ TEST(AnySceneCode, NamesEveryFieldThatIsNotAsByDefault) {
   }
 }
 
-TEST(AnySceneRuns, AreTheSameFromTheirLineOfResults) {
+TEST(AnySceneRuns, AreParsedFromTheirLineOfCsv) {
   const SceneId which{3, Family::ribbons_both, Difficulty::wild, Preset::fast};
   Scene scene = generate(which);
   scene.ticks = 20;
@@ -183,7 +183,7 @@ TEST(AnySceneRuns, AreTheSameFromTheirLineOfResults) {
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(line.begin(), line.end(), ','));
 }
 
-TEST(AnySceneRuns, TellWhatWasLeftUnsolvedUnlessTheSolverDidNot) {
+TEST(AnySceneRuns, SaveResidualsIfTheSolverReportsThem) {
   Summary run = sum_up({}, {}, {});
   run.work = {{0, 2}, {17, 1}};
   const std::string nothing_left = to_csv(run);
@@ -197,7 +197,7 @@ TEST(AnySceneRuns, TellWhatWasLeftUnsolvedUnlessTheSolverDidNot) {
   EXPECT_EQ(to_csv(from_csv(before)), before);
 }
 
-TEST(AnySceneRuns, LeaveUnsolvedWhatTheSolverTells) {
+TEST(AnySceneRuns, CountResidualsThatTheSolverReports) {
   Outcome outcome;
   outcome.ticks.resize(4);
   outcome.ticks[1].left = 0.9e-3;
@@ -208,7 +208,7 @@ TEST(AnySceneRuns, LeaveUnsolvedWhatTheSolverTells) {
   EXPECT_NEAR(end_of_bin(-12), 1e-3, 1e-12);
 }
 
-TEST(AnySceneRuns, GiveTheSameTwice) {
+TEST(AnySceneRuns, AreReproducible) {
   Scene scene = generate({1, Family::mixed, Difficulty::gentle, Preset::fast});
   scene.ticks = 30;
   const Outcome once = play(scene, 20.0);
@@ -220,20 +220,20 @@ TEST(AnySceneRuns, GiveTheSameTwice) {
   }
 }
 
-TEST(AnySceneRuns, EndWhenTheirTimeIsUp) {
+TEST(AnySceneRuns, StopAtTheirTimeLimit) {
   Scene scene = generate({0, Family::mixed, Difficulty::gentle, Preset::accurate});
   scene.ticks = 1'000'000;
-  EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::cut);
+  EXPECT_EQ(run_guarded({}, scene, 0.2).end, End::timed_out);
 }
 
-TEST(AnySceneRuns, SayThatADefinitionIsRefused) {
+TEST(AnySceneRuns, ReportARefusedDefinition) {
   Scene scene = generate({0, Family::rope_falls, Difficulty::gentle, {}});
   scene.cords[0].def.radius = -1.0;
   EXPECT_EQ(run_guarded({}, scene, 1.0).end, End::refused);
 }
 
 /// The planted failure is a fast heavy circle among many unrelated objects.
-TEST(AnySceneShrink, LeavesOnlyWhatFails) {
+TEST(AnySceneShrink, LeavesOnlyWhatTheFailureNeeds) {
   Scene scene = generate({7, Family::mixed, Difficulty::gentle, {}});
   Solid planted;
   planted.motion = Motion::dynamic;
@@ -259,7 +259,7 @@ TEST(AnySceneShrink, LeavesOnlyWhatFails) {
 }
 
 /// References to removed cords and solids are removed; all others refer to the same ones as before.
-TEST(AnySceneShrink, KeepsEveryStepAcceptable) {
+TEST(AnySceneShrink, EveryIntermediateSceneIsValid) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Scene scene = generate({seed, Family::mixed, Difficulty::wild, {}});
     int kept = 0;

@@ -20,7 +20,7 @@ int Balls::add(Vec2 position, double radius, double mass, double friction) {
   return index;
 }
 
-void Balls::step(Subject& cord, double dt, Vec2 gravity) {
+void Balls::step(TestedCord& cord, double dt, Vec2 gravity) {
   for (RigidBody& body : bodies_) {
     body.impulse = {};
     body.angular_impulse = 0.0;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tests/extremes/subject.h"
+#include "tests/extremes/tested_cord.h"
 
 namespace extremes {
 
@@ -15,7 +15,7 @@ class Balls {
   ribbon::RigidBody& at(int index) { return bodies_[static_cast<std::size_t>(index)]; }
 
   /// Advances the cord and the circles by one tick.
-  void step(Subject& cord, double dt, ribbon::Vec2 gravity);
+  void step(TestedCord& cord, double dt, ribbon::Vec2 gravity);
   bool is_finite() const;
 
  private:

@@ -48,12 +48,12 @@ ribbon::CordDef cord_of(Kind kind) {
 }
 
 /// Returns the thickness of the cord, m.
-double thickness(const Subject& cord, Kind kind) {
+double thickness(const TestedCord& cord, Kind kind) {
   if (cord.method() == Method::thesis) return link * (cord.rows() - 1);
   return cord_of(kind).width + 2.0 * cord_of(kind).radius;
 }
 
-double middle(const Subject& cord) { return 0.5 * (cord.positions()[static_cast<std::size_t>(cord.rows()) - 1].y); }
+double middle(const TestedCord& cord) { return 0.5 * (cord.positions()[static_cast<std::size_t>(cord.rows()) - 1].y); }
 
 struct Figures {
   WorstCase speed, strain, inverted;
@@ -61,7 +61,7 @@ struct Figures {
 };
 
 /// Damps the motion for two seconds, then takes the figures.
-void take(Subject& cord, const Balls& balls, double speed, const std::string& setting, Figures& figures) {
+void take(TestedCord& cord, const Balls& balls, double speed, const std::string& setting, Figures& figures) {
   for (int k = 0; k < 120 && cord.is_finite(); ++k) {
     for (int p = 0; p < cord.columns() * cord.rows(); ++p) {
       cord.set_velocity(p, 0.9 * cord.velocities()[static_cast<std::size_t>(p)]);
@@ -77,7 +77,7 @@ void take(Subject& cord, const Balls& balls, double speed, const std::string& se
 
 /// Two circles approach at 0.5 m/s until the gap is 5 % of the cord's thickness, wait and part.
 void squeeze(Method method, Kind kind, double radius, const std::string& setting, Figures& figures) {
-  Subject cord(method, cord_of(kind), dt);
+  TestedCord cord(method, cord_of(kind), dt);
   Balls balls;
   const double gap = 0.05 * thickness(cord, kind);
   const double apart = 0.5 * gap + radius;
@@ -101,7 +101,7 @@ void squeeze(Method method, Kind kind, double radius, const std::string& setting
 
 /// A free ball of the cord's mass appears inside it.
 void create_inside(Method method, Kind kind, double radius, Vec2 center, const std::string& setting, Figures& figures) {
-  Subject cord(method, cord_of(kind), dt);
+  TestedCord cord(method, cord_of(kind), dt);
   Balls balls;
   balls.add(center, radius, 0.5);
   double fastest = 0.0;

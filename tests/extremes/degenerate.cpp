@@ -38,7 +38,7 @@ void coincide(Method method, int rows, bool across, const std::string& setting, 
   ribbon::CordDef def = cord_of(rows);
   const std::size_t a = 5 * static_cast<std::size_t>(rows);
   def.positions[a + static_cast<std::size_t>(across ? 1 : rows)] = def.positions[a];
-  Subject cord(method, def, dt);
+  TestedCord cord(method, def, dt);
   for (int k = 0; k < 240; ++k) {
     for (int p = 0; p < cord.columns() * cord.rows(); ++p) {
       cord.set_velocity(p, 0.9 * cord.velocities()[static_cast<std::size_t>(p)]);

@@ -53,15 +53,15 @@ ribbon::CordDef cord_of(Kind kind) {
 /// A drive of a cord, called before each tick. It drives the cord and sets gravity; it returns false at its end.
 struct Event {
   std::string what;
-  std::function<bool(Subject&, int tick, Vec2& gravity)> drive;
+  std::function<bool(TestedCord&, int tick, Vec2& gravity)> drive;
 };
 
-void move_anchor(Subject& cord, Vec2 by) {
+void move_anchor(TestedCord& cord, Vec2 by) {
   for (int j = 0; j < cord.rows(); ++j) cord.operate(j, cord.positions()[static_cast<std::size_t>(j)] + by);
 }
 
 Event yank() {
-  return {"anchor yanked at 100 m/s", [](Subject& cord, int tick, Vec2&) {
+  return {"anchor yanked at 100 m/s", [](TestedCord& cord, int tick, Vec2&) {
             constexpr Vec2 ways[] = {{1.0, 0.0}, {-0.6, 0.8}, {0.0, -1.0}, {-0.8, 0.6}};
             move_anchor(cord, (100.0 * dt) * ways[tick / 10 % 4]);
             return tick < 39;
@@ -69,21 +69,21 @@ Event yank() {
 }
 
 Event teleport() {
-  return {"anchor put a kilometre away", [](Subject& cord, int, Vec2&) {
+  return {"anchor put a kilometre away", [](TestedCord& cord, int, Vec2&) {
             move_anchor(cord, {800.0, 600.0});
             return false;
           }};
 }
 
 Event gravity_of(const std::string& what, Vec2 gravity) {
-  return {what, [gravity](Subject&, int tick, Vec2& now) {
+  return {what, [gravity](TestedCord&, int tick, Vec2& now) {
             now = gravity;
             return tick < 60;
           }};
 }
 
 Event reel() {
-  return {"reeled to 1 % and back", [](Subject& cord, int tick, Vec2&) {
+  return {"reeled to 1 % and back", [](TestedCord& cord, int tick, Vec2&) {
             if (tick == 0) cord.direct().reel(0, cord.columns() - 1, 0.01 * cord_length, 10.0);
             if (tick == 60) cord.direct().reel(0, cord.columns() - 1, cord_length, 10.0);
             return tick < 120;
@@ -92,7 +92,7 @@ Event reel() {
 
 /// Runs the event, then two seconds without a drive under the initial gravity, then two seconds of damped motion.
 void run(Method method, Kind kind, const Event& event, WorstCase& gain, WorstCase& strain) {
-  Subject cord(method, cord_of(kind), dt);
+  TestedCord cord(method, cord_of(kind), dt);
   cord.attach_load(10.0);
   const double scale = 11.0 * 9.81 * cord_length;
   bool finite = true;

@@ -47,7 +47,7 @@ std::vector<Vec2> motion(Method method, Kind kind, const Place& place, bool with
     for (int j = 0; j < def.rows; ++j) def.positions.push_back(place.at({0.1 * i, 0.1 * j}));
   }
   for (int j = 0; j < def.rows; ++j) def.pins.push_back(j);
-  Subject cord(method, def, dt);
+  TestedCord cord(method, def, dt);
   cord.attach_load(1.0);
   Balls balls;
   if (with_ball) balls.add(place.at({1.0, -0.3}), 0.15, 0.5);

@@ -61,7 +61,7 @@ ribbon::CordDef cord_of(int rows) {
 
 /// A cord over a peg, under gravity; its anchor moves along a figure eight of 2 m in 1.7 s.
 Figures soak(Method method, int rows, int ticks, Counts& counts, const Scope& scope) {
-  Subject cord(method, cord_of(rows), dt);
+  TestedCord cord(method, cord_of(rows), dt);
   cord.attach_load(1.0);
   Balls balls;
   balls.add({0.3, -1.2}, 0.15, 0.0);

@@ -75,7 +75,7 @@ struct Figures {
 };
 
 void run(Method method, Kind kind, Start start, unsigned seed, const std::string& setting, Figures& figures) {
-  Subject cord(method, cord_of(kind, start, seed), dt);
+  TestedCord cord(method, cord_of(kind, start, seed), dt);
   const double energy = cord.energy({});
   double gain = 0.0;
   double speed = 0.0;

@@ -59,7 +59,7 @@ double exact_stretch(const Case& c) { return (c.load + 0.5) / (1.0 + c.load) / c
 
 /// Swings the cord from the horizontal. The energy's scale is M·g·(L + static stretch).
 void swing(Method method, const Case& c, int ticks, WorstCase& gain) {
-  Subject cord(method, cord_of(method, c, {1.0, 0.0}), c.dt);
+  TestedCord cord(method, cord_of(method, c, {1.0, 0.0}), c.dt);
   cord.attach_load(c.load);
   const double scale = (1.0 + c.load) * g * cord_length * (1.0 + 1.0 / c.stiffness);
   const double start = cord.energy(gravity);
@@ -74,7 +74,7 @@ void swing(Method method, const Case& c, int ticks, WorstCase& gain) {
 
 /// Returns the error of the stretch, divided by the exact stretch or by a millionth of the length, whichever is
 /// greater.
-double stretch_error(const Subject& cord, const Case& c) {
+double stretch_error(const TestedCord& cord, const Case& c) {
   const double exact = exact_stretch(c);
   const double error = std::abs(cord.length() / cord_length - 1.0 - exact) / std::max(exact, 1e-6);
   return std::isfinite(error) ? error : infinity;
@@ -82,7 +82,7 @@ double stretch_error(const Subject& cord, const Case& c) {
 
 /// Brings the cord to rest by kinetic relaxation: sets velocities to zero when the cord slows down. The direct solver
 /// uses steps of a second.
-void come_to_rest(Subject& cord, const Case& c) {
+void come_to_rest(TestedCord& cord, const Case& c) {
   const bool is_thesis = cord.method() == Method::thesis;
   const double dt = is_thesis ? c.dt : 1.0;
   const double rest_speed = 1e-5 * cord_length * std::max(exact_stretch(c), 1e-6);  // m/s
@@ -100,7 +100,7 @@ void come_to_rest(Subject& cord, const Case& c) {
 constexpr std::array<double, 4> steps = {1e-5, 1e-3, 1.0 / 60.0, 1.0};  // s
 
 /// Checks that the cord hangs still in steps of this length.
-void hang(Subject& cord, const Case& c, WorstCase& off) {
+void hang(TestedCord& cord, const Case& c, WorstCase& off) {
   double error = 0.0;
   for (int k = 0; k < 5; ++k) {
     cord.step(c.dt, gravity);
@@ -112,7 +112,7 @@ void hang(Subject& cord, const Case& c, WorstCase& off) {
 
 /// All presets start from the same rest state, found in steps of a second.
 void hang_direct(Case c, const Scope& scope, std::array<WorstCase, 4>& off) {
-  Subject resting(Method::fast, cord_of(Method::fast, c, {0.0, -1.0}), 1.0);
+  TestedCord resting(Method::fast, cord_of(Method::fast, c, {0.0, -1.0}), 1.0);
   resting.attach_load(c.load);
   come_to_rest(resting, c);
   const ribbon::Cord::State rest = resting.direct().save();
@@ -120,7 +120,7 @@ void hang_direct(Case c, const Scope& scope, std::array<WorstCase, 4>& off) {
     for (const double dt : steps) {
       c.dt = dt;
       if (!scope.wants(text(c))) continue;
-      Subject cord(method, cord_of(method, c, {0.0, -1.0}), dt);
+      TestedCord cord(method, cord_of(method, c, {0.0, -1.0}), dt);
       cord.direct().restore(rest);
       hang(cord, c, off[static_cast<std::size_t>(method)]);
     }
@@ -132,7 +132,7 @@ void hang_thesis(Case c, const Scope& scope, WorstCase& off) {
   for (const double dt : {steps[2], steps[3]}) {
     c.dt = dt;
     if (!scope.wants(text(c))) continue;
-    Subject cord(Method::thesis, cord_of(Method::thesis, c, {0.0, -1.0}), dt);
+    TestedCord cord(Method::thesis, cord_of(Method::thesis, c, {0.0, -1.0}), dt);
     cord.attach_load(c.load);
     come_to_rest(cord, c);
     hang(cord, c, off);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/extremes/subject.h"
+#include "tests/extremes/tested_cord.h"
 
 namespace extremes {
 
@@ -67,7 +67,7 @@ std::vector<Row> run_places(const Scope& scope);
 std::vector<Row> run_soak(const Scope& scope);
 std::vector<Row> run_any_scene(const Scope& scope);
 
-/// Returns "ok", "FAIL: …" for a required row, or "lost: …" for the thesis's method.
+/// Returns "ok", "FAIL: …" for a required row, or "allowed: …" for the thesis's method.
 std::string verdict(const Row& row);
 
 /// Prints rows in aligned columns; omits rows without a case.

@@ -57,7 +57,7 @@ TEST_P(FlightOf, GivesTheBitsOfTheCouplingsOwnStep) {
 }
 
 /// A file with a wrong byte is either refused with a message or contains another valid step.
-TEST(Flight, TakesOrRefusesAFileWithAWrongByte) {
+TEST(Flight, AcceptsOrRefusesAFileWithAWrongByte) {
   for (const bits::BitScene& scene : bits::bit_scenes()) {
     bits::BitWorld world;
     scene.build(world);
@@ -136,7 +136,7 @@ TEST(Shrink, KeepsTheFailureAndLittleElse) {
   EXPECT_TRUE(again.is_as_recorded());
 }
 
-TEST(Figures, AreThoseOfAStretchedAndSunkRope) {
+TEST(Figures, MeasureStretchAndPenetrationOfARope) {
   engine::SolverStep step = swinging_step();
   step.cords.pop_back();
   for (std::size_t p = 0; p < 31; ++p) step.cords[0].state.positions[p].x *= 1.25;
@@ -153,7 +153,7 @@ TEST(Figures, AreThoseOfAStretchedAndSunkRope) {
   EXPECT_NEAR(figures.energy, 0.5 * 0.01 * 25.0 - 10.0 * 9.81 * 0.1, 1e-9);
 }
 
-TEST(Code, NamesWhatIsNotAsInANewDefinition) {
+TEST(Code, NamesFieldsThatDifferFromTheirDefaults) {
   const std::string code = code_of(swinging_step(), 77);
   EXPECT_NE(code.find("step.cords[0].def.points = 31;"), std::string::npos);
   EXPECT_NE(code.find("step.cords[1].id = 1001U;"), std::string::npos);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/peers/contestants.h"
 #include "tests/peers/table.h"
+#include "tests/peers/variants.h"
 #include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
 #include "tests/study/text.h"
@@ -18,9 +18,9 @@
 
 namespace {
 
-using peers::Contestant;
 using peers::Result;
 using peers::Scene;
+using peers::Variant;
 
 std::vector<double> times_of(const peers::Recording& recording) {
   std::vector<double> times;
@@ -38,11 +38,11 @@ struct Runs {
 
 constexpr double long_seconds = 20.0;
 
-void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& contestant, Runs& runs) {
+void run_once(const Scene& scene, const peers::Plan& plan, const Variant& variant, Runs& runs) {
   if (!runs.result.failure.empty() || runs.is_slow) return;
   try {
     const auto start = std::chrono::steady_clock::now();
-    const peers::Recording recording = contestant.play(scene, plan);
+    const peers::Recording recording = variant.run(scene, plan);
     runs.is_slow = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > long_seconds;
     const std::vector<double> times = times_of(recording);
     runs.medians.push_back(tradeoff::quantile(times, 0.5));
@@ -65,23 +65,23 @@ void play_once(const Scene& scene, const peers::Plan& plan, const Contestant& co
 }
 
 /// Interleaves all settings, so that a slow moment of a shared machine affects all of them alike.
-std::vector<Result> play(const Scene& scene, const std::vector<Contestant>& contestants, int rounds) {
+std::vector<Result> run_scene(const Scene& scene, const std::vector<Variant>& variants, int rounds) {
   const peers::Plan plan = peers::plan_of(scene.set_up, scene.settling_ticks, scene.ticks);
-  std::vector<Runs> runs(contestants.size());
+  std::vector<Runs> runs(variants.size());
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t k = 0; k < contestants.size(); ++k) {
-      const double done = static_cast<double>(static_cast<std::size_t>(round) * contestants.size() + k);
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+      const double done = static_cast<double>(static_cast<std::size_t>(round) * variants.size() + k);
       study::show_progress((scene.name + " " + scene.group).c_str(),
-                           done / static_cast<double>(contestants.size() * static_cast<std::size_t>(rounds)));
-      play_once(scene, plan, contestants[k], runs[k]);
+                           done / static_cast<double>(variants.size() * static_cast<std::size_t>(rounds)));
+      run_once(scene, plan, variants[k], runs[k]);
     }
   }
   study::show_progress((scene.name + " " + scene.group).c_str(), 1.0);
   std::vector<Result> results;
-  for (std::size_t k = 0; k < contestants.size(); ++k) {
+  for (std::size_t k = 0; k < variants.size(); ++k) {
     Result result = runs[k].result;
-    result.engine = contestants[k].engine;
-    result.setting = contestants[k].setting;
+    result.engine = variants[k].engine;
+    result.setting = variants[k].setting;
     result.group = scene.group;
     if (!runs[k].medians.empty()) {
       result.cost_us = tradeoff::quantile(runs[k].medians, 0.5);
@@ -102,7 +102,7 @@ struct Options {
 
 int run(const Options& options) {
   std::filesystem::create_directories(options.folder);
-  const peers::NodePlayer node(options.script, options.folder);
+  const peers::NodeRunner node(options.script, options.folder);
   const std::vector<peers::Engine> engines = peers::engines(node);
   std::vector<std::string> names;  // of scenes, unique
   std::map<std::string, std::vector<Result>> results;
@@ -110,7 +110,7 @@ int run(const Options& options) {
     if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), scene.name) == options.only.end())
       continue;
     if (names.empty() || names.back() != scene.name) names.push_back(scene.name);
-    const std::vector<Result> more = play(scene, peers::contestants(scene, node, options.quick), options.rounds);
+    const std::vector<Result> more = run_scene(scene, peers::variants(scene, node, options.quick), options.rounds);
     std::vector<Result>& all = results[scene.name];
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
     if (names.empty() || names.back() != scene.name) names.push_back(scene.name);
   }
   app.add_option("--out", options.folder, "A folder for CSV, plots and the table")->required();
-  app.add_option("--script", options.script, "tests/peers/play.mjs, beside its node_modules")
+  app.add_option("--script", options.script, "tests/peers/run_plan.mjs, beside its node_modules")
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("--scene", options.only, "These scenes alone")->check(CLI::IsMember(names));

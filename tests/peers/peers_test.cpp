@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "tests/peers/figures.h"
-#include "tests/peers/players.h"
 #include "tests/peers/recording.h"
+#include "tests/peers/runners.h"
 #include "tests/peers/scenes.h"
 #include "tests/peers/table.h"
 #include "tests/support/contact_scenes.h"
@@ -46,7 +46,7 @@ Frame at_start(const Plan& plan) {
   return frame;
 }
 
-TEST(PeersPlan, AChainLiesAndWeighsAsItsCord) {
+TEST(PeersPlan, AChainHasTheShapeAndMassOfItsCord) {
   for (const Scene& s : scenes()) {
     const Plan plan = plan_for(s);
     for (const CordPlan& cord : plan.cords) {
@@ -65,7 +65,7 @@ TEST(PeersPlan, AChainLiesAndWeighsAsItsCord) {
   }
 }
 
-TEST(PeersPlan, EveryLinkIsHingedToTheNextAndWherePinnedOrHeld) {
+TEST(PeersPlan, EveryLinkHasHingesToItsNeighboursPinsAndHolders) {
   for (const Scene& s : scenes()) {
     const Plan plan = plan_for(s);
     std::size_t hinges = 0;
@@ -82,7 +82,7 @@ TEST(PeersPlan, EveryLinkIsHingedToTheNextAndWherePinnedOrHeld) {
   }
 }
 
-TEST(PeersPlan, WhatHoldsACordIsTold) {
+TEST(PeersPlan, ListsTheBodiesThatHoldACord) {
   const Plan plan = plan_of([](CoupledWorld& world) { test_support::hang_load(world, 168.0, inextensible); }, 0, 1);
   ASSERT_EQ(plan.cords.size(), 1U);
   ASSERT_EQ(plan.cords[0].held.size(), 1U);
@@ -92,7 +92,7 @@ TEST(PeersPlan, WhatHoldsACordIsTold) {
   EXPECT_EQ(plan.cords[0].def.pins, std::vector<int>{0});
 }
 
-TEST(PeersPlan, APolygonHasNoPlaceInAPlan) {
+TEST(PeersPlan, RefusesPolygons) {
   const auto set_up = [](CoupledWorld& world) {
     b2PolygonShape box;
     box.SetAsBox(1.0F, 1.0F);
@@ -101,7 +101,7 @@ TEST(PeersPlan, APolygonHasNoPlaceInAPlan) {
   EXPECT_THROW(plan_of(set_up, 0, 1), std::invalid_argument);
 }
 
-TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
+TEST(PeersPlan, JsonHasAllFieldsThatARunnerReads) {
   const nlohmann::json json = nlohmann::json::parse(to_json(plan_for(scene("bridge"))));
   EXPECT_EQ(json["settlingTicks"], 600);
   EXPECT_EQ(json["cords"].size(), 1U);
@@ -114,7 +114,7 @@ TEST(PeersPlan, ItsJsonHasAllThatAPlayerReads) {
   EXPECT_EQ(ball["dynamic"], true);
 }
 
-TEST(PeersFigures, WhatLiesWhereItWasPutHasNoError) {
+TEST(PeersFigures, ACordAtItsStartHasNoStretchAndNoPenetration) {
   const Scene& drape = scene("drape");
   const Plan plan = plan_for(drape);
   const Figures figures = figures_of(drape.set_up, plan, {at_start(plan)});
@@ -133,7 +133,7 @@ TEST(PeersFigures, ALinkThatIsPulledOutCountsAsStretch) {
   EXPECT_NEAR(figures.stretch, 0.1, 1e-9);
 }
 
-TEST(PeersFigures, ABallThatIsPressedInAndComesBackHasPenetratedAndDrifted) {
+TEST(PeersFigures, ABallThatSinksInAndReturnsHasPenetrationDriftAndJitter) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   const Frame start = at_start(plan);
@@ -147,7 +147,7 @@ TEST(PeersFigures, ABallThatIsPressedInAndComesBackHasPenetratedAndDrifted) {
   EXPECT_FALSE(pressed.tunnelled);
 }
 
-TEST(PeersFigures, ABallBelowItsCordWasLetThrough) {
+TEST(PeersFigures, ABallBelowItsCordHasTunnelled) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   Frame below = at_start(plan);
@@ -155,7 +155,7 @@ TEST(PeersFigures, ABallBelowItsCordWasLetThrough) {
   EXPECT_TRUE(figures_of(bridge.set_up, plan, {below}).tunnelled);
 }
 
-TEST(PeersFigures, WhatIsNoNumberOrFarAwayBlewUp) {
+TEST(PeersFigures, ANaNOrADistantPointCountsAsBlownUp) {
   const Scene& bridge = scene("bridge");
   const Plan plan = plan_for(bridge);
   for (const double value : {std::nan(""), 1e5}) {
@@ -165,7 +165,7 @@ TEST(PeersFigures, WhatIsNoNumberOrFarAwayBlewUp) {
   }
 }
 
-TEST(PeersFigures, RibbonsThatLieAcrossEachOtherCross) {
+TEST(PeersFigures, CountsCrossingsOfOverlappingRibbons) {
   const Scene& strips = scene("strips");
   const Plan plan = plan_for(strips);
   Frame frame = at_start(plan);
@@ -175,7 +175,9 @@ TEST(PeersFigures, RibbonsThatLieAcrossEachOtherCross) {
   EXPECT_GE(figures_of(strips.set_up, plan, {frame}).crossings, 4);
 }
 
-TEST(PeersFigures, ARecordingThatEndsEarlyHasNoPath) { EXPECT_TRUE(std::isinf(path_error({}, {{0.0, 0.0}}))); }
+TEST(PeersFigures, ARecordingThatEndsEarlyHasAnInfinitePathError) {
+  EXPECT_TRUE(std::isinf(path_error({}, {{0.0, 0.0}})));
+}
 
 class PeersRecording : public testing::Test {
  protected:
@@ -210,21 +212,21 @@ TEST_F(PeersRecording, OfAnotherPlanIsRefused) {
   EXPECT_THROW(read_recording(path, plan), std::runtime_error);
 }
 
-TEST(PeersPlayers, OursKeepsToTheExactPathOfAHeavyLoad) {
+TEST(PeersRunners, OurCordFollowsTheExactPathOfAHeavyLoad) {
   const Scene& swing = scene("heavy_swing");
   const Plan plan = plan_for(swing);
-  const Recording recording = play_coupled(swing.set_up, plan, test_support::CordMethod{});
+  const Recording recording = run_coupled(swing.set_up, plan, test_support::CordMethod{});
   ASSERT_EQ(recording.size(), 300U);
   EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 0.05);
 }
 
-TEST(PeersPlayers, AChainIsRecordedByTheEndsOfItsLinks) {
+TEST(PeersRunners, AChainIsRecordedByTheEndsOfItsLinks) {
   const Scene& swing = scene("heavy_swing");
   const Plan plan = plan_for(swing);
   test_support::CordMethod how;
   how.chain = true;
   how.substeps = 64;
-  const Recording recording = play_coupled(swing.set_up, plan, how);
+  const Recording recording = run_coupled(swing.set_up, plan, how);
   ASSERT_EQ(recording.front().cords[0].size(), 51U);
   ASSERT_EQ(recording.front().moving_bodies.size(), 1U);
   EXPECT_LT(swing.error(figures_of(swing.set_up, plan, recording), recording), 1.0);
@@ -256,7 +258,7 @@ TEST(PeersTable, ACellHasTheCheapestAndTheMostAccurateOfAFront) {
   EXPECT_NE(table.find("| Third | fails |"), std::string::npos) << table;
 }
 
-TEST(PeersTable, TheCsvHasALineASettingAndTellsWhyItFailed) {
+TEST(PeersTable, TheCsvHasALinePerSettingWithTheReasonOfItsFailure) {
   Result failed = result("Other", "substeps=1", 1.0, 0.0);
   failed.failure = "tunnelled: the ball is below the cord";
   failed.group = "ratio=100";

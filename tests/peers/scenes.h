@@ -8,10 +8,10 @@
 
 namespace peers {
 
-/// A scene that all engines play.
+/// A scene that all engines run.
 struct Scene {
   std::string name;           ///< bridge
-  std::string group;          ///< ratio=100; empty if the scene has no variants
+  std::string group;          ///< ratio=100; empty if the scene has no parts
   std::string description;    ///< a sentence without its full stop
   bool has_contacts = false;  ///< whether there are contacts; then it is in the page's second table
   SetUp set_up;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/peers/contestants.h"
 #include "tests/peers/figures.h"
+#include "tests/peers/variants.h"
 #include "tests/study/report.h"
 
 namespace peers {

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class CatenaryRows : public testing::TestWithParam<test_support::Catenary> {};
 
-TEST_P(CatenaryRows, HangsAsComputed) {
+TEST_P(CatenaryRows, HasTheExactSagAndTension) {
   const test_support::Catenary& row = GetParam();
   Cord cord(test_support::hanging_between_pins(row, 100));
   test_support::come_to_rest(cord, gravity);
@@ -43,7 +43,7 @@ struct Beam {
 
 class LongCantilever : public testing::TestWithParam<Beam> {};
 
-TEST_P(LongCantilever, BendsAsTheElasticaDoes) {
+TEST_P(LongCantilever, BendsLikeTheElastica) {
   const Beam& beam = GetParam();
   for (const test_support::Cantilever& row : test_support::cantilevers) {
     const double width = beam.rows > 1 ? 1.0 / beam.slenderness : 0.0;
@@ -80,8 +80,8 @@ TEST(LongCantileverOfASoftStrip, BendsByItsOwnStiffness) {
   }
 }
 
-/// The link angles θ of a clamped–free chain of n free links that is pressed by P: (EI/l)·(D·θ) = P·l·θ with D of the
-/// fixed–free chain, whose least eigenvalue is 4·sin²(π/(2(2n + 1))).
+/// The link angles θ of a clamped–free chain of n free links under a compressive force P: (EI/l)·(D·θ) = P·l·θ with D
+/// of the fixed–free chain, whose least eigenvalue is 4·sin²(π/(2(2n + 1))).
 TEST(CordBuckling, BeginsAtTheExactDiscreteLoad) {
   constexpr int links = 20;
   const auto grown = [](double share) {
@@ -193,7 +193,7 @@ TEST(CordStretch, ASolidStripNarrowsByPoissonsRatio) {
 }
 
 /// One link with EA and the damping time β is an oscillator of ω² = EA/(l·m) and damping ratio β·ω/2.
-TEST(CordDamping, TakesFromAnOscillationWhatItsTimeSays) {
+TEST(CordDamping, DampsAnOscillationByItsDampingTime) {
   CordDef def;
   def.points = 2;
   def.length = 1.0;
@@ -220,7 +220,7 @@ TEST(CordDamping, TakesFromAnOscillationWhatItsTimeSays) {
   EXPECT_NEAR(peaks[2] / peaks[1], expected, 2e-3);
 }
 
-TEST(CordDamping, StopsABendingOne) {
+TEST(CordDamping, DampsBending) {
   CordDef def;
   def.points = 20;
   def.length = 1.0;
@@ -255,7 +255,7 @@ TEST(CordDrag, SlowsTheCordAndNotItsLoad) {
   EXPECT_LT(momentum / 0.6, std::exp(-0.5));
 }
 
-TEST(CordFreeFlight, KeepsMomentumToRoundOff) {
+TEST(CordFreeFlight, ConservesMomentumToRoundOff) {
   CordDef rope;
   rope.points = 30;
   CordDef bending = rope;

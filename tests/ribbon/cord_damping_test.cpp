@@ -19,7 +19,7 @@ constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A set velocity is a jump, and so is the damping tension. The elastic energy does not jump.
-TEST(CordDamping, ElasticEnergyIsThatOfThePositionsWhateverVelocityIsSet) {
+TEST(CordDamping, ElasticEnergyDoesNotDependOnASetVelocity) {
   CordDef ribbon;
   ribbon.points = 21;
   ribbon.rows = 3;
@@ -51,7 +51,7 @@ TEST(CordDamping, ElasticEnergyIsThatOfThePositionsWhateverVelocityIsSet) {
 
 /// Implicit Euler moves points along chords, which lengthen the links of a spinning rope. If that were damped, the rope
 /// would get shorter from step to step. But a spinning rope is longer by μω²L²/12/EA, here 0.8 % at the start.
-TEST(CordDamping, ImplicitEulerDoesNotShortenWhatTurns) {
+TEST(CordDamping, ImplicitEulerDoesNotShortenARotatingRope) {
   for (const double bending : {0.0, 1e-3}) {
     CordDef def;
     def.points = 11;
@@ -78,7 +78,7 @@ TEST(CordDamping, ImplicitEulerDoesNotShortenWhatTurns) {
 }
 
 /// The same for the cells of a ribbon, whose bars are the sums of their edges.
-TEST(CordDamping, ImplicitEulerDoesNotShortenARibbonThatTurns) {
+TEST(CordDamping, ImplicitEulerDoesNotShortenARotatingRibbon) {
   for (const int rows : {2, 3}) {
     CordDef def;
     def.points = 11;
@@ -158,7 +158,7 @@ TEST(CordTensionOnly, NeverPushes) {
   }
 }
 
-TEST(CordTensionOnly, HangsAsAnyOther) {
+TEST(CordTensionOnly, HangsAsACordWithCompression) {
   CordDef def = hanging(21, 2.0);
   def.tension_only = true;
   def.pins = {0, 20};

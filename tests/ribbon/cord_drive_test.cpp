@@ -48,7 +48,7 @@ TEST(CordReel, LiftsItsLoadAtItsSpeedAndStops) {
 }
 
 /// The work of the winch is Σ λ·(−dl) over the links: tension times change of rest length.
-TEST(CordReel, AddsTheWorkOfTheWinchAndNoMore) {
+TEST(CordReel, AddsExactlyTheWorkOfTheWinch) {
   CordDef def = hanging(21, 4.0);
   def.accuracy = Accuracy::accurate();
   Cord cord(def);
@@ -76,7 +76,7 @@ TEST(CordReel, AddsTheWorkOfTheWinchAndNoMore) {
 
 /// Start, reversal and stop of a fast winch with a load of a thousand times the cord's mass: no point is faster than
 /// the winch, and after the stop the energy only decreases.
-TEST(CordReel, NoBurstWhenItStartsTurnsAndStops) {
+TEST(CordReel, StartsReversesAndStopsWithoutAJerk) {
   CordDef def = hanging(31, 3.0);
   Cord cord(def);
   cord.attach_mass(30, 300.0);
@@ -117,7 +117,7 @@ TEST(CordReel, TakesPartOfTheCord) {
   EXPECT_NEAR(cord.positions()[10].y, -0.85, 0.01);
 }
 
-TEST(CordReel, OfARopeThatBendsAndOfARibbon) {
+TEST(CordReel, WorksForBendingRopesAndRibbons) {
   CordDef rope = hanging(11, 1.0);
   rope.bending_stiffness = 0.01;
   CordDef ribbon;
@@ -142,7 +142,7 @@ TEST(CordReel, OfARopeThatBendsAndOfARibbon) {
 }
 
 /// Repeated reeling of a part leaves every link with a length.
-TEST(CordReel, NoLinkIsEverWithoutLength) {
+TEST(CordReel, EveryLinkKeepsAPositiveLength) {
   Cord cord(hanging(11, 1.0));
   int refused = 0;
   for (int k = 0; k < 40; ++k) {
@@ -164,7 +164,7 @@ TEST(CordReel, NoLinkIsEverWithoutLength) {
   EXPECT_TRUE(all_finite(cord.positions()));
 }
 
-TEST(CordReel, RefusesWhatItCannotDo) {
+TEST(CordReel, RefusesInvalidArguments) {
   Cord cord(hanging(11, 1.0));
   const Cord::State before = cord.save();
   EXPECT_THROW(cord.reel(-1, 5, 0.5, 1.0), DefinitionError);
@@ -208,7 +208,7 @@ TEST(CordDragged, FollowsTheTargetAndKeepsItsVelocityWhenReleased) {
 }
 
 /// A target beyond the length of an inextensible cord: all numbers stay finite, and the cord's length shows the error.
-TEST(CordDragged, DraggedTooFarItStaysFinite) {
+TEST(CordDragged, StaysFiniteWhenDraggedTooFar) {
   Cord cord(hanging(11, 1.0));
   for (int k = 1; k <= 60; ++k) {
     cord.operate(10, {0.1 * k, -1.0});
@@ -237,7 +237,7 @@ TEST(CordDragged, APinThatStopsByItselfStopsTheCordSmoothly) {
   EXPECT_EQ(end(false), end(true));
 }
 
-TEST(CordLoad, ItsPotentialIsTheWorkItHasDone) {
+TEST(CordLoad, PotentialIsTheWorkDone) {
   Cord cord(hanging(3, 1.0));
   const double before = cord.energy({}).potential;
   cord.set_load(2, {3.0, -4.0});
@@ -245,7 +245,7 @@ TEST(CordLoad, ItsPotentialIsTheWorkItHasDone) {
   EXPECT_NEAR(cord.energy({}).potential, -(-4.0 * -1.0), 1e-12);
 }
 
-TEST(CordAccuracy, ChangedBetweenStepsItHoldsFromTheNextOn) {
+TEST(CordAccuracy, AChangeTakesEffectInTheNextStep) {
   Cord changed(hanging(21, 2.0));
   changed.set_velocity(20, {3.0, 0.0});
   for (int k = 0; k < 10; ++k) changed.step(1.0 / 60.0, gravity);

@@ -54,7 +54,7 @@ TEST(CordGravityScale, ABalloonOnARopeRises) {
   EXPECT_NEAR(cord.positions()[10].y, 1.0, 1e-3);
 }
 
-TEST(CordGravityScale, EnergyIsConservedWithIt) {
+TEST(CordGravityScale, ConservesEnergy) {
   CordDef def = rope(0.3);
   def.pins = {0};
   Cord cord(def);
@@ -68,7 +68,7 @@ TEST(CordGravityScale, EnergyIsConservedWithIt) {
   EXPECT_LT(most - before, 1e-3 * scale);
 }
 
-TEST(CordGravityScale, CordsOfOneIslandHaveTheirOwn) {
+TEST(CordGravityScale, IsSeparateForEachCordOfAnIsland) {
   CordDef light = rope(0.0);
   CordDef heavy = rope(1.0);
   light.cord_contact = heavy.cord_contact = true;

@@ -79,7 +79,7 @@ Vec2 momentum(const Cord& cord) {
   return sum;
 }
 
-TEST(CordReaction, PinsCarryTheWeightOfWhatHangs) {
+TEST(CordReaction, PinsCarryTheWeightOfTheHangingCord) {
   for (const Case& tested : cases()) {
     Cord cord(tested.def);
     cord.attach_mass(cord.size() - 1 - tested.def.rows, 0.5);
@@ -141,7 +141,7 @@ TEST(CordReaction, IsTheSameAsleepAndRestored) {
   EXPECT_EQ(other.reaction(0, gravity), reaction);
 }
 
-TEST(CordReaction, AFreePointHasNone) {
+TEST(CordReaction, IsZeroAtAFreePoint) {
   Cord cord(rope());
   for (int k = 0; k < 10; ++k) cord.step(dt, gravity);
   EXPECT_EQ(cord.reaction(5, gravity), Vec2{});

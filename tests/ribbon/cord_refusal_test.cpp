@@ -145,7 +145,7 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
   }
 }
 
-TEST(Cord, RefusesStepsThatCannotBeAndChangesNothing) {
+TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   Cord cord{CordDef{}};
   const Cord::State before = cord.save();
   const auto refuses = [&](double dt, Vec2 pull, const Surroundings& surroundings, const std::string& field) {

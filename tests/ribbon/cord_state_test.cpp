@@ -19,7 +19,7 @@ constexpr Vec2 gravity{0.0, -9.81};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
+TEST(CordSameBits, AStateWithAllFieldsIsRestoredCompletely) {
   CordDef def;
   def.points = 12;
   def.rows = 3;
@@ -74,7 +74,7 @@ TEST(CordSameBits, AFullyLoadedStateComesBackWithEverything) {
 #if defined(__SSE2__)
 /// Arithmetic with numbers below 1e-308 is slow. A disturbance that decays along 5,000 links must not produce one. The
 /// processor's flag reports whether one occurred.
-TEST(CordDust, ADisturbanceThatDiesAwayLeavesNoSubnormalNumbers) {
+TEST(CordSubnormals, ADecayingDisturbanceLeavesNone) {
   constexpr unsigned met_subnormal = 0x12;  // as an operand, as a result
   Cord cord(hanging(5001, 1000.0));
   cord.attach_mass(5000, 100.0);

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Bars, HeavySwing,
 // --- exact solutions
 // ---------------------------------------------------------------------------------------------------
 
-TEST(Cord, HangsAsLongAsItsLumpedWeightsSay) {
+TEST(Cord, StretchesUnderItsLumpedWeight) {
   // Link e of n carries all points below it: stretch = (weight below)/(EA/l).
   CordDef def;
   def.points = 21;
@@ -108,7 +108,7 @@ TEST(Cord, HangsBetweenTwoPinsAsALumpedCatenary) {
   EXPECT_NEAR(sag, 0.502633, 2e-3);  // of the continuous catenary
 }
 
-TEST(Cord, AFreeOneKeepsItsMomentum) {
+TEST(Cord, AFreeCordConservesMomentum) {
   CordDef def;
   def.points = 30;
   Cord cord(def);
@@ -155,7 +155,7 @@ TEST(Cord, StaysFiniteFromACollapsedStart) {
   EXPECT_TRUE(all_finite(cord.positions()));
 }
 
-TEST(Cord, AStraightInextensibleCordBetweenTwoPinsIsNoDivisionByZero) {
+TEST(Cord, AStraightInextensibleCordBetweenTwoPinsStaysFinite) {
   CordDef def;
   def.pins = {0, 1, 50};
   Cord cord(def);
@@ -163,7 +163,7 @@ TEST(Cord, AStraightInextensibleCordBetweenTwoPinsIsNoDivisionByZero) {
   EXPECT_NEAR(path_length(cord.positions()), 10.0, 1e-3);
 }
 
-TEST(Cord, AMovingPinArrivesExactlyAndIsFollowed) {
+TEST(Cord, AMovingPinArrivesExactlyAndPullsTheCord) {
   CordDef def;
   def.pins = {0};
   Cord cord(def);
@@ -181,7 +181,7 @@ TEST(Cord, AMovingPinArrivesExactlyAndIsFollowed) {
   EXPECT_NE(cord.positions()[0], (Vec2{3.0, 0.6}));
 }
 
-TEST(Cord, TakesNoHeapMemoryInAStep) {
+TEST(Cord, AStepAllocatesNothing) {
   CordDef rope;
   rope.pins = {0};
   CordDef bending = rope;
@@ -210,7 +210,7 @@ TEST(Cord, TakesNoHeapMemoryInAStep) {
   EXPECT_GT(report.searches + report.energy_gains, 0) << "the guard takes none either";
 }
 
-TEST(CordSameBits, MovedOntoAnotherItRunsTheSame) {
+TEST(CordSameBits, AMoveAssignedCordRunsTheSame) {
   CordDef def;
   def.points = 21;
   def.pins = {0};
@@ -233,7 +233,7 @@ TEST(CordSameBits, MovedOntoAnotherItRunsTheSame) {
   EXPECT_TRUE(arrives.save() == stays.save());
 }
 
-TEST(CordSameBits, SavedAndRestoredItRunsTheSame) {
+TEST(CordSameBits, ARestoredCordRunsTheSame) {
   CordDef def;
   def.pins = {0};
   def.stretch_stiffness = 1e6;

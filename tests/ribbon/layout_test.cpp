@@ -37,7 +37,7 @@ TEST(Layout, AStraightRopeReachesFromEndToEnd) {
   }
 }
 
-TEST(Layout, LinksAreEquallyLongAroundCornersSoThatNothingJerks) {
+TEST(Layout, LinksAreEquallyLongAroundCorners) {
   CordDef def = of_points(18);
   def.pins = {0, 17};
   lay_along(def, {{0.0, 0.0}, {1.3, 2.1}, {2.0, 0.0}, {4.0, -0.5}});
@@ -49,7 +49,7 @@ TEST(Layout, LinksAreEquallyLongAroundCornersSoThatNothingJerks) {
   for (const Vec2 v : cord.velocities()) EXPECT_LT(length(v), 1e-6);
 }
 
-TEST(Layout, RowsLieAcrossThePathWithTheFirstToItsRight) {
+TEST(Layout, RowsAreAcrossThePathWithTheFirstToItsRight) {
   CordDef def = of_points(3, 2);
   def.width = 0.5;
   lay_along(def, {{0.0, 0.0}, {0.0, 4.0}});  // upwards: its right is +x
@@ -66,7 +66,7 @@ TEST(Layout, ARibbonWithoutAWidthGetsSquareCells) {
   EXPECT_NEAR(length(def.positions[1] - def.positions[0]), 0.5, 1e-12);
 }
 
-TEST(Layout, WhatCannotBeLaidIsNamedAndNothingChanged) {
+TEST(Layout, RefusesInvalidInputByNameAndChangesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Vec2> straight = {{0.0, 0.0}, {1.0, 0.0}};
   struct Bad {

@@ -158,9 +158,9 @@ TEST(ChainMover, ARestartResetsTheChains) {
   std::vector<TickInput> inputs = pressed(20, game::button_grab);
   for (const TickInput& input : pressed(10, game::button_restart)) inputs.push_back(input);
   const Trace restarted = run_chain(level, inputs, chain(2));
-  const Trace anew = run_chain(level, pressed(10, 0), chain(2));
-  EXPECT_EQ(restarted.places.back(), anew.places.back());
-  EXPECT_EQ(restarted.player.back(), anew.player.back());
+  const Trace fresh = run_chain(level, pressed(10, 0), chain(2));
+  EXPECT_EQ(restarted.places.back(), fresh.places.back());
+  EXPECT_EQ(restarted.player.back(), fresh.player.back());
 }
 
 TEST(ChainMover, RibbonsAndDragsHaveNoChains) {

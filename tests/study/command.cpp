@@ -67,16 +67,16 @@ std::string chaotic_difference_of(const Reference& reference) {
   std::string sentence = "The two converged runs of " + name_of(reference.mesh) + ": ";
   for (std::size_t k = 0; k < Statistics::count; ++k) {
     sentence +=
-        (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.later.values[k], 2);
+        (k == 0 ? "" : ", ") + std::string(Statistics::names[k]) + " " + significant(reference.chaotic.values[k], 2);
   }
   return sentence + ".";
 }
 
-void add_later_notes(Report& report, const Study& study) {
+void add_chaotic_notes(Report& report, const Study& study) {
   const auto is_chaotic = [&](const Reference& reference) { return reference.ticks < study.ticks; };
   if (std::none_of(study.references.begin(), study.references.end(), is_chaotic)) return;
   report.notes.push_back(
-      "The columns later_… are statistics of the ticks after those, in which the motion is chaotic: the mean and "
+      "The columns chaotic_… are statistics of the ticks after those, in which the motion is chaotic: the mean and "
       "standard deviation (sd) of the player's height and of the kinetic energy per mass, and the mean and the "
       "greatest "
       "stretch of the cords. Each value is the difference of the setting's statistic from that of the converged run. A "
@@ -132,7 +132,7 @@ Report report_of(const Study& study, const LevelFile& file) {
       "half that length. The player adds and removes both, so there is no drift to report.");
   for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
-  add_later_notes(report, study);
+  add_chaotic_notes(report, study);
   report.points = study.points();
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
   report.columns = {"position_m",
@@ -163,7 +163,7 @@ Report report_of(const Study& study, const LevelFile& file) {
          direct ? fixed(1.0 * m.contacts / static_cast<double>(study.ticks), 1) : "",
          direct ? std::to_string(m.work.fallbacks) : "", direct ? std::to_string(m.work.halvings) : "",
          direct ? std::to_string(m.unconverged_ticks) : ""});
-    for (const double later : m.later.values) report.cells.back().push_back(cell(later));
+    for (const double value : m.chaotic.values) report.cells.back().push_back(cell(value));
   }
   const auto add = [&](const char* name, double (*value)(const Measured&)) {
     Metric& metric = report.metrics.emplace_back();

@@ -37,7 +37,7 @@ b2Fixture& add_box(b2World& world, Vec2 center, double half_width, double half_h
   return *world.CreateBody(&def)->CreateFixture(&shape, 0.0F);
 }
 
-TEST(Figures, AreThoseOfCordsAndBodies) {
+TEST(Figures, DescribeCordsAndBodies) {
   test_support::CoupledWorld world({}, {0.0, -10.0});
   world.add(rope(3.0));
   world.coupling.cord(0).direct().set_velocity(4, {0.0, 4.0});  // an eighth of 2 kg
@@ -96,7 +96,7 @@ TEST(Penetration, OfAPolygonIsTheDistanceToTheNearestSide) {
   EXPECT_NEAR(depth(box, {5.0, 5.0}, {8.0, 5.0}), -5.0, single);  // 3 and 4 away from the corner
 }
 
-TEST(Penetration, OfATurnedPolygonIsTheSame) {
+TEST(Penetration, DoesNotDependOnTheRotationOfAPolygon) {
   b2World world({0.0F, 0.0F});
   const b2Fixture& box = add_box(world, {0.0, 0.0}, 2.0, 1.0, std::acos(0.0));
   EXPECT_NEAR(depth(box, {-0.7, -0.5}, {-0.7, 0.5}), 0.3, single);

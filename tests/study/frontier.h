@@ -19,7 +19,7 @@ struct Point {
   double error_m = std::numeric_limits<double>::quiet_NaN();  ///< largest of the errors that are lengths
   std::string failure = {};                                   ///< why it does not count; empty if it counts
   bool not_compared = false;  ///< its error is relative to another motion: reported, never compared
-  std::string group = {};     ///< variant of the scene: ratio=100. Groups are not compared
+  std::string group = {};     ///< part of the scene: ratio=100. Groups are not compared
 };
 
 /// Returns the names of the points' groups, each once, in their order.

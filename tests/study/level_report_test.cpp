@@ -48,7 +48,7 @@ TEST_F(LevelStudy, TheReportHasAColumnOfEveryKindOfError) {
     }
     EXPECT_TRUE(fs::exists(command.folder + "/" + name + ".gp")) << name;
   }
-  EXPECT_NE(csv.find("later_height_m,later_height_sd_m,later_stretch,later_peak_stretch"), std::string::npos);
+  EXPECT_NE(csv.find("chaotic_height_m,chaotic_height_sd_m,chaotic_stretch,chaotic_peak_stretch"), std::string::npos);
 }
 
 bool can_plot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
@@ -123,7 +123,7 @@ TEST_F(LevelStudy, WithoutAPlottingProgramAllPagesAreWrittenWithOneMessage) {
   EXPECT_EQ(complaint.find("gnuplot-nox"), complaint.rfind("gnuplot-nox"));
 }
 
-TEST(Report, PagesEndWithTheFirstThatFails) {
+TEST(Report, WritingStopsAtTheFirstPageThatFails) {
   std::vector<std::string> added;
   const auto add = [&added](const std::vector<std::string>& done) { added = done; };
   const auto page = [](const std::string& name, int status) { return Page{name, [status] { return status; }}; };

@@ -170,7 +170,7 @@ class LevelStudy {
     converged.about.ticks = std::min(agreeing_ticks(other, disturbed, max_disturbance),
                                      agreeing_ticks(other, converged.trace, max_reference_difference));
     const std::size_t ticks = converged.about.ticks;
-    converged.about.later = difference(statistics(converged.trace, ticks), statistics(other, ticks));
+    converged.about.chaotic = difference(statistics(converged.trace, ticks), statistics(other, ticks));
     converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[mesh] = std::move(converged);
@@ -184,7 +184,7 @@ class LevelStudy {
     measured.setting = setting;
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);  // none without a finer mesh
-    measured.later = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
+    measured.chaotic = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.resolution_m = 10.0 * own.about.agreement_m;
     if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
       measured.windows = windows.errors(accuracy_of(setting));

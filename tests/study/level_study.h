@@ -16,9 +16,9 @@ namespace study {
 /// The measurement of a setting of the grid.
 struct Measured {
   Setting setting;
-  Errors error;      ///< of time and solver: relative to the converged motion of the same points
-  Errors mesh;       ///< of the mesh: of that motion relative to the converged one with four times as many links
-  Statistics later;  ///< after the compared ticks: difference from the converged motion
+  Errors error;        ///< of time and solver: relative to the converged motion of the same points
+  Errors mesh;         ///< of the mesh: of that motion relative to the converged one with four times as many links
+  Statistics chaotic;  ///< after the compared ticks: difference from the converged motion
   double resolution_m = 0.0;  ///< smaller errors are unknown
   WindowErrors windows;       ///< of time and solver, in windows; only for the level's own cords
   double windows_resolution_m = 0.0;
@@ -37,7 +37,7 @@ struct Reference {
   Mesh mesh;
   std::size_t ticks = 0;      ///< while 1e-10 m grow to less than 1 cm, and the runs differ by less than 0.1 mm
   double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
-  Statistics later;           ///< difference of these two runs after these ticks
+  Statistics chaotic;         ///< difference of these two runs after these ticks
   int unconverged_ticks = 0;  ///< of the reference
 };
 

@@ -127,7 +127,7 @@ void expect_the_same(const Measured& a, const Measured& b) {
     EXPECT_PRED2(is_same_number, a.mesh.*member, b.mesh.*member);
   }
   for (std::size_t k = 0; k < Statistics::count; ++k) {
-    EXPECT_PRED2(is_same_number, a.later.values[k], b.later.values[k]);
+    EXPECT_PRED2(is_same_number, a.chaotic.values[k], b.chaotic.values[k]);
   }
   EXPECT_EQ(a.resolution_m, b.resolution_m);
   EXPECT_EQ(a.work.iterations, b.work.iterations);
@@ -181,17 +181,17 @@ TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   Measured measured;
   measured.error = {1.0, 2.0, 3.0, 4.0, unavailable, 6.0, 7.0, 8.0};
   measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, unavailable, 18.0};
-  measured.later.values = {21.0, 22.0, unavailable, 24.0, 25.0, 26.0};
+  measured.chaotic.values = {21.0, 22.0, unavailable, 24.0, 25.0, 26.0};
   measured.resolution_m = 0.1;
   measured.unconverged_ticks = 31;
   measured.contacts = 77;
   measured.failure = "31 ticks not converged";
-  Results(home + "/kept", 1, replay_path, false).add(measured);
-  const Results again(home + "/kept", 1, replay_path, false);
+  Results(home + "/saved", 1, replay_path, false).add(measured);
+  const Results again(home + "/saved", 1, replay_path, false);
   ASSERT_NE(again.find({}), nullptr);
   expect_the_same(*again.find({}), measured);
-  EXPECT_EQ(Results(home + "/kept", 1, replay_path, true).find({}), nullptr);  // another grid's reference
-  EXPECT_EQ(Results(home + "/kept", 2, replay_path, false).find({}), nullptr);
+  EXPECT_EQ(Results(home + "/saved", 1, replay_path, true).find({}), nullptr);  // another grid's reference
+  EXPECT_EQ(Results(home + "/saved", 2, replay_path, false).find({}), nullptr);
 }
 
 TEST_F(LevelStudy, AConvergedRunIsSavedToTheSameBits) {
@@ -310,7 +310,7 @@ TEST_F(LevelStudy, AnUnneededTermIsReported) {
   EXPECT_NE(verdict(result("area_stiffness")).find("not applicable"), std::string::npos);
 }
 
-TEST_F(LevelStudy, PushingLinksOfElasticRopesAreFound) {
+TEST_F(LevelStudy, FindsCompressedLinksOfElasticRopes) {
   change_level(level_path, [](Json& cord) {
     cord["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
     cord["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});

@@ -40,7 +40,7 @@ Json json_of(const Measured& m) {
           {"rows", m.setting.rows},
           {"error", json_of(m.error)},
           {"mesh", json_of(m.mesh)},
-          {"later", m.later.values},
+          {"chaotic", m.chaotic.values},
           {"windows", {m.windows.position_m, m.windows.player_m, m.windows_resolution_m}},
           {"resolution", m.resolution_m},
           {"contacts", m.contacts},
@@ -58,7 +58,7 @@ Measured measured_of(const Json& j) {
                j.at("points"), j.at("max_iterations"), j.at("rows")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
-  for (std::size_t k = 0; k < Statistics::count; ++k) m.later.values[k] = number_of(j.at("later").at(k));
+  for (std::size_t k = 0; k < Statistics::count; ++k) m.chaotic.values[k] = number_of(j.at("chaotic").at(k));
   m.windows = {number_of(j.at("windows").at(0)), number_of(j.at("windows").at(1))};
   m.windows_resolution_m = j.at("windows").at(2);
   m.resolution_m = j.at("resolution");

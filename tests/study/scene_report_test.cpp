@@ -18,11 +18,11 @@ study::Report report_of_one(const Figures& figures) {
   scene.name = "scene";
   scene.description = "something";
   scene.notes = {"A note."};
-  Contestant contestant;
-  contestant.method = "cord";
-  contestant.setting = "fast";
-  contestant.group = "light";
-  Row row{contestant, {}, {}};
+  Variant variant;
+  variant.method = "cord";
+  variant.setting = "fast";
+  variant.group = "light";
+  Row row{variant, {}, {}};
   for (const auto& [name, value] : figures) {
     scene.columns.push_back(figure(name, row.figures.size()));
     row.figures.push_back(value);

@@ -11,12 +11,12 @@ namespace study {
 struct Statistics {
   static constexpr std::size_t count = 6;
   static constexpr std::array<const char*, count> names = {
-      "later_height_m",        // mean of the player's height
-      "later_height_sd_m",     // its standard deviation
-      "later_stretch",         // mean of the cords' mean stretch, relative to their whole lengths
-      "later_peak_stretch",    // maximum over cords and ticks
-      "later_kinetic_J_kg",    // mean of kinetic energy per mass, of all cords and dynamic bodies
-      "later_kinetic_sd_J_kg"  // its standard deviation
+      "chaotic_height_m",        // mean of the player's height
+      "chaotic_height_sd_m",     // its standard deviation
+      "chaotic_stretch",         // mean of the cords' mean stretch, relative to their whole lengths
+      "chaotic_peak_stretch",    // maximum over cords and ticks
+      "chaotic_kinetic_J_kg",    // mean of kinetic energy per mass, of all cords and dynamic bodies
+      "chaotic_kinetic_sd_J_kg"  // its standard deviation
   };
   std::array<double, count> values = {unavailable, unavailable, unavailable,
                                       unavailable, unavailable, unavailable};  ///< by name

@@ -21,21 +21,21 @@ Trace rising() {
   return trace;
 }
 
-TEST(Statistics, AreOfTheRemainingTicks) {
-  const Statistics later = statistics(rising(), 2);
+TEST(Statistics, CoverTheRemainingTicks) {
+  const Statistics found = statistics(rising(), 2);
   const double deviation = std::sqrt(1.25);  // of 2, 3, 4, 5
   const std::array<double, Statistics::count> expected = {3.5, deviation, 0.035, 0.5, 7.0, 2.0 * deviation};
-  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(later.values[k], expected[k], 1e-15) << later.names[k];
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(found.values[k], expected[k], 1e-15) << found.names[k];
   EXPECT_NEAR(statistics(rising(), 4).values[3], 0.1, 1e-15);
 }
 
-TEST(Statistics, DifferencesHaveNoSign) {
+TEST(Statistics, DifferencesAreAbsolute) {
   const Statistics off = difference(statistics(rising(), 4), statistics(rising(), 2));
   EXPECT_NEAR(off.values[0], 1.0, 1e-15);
   EXPECT_NEAR(off.values[3], 0.4, 1e-15);
 }
 
-TEST(Statistics, OfNoTicksThereAreNone) {
+TEST(Statistics, AreUnavailableWithoutTicks) {
   for (const double value : statistics(rising(), 6).values) EXPECT_TRUE(std::isnan(value));
   Trace failed = rising();
   failed.failure = "blew up in tick 6";

@@ -132,7 +132,7 @@ constexpr const char* thrown_over = R"({
    {"name": "density", "type": "float", "value": 1}, {"name": "velocity_x", "type": "float", "value": 2},
    {"name": "velocity_y", "type": "float", "value": 4.9}]}]}]})";
 
-TEST(Trace, ARestartIsNoTunnelling) {
+TEST(Trace, ARestartDoesNotCountAsTunnelling) {
   const game::Level level = game::level_of(engine::parse_tiled_map(thrown_over, "thrown_over.tmj"));
   std::vector<engine::TickInput> inputs(70);
   inputs[60].buttons = game::button_restart;

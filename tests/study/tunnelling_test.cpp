@@ -103,7 +103,7 @@ TEST(Tunnelling, FindsOnlyDeclaredContacts) {
 /// Returns the crossings of two cords without any event in 100 ticks.
 std::vector<Crossings> nothing() { return std::vector<Crossings>(100, Crossings(2, 0)); }
 
-TEST(Tunnelling, EventsThatTheReferenceHasTooAreNoFailure) {
+TEST(Tunnelling, EventsOfTheReferenceAreNotFailures) {
   std::vector<Crossings> run = nothing();
   std::vector<Crossings> reference = nothing();
   const Crossings all(2, through_body | through_itself | through_cord);

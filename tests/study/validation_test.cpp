@@ -41,7 +41,7 @@ Validation validation_of(int runs, const std::function<void(int k, Measured&)>& 
 
 const auto original = [](int, Measured&) {};
 
-TEST(Validation, CountsMetLimits) {
+TEST(Validation, CountsRunsWithinTheLimits) {
   const Validation validation = validation_of(4, original, [](int k, Measured& m) {
     m.error.position_m = k == 0 ? 1e-2 : k == 1 ? 1.01e-2 : 1e-3;
     m.cost_us = k == 2 ? 101.0 : 100.0;
@@ -56,7 +56,7 @@ TEST(Validation, CountsMetLimits) {
   EXPECT_EQ(validation.violations[1].find("some, run 3, cost [us]: "), 0U) << validation.violations[1];
 }
 
-TEST(Validation, AFailedRunMeetsNoLimit) {
+TEST(Validation, AFailedRunIsWithinNoLimit) {
   const Validation validation = validation_of(2, original, [](int k, Measured& m) {
     if (k == 1) m.failure = "blew up in tick 3";
   });
@@ -178,7 +178,7 @@ void expect_range(const Range& range, double factor) {
   EXPECT_GT(range.most, factor / 1.3);
 }
 
-TEST(Variation, CoversItsRangesAndNoMore) {
+TEST(Variation, StaysWithinItsRangesAndCoversThem) {
   const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
   const auto own = file.level().make_scene();
   const double own_mass = file.level().player_mass;
@@ -208,7 +208,7 @@ TEST(Variation, CoversItsRangesAndNoMore) {
   EXPECT_GT(furthest, 0.9 * Variation::place);
 }
 
-TEST(Variation, IsWhatIsMeasured) {
+TEST(Variation, IsTheLevelThatIsMeasured) {
   const LevelFile file = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").varied(7);
   const auto with = file.with({"direct", "tr_bdf2", 2, 1e-5}).make_scene();
   const auto own = file.level().make_scene();

@@ -34,14 +34,14 @@ TEST(Windows, CordsAndPlayersAgreeForDifferentTimes) {
   EXPECT_EQ(agreeing_player_ticks(a, still(2), 0.01), 2U);
 }
 
-TEST(Windows, ValuesThatAreNotComparedAreNoError) {
+TEST(Windows, ValuesThatAreNotComparedGiveNoError) {
   EXPECT_EQ(WindowErrors{}.greatest(), 0.0);
   EXPECT_EQ((WindowErrors{unavailable, 2.0}.greatest()), 2.0);
   EXPECT_EQ((WindowErrors{3.0, 2.0}.greatest()), 3.0);
 }
 
 /// The run has the level's own settings until a tick, and another setting from then on.
-TEST(Windows, ARunFromATickIsTheLevelsUntilThen) {
+TEST(Windows, ARunFromATickStartsInTheStateOfTheLevel) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);
   const Trace whole = run(level, inputs);

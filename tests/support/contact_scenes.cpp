@@ -234,7 +234,7 @@ void stand_in_bucket(CoupledWorld& world, int rows, double friction) {
   world.add_edges({{middle - 0.5, 6.0}, {middle - 0.5, 0.0}, {middle + 0.5, 0.0}, {middle + 0.5, 6.0}}, friction);
 }
 
-void drop_strips(CoupledWorld& world, int count, bool meeting) {
+void drop_strips(CoupledWorld& world, int count, bool strip_contact) {
   constexpr int columns = 10;
   constexpr double cell = 2.0;  // m, of the lattice, and what a strip has
   const double right = columns * cell;
@@ -255,8 +255,8 @@ void drop_strips(CoupledWorld& world, int count, bool meeting) {
     def.mass_per_length = 0.002 * 66 / def.length;
     def.friction = 0.4;
     def.area_stiffness = 1.0;
-    def.self_contact = meeting;
-    def.cord_contact = meeting;
+    def.self_contact = strip_contact;
+    def.cord_contact = strip_contact;
     ribbon::solid(1e5, 0.3, 0.01, def.width).apply_to(def);
     const Vec2 corner{cell * (k % columns) + 0.1 + 0.02 * (k * 7 % 11), 0.4 + 0.3 * row};
     for (int i = 0; i < def.points; ++i) {

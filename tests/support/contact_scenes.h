@@ -41,7 +41,7 @@ void pull_coil(CoupledWorld& world, double force);
 void stand_in_bucket(CoupledWorld& world, int rows, double friction);
 
 /// `count` ribbons of 33 × 2 points, 1.6 m long and 5 cm wide, ten per row, above a lattice of static circles in a
-/// shaft with a floor. With `meeting` they collide with each other and themselves, without it only with circles.
-void drop_strips(CoupledWorld& world, int count = 150, bool meeting = true);
+/// shaft with a floor. With `strip_contact` they collide with each other and themselves, otherwise only with circles.
+void drop_strips(CoupledWorld& world, int count = 150, bool strip_contact = true);
 
 }  // namespace test_support

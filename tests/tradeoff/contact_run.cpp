@@ -139,7 +139,7 @@ std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& 
           static_cast<double>(figures.blew_up)};
 }
 
-Contestant contestant(const ContactContestant& how) {
+Variant variant(const ContactVariant& how) {
   const auto world = std::make_shared<std::unique_ptr<CoupledWorld>>();
   const auto set_up = [world, how] {
     *world = std::make_unique<CoupledWorld>(how.method.how, how.gravity);

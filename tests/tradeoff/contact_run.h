@@ -53,7 +53,7 @@ std::vector<double> figures_of(const test_support::CoupledWorld& world, const Co
                                std::optional<double> target_us = std::nullopt);
 
 /// A world that is set up again before every repeat, or one that continues after its figures.
-struct ContactContestant {
+struct ContactVariant {
   NamedMethod method;
   std::string group;
   SetUp set_up;
@@ -62,7 +62,7 @@ struct ContactContestant {
   /// Computes the figures in a new world.
   std::function<std::vector<double>(test_support::CoupledWorld&)> figures;
 };
-Contestant contestant(const ContactContestant& how);
+Variant variant(const ContactVariant& how);
 
 /// A note for the reports of all scenes with contacts.
 inline constexpr const char* thesis_strip =

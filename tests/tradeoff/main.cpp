@@ -18,9 +18,9 @@
 
 namespace {
 
-using tradeoff::Contestant;
 using tradeoff::Row;
 using tradeoff::Scene;
+using tradeoff::Variant;
 
 void list_scenes() {
   for (const Scene& scene : tradeoff::scenes())
@@ -44,8 +44,8 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
     for (const Scene& known : tradeoff::scenes()) std::fprintf(stderr, "  %s\n", known.name.c_str());
     return 2;
   }
-  const std::vector<Contestant> contestants = scene->contestants();
-  const std::vector<Row> rows = tradeoff::run_scene(*scene, contestants, repeats);
+  const std::vector<Variant> variants = scene->variants();
+  const std::vector<Row> rows = tradeoff::run_scene(*scene, variants, repeats);
   csv ? print_csv(*scene, rows) : print_table(*scene, rows);
   const study::Report report = tradeoff::report_of(*scene, rows);
   for (const std::string& note : report.notes) {

@@ -18,20 +18,20 @@ struct Samples {
   std::vector<std::vector<double>> share;  // µs without the rest, by tick and repeat
 };
 
-void repeat_once(const Timed& contestant, int ticks, Samples& samples) {
-  if (contestant.reset) contestant.reset();
+void repeat_once(const Timed& variant, int ticks, Samples& samples) {
+  if (variant.reset) variant.reset();
   const std::clock_t begun = std::clock();
   const Clock::time_point start = Clock::now();
   Clock::time_point last = start;
   Clock::duration share{};
   samples.share.resize(static_cast<std::size_t>(ticks));
   for (int k = 0; k < ticks; ++k) {
-    contestant.tick();
-    if (contestant.rest) {
+    variant.tick();
+    if (variant.rest) {
       const Clock::duration spent = Clock::now() - last;
       share += spent;
       samples.share[static_cast<std::size_t>(k)].push_back(microseconds(spent));
-      contestant.rest();
+      variant.rest();
     }
     const Clock::time_point now = Clock::now();
     samples.ticks.push_back(microseconds(now - last));
@@ -39,13 +39,13 @@ void repeat_once(const Timed& contestant, int ticks, Samples& samples) {
   }
   // By processor time, which excludes other processes. The other clock separates the rest of a tick.
   const double spent_us = 1e6 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
-  samples.means.push_back((contestant.rest ? microseconds(last - start) : spent_us) / ticks);
+  samples.means.push_back((variant.rest ? microseconds(last - start) : spent_us) / ticks);
   samples.share_means.push_back(microseconds(share) / ticks);
 }
 
-Timing timing_of(const Timed& contestant, const Samples& samples) {
+Timing timing_of(const Timed& variant, const Samples& samples) {
   Timing timing{quantile(samples.means, 0.5), quantile(samples.ticks, 0.99)};
-  if (!contestant.rest) return timing;
+  if (!variant.rest) return timing;
   timing.share_us = quantile(samples.share_means, 0.5);
   timing.rest_us = timing.median_us - timing.share_us;
   std::vector<double> all;
@@ -65,16 +65,16 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(rank)];
 }
 
-std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
+std::vector<Timing> interleaved_timings(const std::vector<Timed>& variants, int ticks, int repeats,
                                         const std::function<void(double)>& progress) {
-  std::vector<Samples> samples(contestants.size());
+  std::vector<Samples> samples(variants.size());
   for (Samples& s : samples) s.ticks.reserve(static_cast<std::size_t>(ticks) * static_cast<std::size_t>(repeats));
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (std::size_t c = 0; c < contestants.size(); ++c) repeat_once(contestants[c], ticks, samples[c]);
+    for (std::size_t c = 0; c < variants.size(); ++c) repeat_once(variants[c], ticks, samples[c]);
     progress(static_cast<double>(repeat + 1) / repeats);
   }
   std::vector<Timing> timings;
-  for (std::size_t c = 0; c < samples.size(); ++c) timings.push_back(timing_of(contestants[c], samples[c]));
+  for (std::size_t c = 0; c < samples.size(); ++c) timings.push_back(timing_of(variants[c], samples[c]));
   return timings;
 }
 

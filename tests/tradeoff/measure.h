@@ -8,7 +8,7 @@ namespace tradeoff {
 /// Called once per tick.
 using Tick = std::function<void()>;
 
-/// A contestant to time.
+/// A variant to time.
 struct Timed {
   std::function<void()> reset;  ///< restores the start before every repeat, for equal work; empty: the run continues
   Tick tick;
@@ -30,9 +30,9 @@ struct Timing {
 /// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.
 double quantile(std::vector<double> values, double share);
 
-/// Times contestants in turn, `ticks` at a time, `repeats` times, so that a slow moment of a shared machine affects all
+/// Times variants in turn, `ticks` at a time, `repeats` times, so that a slow moment of a shared machine affects all
 /// of them alike. `progress` is called with the share done, 0 … 1.
-std::vector<Timing> interleaved_timings(const std::vector<Timed>& contestants, int ticks, int repeats,
+std::vector<Timing> interleaved_timings(const std::vector<Timed>& variants, int ticks, int repeats,
                                         const std::function<void(double)>& progress);
 
 }  // namespace tradeoff

@@ -7,21 +7,21 @@ namespace {
 
 using study::show_progress;
 
-std::vector<double> figures_of(const Contestant& contestant) {
-  if (contestant.figures) return contestant.figures();
-  contestant.tick();  // warm-up: what is allocated once is allocated here
+std::vector<double> figures_of(const Variant& variant) {
+  if (variant.figures) return variant.figures();
+  variant.tick();  // warm-up: what is allocated once is allocated here
   return {};
 }
 
 }  // namespace
 
-std::vector<Row> run_scene(const Scene& scene, const std::vector<Contestant>& contestants, int repeats) {
+std::vector<Row> run_scene(const Scene& scene, const std::vector<Variant>& variants, int repeats) {
   std::vector<Row> rows;
   std::vector<Timed> timed;
-  for (const Contestant& contestant : contestants) {
-    rows.push_back({contestant, {}, figures_of(contestant)});
-    timed.push_back({contestant.reset, contestant.tick, contestant.rest});
-    show_progress("figures", static_cast<double>(rows.size()) / static_cast<double>(contestants.size()));
+  for (const Variant& variant : variants) {
+    rows.push_back({variant, {}, figures_of(variant)});
+    timed.push_back({variant.reset, variant.tick, variant.rest});
+    show_progress("figures", static_cast<double>(rows.size()) / static_cast<double>(variants.size()));
   }
   const auto timings =
       interleaved_timings(timed, scene.ticks, repeats, [](double share) { show_progress("timing", share); });

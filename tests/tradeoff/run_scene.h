@@ -6,7 +6,7 @@
 
 namespace tradeoff {
 
-/// Computes the figures of each contestant, then times all of them in turn, with progress bars on the terminal.
-std::vector<Row> run_scene(const Scene& scene, const std::vector<Contestant>& contestants, int repeats);
+/// Computes the figures of each variant, then times all of them in turn, with progress bars on the terminal.
+std::vector<Row> run_scene(const Scene& scene, const std::vector<Variant>& variants, int repeats);
 
 }  // namespace tradeoff

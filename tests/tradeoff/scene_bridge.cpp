@@ -38,18 +38,18 @@ std::vector<double> figures(CoupledWorld& world) {
   return all;
 }
 
-std::vector<Contestant> contestants() {
+std::vector<Variant> variants() {
   const auto stiff_and_soft = together(thesis_cords({8, 32}, 0.45), thesis_cords({8}, 0.9));
-  std::vector<Contestant> list;
+  std::vector<Variant> list;
   for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
     for (const NamedMethod& method :
          together(together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16})), stiff_and_soft)) {
-      list.push_back(contestant({method,
-                                 "ratio=" + number(ratio),
-                                 [ratio](CoupledWorld& world) { test_support::hang_bridge(world, ratio, 0); },
-                                 true,
-                                 {0.0, -9.81},
-                                 figures}));
+      list.push_back(variant({method,
+                              "ratio=" + number(ratio),
+                              [ratio](CoupledWorld& world) { test_support::hang_bridge(world, ratio, 0); },
+                              true,
+                              {0.0, -9.81},
+                              figures}));
     }
   }
   return list;
@@ -61,7 +61,7 @@ Scene bridge_scene() {
   return {"bridge",
           "a ball of 0.01 to 100 times a cord's mass that rests on it: drift and jitter in ten seconds",
           120,
-          contestants,
+          variants,
           contact_columns({"drift_m", "jitter_m", "tunnelled"}),
           {},
           {"tunnelled is 1 if the ball is below the cord at the end.", thesis_strip, no_b2_rope},

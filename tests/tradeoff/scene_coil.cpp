@@ -17,29 +17,29 @@ struct Length {
   int counted;  // for the baseline of work
 };
 
-void add(std::vector<Contestant>& list, const NamedMethod& method, int rows, Length length) {
+void add(std::vector<Variant>& list, const NamedMethod& method, int rows, Length length) {
   const std::string name = rows > 1 ? "ribbon" : "rope";
   const auto figures = [length](CoupledWorld& world) { return figures_of(world, run(world, length.figures)); };
-  list.push_back(contestant({method,
-                             name + " wound",
-                             [rows](CoupledWorld& world) {
-                               test_support::wind_coil(world, rows, friction);
-                               test_support::pull_coil(world, pull);
-                             },
-                             false,
-                             {},
-                             figures}));
-  list.push_back(contestant({method,
-                             name + " pile",
-                             [rows](CoupledWorld& world) { test_support::stand_in_bucket(world, rows, friction); },
-                             false,
-                             {0.0, -9.81},
-                             figures}));
+  list.push_back(variant({method,
+                          name + " wound",
+                          [rows](CoupledWorld& world) {
+                            test_support::wind_coil(world, rows, friction);
+                            test_support::pull_coil(world, pull);
+                          },
+                          false,
+                          {},
+                          figures}));
+  list.push_back(variant({method,
+                          name + " pile",
+                          [rows](CoupledWorld& world) { test_support::stand_in_bucket(world, rows, friction); },
+                          false,
+                          {0.0, -9.81},
+                          figures}));
 }
 
 Scene coil(const std::string& name, const std::string& length_note, Length length) {
-  const auto contestants = [length] {
-    std::vector<Contestant> list;
+  const auto variants = [length] {
+    std::vector<Variant> list;
     for (const NamedMethod& method : together(presets({"fast", "balanced"}), chains({1, 4, 16}, true)))
       add(list, method, 1, length);
     for (const NamedMethod& method : presets({"fast", "balanced"})) add(list, method, 2, length);
@@ -49,7 +49,7 @@ Scene coil(const std::string& name, const std::string& length_note, Length lengt
       name,
       "a rope or ribbon wound four turns around a circle and pulled, and one that falls into a pile",
       length.timed,
-      contestants,
+      variants,
       contact_columns(),
       {},
       {length_note,

@@ -35,8 +35,8 @@ std::vector<double> with_speed(CoupledWorld& world, double target_us) {
 
 /// The first two seconds; two more after eight, when only the ends still swing; and two after it has settled. The timed
 /// ticks follow these.
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> list;
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
   for (const double friction : {0.0, 0.5}) {
     std::vector<NamedMethod> methods = together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16}));
     if (friction == 0.0)
@@ -44,18 +44,18 @@ std::vector<Contestant> contestants() {
     for (const NamedMethod& method : methods) {
       const auto set_up = [=](CoupledWorld& world) { test_support::lay_over_circles(world, friction); };
       const std::string setting = "friction=" + number(friction);
-      list.push_back(contestant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
-                                   return with_speed(world, falling_target);
-                                 }}));
+      list.push_back(variant({method, setting + " falling", set_up, false, {0.0, -9.81}, [](CoupledWorld& world) {
+                                return with_speed(world, falling_target);
+                              }}));
       if (friction == 0.0) continue;  // the cord slides off
-      list.push_back(contestant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
-                                   for (int k = 0; k < 480; ++k) world.tick();
-                                   return with_speed(world, falling_target);
-                                 }}));
-      list.push_back(contestant({method, setting + " at rest", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
-                                   world.settle(900);
-                                   return with_speed(world, resting_target);
-                                 }}));
+      list.push_back(variant({method, setting + " swinging", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
+                                for (int k = 0; k < 480; ++k) world.tick();
+                                return with_speed(world, falling_target);
+                              }}));
+      list.push_back(variant({method, setting + " at rest", set_up, true, {0.0, -9.81}, [](CoupledWorld& world) {
+                                world.settle(900);
+                                return with_speed(world, resting_target);
+                              }}));
     }
   }
   return list;
@@ -67,7 +67,7 @@ Scene drape_scene() {
   return {"drape",
           "a cord of 50 points that falls over 20 static circles, and rests on them",
           ticks,
-          contestants,
+          variants,
           contact_columns({"speed_m_s"}),
           {},
           {std::string(thesis_strip) + " It is included where there is no friction.", no_b2_rope}};

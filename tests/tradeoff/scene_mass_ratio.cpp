@@ -46,18 +46,18 @@ std::vector<double> figures(CoupledWorld& world, double ratio, double stiffness)
           cord_length * std::abs(run_figures.max_stretch - elastic)};
 }
 
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> list;
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
   for (const double ratio : {168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6}) {
     const auto add = [&](const NamedMethod& method, double stiffness) {
       NamedMethod elastic = method;
       if (!method.how.chain) elastic.setting += " EA/Mg=" + number(stiffness);
-      list.push_back(contestant({elastic,
-                                 "ratio=" + number(ratio),
-                                 [=](CoupledWorld& world) { test_support::hang_load(world, ratio, stiffness); },
-                                 false,
-                                 {0.0, -9.81},
-                                 [=](CoupledWorld& world) { return figures(world, ratio, stiffness); }}));
+      list.push_back(variant({elastic,
+                              "ratio=" + number(ratio),
+                              [=](CoupledWorld& world) { test_support::hang_load(world, ratio, stiffness); },
+                              false,
+                              {0.0, -9.81},
+                              [=](CoupledWorld& world) { return figures(world, ratio, stiffness); }}));
     };
     for (const NamedMethod& method : presets({"fast", "balanced"})) add(method, infinity);
     for (const NamedMethod& method : presets({"balanced"})) add(method, 1e3);
@@ -73,7 +73,7 @@ Scene mass_ratio_scene() {
       "mass_ratio",
       "a cord of 31 points that holds a body of 168 to 1,000,000 times its mass: stretch, jitter, pull",
       120,
-      contestants,
+      variants,
       {us_per_tick(), p99_us(), cords_us(), cords_max_us(), world_step_us(), figure("max_stretch_pct", 0),
        figure("elastic_pct", 1), figure("jitter_m", 2), figure("pull_error_pct", 3), figure("energy_gain_pct", 4),
        figure("corrected", 5), figure("unconverged", 6), figure("stretch_error_m", 7)},

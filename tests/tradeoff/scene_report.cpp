@@ -63,9 +63,9 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
     report.columns.push_back(column.name);
   }
   for (const Row& row : rows) {
-    study::Point point{row.contestant.method, row.contestant.setting, row.timing.median_us, row.timing.p99_us};
+    study::Point point{row.variant.method, row.variant.setting, row.timing.median_us, row.timing.p99_us};
     point.error_m = is_depth ? std::max(value_of(scene, row, error), known_depth) : value_of(scene, row, error);
-    point.group = row.contestant.group;
+    point.group = row.variant.group;
     point.failure = failure_of(scene, row);
     report.points.push_back(point);
     std::vector<std::string> cells;

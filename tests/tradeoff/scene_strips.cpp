@@ -18,16 +18,16 @@ struct Size {
 };
 
 Scene strips(const std::string& name, const std::string& size_note, Size size, double target_us) {
-  const auto contestants = [size, target_us] {
-    std::vector<Contestant> list;
-    const auto add = [&](const NamedMethod& method, bool meeting) {
+  const auto variants = [size, target_us] {
+    std::vector<Variant> list;
+    const auto add = [&](const NamedMethod& method, bool strip_contact) {
       list.push_back(
-          contestant({method,
-                      meeting ? "meeting each other" : "meeting circles alone",
-                      [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, meeting); },
-                      false,
-                      {0.0, -9.81},
-                      [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), target_us); }}));
+          variant({method,
+                   strip_contact ? "with contact between strips" : "with circles only",
+                   [=](CoupledWorld& world) { test_support::drop_strips(world, size.strips, strip_contact); },
+                   false,
+                   {0.0, -9.81},
+                   [=](CoupledWorld& world) { return figures_of(world, run(world, size.ticks), target_us); }}));
     };
     for (const NamedMethod& method : presets({"fast", "balanced"})) add(method, true);
     for (const NamedMethod& method : together(presets({"fast", "balanced"}), thesis_cords({8, 16}, 0.45)))
@@ -38,7 +38,7 @@ Scene strips(const std::string& name, const std::string& size_note, Size size, d
       name,
       "ribbons of 33 x 2 points that fall through a lattice of circles",
       size.ticks,
-      contestants,
+      variants,
       contact_columns(),
       {},
       {size_note,

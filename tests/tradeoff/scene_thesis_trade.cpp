@@ -83,8 +83,8 @@ Converged converged(Method finest) {
 }
 
 template <typename Method>
-Contestant contestant(const char* name, const std::string& setting, const ThesisCondition& condition,
-                      const std::shared_ptr<Method>& method, const Converged& converged) {
+Variant variant(const char* name, const std::string& setting, const ThesisCondition& condition,
+                const std::shared_ptr<Method>& method, const Converged& converged) {
   const auto start = std::make_shared<typename Method::State>(method->save());
   return {name,
           setting,
@@ -99,38 +99,38 @@ Contestant contestant(const char* name, const std::string& setting, const Thesis
           std::string(condition.name)};
 }
 
-Contestant cord_contestant(const std::string& setting, const ThesisCondition& condition, const Accuracy& accuracy,
-                           const Converged& converged) {
+Variant cord_variant(const std::string& setting, const ThesisCondition& condition, const Accuracy& accuracy,
+                     const Converged& converged) {
   const auto cord = std::make_shared<Cord>(cord_swing(condition, accuracy));
   const auto work = std::make_shared<std::int64_t>();
-  Contestant out = contestant("cord", setting, condition, cord, converged);
+  Variant out = variant("cord", setting, condition, cord, converged);
   out.tick = [cord, work] { *work = cord->step(frame_dt, earth_gravity).work; };
   out.work = [work] { return *work; };
   return out;
 }
 
-void add_thesis(std::vector<Contestant>& list, const ThesisCondition& condition) {
+void add_thesis(std::vector<Variant>& list, const ThesisCondition& condition) {
   const Converged fine = converged(ThesisCord(thesis_swing(condition, converged_substeps)));
   for (const int substeps : {1, 2, 4, 8, 16, 32, 64}) {
-    list.push_back(contestant("thesis", "iterations=" + std::to_string(substeps), condition,
-                              std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), fine));
+    list.push_back(variant("thesis", "iterations=" + std::to_string(substeps), condition,
+                           std::make_shared<ThesisCord>(thesis_swing(condition, substeps)), fine));
   }
 }
 
-void add_cord(std::vector<Contestant>& list, const ThesisCondition& condition) {
+void add_cord(std::vector<Variant>& list, const ThesisCondition& condition) {
   Accuracy accuracy;
   accuracy.tolerance = 1e-8;
   accuracy.substeps = 256;
   const Converged fine = converged(Cord(cord_swing(condition, accuracy)));
   for (const auto& [setting, preset] :
        {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
-    list.push_back(cord_contestant(setting, condition, preset, fine));
+    list.push_back(cord_variant(setting, condition, preset, fine));
   }
 }
 
 /// D is C with another number of iterations.
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> list;
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
   for (const ThesisCondition& condition : std::span(test_support::thesis_conditions).first(3)) {
     add_thesis(list, condition);
     add_cord(list, condition);
@@ -145,7 +145,7 @@ Scene thesis_trade_scene() {
           "the thesis's conditions A to C (D is C) let go from the horizontal, 1 to 64 iterations, and cords as heavy "
           "and stiff; each against its own converged motion",
           ticks,
-          contestants,
+          variants,
           {us_per_tick(), p99_us(), frames_per_second(), figure("rms_error_m", 0)}};
 }
 

@@ -50,7 +50,7 @@ class CordBatch {
 };
 
 /// Figures of a whole repeat: Newton iterations per tick and cord, corrections, and unconverged substeps.
-Contestant contestant(const char* method, std::string setting, const Cord& start, int count, int ticks) {
+Variant variant(const char* method, std::string setting, const Cord& start, int count, int ticks) {
   const auto batch = std::make_shared<CordBatch>(start, count);
   return {method,
           std::move(setting),
@@ -99,20 +99,20 @@ Cord struck(int points) {
   return cord;
 }
 
-std::vector<Contestant> cord_scaling() {
-  std::vector<Contestant> list;
+std::vector<Variant> cord_scaling() {
+  std::vector<Variant> list;
   for (const int points : {50, 500, 5000, 50000}) {
-    list.push_back(contestant("rope", "balanced swaying", swaying(points), 1, scaling_ticks));
+    list.push_back(variant("rope", "balanced swaying", swaying(points), 1, scaling_ticks));
   }
   for (const int points : {50, 500, 5000}) {
-    list.push_back(contestant("rope", "balanced struck", struck(points), 1, scaling_ticks));
+    list.push_back(variant("rope", "balanced struck", struck(points), 1, scaling_ticks));
   }
   return list;
 }
 
 Column ns_per_point_and_iteration() {
   return {"ns_per_point_and_iteration", 2,
-          [](const Row& row) { return 1e3 * row.timing.median_us / (row.contestant.points * row.figures[0]); }};
+          [](const Row& row) { return 1e3 * row.timing.median_us / (row.variant.points * row.figures[0]); }};
 }
 
 constexpr int ribbon_ticks = 120;
@@ -132,12 +132,12 @@ Cord swinging_ribbon(int columns, int rows, double width, double modulus, const 
   return Cord(def);
 }
 
-std::vector<Contestant> ribbons() {
+std::vector<Variant> ribbons() {
   const Accuracy balanced = Accuracy::balanced();
   const Accuracy fast = Accuracy::fast();
-  return {contestant("25x2", "balanced", swinging_ribbon(25, 2, 0.05, 1e5, balanced), 1, ribbon_ticks),
-          contestant("10x5", "balanced", swinging_ribbon(10, 5, 0.2, 1e4, balanced), 1, ribbon_ticks),
-          contestant("150 of 33x2", "fast", swinging_ribbon(33, 2, 0.05, 1e5, fast), 150, ribbon_ticks)};
+  return {variant("25x2", "balanced", swinging_ribbon(25, 2, 0.05, 1e5, balanced), 1, ribbon_ticks),
+          variant("10x5", "balanced", swinging_ribbon(10, 5, 0.2, 1e4, balanced), 1, ribbon_ticks),
+          variant("150 of 33x2", "fast", swinging_ribbon(33, 2, 0.05, 1e5, fast), 150, ribbon_ticks)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ CordDef strip(int rows) {
 }
 
 /// A cord that is created and timed, and run once for its Newton iterations per tick and unconverged substeps.
-Contestant swing(std::string setting, const CordDef& def) {
+Variant swing(std::string setting, const CordDef& def) {
   Cord start(def);
   start.attach_mass(start.index(def.points - 1, def.rows / 2), def.mass_per_length * def.length);
   const auto cord = std::make_shared<Cord>(def);
@@ -57,8 +57,8 @@ Contestant swing(std::string setting, const CordDef& def) {
       [work] { return *work; }};
 }
 
-std::vector<Contestant> terms() {
-  std::vector<Contestant> list = {swing("none", swinging())};
+std::vector<Variant> terms() {
+  std::vector<Variant> list = {swing("none", swinging())};
   const auto add = [&](const char* setting, CordDef def, auto declare) {
     declare(def);
     list.push_back(swing(setting, def));
@@ -86,7 +86,7 @@ std::vector<Contestant> terms() {
 }
 
 /// The error of the sag of a rope of 1.5 times its span, relative to the continuous catenary.
-Contestant hung(int links) {
+Variant hung(int links) {
   const auto& exact = test_support::catenaries[2];
   const CordDef def = test_support::hanging_between_pins(exact, links);
   const auto cord = std::make_shared<Cord>(def);
@@ -109,8 +109,8 @@ Contestant hung(int links) {
           [work] { return *work; }};
 }
 
-std::vector<Contestant> links() {
-  std::vector<Contestant> list;
+std::vector<Variant> links() {
+  std::vector<Variant> list;
   for (const int count : {4, 8, 16, 32, 64, 128}) list.push_back(hung(count));
   return list;
 }

@@ -72,9 +72,9 @@ double max_distance(const ribbon::box2d::Coupling& a, const ribbon::box2d::Coupl
   return most;
 }
 
-std::vector<Contestant> lamps() {
+std::vector<Variant> lamps() {
   const auto awake = std::make_shared<Lamps>(false);
-  std::vector<Contestant> list;
+  std::vector<Variant> list;
   for (const bool may_sleep : {false, true}) {
     const auto hung = may_sleep ? std::make_shared<Lamps>(true) : awake;
     list.push_back(

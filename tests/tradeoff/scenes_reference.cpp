@@ -15,8 +15,7 @@ using test_support::earth_gravity;
 using test_support::frame_dt;
 
 /// Times a copy of the cord from its start, with ticks of 1/60 s.
-Contestant contestant(std::string setting, const Cord& start, Vec2 gravity,
-                      std::function<std::vector<double>()> figures) {
+Variant variant(std::string setting, const Cord& start, Vec2 gravity, std::function<std::vector<double>()> figures) {
   const auto cord = std::make_shared<Cord>(start.def());
   const auto state = std::make_shared<Cord::State>(start.save());
   const auto work = std::make_shared<std::int64_t>();
@@ -34,35 +33,35 @@ Contestant contestant(std::string setting, const Cord& start, Vec2 gravity,
 
 double relative(double found, double exact) { return found / exact - 1.0; }
 
-Contestant hanging_cord(const test_support::Catenary& exact) {
+Variant hanging_cord(const test_support::Catenary& exact) {
   constexpr int links = 100;
   const CordDef def = test_support::hanging_between_pins(exact, links);
-  return contestant("L/D=" + number(exact.slackness) + " wL/EA=" + number(exact.give), Cord(def), earth_gravity,
-                    [def, exact] {
-                      CordDef tight = def;
-                      tight.accuracy = test_support::tight();
-                      Cord cord(tight);
-                      test_support::come_to_rest(cord, earth_gravity);
-                      const auto found = test_support::shape_of(cord);
-                      const auto lumped = test_support::lumped_shape(exact, links);
-                      return std::vector{relative(found.sag, exact.sag), relative(found.tension, exact.tension),
-                                         relative(found.sag, lumped.sag), relative(found.tension, lumped.tension)};
-                    });
+  return variant("L/D=" + number(exact.slackness) + " wL/EA=" + number(exact.give), Cord(def), earth_gravity,
+                 [def, exact] {
+                   CordDef tight = def;
+                   tight.accuracy = test_support::tight();
+                   Cord cord(tight);
+                   test_support::come_to_rest(cord, earth_gravity);
+                   const auto found = test_support::shape_of(cord);
+                   const auto lumped = test_support::lumped_shape(exact, links);
+                   return std::vector{relative(found.sag, exact.sag), relative(found.tension, exact.tension),
+                                      relative(found.sag, lumped.sag), relative(found.tension, lumped.tension)};
+                 });
 }
 
-std::vector<Contestant> catenary() {
-  std::vector<Contestant> list;
+std::vector<Variant> catenary() {
+  std::vector<Variant> list;
   for (const auto& exact : test_support::catenaries) list.push_back(hanging_cord(exact));
   return list;
 }
 
-Contestant bent_cord(int columns, int rows, double width, const test_support::Cantilever& exact) {
+Variant bent_cord(int columns, int rows, double width, const test_support::Cantilever& exact) {
   std::string setting = std::to_string(columns) + "x" + std::to_string(rows) + " PL2/EI=" + number(exact.load);
   if (rows > 1) setting += " L/width=" + number(1.0 / width);
   const auto make = [=](const Accuracy& accuracy) {
     return test_support::clamped_beam(columns, rows, width, exact, accuracy);
   };
-  return contestant(setting, make(Accuracy::balanced()), {}, [make, exact] {
+  return variant(setting, make(Accuracy::balanced()), {}, [make, exact] {
     Cord cord = make(test_support::tight());
     test_support::come_to_rest(cord, {});
     const auto found = test_support::bent(cord, exact.load);
@@ -70,8 +69,8 @@ Contestant bent_cord(int columns, int rows, double width, const test_support::Ca
   });
 }
 
-std::vector<Contestant> cantilever() {
-  std::vector<Contestant> list;
+std::vector<Variant> cantilever() {
+  std::vector<Variant> list;
   for (const auto& exact : test_support::cantilevers) {
     if (exact.load != 1.0 && exact.load != 5.0 && exact.load != 10.0) continue;
     list.push_back(bent_cord(51, 1, 0.0, exact));
@@ -82,8 +81,8 @@ std::vector<Contestant> cantilever() {
   return list;
 }
 
-Contestant swung(const std::string& setting, const Accuracy& accuracy) {
-  return contestant(setting, test_support::swung_chain(0, accuracy), earth_gravity, [accuracy] {
+Variant swung(const std::string& setting, const Accuracy& accuracy) {
+  return variant(setting, test_support::swung_chain(0, accuracy), earth_gravity, [accuracy] {
     std::vector<double> errors;
     for (int mode = 0; mode < 3; ++mode) {
       Cord chain = test_support::swung_chain(mode, accuracy);
@@ -94,18 +93,18 @@ Contestant swung(const std::string& setting, const Accuracy& accuracy) {
   });
 }
 
-std::vector<Contestant> hanging_modes() {
-  std::vector<Contestant> list = {swung("fast", Accuracy::fast()), swung("balanced", Accuracy::balanced()),
-                                  swung("accurate", Accuracy::accurate())};
+std::vector<Variant> hanging_modes() {
+  std::vector<Variant> list = {swung("fast", Accuracy::fast()), swung("balanced", Accuracy::balanced()),
+                               swung("accurate", Accuracy::accurate())};
   for (const int substeps : {16, 64}) {
     list.push_back(swung("substeps=" + std::to_string(substeps), {ribbon::Integrator::tr_bdf2, substeps, 12, 1e-6}));
   }
   return list;
 }
 
-Contestant thrown_cord(const std::string& setting, const CordDef& def, double speed, double heavy_mass) {
+Variant thrown_cord(const std::string& setting, const CordDef& def, double speed, double heavy_mass) {
   const Cord start = test_support::thrown(def, speed, heavy_mass);
-  return contestant(setting, start, {}, [start_def = def, speed, heavy_mass] {
+  return variant(setting, start, {}, [start_def = def, speed, heavy_mass] {
     Cord cord = test_support::thrown(start_def, speed, heavy_mass);
     const Vec2 before = test_support::momentum(cord);
     for (int k = 0; k < 300; ++k) cord.step(frame_dt, {});
@@ -113,7 +112,7 @@ Contestant thrown_cord(const std::string& setting, const CordDef& def, double sp
   });
 }
 
-std::vector<Contestant> free_flight() {
+std::vector<Variant> free_flight() {
   CordDef rope;
   CordDef bending = rope;
   bending.bending_stiffness = 1.0;

@@ -209,7 +209,7 @@ struct Layout {
   std::function<void(LargeWorld&)> populate;
 };
 
-Contestant contestant(const Layout& layout) {
+Variant variant(const Layout& layout) {
   // Created at the first use, because some of them are large.
   const auto made = std::make_shared<std::unique_ptr<LargeWorld>>();
   const auto large = [made, layout]() -> LargeWorld& {
@@ -237,11 +237,11 @@ Contestant contestant(const Layout& layout) {
           {}};
 }
 
-std::vector<Contestant> large_worlds() {
+std::vector<Variant> large_worlds() {
   const auto far = [](LargeWorld& large) { large.add_boxes_far_away(); };
   const auto among = [](LargeWorld& large) { large.add_boxes_among(); };
   const auto held = [](LargeWorld& large) { large.hold_by_a_body(); };
-  std::vector<Contestant> list;
+  std::vector<Variant> list;
   for (const Layout& layout : std::vector<Layout>{
            {"1 cord, nothing else", 1, false, {}},
            {"1 cord, 10,000 boxes", 1, false, far},
@@ -268,7 +268,7 @@ std::vector<Contestant> large_worlds() {
            {"1,000 cords asleep among 10,000 boxes", 1000, true, among},
            {"10,000 cords, nothing else", 10'000, false, {}},
        }) {
-    list.push_back(contestant(layout));
+    list.push_back(variant(layout));
   }
   return list;
 }
@@ -283,7 +283,7 @@ Column ns_per_cord() {
 }
 
 /// Cords without contacts, in a continuing world.
-Contestant free_cords(int count) {
+Variant free_cords(int count) {
   const auto workers = std::make_shared<engine::Workers>(count);
   const auto large = std::make_shared<LargeWorld>(1000, false);
   large->use(*workers);
@@ -301,29 +301,29 @@ Contestant free_cords(int count) {
           {}};
 }
 
-Contestant meeting(int count, const std::string& name, const SetUp& set_up) {
+Variant in_contact(int count, const std::string& name, const SetUp& set_up) {
   const auto workers = std::make_shared<engine::Workers>(count);
   NamedMethod method = presets({"fast"}).front();
   method.setting = std::to_string(count) + (count == 1 ? " worker" : " workers");
-  return tradeoff::contestant(ContactContestant{method,
-                                                name,
-                                                [=](test_support::CoupledWorld& world) {
-                                                  set_up(world);
-                                                  world.coupling.use(workers->parallel_for());
-                                                },
-                                                false,
-                                                {0.0, -9.81},
-                                                [](test_support::CoupledWorld&) { return std::vector<double>{}; }});
+  return tradeoff::variant(ContactVariant{method,
+                                          name,
+                                          [=](test_support::CoupledWorld& world) {
+                                            set_up(world);
+                                            world.coupling.use(workers->parallel_for());
+                                          },
+                                          false,
+                                          {0.0, -9.81},
+                                          [](test_support::CoupledWorld&) { return std::vector<double>{}; }});
 }
 
-std::vector<Contestant> by_workers() {
-  std::vector<Contestant> list;
+std::vector<Variant> by_workers() {
+  std::vector<Variant> list;
   for (const int count : {1, 2}) list.push_back(free_cords(count));
   for (const int count : {1, 2}) {
-    list.push_back(meeting(count, "cords_and_circles", [](auto& world) { test_support::hang_hall(world); }));
+    list.push_back(in_contact(count, "cords_and_circles", [](auto& world) { test_support::hang_hall(world); }));
   }
   for (const int count : {1, 2}) {
-    list.push_back(meeting(count, "30 strips", [](auto& world) { test_support::drop_strips(world, 30, true); }));
+    list.push_back(in_contact(count, "30 strips", [](auto& world) { test_support::drop_strips(world, 30, true); }));
   }
   return list;
 }

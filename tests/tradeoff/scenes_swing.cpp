@@ -47,8 +47,8 @@ std::vector<double> figures_of(Swing& swing, double own_stiffness) {
           100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : none, own};
 }
 
-Contestant contestant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = points,
-                      double own_stiffness = none) {
+Variant variant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = points,
+                double own_stiffness = none) {
   std::function<std::int64_t()> work;
   if (swing->work()) work = [swing] { return *swing->work(); };
   return {method,
@@ -68,12 +68,12 @@ std::string setting_of(double stiffness, const Accuracy& accuracy) {
          " tolerance=" + number(accuracy.tolerance);
 }
 
-Contestant cord(const std::string& name, double stiffness, const Accuracy& accuracy) {
-  return contestant("cord", name.empty() ? setting_of(stiffness, accuracy) : name, cord_swing(stiffness, accuracy),
-                    points, stiffness);
+Variant cord(const std::string& name, double stiffness, const Accuracy& accuracy) {
+  return variant("cord", name.empty() ? setting_of(stiffness, accuracy) : name, cord_swing(stiffness, accuracy), points,
+                 stiffness);
 }
 
-void add_presets(std::vector<Contestant>& list) {
+void add_presets(std::vector<Variant>& list) {
   list.push_back(cord("fast", infinity, Accuracy::fast()));
   list.push_back(cord("balanced", infinity, Accuracy::balanced()));
   list.push_back(cord("accurate", infinity, Accuracy::accurate()));
@@ -81,7 +81,7 @@ void add_presets(std::vector<Contestant>& list) {
 
 /// `balanced` with one parameter changed at a time, and substeps for every stiffness. The row without a change shows
 /// the repeatability of times.
-void add_parameter_sweep(std::vector<Contestant>& list) {
+void add_parameter_sweep(std::vector<Variant>& list) {
   for (const double stiffness : {infinity, 1e8, 1e7}) {
     for (const int substeps : {1, 2, 4, 8}) {
       Accuracy accuracy = Accuracy::balanced();
@@ -102,17 +102,16 @@ void add_parameter_sweep(std::vector<Contestant>& list) {
   }
 }
 
-void add_chain(std::vector<Contestant>& list, const char* method, Box2dChain::Limit limit,
-               const Box2dSetting& setting) {
-  list.push_back(contestant(method,
-                            "substeps=" + std::to_string(setting.substeps) +
-                                " iterations=" + std::to_string(setting.velocity_iterations) + "/" +
-                                std::to_string(setting.position_iterations),
-                            box2d_chain(limit, setting)));
+void add_chain(std::vector<Variant>& list, const char* method, Box2dChain::Limit limit, const Box2dSetting& setting) {
+  list.push_back(variant(method,
+                         "substeps=" + std::to_string(setting.substeps) +
+                             " iterations=" + std::to_string(setting.velocity_iterations) + "/" +
+                             std::to_string(setting.position_iterations),
+                         box2d_chain(limit, setting)));
 }
 
 /// More iterations in Box2D's ratio of 8 to 3.
-void add_chains(std::vector<Contestant>& list) {
+void add_chains(std::vector<Variant>& list) {
   for (const int substeps : {1, 4, 16, 64}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 8, 3});
   for (const int substeps : {1, 4}) add_chain(list, "box2d_chain", Box2dChain::Limit::none, {substeps, 128, 48});
   add_chain(list, "box2d_chain", Box2dChain::Limit::none, {64, 32, 12});
@@ -147,10 +146,10 @@ constexpr std::array<RopeSetting, 13> rope_settings = {{
     {b2_xpbdStretchingModel, 2000.0F, 64, 1},
 }};
 
-void add_ropes(std::vector<Contestant>& list) {
+void add_ropes(std::vector<Variant>& list) {
   for (const RopeSetting& setting : rope_settings) {
     const bool xpbd = setting.model == b2_xpbdStretchingModel;
-    list.push_back(contestant(
+    list.push_back(variant(
         xpbd ? "b2rope_xpbd" : "b2rope_pbd",
         "substeps=" + std::to_string(setting.substeps) + " iterations=" + std::to_string(setting.iterations) +
             (xpbd ? " hertz=" + number(static_cast<double>(setting.hertz)) : ""),
@@ -158,14 +157,14 @@ void add_ropes(std::vector<Contestant>& list) {
   }
 }
 
-void add_thesis(std::vector<Contestant>& list) {
+void add_thesis(std::vector<Variant>& list) {
   for (const int substeps : {8, 32, 128}) {
-    list.push_back(contestant("thesis", "substeps=" + std::to_string(substeps), thesis_swing(substeps), 2 * points));
+    list.push_back(variant("thesis", "substeps=" + std::to_string(substeps), thesis_swing(substeps), 2 * points));
   }
 }
 
-std::vector<Contestant> heavy_swing() {
-  std::vector<Contestant> list;
+std::vector<Variant> heavy_swing() {
+  std::vector<Variant> list;
   add_presets(list);
   add_parameter_sweep(list);
   add_chains(list);
@@ -176,13 +175,13 @@ std::vector<Contestant> heavy_swing() {
 
 /// The load is a body of Box2D that holds the cord; beside the same cord with a point mass, and the world alone, which
 /// has no path to compare. The load of the chains and of the thesis's cord is always a body.
-std::vector<Contestant> held_swings() {
-  std::vector<Contestant> list;
+std::vector<Variant> held_swings() {
+  std::vector<Variant> list;
   const std::shared_ptr<Swing> alone = falling_body();
   for (const auto& [name, accuracy] :
        {std::pair{"fast", Accuracy::fast()}, {"balanced", Accuracy::balanced()}, {"accurate", Accuracy::accurate()}}) {
     list.push_back(cord(name, infinity, accuracy));
-    list.push_back(contestant("held", name, held_swing(accuracy)));
+    list.push_back(variant("held", name, held_swing(accuracy)));
   }
   list.push_back({"b2world_step", "one body", 1, [alone] { alone->reset(); }, [alone] { alone->tick(); },
                   [] { return std::vector<double>(4, none); }});

@@ -11,9 +11,9 @@ using ribbon::ThesisCord;
 using test_support::earth_gravity;
 using test_support::frame_dt;
 
-Contestant contestant(const char* method, const ribbon::ThesisDef& def, std::unique_ptr<ribbon::LinearSolver> solver) {
+Variant variant(const char* method, const ribbon::ThesisDef& def, std::unique_ptr<ribbon::LinearSolver> solver) {
   const auto cord = std::make_shared<ThesisCord>(def, std::move(solver));
-  Contestant out;
+  Variant out;
   out.method = method;
   out.setting = "substeps=" + std::to_string(def.substeps);
   out.points = cord->mesh().size();
@@ -23,23 +23,23 @@ Contestant contestant(const char* method, const ribbon::ThesisDef& def, std::uni
 
 /// The thesis's step, with our banded solve and with its dense inverse: a hanging cord, self-collision on.
 template <int Row>
-std::vector<Contestant> thesis_condition() {
+std::vector<Variant> thesis_condition() {
   const ribbon::ThesisDef def = test_support::hanging(test_support::thesis_conditions[Row]);
-  std::vector<Contestant> both;
-  both.push_back(contestant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
-  both.push_back(contestant("dense_inverse", def, std::make_unique<DenseInverse>()));
+  std::vector<Variant> both;
+  both.push_back(variant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
+  both.push_back(variant("dense_inverse", def, std::make_unique<DenseInverse>()));
   return both;
 }
 
 /// The same material with increasing length, without collision: the cost per point.
-std::vector<Contestant> scaling() {
-  std::vector<Contestant> lengths;
+std::vector<Variant> scaling() {
+  std::vector<Variant> lengths;
   for (const int w : {25, 250, 2500}) {
     test_support::ThesisCondition condition = test_support::thesis_conditions[0];
     condition.w = w;
     ribbon::ThesisDef def = test_support::hanging(condition);
     def.self_collision = false;
-    lengths.push_back(contestant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
+    lengths.push_back(variant("banded", def, std::make_unique<ribbon::BandedLdlt>()));
   }
   return lengths;
 }

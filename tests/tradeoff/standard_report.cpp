@@ -40,17 +40,17 @@ void write_contents(const StandardReport& report, const std::vector<std::string>
 }
 
 void write_scene(const StandardReport& report, const Scene& scene) {
-  std::vector<Contestant> contestants = scene.contestants();
+  std::vector<Variant> variants = scene.variants();
   std::string left_out;
   if (report.quick) {
     for (const std::string& setting : scene.slow) left_out += (left_out.empty() ? "" : ", ") + setting;
-    const auto is_slow = [&](const Contestant& c) {
+    const auto is_slow = [&](const Variant& c) {
       return std::find(scene.slow.begin(), scene.slow.end(), c.setting) != scene.slow.end();
     };
-    contestants.erase(std::remove_if(contestants.begin(), contestants.end(), is_slow), contestants.end());
+    variants.erase(std::remove_if(variants.begin(), variants.end(), is_slow), variants.end());
   }
   const std::vector<Row> rows =
-      run_scene(scene, contestants, report.repeats.value_or(report.quick ? 1 : scene.report_repeats));
+      run_scene(scene, variants, report.repeats.value_or(report.quick ? 1 : scene.report_repeats));
   print_table(scene, rows);
   study::Report page = report_of(scene, rows);
   if (!left_out.empty()) page.notes.push_back("A quick report: settings left out are " + left_out + ".");

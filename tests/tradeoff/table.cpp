@@ -28,7 +28,7 @@ Cells header(const Scene& scene) {
 }
 
 Cells cells_of(const Scene& scene, const Row& row) {
-  const Contestant& c = row.contestant;
+  const Variant& c = row.variant;
   Cells cells = {scene.name, c.method, c.setting + (c.group.empty() ? "" : " " + c.group), std::to_string(c.points)};
   for (const Column& column : scene.columns) cells.push_back(text(column.value(row), column.decimals));
   return cells;
@@ -41,7 +41,7 @@ void print_cells(const Cells& cells) {
 
 double reference_us(const Scene& scene, const std::vector<Row>& rows) {
   const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Row& row) { return row.contestant.setting == scene.reference_setting; });
+                                  [&](const Row& row) { return row.variant.setting == scene.reference_setting; });
   return (found == rows.end() ? rows.front() : *found).timing.median_us;
 }
 
@@ -75,7 +75,7 @@ void print_table(const Scene& scene, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     lines.push_back(cells_of(scene, row));
     const double us = row.timing.median_us;
-    lines.back().push_back(text(1e3 * us / row.contestant.points, 1));
+    lines.back().push_back(text(1e3 * us / row.variant.points, 1));
     lines.back().push_back(text(us / reference_us(scene, rows), 2));
   }
   print_aligned(lines);

@@ -41,7 +41,7 @@ bool is_caught(const b2Filter& of_cord, const b2Filter& of_box, bool sensor) {
   return position(body).y > -3.0;
 }
 
-TEST(ContactCord, FiltersAndSensorsDecideAsBetweenTwoFixtures) {
+TEST(ContactCord, FiltersAndSensorsActAsBetweenTwoFixtures) {
   EXPECT_TRUE(is_caught(filter(2, 0xFFFF), filter(1, 0xFFFF), false));
   EXPECT_FALSE(is_caught(filter(2, 0xFFFE), filter(1, 0xFFFF), false));
   EXPECT_FALSE(is_caught(filter(2, 0xFFFF), filter(1, 0xFFFD), false));
@@ -63,7 +63,7 @@ TEST(ContactCord, EachFixtureOfABodyCollidesByItsOwnFilter) {
   EXPECT_LT(std::abs(body->GetAngle()), 0.8F);  // upright, with its weight below
 }
 
-TEST(ContactCord, BodiesAndFixturesComeAndGoWhileTheyTouch) {
+TEST(ContactCord, BodiesAndFixturesCanBeAddedAndRemovedDuringContact) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
   add_shape(scene.add_body({2.0, -1.5}, b2_staticBody), box(3.0, 0.1), 0.0, 0.5);
@@ -100,7 +100,7 @@ TEST(ContactCord, BodiesAndFixturesComeAndGoWhileTheyTouch) {
   EXPECT_GT(scene.cord().positions()[20].y, deepest - 2.0);
 }
 
-TEST(ContactCord, ATickTakesNoHeapMemoryOnceItHasTouched) {
+TEST(ContactCord, ATickAfterTheFirstContactAllocatesNothing) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
   scene.add_ball({1.7, 0.5}, 0.2, 2.0);

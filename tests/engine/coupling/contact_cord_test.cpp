@@ -47,7 +47,7 @@ double depth(const Cord& cord, Vec2 middle, double radius) {
 
 class Bridge : public testing::TestWithParam<double> {};
 
-TEST_P(Bridge, ABallRestsOnItWithoutDriftOrJitter) {
+TEST_P(Bridge, HoldsABallWithoutDriftOrJitter) {
   const double mass = GetParam() * bridge_mass;
   CordDef def = bridge_def();
   def.drag = 5.0;
@@ -118,7 +118,7 @@ TEST(ContactCord, ABoxRestsOnABridge) {
 }
 
 /// A straight cord falls on flat ground of each shape, and rests on it at its radius plus that of Box2D.
-TEST(ContactCord, ItRestsOnEdgesChainsAndBoxes) {
+TEST(ContactCord, RestsOnEdgesChainsAndBoxes) {
   const auto lies_at = [](const b2Shape& shape, Vec2 ground, b2BodyType type, double angle = 0.0) {
     CordDef def;
     def.points = 21;
@@ -156,7 +156,7 @@ TEST(ContactCord, ItRestsOnEdgesChainsAndBoxes) {
   }
 }
 
-TEST(ContactCord, ItHangsOverABoxsCornerAndAnEdgesEnd) {
+TEST(ContactCord, HangsOverTheCornerOfABoxAndTheEndOfAnEdge) {
   for (const bool is_box : {true, false}) {
     CordDef def;
     def.points = 41;
@@ -183,7 +183,7 @@ TEST(ContactCord, ItHangsOverABoxsCornerAndAnEdgesEnd) {
 }
 
 /// Exact to single precision.
-TEST(ContactCord, WithBallsInFreeFlightItKeepsItsMomentum) {
+TEST(ContactCord, ConservesMomentumWithBallsInFreeFlight) {
   World scene(Vec2{});
   CordDef def;
   def.points = 31;
@@ -265,13 +265,13 @@ int escapes(double radii, double least, double most, int tries, bool with_contac
   return count;
 }
 
-TEST(ContactCord, NoBallGetsOutOfARing) {
+TEST(ContactCord, NoBallEscapesFromARing) {
   EXPECT_EQ(escapes(10.0, 0.05, 0.2, 60), 0);
   EXPECT_EQ(escapes(100.0, 0.01, 0.02, 60), 0);
   EXPECT_EQ(escapes(10.0, 0.05, 0.2, 20, false), 20);
 }
 
-TEST(LongContactCord, NoBallOfAThousandGetsOutOfARing) {
+TEST(LongContactCord, NoBallOfAThousandEscapesFromARing) {
   EXPECT_EQ(escapes(10.0, 0.05, 0.2, 1000), 0);
   EXPECT_EQ(escapes(100.0, 0.01, 0.02, 1000), 0);
 }

@@ -101,7 +101,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
   return run;
 }
 
-TEST(ContactCord, AHeldBodyHitsWallsAndFloorsAndStands) {
+TEST(ContactCord, AHeldBodyHitsWallsAndFloorsAndComesToRest) {
   for (const double stiffness : {1e7, 1e8, infinity}) {
     for (const Obstacle obstacle : {Obstacle::wall, Obstacle::grazed_floor, Obstacle::floor, Obstacle::stood_on,
                                     Obstacle::ceiling, Obstacle::pit}) {

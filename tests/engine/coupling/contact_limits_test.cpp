@@ -74,7 +74,7 @@ AfterBad after_bad(Role role, b2Vec2 velocity, float turning) {
 }
 
 /// Some of the cases of the test with the same name in ContactCordLimits.
-TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
+TEST(ContactCord, AnInvalidVelocityDoesNotSpreadToTheCord) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Role role : {Role::touches, Role::drives}) {
     for (const auto& [velocity, turning] : {std::pair{b2Vec2{nan, 0.0F}, 0.0F},
@@ -89,7 +89,7 @@ TEST(ContactCord, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
 }
 
 /// Box2D accepts every angular velocity. The cord uses the body's momentary position and stays finite.
-TEST(ContactCord, ABodyThatSpinsAsFastAsCanBeDoesNotPoisonTheCord) {
+TEST(ContactCord, TheCordStaysFiniteBesideAVeryFastRotatingBody) {
   for (const Role role : {Role::touches, Role::holds, Role::drives}) {
     for (const float turning : {1e4F, 1e5F, -1e7F, 1e9F}) {
       const AfterBad after = after_bad(role, {0.0F, 0.0F}, turning);
@@ -99,7 +99,7 @@ TEST(ContactCord, ABodyThatSpinsAsFastAsCanBeDoesNotPoisonTheCord) {
   }
 }
 
-TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
+TEST(ContactCordLimits, AnInvalidVelocityDoesNotSpreadToTheCord) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   for (const Role role : {Role::touches, Role::holds, Role::drives}) {
@@ -121,7 +121,7 @@ TEST(ContactCordLimits, AVelocityThatIsNoNumberDoesNotPoisonTheCord) {
 }
 
 /// A tick with more contacts than any tick before.
-TEST(ContactCordLimits, ATickTakesNoHeapMemoryForOneContactMore) {
+TEST(ContactCordLimits, OneMoreContactAllocatesNothing) {
   World scene;
   scene.coupling.add(Cord(bridge_def()));
   scene.add_ball({1.7, 0.5}, 0.2, 2.0);

@@ -43,7 +43,7 @@ TEST(CoupledWorld, AThesisCordHasTheMassAndTheShapeOfItsRope) {
   EXPECT_NEAR(world.energy_scale(), mass * 9.81 * rope().length, 1e-6);
 }
 
-TEST(CoupledWorld, APullIsAThesisCordsMomentum) {
+TEST(CoupledWorld, APullIsTheRateOfChangeOfMomentumOfAThesisCord) {
   CoupledWorld world(thesis(), {});
   world.add(rope());
   world.pull(0, 10, {2.0, 0.0});

@@ -51,7 +51,7 @@ struct World : test_support::ShapeWorld {
   }
 };
 
-TEST(CouplingEnabled, ADisabledCordStaysAsItIsAndTouchesNothing) {
+TEST(CouplingEnabled, ADisabledCordDoesNotMoveOrCollide) {
   World there;
   there.coupling.add(rope());
   there.coupling.add(thesis_ribbon());
@@ -76,7 +76,7 @@ TEST(CouplingEnabled, ADisabledCordStaysAsItIsAndTouchesNothing) {
   for (const b2Body* body : {&ball, &other}) EXPECT_LT(body->GetPosition().y, -4.0F) << "it fell through";
 }
 
-TEST(CouplingEnabled, BodiesThatHeldItReleaseItWithTheirMomentaryVelocity) {
+TEST(CouplingEnabled, DisablingReleasesHoldersWithTheirVelocity) {
   for (const bool direct : {true, false}) {
     SCOPED_TRACE(direct ? "direct" : "thesis");
     World there;
@@ -136,7 +136,7 @@ TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
   EXPECT_EQ(there.coupling.touch_events()[0].fixture, ball.GetFixtureList());
   EXPECT_TRUE(there.coupling.cord(0).touching().empty());
   there.tick();
-  EXPECT_TRUE(there.coupling.touch_events().empty()) << "told once";
+  EXPECT_TRUE(there.coupling.touch_events().empty()) << "reported once";
 
   there.coupling.cord(0).set_enabled(true);
   for (int k = 0; k < 60 && there.coupling.touch_events().empty(); ++k) there.tick();
@@ -161,7 +161,7 @@ TEST(CouplingEnabled, QueriesSkipADisabledCord) {
 
 /// A rope falls on another one; by index a third cord is between them. Positions, contacts and all other state have the
 /// same bits if that cord is enabled and far away, or disabled and amid them.
-TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
+TEST(CouplingEnabled, OtherCordsMoveWithTheSameBits) {
   const auto run = [](bool off) {
     World there;
     there.coupling.add(rope(0.0));
@@ -181,7 +181,7 @@ TEST(CouplingEnabled, TheOthersMoveToTheSameBits) {
   EXPECT_TRUE(with[1] == without[1]);
 }
 
-TEST(CouplingEnabled, EnabledAgainItContinuesAsIfNoTimeHadPassed) {
+TEST(CouplingEnabled, AnEnabledCordContinuesAsIfNoTimeHadPassed) {
   const auto run = [](int pause) {
     World there;
     there.coupling.add(rope());
@@ -220,7 +220,7 @@ TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
 }
 
 /// A change between gather and apply is not intended, but is safe.
-TEST(CouplingEnabled, InTheMidstOfATickIsBorne) {
+TEST(CouplingEnabled, AChangeDuringATickIsSafe) {
   for (const bool first : {true, false}) {
     World there;
     there.coupling.add(rope());

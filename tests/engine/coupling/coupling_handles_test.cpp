@@ -165,7 +165,7 @@ TEST(Holding, RefusedInAnotherWorldChangesNothing) {
   EXPECT_EQ(there.coupling.save(there.world), before);
 }
 
-TEST(Places, ThatACordDoesNotHaveAreRefused) {
+TEST(Places, OutsideACordAreRefused) {
   Coupling coupling;
   const CordView cord = coupling.cord(coupling.add(rope()));
   EXPECT_EQ(cord.position(20).x, 2.0);
@@ -175,7 +175,7 @@ TEST(Places, ThatACordDoesNotHaveAreRefused) {
   EXPECT_THROW((void)cord.arc(3, 1.5), DefinitionError);
 }
 
-TEST(Holding, AgainIsASecondGripAndNeverMovesTheFirst) {
+TEST(Holding, TwiceMakesASecondGripAndDoesNotMoveTheFirst) {
   RopeWorld there;
   for (const CordId cord : {there.coupling.add(rope()), there.coupling.add(curtain())}) {
     b2Body& body = there.ball({0.5, -2.0});

@@ -51,7 +51,7 @@ struct Hanging {
   }
 };
 
-TEST(CouplingHold, TheCordCarriesTheBodyAndPullsWithItsWeight) {
+TEST(CouplingHold, TheCordCarriesTheWeightOfTheBody) {
   Hanging hanging(1.0, 2.0);
   hanging.run(1800);
   EXPECT_NEAR(y_of(hanging.body), -4.0, 0.2);
@@ -78,7 +78,7 @@ std::vector<double> excursions(Hanging& hanging, int ticks) {
 }
 
 /// Other cords do not matter.
-TEST(CouplingHold, SwingsOnLikeAPendulum) {
+TEST(CouplingHold, SwingsLikeAPendulum) {
   Hanging alone(5.0, 0.0);
   Hanging hanging(5.0, 0.0, true);
   alone.run(300);
@@ -95,7 +95,7 @@ TEST(CouplingHold, SwingsOnLikeAPendulum) {
   }
 }
 
-TEST(CouplingHold, AHolderThatHitsAWallOrStandsOnTheGroundGainsNothing) {
+TEST(CouplingHold, AHolderAtAWallOrOnTheGroundGainsNoEnergy) {
   for (const bool wall : {true, false}) {
     Hanging hanging(5.0, 0.0);
     hanging.run(120);
@@ -141,7 +141,7 @@ TEST(CouplingHold, AnAnchorThatMovesOnItsBodyArrivesWithinTheTick) {
   EXPECT_NEAR(length(hanging.end() - ribbon::box2d::to_double(hanging.body->GetWorldPoint({0.05F, 0.1F}))), 0.0, 5e-3);
 }
 
-TEST(CouplingHold, ReleasedTheBodyKeepsItsVelocity) {
+TEST(CouplingHold, AReleasedBodyKeepsItsVelocity) {
   Hanging hanging(2.0);
   hanging.body->SetLinearVelocity({3.0F, 0.0F});
   hanging.run(20);
@@ -154,7 +154,7 @@ TEST(CouplingHold, ReleasedTheBodyKeepsItsVelocity) {
   EXPECT_NEAR(length(hanging.coupling.body(*hanging.body).velocity() - velocity - Vec2{0.0, -9.81 * dt}), 0.0, 1e-5);
 }
 
-TEST(CouplingHold, KeepsTheMomentumOfCordAndHolder) {
+TEST(CouplingHold, ConservesTheMomentumOfCordAndHolder) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -191,7 +191,7 @@ TEST(CouplingHold, AHolderThatIsDestroyedReleases) {
   EXPECT_NEAR(static_cast<double>(next->GetPosition().x), 5.0, 1e-6);
 }
 
-TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
+TEST(CouplingHold, AHolderMovedFarAwayIsPulledBackAndStaysFinite) {
   Hanging hanging(5.0);
   hanging.run(60);
   hanging.body->SetTransform({8.0F, 3.0F}, 0.0F);
@@ -205,7 +205,7 @@ TEST(CouplingHold, AHolderThatIsPutFarAwayIsPulledBackWithoutAnExplosion) {
   EXPECT_EQ(test_support::inverted_triangles(hanging.coupling.cord(0).thesis()), 0);
 }
 
-TEST(CouplingHold, RefusesWhatDoesNotExist) {
+TEST(CouplingHold, RefusesUnknownCordsPointsAndBodies) {
   Hanging hanging(2.0);
   EXPECT_THROW(hanging.coupling.hold(1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);
   EXPECT_THROW(hanging.coupling.hold(-1, 0, *hanging.body, b2Vec2_zero), ribbon::CallError);

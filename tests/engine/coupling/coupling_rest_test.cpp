@@ -137,7 +137,7 @@ void disturb(World& world, Dice& dice) {
   }
 }
 
-TEST(CouplingRest, HasTheBitsOfACouplingThatStepsAllCordsInRandomScenes) {
+TEST(CouplingRest, HasTheBitsOfACouplingThatStepsAllCords) {
   int most_asleep = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
     World resting;
@@ -218,7 +218,7 @@ TEST(CouplingRest, OnlyCordsWithSomethingNearAreStepped) {
   EXPECT_EQ(counter.stepped, static_cast<std::size_t>(cords));
 }
 
-TEST(CouplingRest, AShorterTickWakesNothingAndLosesNothing) {
+TEST(CouplingRest, ATickOfAnotherLengthWakesNoCord) {
   World world;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);

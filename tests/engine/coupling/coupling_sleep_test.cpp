@@ -74,7 +74,7 @@ struct Hammock : World {
   b2Body* ball;
 };
 
-TEST(CouplingSleep, ALampSleepsOnItsRopeAndNothingOfItMoves) {
+TEST(CouplingSleep, ASleepingLampAndItsRopeDoNotMove) {
   Lamp there;
   ASSERT_TRUE(there.falls_asleep());
   EXPECT_FALSE(there.lamp->IsAwake());
@@ -95,7 +95,7 @@ TEST(CouplingSleep, ALampSleepsOnItsRopeAndNothingOfItMoves) {
 }
 
 /// After a ball hits it, the lamp swings as one that did not sleep.
-TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
+TEST(CouplingSleep, AnImpactWakesALampAndItSwingsAsIfItHadNotSlept) {
   const auto swing = [](bool allow_sleep) {
     Lamp there(allow_sleep);
     for (int k = 0; k < long_enough; ++k) there.tick();
@@ -116,7 +116,7 @@ TEST(CouplingSleep, ABlowWakesALampAndItSwingsAsIfItHadNotSlept) {
   EXPECT_NEAR(swing(true), awake, 0.02F * awake);
 }
 
-TEST(CouplingSleep, ABallAtRestOnARopeGoesOnTouchingIt) {
+TEST(CouplingSleep, ASleepingBallStaysInContactWithItsRope) {
   Hammock there;
   ASSERT_TRUE(there.falls_asleep());
   EXPECT_FALSE(there.ball->IsAwake());
@@ -203,7 +203,7 @@ TEST(CouplingSleep, ABodyThatNoLongerCollidesWithItWakes) {
   EXPECT_LT(there.ball->GetPosition().y, -4.0F);
 }
 
-TEST(CouplingSleep, WhatChangesTheCordWakesItAndTheBodyThatHangsOnIt) {
+TEST(CouplingSleep, AChangeOfTheCordWakesItAndItsBody) {
   Lamp there;
   ASSERT_TRUE(there.falls_asleep());
   const float low = there.lamp->GetPosition().y;

@@ -118,7 +118,7 @@ TEST(CouplingState, OfAnotherWorldIsRefused) {
   EXPECT_THROW(scene.coupling.restore(state, empty), DefinitionError);
 }
 
-TEST(CouplingState, NumbersThatNoCouplingHasAreRefused) {
+TEST(CouplingState, InvalidNumbersAreRefused) {
   Scene scene;
   scene.tick(20);
   const State state = scene.coupling.save(scene.world);

@@ -24,7 +24,7 @@ Vec2 momentum(const b2Body* body) {
 }
 
 /// Bodies in single precision and a cord in double precision exchange momentum without loss.
-TEST(Coupling, CordAndCirclesKeepTheirLinearMomentum) {
+TEST(Coupling, CordAndCirclesConserveLinearMomentum) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -131,7 +131,7 @@ struct FilterCase {
   bool meet;
 };
 
-TEST(Coupling, FilterBitsDecideAsBetweenTwoFixtures) {
+TEST(Coupling, FilterBitsActAsBetweenTwoFixtures) {
   const FilterCase cases[] = {
       {"both want", filter(2, 0xFFFF), filter(1, 0xFFFF), true},
       {"the cord's mask leaves it out", filter(2, 0xFFFE), filter(1, 0xFFFF), false},
@@ -164,7 +164,7 @@ TEST(Coupling, SensorsAndDisabledBodiesAreIgnored) {
   EXPECT_GT(coupling.cord(0).thesis_report().circle_contacts, 0);
 }
 
-TEST(Coupling, ABodyThatNothingTouchesIsLeftToBox2D) {
+TEST(Coupling, ABodyWithoutContactIsMovedByBox2D) {
   const auto fall = [](bool with_cord) {
     b2World world({0.0F, -9.81F});
     ribbon::box2d::Coupling coupling;
@@ -189,7 +189,7 @@ TEST(Coupling, ASleepingCircleIsWokenOnlyWhenPushed) {
   EXPECT_TRUE(touching->IsAwake());
 }
 
-TEST(Coupling, BodiesComeAndGoBetweenTicks) {
+TEST(Coupling, BodiesCanBeAddedAndRemovedBetweenTicks) {
   b2World world({0.0F, -9.81F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(pinned_at_both_ends()));
@@ -205,7 +205,7 @@ TEST(Coupling, BodiesComeAndGoBetweenTicks) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).thesis()));
 }
 
-TEST(Coupling, TwoCordsAndABallBetweenThemKeepTheirMomentum) {
+TEST(Coupling, TwoCordsAndABallBetweenThemConserveMomentum) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -225,7 +225,7 @@ TEST(Coupling, TwoCordsAndABallBetweenThemKeepTheirMomentum) {
   EXPECT_GT(coupling.cord(1).thesis_total().circle_contacts, 0);
 }
 
-TEST(Coupling, ADynamicBodyWithoutMassIsLeftOut) {
+TEST(Coupling, ADynamicBodyWithoutMassIsIgnored) {
   b2World world({0.0F, -9.81F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(pinned_at_both_ends()));
@@ -236,7 +236,7 @@ TEST(Coupling, ADynamicBodyWithoutMassIsLeftOut) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).thesis()));
 }
 
-TEST(Coupling, ABodyThatGravityDoesNotPullDoesNotPress) {
+TEST(Coupling, ABodyWithoutGravityIsNotPredictedToFallIntoContact) {
   for (const float scale : {0.0F, 1.0F}) {
     b2World world({0.0F, -9.81F});
     ribbon::box2d::Coupling coupling;
@@ -259,7 +259,7 @@ TEST(Coupling, ADrivenPointCollides) {
   EXPECT_GT(coupling.cord(0).thesis_report().circle_contacts, 0);
 }
 
-TEST(Coupling, TakesNoHeapMemoryWhenTheFirstCircleComesNear) {
+TEST(Coupling, AllocatesNothingWhenTheFirstCircleComesNear) {
   b2World world({0.0F, 0.0F});
   ribbon::box2d::Coupling coupling;
   coupling.add(ThesisCord(cord_def()));
@@ -307,7 +307,7 @@ TEST(Coupling, ABodysOriginMakesNoDifference) {
 }
 
 /// A fixture may have any friction, and an extent beyond all coordinates of a cord.
-TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
+TEST(Coupling, AFixtureWithAnyNumbersCollidesOrIsIgnored) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
   ribbon::CordDef def;
@@ -327,8 +327,8 @@ TEST(Coupling, AFixtureOfAnyNumbersCollidesOrIsIgnored) {
   EXPECT_TRUE(test_support::all_finite(coupling.cord(0).positions()));
 }
 
-/// A refused tick is not half begun.
-TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
+/// A refused tick changes nothing.
+TEST(Coupling, RefusesAnInvalidTickAndChangesNothing) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
   coupling.add(ribbon::Cord(ribbon::CordDef{}));
@@ -344,7 +344,7 @@ TEST(Coupling, RefusesATickThatCannotBeAndChangesNothing) {
 }
 
 /// Two cords that are pinned in the same place overlap, with an energy that is not a number.
-TEST(Coupling, CordsThatLieInEachOtherCanBeSavedAndRestored) {
+TEST(Coupling, OverlappingCordsCanBeSavedAndRestored) {
   b2World world(b2Vec2(0.0F, -9.81F));
   ribbon::box2d::Coupling coupling;
   ribbon::CordDef def;
@@ -366,7 +366,7 @@ TEST(Coupling, CordsThatLieInEachOtherCanBeSavedAndRestored) {
   }
 }
 
-TEST(Coupling, RefusesToDriveACordThatIsNone) {
+TEST(Coupling, RefusesToDragAnUnknownCord) {
   ribbon::box2d::Coupling coupling;
   EXPECT_THROW(coupling.cord(0).drag(0, {}), ribbon::CallError);
   coupling.add(ThesisCord(cord_def()));

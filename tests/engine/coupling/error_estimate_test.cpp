@@ -69,7 +69,7 @@ Outcome run(const Accuracy& accuracy) {
   return outcome;
 }
 
-TEST(ErrorEstimate, IsOfTheSizeOfTheErrorAndFallsAsItDoes) {
+TEST(ErrorEstimate, HasTheSizeAndTheOrderOfTheError) {
   std::vector<Outcome> tr_bdf2;
   for (const int substeps : {1, 2, 4}) tr_bdf2.push_back(run({Integrator::tr_bdf2, substeps, 8, 1e-6}));
   const Outcome euler = run({Integrator::implicit_euler, 1, 8, 1e-4});
@@ -97,7 +97,7 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
 }
 
 /// The estimate copies each cord's state in every tick, and does not accumulate copies.
-TEST(ErrorEstimate, HoldsNoMoreMemoryHoweverLongItGoesOn) {
+TEST(ErrorEstimate, UsesBoundedMemory) {
   World world(Accuracy::balanced());
   world.coupling.estimate_errors(true);
   const auto taken_in_a_tick = [&] {
@@ -115,7 +115,7 @@ TEST(ErrorEstimate, HoldsNoMoreMemoryHoweverLongItGoesOn) {
 }
 
 /// Cords that are added while errors are estimated, and those of the thesis's solver beside them.
-TEST(ErrorEstimate, FollowsTheCordsThatThereAre) {
+TEST(ErrorEstimate, FollowsAddedAndRemovedCords) {
   World world(Accuracy::balanced());
   world.coupling.estimate_errors(true);
   world.tick();

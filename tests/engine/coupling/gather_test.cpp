@@ -260,7 +260,7 @@ struct Clearing : test_support::ShapeWorld {
 
 /// Neither the search order nor the ids may depend on distant objects: they are created before, between and after the
 /// near ones.
-TEST(Gather, WhatIsFarAwayChangesNoBitOfACord) {
+TEST(Gather, DistantObjectsChangeNoBitOfACord) {
   Clearing alone;
   alone.add_balls();
   Clearing among;

@@ -32,7 +32,7 @@ TEST(Grip, IsReleasedAboveItsStrength) {
   EXPECT_LT(body->GetPosition().y, -6.0);
 }
 
-TEST(Grip, RefusesWhatCannotBe) {
+TEST(Grip, RefusesInvalidArguments) {
   GripWorld scene;
   scene.coupling.add(Cord(hanging()));
   b2Body* body = scene.add_body({0.0, -5.0}, 70.0);
@@ -150,7 +150,7 @@ TEST(Grip, ReleasedAfterItsBodysEndAccessesNoFreedMemory) {
 /// In the world's list the body is before one that was created later than the old body. So it is new, and has nothing
 /// of the old body.
 TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
-  const auto anew = [](auto&& ask) {
+  const auto after_recreation = [](auto&& ask) {
     GripWorld scene;
     scene.coupling.add(Cord(hanging()));
     b2Body* body = scene.add_body({0.0, -9.0}, 70.0);
@@ -160,7 +160,7 @@ TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
     scene.tick(20);
     ASSERT_GT(length(scene.coupling.body(*body).velocity() - ribbon::box2d::to_double(body->GetLinearVelocity())), 0.1)
         << "carried";
-    body = make_anew(scene, body, {10.0, 0.0}, 1.0);
+    body = recreate(scene, body, {10.0, 0.0}, 1.0);
     ask(scene, *body, grip);
     EXPECT_EQ(ribbon::box2d::to_double(body->GetLinearVelocity()), Vec2{});
     scene.tick();
@@ -168,16 +168,16 @@ TEST(Grip, ANewBodyAtTheSameAddressHoldsNothing) {
     EXPECT_EQ(ribbon::box2d::to_double(body->GetLinearVelocity()).x, 0.0);
     EXPECT_NEAR(ribbon::box2d::to_double(body->GetLinearVelocity()).y, -g * dt, 1e-6);
   };
-  anew([](GripWorld&, b2Body&, ribbon::box2d::GripId) {});
-  anew([](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) {
+  after_recreation([](GripWorld&, b2Body&, ribbon::box2d::GripId) {});
+  after_recreation([](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) {
     EXPECT_EQ(scene.coupling.body(body).velocity(), Vec2{});
     EXPECT_FALSE(scene.coupling.body(body).held_place());
   });
-  anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId grip) { scene.coupling.grip(grip).release(); });
-  anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) { scene.coupling.cord(0).set_enabled(false); });
-  anew(
+  after_recreation([](GripWorld& scene, b2Body&, ribbon::box2d::GripId grip) { scene.coupling.grip(grip).release(); });
+  after_recreation([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) { scene.coupling.cord(0).set_enabled(false); });
+  after_recreation(
       [](GripWorld& scene, b2Body& body, ribbon::box2d::GripId) { EXPECT_FALSE(scene.coupling.body(body).release()); });
-  anew([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) {
+  after_recreation([](GripWorld& scene, b2Body&, ribbon::box2d::GripId) {
     const ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);
     EXPECT_TRUE(state.grips.empty());
     EXPECT_TRUE(state.carries.empty());
@@ -192,7 +192,7 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   scene.add_body({50.0, 0.0}, 1.0);
   const ribbon::box2d::GripId before = scene.coupling.hold(*body, {.cord = 0, .arc = 9.0});
   scene.tick(5);
-  body = make_anew(scene, body, {0.0, -9.0}, 70.0);
+  body = recreate(scene, body, {0.0, -9.0}, 70.0);
   ribbon::box2d::GripId after = 0;
   ASSERT_NO_THROW(after = scene.coupling.hold(*body, {.cord = 0, .arc = 9.0}));
   scene.tick(5);
@@ -200,7 +200,7 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
   EXPECT_TRUE(scene.coupling.grip(after).is_valid());
   scene.add_body({50.0, 5.0}, 1.0);
   scene.tick(5);
-  body = make_anew(scene, body, {0.0, -5.0}, 70.0);
+  body = recreate(scene, body, {0.0, -5.0}, 70.0);
   scene.coupling.hold(0, 25, *body, b2Vec2_zero);
   scene.tick(5);
   EXPECT_FALSE(scene.coupling.grip(after).is_valid());
@@ -209,7 +209,7 @@ TEST(Grip, ANewBodyAtTheSameAddressCanHold) {
 }
 
 /// A user's destruction listener reports what the order of the world's list cannot show: that the newest body is new.
-TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
+TEST(Grip, EndsWhenAListenerReportsTheEndOfItsBody) {
   struct Listener : b2DestructionListener {
     void SayGoodbye(b2Joint* /*joint*/) override {}
     void SayGoodbye(b2Fixture* fixture) override { coupling->forget(*fixture->GetBody()); }
@@ -224,7 +224,7 @@ TEST(Grip, EndsWithItsBodyWhereAListenerSaysSo) {
   Listener listener;
   listener.coupling = &scene.coupling;
   scene.world.SetDestructionListener(&listener);
-  body = make_anew(scene, body, {10.0, 0.0}, 1.0);
+  body = recreate(scene, body, {10.0, 0.0}, 1.0);
   EXPECT_FALSE(scene.coupling.body(*body).held_place());
   EXPECT_EQ(scene.coupling.body(*body).velocity(), Vec2{});
   scene.tick();

@@ -122,7 +122,7 @@ TEST(Grip, SlipsTheSameByTheLineSearch) {
 }
 
 /// A bar that hangs from two ropes that cannot push is thrown up; it rises as without ropes.
-TEST(Grip, OfCordsThatOnlyPullDoesNotStopWhatRises) {
+TEST(Grip, OnATensionOnlyCordDoesNotStopARisingBody) {
   GripWorld scene;
   for (const double x : {-0.5, 0.5}) {
     CordDef def = hanging(x);
@@ -297,7 +297,7 @@ TEST(Grip, IsMovedToAPlaceOfItsCord) {
 }
 
 /// With such angular velocities the motion is arbitrary, but the grip stays on its cord, and no tick throws.
-TEST(Grip, StaysOnItsCordHoweverItSlips) {
+TEST(Grip, StaysOnItsCordWhileItSlips) {
   for (const float turning : {1e4F, 1e5F, 1e7F, 1e9F}) {
     GripWorld scene;
     scene.coupling.add(Cord(hanging()));

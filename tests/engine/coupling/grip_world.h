@@ -70,7 +70,7 @@ inline CordDef taut() {
 }
 
 /// Destroys a body without telling the coupling, and has Box2D make another at the same address.
-inline b2Body* make_anew(GripWorld& scene, b2Body* body, Vec2 position, double mass) {
+inline b2Body* recreate(GripWorld& scene, b2Body* body, Vec2 position, double mass) {
   scene.world.DestroyBody(body);
   b2Body* next = scene.add_body(position, mass);
   EXPECT_EQ(next, body) << "Box2D likes to use the same address again";

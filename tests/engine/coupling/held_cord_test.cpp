@@ -113,7 +113,7 @@ TEST(HeldCord, HeavySwingThroughBox2D) {
 class HeldMassRatio : public testing::TestWithParam<double> {};
 
 /// After a drop with a slightly slack cord, the stretch is that of the elasticity, and the body rests without jitter.
-TEST_P(HeldMassRatio, StretchesAsItsElasticitySaysAndRests) {
+TEST_P(HeldMassRatio, StretchesByItsElasticityAndRests) {
   const double ratio = GetParam();
   for (const double stiffness : {infinity, 1e3}) {  // EA / Mg
     ribbon::CordDef def;
@@ -158,7 +158,7 @@ double energy(const World& scene, double turning) {
 }
 
 /// A bar that is held at its end swings as a pendulum; the angular velocity in Box2D is the mean of a tick.
-TEST(HeldCord, TheAngularVelocityIsThatOfTheMoment) {
+TEST(HeldCord, TheAngularVelocityIsThatAtTheEndOfATick) {
   World scene;
   ribbon::CordDef def;
   def.points = 2;
@@ -254,7 +254,7 @@ class CarryOfABoxOnTheGround : public testing::Test {
 };
 
 /// It ends if Box2D has pushed against it, and continues if not.
-TEST_F(CarryOfABoxOnTheGround, OfARotationEndsWithAPushAgainstIt) {
+TEST_F(CarryOfABoxOnTheGround, OfARotationEndsWithAnOpposingPush) {
   EXPECT_EQ(turning(5.0, -1.0), 0.0);
   EXPECT_EQ(turning(-5.0, 1.0), 0.0);
   EXPECT_NEAR(turning(5.0, 0.0), 5.0, 1e-12);
@@ -269,7 +269,7 @@ TEST_F(CarryOfABoxOnTheGround, OfARotationGainsNoEnergyByAPush) {
 
 /// A contact ends the carry. Where a cord slowed the body down, the carry is against its velocity: a light touch must
 /// not give the velocity back.
-TEST_F(CarryOfABoxOnTheGround, IsNotGivenBackByALightTouch) {
+TEST_F(CarryOfABoxOnTheGround, IsNotReturnedByALightContact) {
   EXPECT_NEAR(moving(10.0, 2.0, -0.5), 9.5, 1e-6);
   EXPECT_NEAR(moving(10.0, -2.0, -0.5), std::sqrt(8.0 * 8.0 + 9.5 * 9.5 - 10.0 * 10.0), 1e-6);
   EXPECT_NEAR(moving(10.0, -2.0, 0.0), 8.0, 1e-6);
@@ -277,13 +277,13 @@ TEST_F(CarryOfABoxOnTheGround, IsNotGivenBackByALightTouch) {
 
 /// A push that holds a body against a load goes on. An impact is over, also one that took two ticks: a body that the
 /// solver expects to be pushed again is thrown up.
-TEST_F(CarryOfABoxOnTheGround, AnImpactIsNotExpectedToGoOn) {
+TEST_F(CarryOfABoxOnTheGround, DoesNotExtrapolateAnImpact) {
   EXPECT_NEAR(expected_push(0.0), 4.0, 1e-6);
   EXPECT_NEAR(expected_push(-4.0), 0.0, 1e-6);
   EXPECT_NEAR(expected_push(-3.0), 1.0, 1e-6);
 }
 
-TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
+TEST(HeldCord, AfterReleaseBodyAndCordKeepTheirMotion) {
   World scene;
   ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
   cord.attach_mass(50, 0.0);
@@ -301,7 +301,7 @@ TEST(HeldCord, ReleasedTheBodyFliesOnAndTheCordToo) {
   EXPECT_EQ(scene.coupling.cord(0).island_report().unconverged, 0);
 }
 
-TEST(HeldCord, OneOfEachSolverLiveSideBySide) {
+TEST(HeldCord, CordsOfBothSolversShareAWorld) {
   World scene;
   scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
   scene.coupling.add(test_support::heavy_swing(infinity, ribbon::Accuracy::fast()));

@@ -33,7 +33,7 @@ ribbon::box2d::StateHash state(double cord_0 = 1.0, double cord_1 = 2.0, double 
   return hash;
 }
 
-TEST(Hasher, IsTheSameFunctionForEver) {
+TEST(Hasher, IsAFixedFunction) {
   // Recorded replays contain these hashes: if this test fails, all of them are invalid.
   EXPECT_EQ(ribbon::box2d::to_hex(hash_of()), "e9e0033e3badaf36");
   EXPECT_EQ(ribbon::box2d::to_hex(hash_of(1.0, -2.5F, std::uint32_t{7}, std::int64_t{-1}, true)), "a754c32fa3b972e7");
@@ -47,7 +47,7 @@ TEST(Hasher, DistinguishesValuesThatCompareEqual) {
   EXPECT_EQ(hash_of(std::bit_cast<double>(nan)), hash_of(std::bit_cast<double>(nan)));
 }
 
-TEST(Hasher, SeesTheLastBitOrderAndNumberOfValues) {
+TEST(Hasher, DependsOnTheLastBitOrderAndNumberOfValues) {
   EXPECT_NE(hash_of(1.0), hash_of(1.0 + std::numeric_limits<double>::epsilon()));
   EXPECT_NE(hash_of(1.0, 2.0), hash_of(2.0, 1.0));
   std::set<std::uint64_t> zeros;
@@ -56,7 +56,7 @@ TEST(Hasher, SeesTheLastBitOrderAndNumberOfValues) {
   EXPECT_EQ(zeros.size(), 1000U) << "a run of zeros must not hide how long it is";
 }
 
-TEST(Hasher, AVectorIsItsTwoCoordinates) { EXPECT_EQ(hash_of(ribbon::Vec2{1.0, 2.0}), hash_of(1.0, 2.0)); }
+TEST(Hasher, HashesAVectorAsItsTwoCoordinates) { EXPECT_EQ(hash_of(ribbon::Vec2{1.0, 2.0}), hash_of(1.0, 2.0)); }
 
 TEST(Hasher, OneFlippedBitFlipsAboutHalfOfTheValue) {
   for (int bit = 0; bit < 64; ++bit) {
@@ -84,7 +84,7 @@ TEST(StateHash, NamesThePartThatDiffers) {
                                        ", now " + ribbon::box2d::to_hex(computed.parts()[1].hash) + ")");
 }
 
-TEST(StateHash, NamesAPartThatIsGone) {
+TEST(StateHash, NamesAMissingPart) {
   ribbon::box2d::StateHash computed;
   computed.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
   computed.add(ribbon::box2d::Subsystem::body, 0, hasher_of(3.0));
@@ -95,7 +95,7 @@ TEST(StateHash, NamesAPartThatIsGone) {
             "cord 1 is missing (recorded " + ribbon::box2d::to_hex(state().parts()[1].hash) + ", now not there)");
 }
 
-TEST(StateHash, NamesAPartThatIsGoneFromTheEnd) {
+TEST(StateHash, NamesAPartMissingAtTheEnd) {
   ribbon::box2d::StateHash computed;
   computed.add(ribbon::box2d::Subsystem::cord, 0, hasher_of(1.0));
   const auto difference = ribbon::box2d::first_difference(state(), computed);
@@ -105,7 +105,7 @@ TEST(StateHash, NamesAPartThatIsGoneFromTheEnd) {
   EXPECT_EQ(difference->index, 1);
 }
 
-TEST(StateHash, NamesAPartThatIsNewWhereverItStands) {
+TEST(StateHash, NamesANewPartAtAnyPosition) {
   ribbon::box2d::StateHash in_front;
   in_front.add(ribbon::box2d::Subsystem::game, 0, hasher_of(9.0));
   for (std::uint16_t i = 0; i < 2; ++i) in_front.add(ribbon::box2d::Subsystem::cord, i, hasher_of(1.0 + i));
@@ -134,7 +134,7 @@ TEST(StateHash, TheSamePartsInAnotherOrderDiffer) {
   EXPECT_TRUE(ribbon::box2d::first_difference(state(), swapped));
 }
 
-TEST(StateHash, The64BitsTellWhatThe32BitsOfAPartCannot) {
+TEST(StateHash, The64BitHashDetectsCollisionsOfThe32BitHashes) {
   const ribbon::box2d::StateHash recorded({{ribbon::box2d::Subsystem::cord, 0, 1}}, 10);
   const ribbon::box2d::StateHash computed({{ribbon::box2d::Subsystem::cord, 0, 1}}, 11);
   const auto difference = ribbon::box2d::first_difference(recorded, computed);

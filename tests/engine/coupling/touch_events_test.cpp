@@ -114,7 +114,7 @@ TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
   ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
   const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
   const Vec2 place = ribbon::box2d::to_double(ball->GetPosition());
-  ball = make_anew(scene, ball, place, 2.0);
+  ball = recreate(scene, ball, place, 2.0);
   ball->GetFixtureList()->SetFilterData(b2Filter());
   scene.tick();
   ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);

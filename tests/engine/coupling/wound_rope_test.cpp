@@ -31,7 +31,7 @@ Wound wound(const ribbon::Accuracy& accuracy, int ticks) {
   return sum;
 }
 
-TEST(WoundRope, IsDrawnTightWithinTheBudget) {
+TEST(WoundRope, TightensWithinTheBudget) {
   const Wound sum = wound(ribbon::Accuracy::fast(), 60);
   EXPECT_LE(sum.unconverged, 30) << "of 60 ticks, while its turns slide";
   EXPECT_GT(sum.way, 0.05) << "it is drawn tight";

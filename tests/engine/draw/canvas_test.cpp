@@ -126,7 +126,7 @@ TEST(CanvasMesh, BendsTighterThanTheLineIsWideHaveNoGaps) {
   expect_line(curl, 14.0);
 }
 
-TEST(CanvasMesh, RepeatedPointsLeaveNoTrace) {
+TEST(CanvasMesh, RepeatedPointsChangeNothing) {
   expect_line({{10.0, 50.0}, {10.0, 50.0}, {50.0, 50.0}, {50.0, 50.0}, {50.0, 50.0}, {50.0, 80.0}, {50.0, 80.0}}, 5.0);
 }
 
@@ -244,7 +244,7 @@ TEST(Raster, AMaskIsCutOffAtTheEdges) {
     }
 }
 
-TEST(Canvas, NothingComesOfDegenerateInput) {
+TEST(Canvas, DegenerateInputDrawsNothing) {
   RecordingCanvas canvas;
   const Color red{255, 0, 0};
   const std::vector<Vec2> none;

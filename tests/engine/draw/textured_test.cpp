@@ -84,7 +84,7 @@ TEST(Textured, AnEdgeThroughPixelMiddlesBelongsToOneSide) {
       EXPECT_EQ(blue(raster, x, y), x >= 2 && x < 9 && y >= 2 && y < 6 ? 128 : 0) << x << ' ' << y;
 }
 
-TEST(Textured, NearestTexelsComeOutAsTheyAre) {
+TEST(Textured, NearestFilteringKeepsTexelsUnchanged) {
   const Image image = ramps(32);
   Raster raster(40, 40);
   raster.fill(rectangle({3.0, 5.0}, {35.0, 37.0}), {&image, Filter::nearest, Wrap::clamp, Wrap::clamp});
@@ -117,7 +117,7 @@ TEST(Textured, LinearFollowsTheRampWithinALevel) {
   EXPECT_GT(seen, 30000);
 }
 
-TEST(Textured, BeyondTheImageItRepeatsOrKeepsItsEdge) {
+TEST(Textured, OutsideTheImageRepeatsOrClampsIt) {
   const Image image = ramps(8);
   TexturedMesh mesh = rectangle({0.0, 0.0}, {32.0, 32.0});
   for (TexturedVertex& v : mesh.vertices) v.uv = 4.0 * v.uv - Vec2{2.0, 1.0};
@@ -157,7 +157,7 @@ TEST(Textured, ColoursOfTheCornersMixAndMultiplyTheImage) {
   }
 }
 
-TEST(Textured, ATranslucentTexelLetsThroughWhatIsBelow) {
+TEST(Textured, ATranslucentTexelIsBlendedWithTheBackground) {
   const Image image(1, 1, std::vector<Color>{{255, 0, 0, 64}});
   Raster raster(4, 4);
   raster.fill_row(1, 0x0000ff);
@@ -178,7 +178,7 @@ TEST(Textured, ASmallPictureOfAFinePatternIsItsMean) {
     for (int x = 1; x < 7; ++x) EXPECT_NEAR(blue(raster, x, y), 128, 2);
 }
 
-TEST(Textured, RefusesAnImageThatIsNone) {
+TEST(Textured, RefusesAnInvalidImage) {
   const std::vector<Color> twelve(12);
   EXPECT_THROW(Image(3, 4, twelve), std::invalid_argument);
   EXPECT_THROW(Image(4, 4, twelve), std::invalid_argument);
@@ -186,7 +186,7 @@ TEST(Textured, RefusesAnImageThatIsNone) {
   EXPECT_THROW(Image(8192, 1, std::vector<Color>(8192)), std::invalid_argument);
 }
 
-TEST(Textured, WhatCannotBePaintedIsKnown) {
+TEST(Textured, RecognisesAnInvalidMesh) {
   TexturedMesh mesh = rectangle({0.0, 0.0}, {4.0, 4.0});
   EXPECT_TRUE(is_paintable(mesh));
   for (const double bad : {infinity, std::nan(""), 1e300}) {
@@ -295,7 +295,7 @@ TEST(Band, TranslucentBendsBlendOnce) {
   }
 }
 
-TEST(Band, ThinOnesKeepTheirTotalCover) {
+TEST(Band, ThinBandsKeepTheirTotalCover) {
   for (const double width : {0.2, 0.6, 1.0, 2.5}) {
     const Raster raster = drawn_band({{-50.0, 13.3}, {150.0, 60.9}}, width, {0, 0, 255});
     double sum = 0.0;
@@ -329,7 +329,7 @@ TEST(Band, EachPointHasItsColour) {
   EXPECT_NEAR(blue(raster, 70, 50), 150, 3);
 }
 
-TEST(Band, NothingComesOfDegenerateInput) {
+TEST(Band, DegenerateInputDrawsNothing) {
   TexturedMesh mesh;
   const std::vector<Vec2> good{{10.0, 50.0}, {90.0, 50.0}};
   add_band(mesh, {}, {5.0});

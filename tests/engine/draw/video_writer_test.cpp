@@ -49,7 +49,7 @@ const std::vector<std::uint32_t>& frame() {
   return pixels;
 }
 
-TEST(VideoWriter, FfmpegGetsEveryFrameAndWhatToDo) {
+TEST(VideoWriter, FfmpegReceivesItsArgumentsAndEveryFrame) {
   const FakeFfmpeg ffmpeg(R"(echo "$@" > "$out.arguments"; cat > "$out")");
   const std::string path = ffmpeg.file("a.gif");
   VideoWriter writer(path, 64, 32);
@@ -62,7 +62,7 @@ TEST(VideoWriter, FfmpegGetsEveryFrameAndWhatToDo) {
   EXPECT_NE(arguments.find("paletteuse"), std::string::npos) << arguments;
 }
 
-TEST(VideoWriter, TheEndingDecidesTheForm) {
+TEST(VideoWriter, TheExtensionSelectsTheFormat) {
   const FakeFfmpeg ffmpeg(R"(echo "$@" > "$out"; cat > /dev/null)");
   const std::string path = ffmpeg.file("a.mp4");
   VideoWriter(path, 64, 32).finish();
@@ -74,14 +74,14 @@ TEST(VideoWriter, TheEndingDecidesTheForm) {
   EXPECT_NE(refusal<VideoError>([&] { VideoWriter(path, 0, 32); }).find("0 x 32 pixels"), std::string::npos);
 }
 
-TEST(VideoWriter, ANameIsAFilesWhateverItBeginsWith) {
+TEST(VideoWriter, ANameThatStartsLikeAnOptionIsAFile) {
   const FakeFfmpeg ffmpeg(R"(echo "$last" > )" + testing::TempDir() + "ffmpeg_name; cat > /dev/null");
   VideoWriter("-y.gif", 64, 32).finish();
   EXPECT_EQ(bytes_of(testing::TempDir() + "ffmpeg_name"), "file:-y.gif\n");
   fs::remove(testing::TempDir() + "ffmpeg_name");
 }
 
-TEST(VideoWriter, WithoutFfmpegItSaysSo) {
+TEST(VideoWriter, ReportsThatFfmpegIsMissing) {
   const Environment path("PATH", "/no/such/folder");
   EXPECT_EQ(refusal<VideoError>([] { VideoWriter("a.gif", 64, 32); }),
             "cannot write the video a.gif: the program ffmpeg is not installed");
@@ -95,7 +95,7 @@ TEST(VideoWriter, TheMessageOfFfmpegIsReportedWhenItFails) {
   EXPECT_NE(message.find("status 3: no space left"), std::string::npos) << message;
 }
 
-TEST(VideoWriter, AnFfmpegThatGoesAwayIsAnErrorAndNoSignal) {
+TEST(VideoWriter, AnFfmpegThatExitsEarlyIsAnErrorAndNotASignal) {
   std::signal(SIGPIPE, SIG_DFL);  // which would end the test
   const FakeFfmpeg ffmpeg("echo 'had enough' >&2; exit 1");
   VideoWriter writer(ffmpeg.file("a.gif"), 64, 32);
@@ -105,7 +105,7 @@ TEST(VideoWriter, AnFfmpegThatGoesAwayIsAnErrorAndNoSignal) {
   EXPECT_NE(message.find("status 1: had enough"), std::string::npos) << message;
 }
 
-TEST(VideoWriter, AnAbortedOneLeavesNoProcessBehind) {
+TEST(VideoWriter, AnAbortedWriterLeavesNoProcess) {
   const FakeFfmpeg ffmpeg(R"(cat > /dev/null; echo ended > "$out")");
   const std::string path = ffmpeg.file("a.gif");
   { VideoWriter(path, 64, 32).write(frame()); }

@@ -43,7 +43,7 @@ TEST(FileWatch, AFileThatIsBeingWrittenIsNotYetReported) {
   EXPECT_TRUE(file.watch.poll(period));
 }
 
-TEST(FileWatch, AFileThatIsAwayForAMomentHasNotChanged) {
+TEST(FileWatch, ABrieflyMissingFileHasNotChanged) {
   Told file;
   file.now.reset();
   for (int k = 0; k < 4; ++k) EXPECT_FALSE(file.watch.poll(period));

@@ -60,7 +60,7 @@ struct Shown {
   std::uint32_t pixel(int x, int y) const { return test_support::pixel(canvas.raster(), x, y); }
 };
 
-TEST(DebugPanel, DrawsItsWindowAndNothingBesideIt) {
+TEST(DebugPanel, DrawsOnlyItsWindow) {
   Shown shown;
   shown.canvas.clear({0, 200, 0});
   shown.panel.draw(shown.canvas);
@@ -123,7 +123,7 @@ TEST(DebugPanel, AClickBetweenTwoFramesCounts) {
   EXPECT_EQ(shown.clicks, 1);
 }
 
-TEST(DebugPanel, WhatIsTypedGoesToItsFieldAndNotToTheGame) {
+TEST(DebugPanel, TypedTextGoesToItsFieldAndNotToTheGame) {
   Shown shown;
   shown.frame({});
   shown.click(shown.field);

@@ -66,7 +66,7 @@ TEST(FlightRecorder, WritesExactlyTheTicksOfWhichAConditionHolds) {
   EXPECT_LT(bad, 60);
 }
 
-TEST(FlightRecorder, LooksAtWhatItIsAskedFor) {
+TEST(FlightRecorder, ChecksTheConditionsThatAreSet) {
   const auto written = [](const FlightConditions& conditions) {
     const Folder folder;
     Bridge bridge;
@@ -87,7 +87,7 @@ TEST(FlightRecorder, LooksAtWhatItIsAskedFor) {
   EXPECT_EQ(written({.not_finite = true}), 0);
 }
 
-TEST(FlightRecorder, TakesNoMemoryInTicksThatAreAllRight) {
+TEST(FlightRecorder, AllocatesNothingInTicksThatAreNotWritten) {
   const Folder folder;
   test_support::CoupledWorld world{{}};
   test_support::hang_bridge(world, 10.0, 600);
@@ -125,7 +125,7 @@ TEST(FlightRecorder, ChangesNoBitOfWhatIsRecorded) {
   EXPECT_EQ(recorder.written(), 5);
 }
 
-TEST(FlightRecorder, WritesBesideWhatIsThere) {
+TEST(FlightRecorder, KeepsTheFilesOfAnEarlierRun) {
   const Folder folder;
   for (int run = 1; run <= 2; ++run) {
     Bridge bridge;
@@ -139,7 +139,7 @@ TEST(FlightRecorder, WritesBesideWhatIsThere) {
   }
 }
 
-TEST(FlightRecorder, SaysWhatCouldNotBeWrittenAndLetsTheTicksGoOn) {
+TEST(FlightRecorder, ReportsWriteErrorsAndContinues) {
   Bridge bridge;
   FlightConditions conditions;
   conditions.max_work = 0;
@@ -152,7 +152,7 @@ TEST(FlightRecorder, SaysWhatCouldNotBeWrittenAndLetsTheTicksGoOn) {
   EXPECT_EQ(recorder.written(), 0);
 }
 
-TEST(FlightRecorder, LeavesNoPieceOfAFileOnAFullDisk) {
+TEST(FlightRecorder, LeavesNoPartialFileOnAFullDisk) {
   const SolverStep step;
   EXPECT_THROW(save_solver_step(step, "/dev/full"), SolverStepError);
 }

@@ -107,7 +107,7 @@ TEST(Replay, TheFileIsAsDocumented) {
   EXPECT_EQ(bytes_of(path), expected.file());
 }
 
-TEST(Replay, CutAnywhereIsAPrefixOrRefused) {
+TEST(Replay, ATruncatedFileIsAPrefixOrRefused) {
   const std::string whole = recorded(4, true, "truncated");
   const std::size_t header_size = recorded(0, false, "header_only").size();
   std::size_t ticks_before = 0;
@@ -141,7 +141,7 @@ TEST(Replay, EveryChangeToAByteOfACompleteFileIsRefused) {
   }
 }
 
-TEST(Replay, NoChangeToAByteOfAFileCutShortAltersWhatIsRead) {
+TEST(Replay, NoChangeToAByteOfATruncatedFileAltersItsTicks) {
   const std::string whole = recorded(3, true, "flipped_cut");
   const std::string cut = whole.substr(0, whole.size() - 9 - 12);  // within the last tick
   ASSERT_EQ(parse(cut).ticks.size(), 2U);
@@ -183,7 +183,7 @@ std::size_t number_after(const std::string& message, const std::string& word) {
   return std::stoul(message.substr(message.find(word) + word.size()));
 }
 
-TEST(Replay, WhatIsBeforeTheByteNamedAsDamagedIsAGoodReplay) {
+TEST(Replay, ThePartBeforeTheDamagedByteIsAValidReplay) {
   const std::string whole = recorded(4, true, "salvaged");
   for (std::size_t at = recorded(0, false, "salvaged_header").size(); at < whole.size(); ++at) {
     std::string damaged = whole;
@@ -212,7 +212,7 @@ class FailingDisk : public std::stringbuf {
   std::streamsize left_;
 };
 
-TEST(Replay, AReadingErrorIsNotTakenForTheEnd) {
+TEST(Replay, AReadErrorIsNotTheEndOfTheFile) {
   const std::string whole = recorded(4, true, "failing_disk");
   const std::size_t two = recorded(2, false, "failing_after").size();
   FailingDisk disk(whole, static_cast<std::streamsize>(two + 20));
@@ -244,7 +244,7 @@ TEST(Replay, ImpossibleSizesAreRefusedAtOnce) {
   EXPECT_TRUE(says(error_of(header + std::string(bytes("T\xff\x00\x01\xff"))), "complement"));
 }
 
-TEST(Replay, WhatFollowsTheEndMarkerIsRefused) {
+TEST(Replay, DataAfterTheEndMarkerIsRefused) {
   const std::string whole = recorded(2, true, "trailing");
   EXPECT_TRUE(says(error_of(whole + '\0'), "bytes follow the end marker"));
   EXPECT_TRUE(says(error_of(whole + whole), "bytes follow the end marker"));
@@ -292,7 +292,7 @@ TEST(Replay, HeaderFaultsNameTheField) {
   EXPECT_TRUE(says(error_of(HandMade(std::string(60'000, '[')).file()), "levels deep"));
 }
 
-TEST(Replay, WhatIsNoFileIsRefused) {
+TEST(Replay, FoldersDevicesAndMissingFilesAreRefused) {
   const auto error = [](const std::string& path) { return refusal<ReplayError>([&] { load_replay(path); }); };
   EXPECT_EQ(error(testing::TempDir()), testing::TempDir() + ": is a directory, accepted is a file");
   EXPECT_EQ(error(scratch("nowhere")), scratch("nowhere") + ": there is no such file");

@@ -15,7 +15,7 @@ namespace {
 using test_support::refusal;
 using test_support::says;
 
-TEST(ReplayHeader, FitsWhatItWasRecordedWith) { EXPECT_NO_THROW(check_header(some_header(), some_header())); }
+TEST(ReplayHeader, MatchesAnEqualHeader) { EXPECT_NO_THROW(check_header(some_header(), some_header())); }
 
 TEST(ReplayHeader, NamesTheFirstFieldThatDiffers) {
   const auto error = [](const ReplayHeader& current) {
@@ -68,7 +68,7 @@ TEST(ReplayVerifier, StopsAtTheFirstDifferenceAndNamesTickAndPart) {
   EXPECT_EQ(exit_status(verifier.result().outcome), 1);
 }
 
-TEST(ReplayVerifier, CutShortIsSaidAfterItsTicksAreVerified) {
+TEST(ReplayVerifier, ATruncatedReplayIsReportedAfterItsTicks) {
   const Replay replay = parse(recorded(2, false, "cut"));
   ReplayVerifier agreeing(replay);
   EXPECT_TRUE(agreeing.check(some_state(0)));
@@ -82,7 +82,7 @@ TEST(ReplayVerifier, CutShortIsSaidAfterItsTicksAreVerified) {
   EXPECT_EQ(exit_status(diverging.result().outcome), 1) << "a difference outweighs the missing end";
 }
 
-TEST(ReplayVerifier, LeftBeforeTheEndIsNotVerified) {
+TEST(ReplayVerifier, AReplayLeftBeforeTheEndIsNotVerified) {
   const Replay replay = parse(recorded(2, true, "left"));
   ReplayVerifier verifier(replay);
   verifier.check(some_state(0));

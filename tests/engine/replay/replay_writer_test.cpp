@@ -29,7 +29,7 @@ using test_support::refusal;
 using test_support::says;
 using test_support::scratch;
 
-TEST(ReplayWriter, AKilledGameLeavesAllItsTicks) {
+TEST(ReplayWriter, AKilledGameHasWrittenAllItsTicks) {
   const std::string path = scratch("killed");
   const pid_t child = fork();
   if (child == 0) {
@@ -46,13 +46,13 @@ TEST(ReplayWriter, AKilledGameLeavesAllItsTicks) {
   expect_first_ticks(replay, 3);
 }
 
-TEST(ReplayWriter, DestroyedWithoutFinishReadsAsCutShort) {
+TEST(ReplayWriter, AFileThatWasNotFinishedIsTruncated) {
   const Replay replay = parse(recorded(3, false, "abandoned"));
   EXPECT_FALSE(replay.complete);
   expect_first_ticks(replay, 3);
 }
 
-TEST(ReplayWriter, SaysWhyItCannotOpen) {
+TEST(ReplayWriter, ReportsWhyItCannotOpen) {
   const auto error = [](const std::string& path, const ReplayHeader& header) {
     return refusal<ReplayError>([&] { ReplayWriter(path, header).finish(); });
   };
@@ -85,7 +85,7 @@ std::string error_without_rights(const std::function<void()>& work) {
   return {buffer.data(), got < 0 ? 0 : static_cast<std::size_t>(got)};
 }
 
-TEST(ReplayFile, WithoutTheRightToItIsNamedWithTheReason) {
+TEST(ReplayFile, WithoutPermissionIsNamedWithTheReason) {
   namespace fs = std::filesystem;
   const std::string folder = scratch("locked");
   fs::create_directories(folder);
@@ -106,7 +106,7 @@ TEST(ReplayFile, WithoutTheRightToItIsNamedWithTheReason) {
   EXPECT_EQ(bytes_of(path), before);
 }
 
-TEST(ReplayWriter, RefusesAHeaderItCouldNotReadBackAndLeavesTheFileAlone) {
+TEST(ReplayWriter, RefusesAnInvalidHeaderAndDoesNotTouchTheFile) {
   const std::string path = scratch("bad_header");
   std::ofstream(path) << "precious";
   ReplayHeader not_finite = some_header();

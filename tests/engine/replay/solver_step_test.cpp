@@ -63,7 +63,7 @@ TEST(SolverStep, IsReadBackToTheBit) {
   EXPECT_EQ(read.outcome.positions, step.outcome.positions);
 }
 
-TEST(SolverStep, RefusesWhatIsNoneWithASentence) {
+TEST(SolverStep, RefusesInvalidTextWithAMessage) {
   EXPECT_EQ(refusal("").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("{\"solver_step\": 2,").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("[]"), "bad.json: the file is an array; accepted is an object");
@@ -73,7 +73,7 @@ TEST(SolverStep, RefusesWhatIsNoneWithASentence) {
   EXPECT_EQ(refusal(std::string(100, '[')), "bad.json: nested more than the 8 levels deep accepted");
 }
 
-TEST(SolverStep, RefusesFieldsThatAreNotThereOrUnknown) {
+TEST(SolverStep, RefusesMissingAndUnknownFields) {
   EXPECT_EQ(refusal(text_with("\"radius\": 0.01,", "")),
             "bad.json: cords[0].def.radius is missing; accepted is a file with all fields");
   EXPECT_EQ(refusal(text_with("\"radius\": 0.3,", "\"radius\": 0.3, \"colour\": 1,")),
@@ -128,14 +128,14 @@ TEST(SolverStep, RefusesNumbersOutOfRangeAndStatesThatDoNotFit) {
 }
 
 /// A text that is cut at any byte is refused.
-TEST(SolverStep, RefusesEveryPieceOfAText) {
+TEST(SolverStep, RefusesEveryTruncatedText) {
   const std::string text = to_text(some_step());
   for (std::size_t end = 0; end + 2 < text.size(); end += 7) {
     ASSERT_EQ(refusal(text.substr(0, end)).find("bad.json: not valid JSON"), 0U) << end;
   }
 }
 
-TEST(SolverStep, GoesThroughAFile) {
+TEST(SolverStep, IsSavedToAFileAndLoaded) {
   const std::string path = testing::TempDir() + "solver_step_test.json";
   std::remove(path.c_str());
   EXPECT_TRUE(save_solver_step(some_step(), path, true));

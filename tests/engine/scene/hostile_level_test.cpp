@@ -106,7 +106,7 @@ const std::vector<Kind> kinds = {
     {R"("class":"ground","width":40,"height":10)", {}, {"friction"}},
 };
 
-TEST(HostileLevel, EveryPropertyIsTakenOrRefusedByItsName) {
+TEST(HostileLevel, EveryPropertyIsAcceptedOrRefusedByName) {
   for (const Kind& kind : kinds) {
     for (const std::string& name : kind.numbers) {
       for (const std::string& value : hostile) {
@@ -130,7 +130,7 @@ std::string cord_to(const std::string& x) {
 std::string turned_circle(const std::string& degrees) { return circle + R"(,"rotation":)" + degrees; }
 
 /// The fields of the object itself accept only numbers.
-TEST(HostileLevel, EveryPlaceAndSizeIsTakenOrRefusedByItsName) {
+TEST(HostileLevel, EveryPositionAndSizeIsAcceptedOrRefusedByName) {
   for (const std::string& value : hostile) {
     if (value.find_first_of("t\"") != std::string::npos) continue;
     for (const std::string name : {"width", "height"}) {
@@ -152,7 +152,7 @@ std::string wide_ribbon(const std::string& id) {
   return ribbon + property({"columns", "5000"}) + "]}";
 }
 
-TEST(HostileLevel, WhatWouldNotFitIntoMemoryIsRefused) {
+TEST(HostileLevel, ALevelTooLargeForMemoryIsRefused) {
   const std::string cords = wide_ribbon("1") + "," + wide_ribbon("2") + "," + wide_ribbon("3");
   const std::string text =
       R"({"type":"map","orientation":"orthogonal","width":10,"height":10,"tilewidth":10,"tileheight":10,)"

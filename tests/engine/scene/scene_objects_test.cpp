@@ -123,7 +123,7 @@ TEST(SceneAnchor, ConstrainsTheNearestPointToItsPlace) {
   EXPECT_THROW(scene.coupling().cord(0).pin(21, {}), ribbon::DefinitionError);
 }
 
-TEST(SceneAnchor, GoesForTheCordThatItNames) {
+TEST(SceneAnchor, ConstrainsTheCordThatItNames) {
   MapObject other = cord(6, false);
   for (Vec2& point : other.points) point.x += 0.02;
   MapObject anchor = thing(9, "anchor", MapShape::point, {5.0, 9.0});
@@ -133,7 +133,7 @@ TEST(SceneAnchor, GoesForTheCordThatItNames) {
   EXPECT_EQ(scene.coupling().cord(1).kind(0), ribbon::PointKind::constrained);
 }
 
-TEST(SceneAnchor, IsRefusedWhereNoCordIs) {
+TEST(SceneAnchor, IsRefusedWithoutACordNearIt) {
   const MapObject anchor = thing(9, "anchor", MapShape::point, {2.0, 9.0});
   EXPECT_NE(refusal(map_of({cord(7), anchor})).find("within 0.25 m"), std::string::npos);
   const MapObject box = thing(9, "anchor", MapShape::ellipse, {5.0, 9.0});
@@ -153,7 +153,7 @@ TEST(SceneRibbon, IsACordOfThreeRowsUnlessGiven) {
 }
 
 /// A ball of a category that does not collide with the game's cords.
-TEST(SceneCord, ThatIsSolidCollidesWithWhatOthersDoNot) {
+TEST(SceneCord, IfSolidCollidesOutsideTheFilterOfOtherCords) {
   const auto lowest = [](bool solid) {
     MapObject bridge = cord(7);
     bridge.points = {{3.0, 5.0}, {7.0, 5.0}};
@@ -199,7 +199,7 @@ TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   EXPECT_LT(scene.coupling().cord(0).island_total().iterations, 300 * 30);
 }
 
-TEST(Replacing, ACordLetsGoOfItsHoldersAndForgetsWhatItCounted) {
+TEST(Replacing, ACordReleasesItsHoldersAndResetsItsCounts) {
   Scene scene(map_of({cord(7), load(8, 7)}));
   for (int k = 0; k < 10; ++k) scene.tick(1.0 / 60.0);
   ribbon::CordDef def;
@@ -227,7 +227,7 @@ TEST(Replacing, RefusesACordOfTheThesis) {
   EXPECT_EQ(scene.coupling().cord(0).solver(), ribbon::box2d::Solver::thesis);
 }
 
-TEST(NearestPlace, IsBetweenThePointsOfADirectCordAndNotOfTheOneLeftOut) {
+TEST(NearestPlace, IsBetweenPointsOfADirectCordAndNotOnTheExcludedCord) {
   Scene scene(map_of({cord(7)}));
   const auto place = scene.coupling().nearest_place({5.3, 8.23}, 1.0);
   ASSERT_TRUE(place);

@@ -141,7 +141,7 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_NEAR(strip.width, 0.5, 1e-12);  // square cells
 }
 
-TEST(Scene, ACordThatAsksForNoSolverHasTheDefault) {
+TEST(Scene, ACordWithoutASolverHasTheDefault) {
   const std::string own =
       Scene::default_solver == ribbon::box2d::Solver::thesis ? number("spring_stiffness", "1000") : yes("pin_first");
   const Scene scene(map_with(object("cord", line, either_cord + "," + own)));
@@ -149,7 +149,7 @@ TEST(Scene, ACordThatAsksForNoSolverHasTheDefault) {
 }
 
 /// Links that cut a corner, and those of a path that folds back on itself, have their rest length. So nothing moves.
-TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
+TEST(Scene, ADirectCordAroundCornersStartsAtRest) {
   for (const char* path : {R"({"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5},{"x":60,"y":-5})",
                            R"({"x":0,"y":0},{"x":50,"y":0},{"x":1,"y":1},{"x":51,"y":2})"}) {
     TiledMap map = map_with(object("cord", R"("width":0,"height":0,"polyline":[)" + std::string(path) + "]",
@@ -161,7 +161,7 @@ TEST(Scene, ADirectCordLaidAroundCornersStartsAtRest) {
   }
 }
 
-TEST(Scene, ADirectCordReachesFromTheStartOfItsPathToTheEnd) {
+TEST(Scene, ADirectCordExtendsFromTheStartOfItsPathToTheEnd) {
   const std::string path = R"("width":0,"height":0,"polyline":[{"x":0,"y":0},{"x":13,"y":21},{"x":40,"y":-5}])";
   const Scene scene(map_with(object("cord", path, direct_properties)));
   EXPECT_LT(length(scene.coupling().cord(0).positions().front() - ribbon::Vec2{2.0, 7.0}), 1e-12);
@@ -191,7 +191,7 @@ void expect_refused(const std::string& objects, const std::string& about) {
   EXPECT_TRUE(says(message, about));
 }
 
-TEST(Scene, RefusesWhatItCannotBuild) {
+TEST(Scene, RefusesInvalidObjects) {
   expect_refused(object("sail", box), "sail");
   expect_refused(object("", box), "player");  // names what is accepted
   expect_refused(object("cord", box, cord_properties), "polyline");
@@ -230,7 +230,7 @@ TEST(Scene, RefusesWhatItCannotBuild) {
                  "convex");
 }
 
-TEST(Scene, RefusesADirectCordThatItCannotBuild) {
+TEST(Scene, RefusesAnInvalidDirectCord) {
   const auto refused = [](const std::string& more, const std::string& about) {
     expect_refused(object("cord", line, direct_properties + "," + more), about);
   };
@@ -299,7 +299,7 @@ struct SwingingRibbon {
 };
 
 /// The hash sees everything that a later tick depends on, so that a replay reports the tick in which it diverges.
-TEST(SceneHash, SeesEachPartOfADirectCordsState) {
+TEST(SceneHash, DependsOnEachPartOfADirectCordsState) {
   const std::vector<std::pair<const char*, std::function<void(State&)>>> changes = {
       {"positions", [](State& s) { s.positions[3].x = std::nextafter(s.positions[3].x, 9.0); }},
       {"velocities", [](State& s) { s.velocities[3].y = std::nextafter(s.velocities[3].y, 9.0); }},
@@ -384,7 +384,7 @@ TEST(Scene, RefusesMorePointsThanItCanHold) {
   EXPECT_TRUE(says(message, "at most 100000"));
 }
 
-TEST(Scene, AnyShapeOfAKnownOtherKindIsLeftToTheCaller) {
+TEST(Scene, AnyShapeOfAKnownOtherKindIsPassedToTheCaller) {
   EXPECT_NO_THROW(Scene(map_with(object("player", box)), {"player"}));
 }
 

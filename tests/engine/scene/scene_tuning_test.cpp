@@ -42,7 +42,7 @@ struct Tuned {
   }
 };
 
-TEST(SceneTuning, ACordIsWhereItWasAndMovesOnOtherwise) {
+TEST(SceneTuning, ATunedCordKeepsItsPositionAndMovesDifferently) {
   for (const ribbon::box2d::Solver solver : {ribbon::box2d::Solver::direct, ribbon::box2d::Solver::thesis}) {
     Tuned tuned;
     Tuned plain;
@@ -66,7 +66,7 @@ TEST(SceneTuning, ACordIsWhereItWasAndMovesOnOtherwise) {
   }
 }
 
-TEST(SceneTuning, WhatIsSetToWhatItWasMovesOnAsBefore) {
+TEST(SceneTuning, SettingTheSameValueChangesNothing) {
   Tuned tuned;
   Tuned plain;
   const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
@@ -107,7 +107,7 @@ TEST(SceneTuning, AttachedMassesAndHoldersStayWhenTheMassChanges) {
   EXPECT_LT(held->distance, 0.2);
 }
 
-TEST(SceneTuning, WhatNeedsANewSceneIsRefusedAndChangesNothing) {
+TEST(SceneTuning, ASettingThatNeedsANewSceneIsRefusedAndChangesNothing) {
   Tuned tuned;
   const ribbon::box2d::CordId cord = tuned.first(ribbon::box2d::Solver::direct);
   tuned.run(10);

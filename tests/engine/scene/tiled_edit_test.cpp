@@ -49,13 +49,13 @@ std::size_t changed_bytes(const std::string& a, const std::string& b) {
   return std::max(a.size(), b.size()) - front - back;
 }
 
-TEST(TiledEdit, AValueChangesAndNothingElse) {
+TEST(TiledEdit, ChangesAValueAndNothingElse) {
   const std::string changed = with_property(first_swing(), first_cord(), "mass", 7.25);
   EXPECT_EQ(parse_tiled_map(changed, "a").find(first_cord())->properties.number("mass"), 7.25);
   EXPECT_LE(changed_bytes(changed, first_swing()), 4U);
 }
 
-TEST(TiledEdit, APropertyThatIsNewIsLaidOutAsTheOthersAndGoesWithoutATrace) {
+TEST(TiledEdit, ANewPropertyIsFormattedLikeTheOthersAndCanBeRemoved) {
   const std::string changed = with_property(first_swing(), first_cord(), "restitution", 0.25);
   EXPECT_EQ(parse_tiled_map(changed, "a").find(first_cord())->properties.number("restitution"), 0.25);
   EXPECT_NE(
@@ -64,7 +64,7 @@ TEST(TiledEdit, APropertyThatIsNewIsLaidOutAsTheOthersAndGoesWithoutATrace) {
   EXPECT_EQ(without_property(changed, first_cord(), "restitution"), first_swing());
 }
 
-TEST(TiledEdit, EveryPropertyOfALevelGoesAndComesBack) {
+TEST(TiledEdit, EveryPropertyOfALevelCanBeRemovedAndAddedAgain) {
   const auto map = parse_tiled_map(first_swing(), "a");
   const std::string without = without_property(first_swing(), first_cord(), "columns");
   EXPECT_FALSE(parse_tiled_map(without, "a").find(first_cord())->properties.has("columns"));
@@ -73,7 +73,7 @@ TEST(TiledEdit, EveryPropertyOfALevelGoesAndComesBack) {
   EXPECT_EQ(back.size(), first_swing().size()) << "in another order";
 }
 
-TEST(TiledEdit, OddLayoutsAndNamesAreReadRight) {
+TEST(TiledEdit, UnusualLayoutsAndNamesAreParsed) {
   const std::string text = odd_map();
   const std::string changed = with_property(text, 3, "mass", 60.0);
   EXPECT_EQ(parse_tiled_map(changed, "a").find(3)->properties.number("mass"), 60.0);
@@ -87,18 +87,18 @@ TEST(TiledEdit, OddLayoutsAndNamesAreReadRight) {
             -1.5);
 }
 
-TEST(TiledEdit, TheOnlyPropertyGoes) {
+TEST(TiledEdit, TheOnlyPropertyCanBeRemoved) {
   const std::string without = without_property(odd_map(), 3, "mass");
   EXPECT_FALSE(parse_tiled_map(without, "a").find(3)->properties.has("mass"));
   EXPECT_EQ(without_property(odd_map(), 5, "mass"), odd_map());
 }
 
-TEST(TiledEdit, AWholeNumberInAFloatLeavesItAFloat) {
+TEST(TiledEdit, AnIntegerValueOfAFloatLeavesItAFloat) {
   const std::string changed = with_property(odd_map(), 3, "mass", std::int64_t{60});
   EXPECT_NE(changed.find("{\"type\":\"float\" , \"name\":\"mass\",\"value\":60}"), std::string::npos);
 }
 
-TEST(TiledEdit, WhatCannotBeSetIsRefused) {
+TEST(TiledEdit, RefusesUnknownObjectsAndInvalidValues) {
   EXPECT_THROW(with_property(odd_map(), 77, "mass", 1.0), engine::MapError);
   EXPECT_THROW(with_property(odd_map(), 3, "mass", std::numeric_limits<double>::infinity()), engine::MapError);
 }

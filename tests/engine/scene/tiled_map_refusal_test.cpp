@@ -50,7 +50,7 @@ TEST(TiledMap, MalformedJsonNamesFileAndLine) {
   EXPECT_LT(error('"' + std::string(1'000'000, 'x')).size(), 400U) << "a message must not quote the whole file";
 }
 
-TEST(TiledMap, CutAnywhereIsRefused) {
+TEST(TiledMap, ATruncatedFileIsRefused) {
   const std::string whole = map_of(list(rectangle(0, 0, 1, 1), polyline(1, 2, list(at(0, 0))))).dump();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_TRUE(says(error_of([&] { parse_tiled_map(whole.substr(0, size), file); }), file + ": not valid JSON"));
@@ -109,7 +109,7 @@ TEST(TiledMap, LayersThatWouldBeMissingFromTheGameAreRefused) {
   EXPECT_EQ(load(traced).objects.size(), 1U);
 }
 
-TEST(TiledMap, GroupsNestOnlySoDeep) {
+TEST(TiledMap, LimitsHowDeepGroupsNest) {
   const auto nested = [](int depth) {
     json layer = {{"type", "objectgroup"}, {"name", "innermost"}, {"objects", json::array()}};
     for (int i = 0; i < depth; ++i) layer = {{"type", "group"}, {"name", "group"}, {"layers", list(layer)}};
@@ -169,7 +169,7 @@ TEST(TiledMap, EveryFieldOfAnObjectIsCheckedAndTheObjectNamed) {
   }
 }
 
-TEST(TiledMap, ObjectsWithoutProperIdAreNamedByTheirPlace) {
+TEST(TiledMap, ObjectsWithoutAValidIdAreNamedByTheirNumber) {
   json object = point();
   for (const json& wrong : {json(0), json(-1), json("12"), json(1.5), json(3'000'000'000)}) {
     object["id"] = wrong;

@@ -126,7 +126,7 @@ TEST(TiledMap, LayersAddTheirOffsetsAndKeepFileOrder) {
   EXPECT_EQ(loaded.find(7), nullptr);
 }
 
-TEST(TiledMap, TheKindIsTypeOrClassAsTheVersionHasIt) {
+TEST(TiledMap, TheKindIsTypeOrClassDependingOnTheVersion) {
   json object = point();
   EXPECT_EQ(load_object(object).kind, "");
   object["type"] = "cord";
@@ -151,7 +151,7 @@ TEST(TiledMap, BackgroundColour) {
   }
 }
 
-TEST(TiledMap, ContentHashIsOfTheVeryBytes) {
+TEST(TiledMap, ContentHashIsThatOfTheBytes) {
   const std::string text = map_of(json::array()).dump();
   EXPECT_EQ(parse_tiled_map(text, file).content_hash, ribbon::box2d::hash_bytes(text));
   EXPECT_NE(parse_tiled_map(text + "\n", file).content_hash, ribbon::box2d::hash_bytes(text));

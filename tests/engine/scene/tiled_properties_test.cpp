@@ -37,7 +37,7 @@ TEST(Properties, AreReadByType) {
   EXPECT_FALSE(p.has("weight"));
 }
 
-TEST(Properties, AbsentOnesFallBackOnlyWhereThatIsAskedFor) {
+TEST(Properties, AnAbsentPropertyHasADefaultOnlyIfOneIsGiven) {
   const Properties p = load_object(point()).properties;
   EXPECT_EQ(p.number_or("a", 2.5, {0, 1}), 2.5);
   EXPECT_EQ(p.integer_or("a", -3), -3);
@@ -51,7 +51,7 @@ TEST(Properties, AbsentOnesFallBackOnlyWhereThatIsAskedFor) {
   EXPECT_EQ(error_of([&] { p.text("a", {"hemp", "wire"}); }), missing + "one of hemp, wire");
 }
 
-TEST(Properties, WrongOnesNameFileObjectPropertyValueAndWhatIsAccepted) {
+TEST(Properties, ErrorsNameFileObjectPropertyValueAndWhatIsAccepted) {
   const Properties p = load_object(point(list(property("length", "float", 99.5), property("count", "int", 9),
                                               property("loose", "bool", true), property("material", "string", "silk"))))
                            .properties;
@@ -76,7 +76,7 @@ TEST(Properties, WrongOnesNameFileObjectPropertyValueAndWhatIsAccepted) {
             owner + "\"material\" is \"silk\", accepted is one of hemp, wire");
 }
 
-TEST(Properties, UnknownOnesAreRefusedWithThoseKnown) {
+TEST(Properties, UnknownPropertiesAreRefusedWithAListOfTheKnownOnes) {
   const Properties p =
       load_object(point(list(property("length", "float", 1), property("lenght", "float", 2)))).properties;
   EXPECT_NO_THROW(p.check_known_properties({"lenght", "length", "material"}));

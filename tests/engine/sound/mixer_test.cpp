@@ -82,7 +82,7 @@ TEST(Mixer, TwiceTheVolumeIsTwiceAsLoud) {
   EXPECT_EQ(loudness({0.0}), 0.0);
 }
 
-TEST(Mixer, PanMovesItAndKeepsItsPower) {
+TEST(Mixer, PanMovesASoundAndKeepsItsPower) {
   for (const double pan : {-1.0, -0.3, 0.0, 0.6, 1.0}) {
     Mixer mixer(rate);
     mixer.play(mixer.add(tone(440.0, 0.5)), {0.7, pan, 1.0});
@@ -93,7 +93,7 @@ TEST(Mixer, PanMovesItAndKeepsItsPower) {
   }
 }
 
-TEST(Mixer, PitchAndTheFilesRateDecideHowFastItPlays) {
+TEST(Mixer, PitchAndSampleRateSetTheSpeed) {
   Mixer mixer(rate);
   mixer.play(mixer.add(tone(440.0, 1.0)), {1.0, 0.0, 2.0});
   EXPECT_NEAR(rising_zeros(mix(mixer, 0.45).left), 0.45 * 880.0, 1.0);
@@ -106,7 +106,7 @@ TEST(Mixer, PitchAndTheFilesRateDecideHowFastItPlays) {
   EXPECT_NEAR(rising_zeros(mix(half, 0.45).left), 0.9 * 440.0, 1.0) << "of 44100 a second these are 0.9 s";
 }
 
-TEST(Mixer, ALoopGoesOnWithoutAGap) {
+TEST(Mixer, ALoopRepeatsWithoutAGap) {
   Mixer mixer(rate);
   const engine::LoopId loop = mixer.start_loop(mixer.add(tone(440.0, 0.1)));  // 44 whole turns
   mixer.set_loop(loop, {});
@@ -127,7 +127,7 @@ TEST(Mixer, ALoopsVolumeNeverJumps) {
   }
 }
 
-TEST(Mixer, MutedItIsSilentAfterAMomentAndComesBack) {
+TEST(Mixer, FadesOutWhenMutedAndBackIn) {
   Mixer mixer(rate);
   mixer.set_loop(mixer.start_loop(mixer.add({rate, std::vector<float>(4410, 0.5F)})), {});
   mix(mixer, 0.2);
@@ -139,7 +139,7 @@ TEST(Mixer, MutedItIsSilentAfterAMomentAndComesBack) {
   EXPECT_GT(peak(mix(mixer, 0.1).left), 0.3);
 }
 
-TEST(Mixer, HushEndsWhatPlaysWithoutAClick) {
+TEST(Mixer, HushEndsSoundsWithoutAClick) {
   Mixer mixer(rate);
   mixer.play(mixer.add({rate, std::vector<float>(rate, 0.5F)}));
   mix(mixer, 0.1);
@@ -157,7 +157,7 @@ TEST(Mixer, ManyLoudSoundsTogetherStayBelowFullScale) {
   EXPECT_GT(peak(mixed.left), 0.95);
 }
 
-TEST(Mixer, WhatIsNotTooLoudIsNotBent) {
+TEST(Mixer, DoesNotDistortQuietSounds) {
   const auto peak_of = [](double level) {
     Mixer mixer(rate);
     mixer.play(mixer.add(tone(300.0, 0.5, level)), {1.0, -1.0, 1.0});
@@ -168,7 +168,7 @@ TEST(Mixer, WhatIsNotTooLoudIsNotBent) {
   EXPECT_LT(peak_of(0.9), 0.85);
 }
 
-TEST(Mixer, OneTooManyEndsTheOldest) {
+TEST(Mixer, OneSoundTooManyEndsTheOldest) {
   Mixer mixer(rate);
   const engine::SoundId sound = mixer.add(tone(300.0, 1.0));
   for (int k = 0; k < 3 * Mixer::max_voices; ++k) mixer.play(sound, {0.01});
@@ -176,7 +176,7 @@ TEST(Mixer, OneTooManyEndsTheOldest) {
   mix(mixer, 0.1);
 }
 
-TEST(Mixer, NumbersThatAreNoneAreHarmless) {
+TEST(Mixer, InvalidNumbersAreHarmless) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Mixer mixer(rate);
   const engine::SoundId sound = mixer.add(tone(300.0, 0.2));

@@ -23,7 +23,7 @@ std::string with(std::string bytes, std::size_t at, char value) {
   return bytes;
 }
 
-TEST(Wav, WhatIsWrittenIsRead) {
+TEST(Wav, ReadsWhatItWrites) {
   const Sound sound = parse_wav(small_wav(), "a.wav");
   EXPECT_EQ(sound.rate, 22050);
   ASSERT_EQ(sound.samples.size(), 5U);
@@ -33,25 +33,25 @@ TEST(Wav, WhatIsWrittenIsRead) {
   EXPECT_EQ(wav_of(sound), small_wav());
 }
 
-TEST(Wav, WhatIsTooLoudIsCutOff) {
+TEST(Wav, ClipsLoudSamples) {
   const Sound sound = parse_wav(wav_of({22050, {3.0F, -3.0F}}), "a.wav");
   EXPECT_EQ(sound.samples, (std::vector<float>{1.0F, -1.0F}));
 }
 
-TEST(Wav, OtherChunksArePassedOver) {
+TEST(Wav, SkipsOtherChunks) {
   std::string bytes = small_wav();
   bytes.insert(36, std::string("LIST\x03\0\0\0abc\0", 12));  // an odd one, padded
   EXPECT_EQ(parse_wav(bytes, "a.wav").samples.size(), 5U);
 }
 
-TEST(Wav, EveryFileCutShortIsRefused) {
+TEST(Wav, RefusesEveryTruncatedFile) {
   const std::string bytes = small_wav();
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_EQ(refusal(bytes.substr(0, size)).rfind("a.wav: ", 0), 0U) << size;
   }
 }
 
-TEST(Wav, OtherFormatsAreRefusedByTheirName) {
+TEST(Wav, RefusesOtherFormatsByName) {
   EXPECT_NE(refusal(with(small_wav(), 20, 3)).find("not plain PCM"), std::string::npos);
   EXPECT_NE(refusal(with(small_wav(), 22, 2)).find("2 channels"), std::string::npos);
   EXPECT_NE(refusal(with(small_wav(), 34, 8)).find("8 bits a sample"), std::string::npos);

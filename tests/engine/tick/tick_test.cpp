@@ -34,7 +34,7 @@ TEST(FixedTick, AnHourAt20FramesASecondRunsThreeTicksEveryFrame) {
   EXPECT_EQ(tick.dropped_ticks(), 0);
 }
 
-TEST(FixedTick, NeverRunsATickEarlyOrLateHoweverTheFramesFall) {
+TEST(FixedTick, NeverRunsATickEarlyOrLateForAnyFrameTimes) {
   for (const int rate : {1, 50, 60, 144, 1000, FixedTick::max_ticks_per_second}) {
     FixedTick tick(rate, std::numeric_limits<int>::max());
     std::int64_t now = 0;
@@ -59,14 +59,14 @@ TEST(FixedTick, ASlowFrameRunsAsManyTicksAsAcceptedAndCountsTheRest) {
   EXPECT_EQ(tick.dropped_ticks(), 52);
 }
 
-TEST(FixedTick, TheLongestTimeThereIsOverflowsNothing) {
+TEST(FixedTick, TheLongestTimeDoesNotOverflow) {
   constexpr std::int64_t longest = std::numeric_limits<std::int64_t>::max();
   FixedTick tick(FixedTick::max_ticks_per_second, 8);
   EXPECT_EQ(tick.advance(longest), 8);
   EXPECT_EQ(tick.dropped_ticks(), longest / 1000 - 8);
 }
 
-TEST(FixedTick, TimeThatRunsBackwardsCountsAsNone) {
+TEST(FixedTick, TimeThatRunsBackwardsCountsAsZero) {
   FixedTick tick(60);
   tick.advance(10'000'000);
   const double alpha = tick.alpha();
@@ -87,7 +87,7 @@ TEST(FixedTick, AlphaIsThePartOfATickNotRunYet) {
   EXPECT_EQ(tick.alpha(), 0.0);
 }
 
-TEST(FixedTick, RefusesRatesThatMakeNoSense) {
+TEST(FixedTick, RefusesInvalidRates) {
   EXPECT_THROW(FixedTick(0), std::invalid_argument);
   EXPECT_THROW(FixedTick(-60), std::invalid_argument);
   EXPECT_THROW(FixedTick(FixedTick::max_ticks_per_second + 1), std::invalid_argument);
@@ -111,7 +111,7 @@ TEST(Input, PointerBeyondTheRangeStopsAtItsEnd) {
   EXPECT_EQ(quantise_cm(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
-TEST(Input, EveryCentimetreComesBackAsItself) {
+TEST(Input, EveryCentimetreIsPreserved) {
   for (int cm = -32768; cm <= 32767; ++cm) {
     TickInput input;
     input.pointer_x_cm = static_cast<std::int16_t>(cm);

@@ -14,7 +14,7 @@ namespace {
 
 using test_support::CoupledWorld;
 
-TEST(Workers, EachThingIsDoneOnce) {
+TEST(Workers, EachTaskRunsOnce) {
   for (const int count : {1, 2, 5}) {
     Workers workers(count);
     const ribbon::ParallelFor parallel_for = workers.parallel_for();
@@ -31,7 +31,7 @@ TEST(Workers, EachThingIsDoneOnce) {
 }
 
 /// Hanging cords, with balls at rest on half of them. There are enough of them for several workers.
-TEST(Workers, ASteadyTickTakesNoHeapMemory) {
+TEST(Workers, ASteadyTickAllocatesNothing) {
   for (const int count : {2, 3}) {
     Workers workers(count);
     CoupledWorld world{test_support::CordMethod{}};

@@ -40,7 +40,7 @@ struct Recorded {
 
 constexpr std::uintmax_t second = std::uintmax_t{Audio::rate} * 2 * sizeof(float);
 
-TEST(Audio, WhatIsPlayedComesOutAsLoudAsItIsToBe) {
+TEST(Audio, PlaysASoundAtItsVolume) {
   for (const double volume : {1.0, 0.25}) {
     const Recorded recorded;
     {
@@ -54,7 +54,7 @@ TEST(Audio, WhatIsPlayedComesOutAsLoudAsItIsToBe) {
   }
 }
 
-TEST(Audio, MutedNothingComesOut) {
+TEST(Audio, IsSilentWhenMuted) {
   const Recorded recorded;
   {
     Audio audio;
@@ -78,7 +78,7 @@ void use(Audio& audio) {
   audio.fade_out();
 }
 
-TEST(Audio, WithoutADeviceItSaysWhyAndGoesOn) {
+TEST(Audio, WithoutADeviceReportsWhyAndContinues) {
   const Environment driver("SDL_AUDIODRIVER", "none_of_that_name");
   Audio audio;
   EXPECT_FALSE(audio.has_device());
@@ -88,7 +88,7 @@ TEST(Audio, WithoutADeviceItSaysWhyAndGoesOn) {
   EXPECT_FALSE(audio.reopen_if_lost());
 }
 
-TEST(Audio, ADeviceLostWhilePlayingIsTakenUpAgainWhenThereIsOne) {
+TEST(Audio, ReopensADeviceThatWasLostWhilePlaying) {
   const Environment driver("SDL_AUDIODRIVER", "disk");
   const Environment delay("SDL_DISKAUDIODELAY", "1");
   std::optional<Environment> file;

@@ -120,7 +120,7 @@ TEST(HeadlessCanvas, WritesTextInItsPlaceAndColour) {
   EXPECT_GT(inside, 40);
 }
 
-TEST(HeadlessCanvas, TextOutsideOrOddIsHarmless) {
+TEST(HeadlessCanvas, TextOutsideOrUnusualIsHarmless) {
   HeadlessCanvas canvas(30, 30);
   for (const double at : {-1e9, -20.0, 25.0, 1e9}) canvas.text({at, at}, "Hello", 18.0, {255, 255, 255});
   canvas.text({5.0, 5.0}, "\xff\xfe broken \x01", 18.0, {255, 255, 255});
@@ -128,7 +128,7 @@ TEST(HeadlessCanvas, TextOutsideOrOddIsHarmless) {
   EXPECT_EQ(canvas.text_width("", 18.0), 0.0);
 }
 
-TEST(HeadlessCanvas, ManyDifferentTextsAndSizesStayRight) {
+TEST(HeadlessCanvas, ManyDifferentTextsAndSizesAreDrawnCorrectly) {
   HeadlessCanvas canvas(200, 40);
   const double width = canvas.text_width("steady", 18.0);
   for (int i = 0; i < 1000; ++i) canvas.text({0.0, 0.0}, std::to_string(i), 6.0 + i % 40, {255, 255, 255});
@@ -161,7 +161,7 @@ TEST(HeadlessCanvas, AFileThatCannotBeWrittenIsNamed) {
   }
 }
 
-TEST(HeadlessCanvas, AFontThatIsNoneIsNamed) {
+TEST(HeadlessCanvas, AnInvalidFontIsNamed) {
   for (const char* const font : {"/nonexistent/letters.ttf", "/dev/null", "/"}) {
     const std::string message = refusal<std::runtime_error>([&] { const HeadlessCanvas canvas(10, 10, font); });
     EXPECT_TRUE(starts_with(message, std::string("cannot open the font ") + font + ": "));
@@ -253,7 +253,7 @@ TEST(Window, OpensAgain) {
   EXPECT_THROW(Window("test", 0, 64), std::invalid_argument);
 }
 
-TEST(Window, SaysSoIfThereIsNoDisplay) {
+TEST(Window, ReportsAMissingDisplay) {
   const Environment driver("SDL_VIDEODRIVER", nullptr);
   const Environment x11("DISPLAY", nullptr);
   const Environment wayland("WAYLAND_DISPLAY", nullptr);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/extremes/any_scene/lay.h"
+#include "tests/extremes/any_scene/placement.h"
 #include "tests/extremes/any_scene/wild.h"
 
 namespace any_scene {
@@ -48,12 +48,12 @@ Recipe recipe_of(Family family, Dice& dice) {
     case Family::ribbons_both: return {1, 3, true, true, true};
     default: break;
   }
-  return {1, 4, false, dice.coin(), dice.coin(), 0, 8, whole(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
+  return {1, 4, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
 }
 
 void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
-  def.rows = whole(dice, 2, 4);
-  def.points = whole(dice, 9, 31);
+  def.rows = random_integer(dice, 2, 4);
+  def.points = random_integer(dice, 9, 31);
   const double link = def.length / (def.points - 1);
   const double across = link * dice(0.3, 1.0);
   def.width = across * (def.rows - 1);
@@ -75,7 +75,7 @@ void set_ribbon(Dice& dice, CordDef& def, bool may_be_bars) {
 
 CordDef some_cord(Dice& dice, const Recipe& recipe, bool mixed) {
   CordDef def;
-  def.points = whole(dice, 9, 61);
+  def.points = random_integer(dice, 9, 61);
   def.length = dice(2.0, 8.0);
   const double link = def.length / (def.points - 1);
   def.radius = dice(0.01, std::min(0.06, 0.45 * link));
@@ -122,21 +122,21 @@ Solid some_ground(Dice& dice) {
 
 /// Moves the last bodies to cords and lets them hold these.
 void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
-  Room room(scene);
+  Placer placer(scene);
   std::vector<int> free;
   for (int k = 0; k < static_cast<int>(scene.solids.size()); ++k) {
     if (scene.solids[static_cast<std::size_t>(k)].motion == Motion::dynamic) free.push_back(k);
   }
   for (int held = 0; held < recipe.holders && !free.empty(); ++held) {
     for (int k = 0; k < 60; ++k) {
-      const int cord = whole(dice, 0, static_cast<int>(scene.cords.size()) - 1);
+      const int cord = random_integer(dice, 0, static_cast<int>(scene.cords.size()) - 1);
       const CordDef& def = scene.cords[static_cast<std::size_t>(cord)].def;
-      double column = whole(dice, 0, def.points - 1);
+      double column = random_integer(dice, 0, def.points - 1);
       if (recipe.between) column = dice(0.0, def.points - 1.0);
       Hold hold;
       if (recipe.slips) hold.strength = log_uniform(dice, 1.0, 300.0);
       hold.lets_go = recipe.slips && chance(dice, 0.2);
-      if (!room.bring(dice, free.back(), cord, column * def.length / (def.points - 1), hold)) continue;
+      if (!placer.place_holder(dice, free.back(), cord, column * def.length / (def.points - 1), hold)) continue;
       scene.holds.push_back(hold);
       free.pop_back();
       break;
@@ -144,10 +144,10 @@ void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
   }
 }
 
-void add_scenery(Dice& dice, Room& room, Scene& scene) {
+void add_scenery(Dice& dice, Placer& placer, Scene& scene) {
   if (chance(dice, 0.7)) scene.solids.push_back(some_ground(dice));
-  for (int k = whole(dice, 1, 6); k > 0; --k) {
-    room.add_solid(dice, some_solid(dice, Motion::fixed), scenery_low, scenery_high);
+  for (int k = random_integer(dice, 1, 6); k > 0; --k) {
+    placer.add_solid(dice, some_solid(dice, Motion::fixed), scenery_low, scenery_high);
   }
 }
 
@@ -177,15 +177,15 @@ Scene generate(const SceneId& which) {
   Scene scene;
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
   scene.sleeping = mixed && dice.coin();
-  Room room(scene);
-  add_scenery(dice, room, scene);
-  for (int k = whole(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
+  Placer placer(scene);
+  add_scenery(dice, placer, scene);
+  for (int k = random_integer(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
     const CordDef def = some_cord(dice, recipe, mixed);
     // If a hundred tries find no free place, search higher up.
-    if (!room.add_cord(dice, def, cords_low, cords_high)) room.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
+    if (!placer.add_cord(dice, def, cords_low, cords_high)) placer.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
   }
-  for (int k = whole(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
-    room.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
+  for (int k = random_integer(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
+    placer.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
   }
   add_holders(dice, recipe, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);

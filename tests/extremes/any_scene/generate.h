@@ -8,7 +8,7 @@
 
 namespace any_scene {
 
-/// The subject of a scene.
+/// What a scene exercises.
 enum class Family : unsigned char {
   rope_falls,    ///< one rope on scenery
   rope_self,     ///< the same with self_contact

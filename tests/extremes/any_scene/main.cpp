@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
       ->needs(plot)
       ->check(CLI::ExistingFile);
   app.add_option("--jobs", options.run.jobs, "Scenes at a time");
-  app.add_option("--max-seconds-per-scene", options.run.max_seconds, "After which a scene is cut");
+  app.add_option("--max-seconds-per-scene", options.run.max_seconds, "Time limit of a scene");
   app.add_option("--show", options.show, "Plays the scene of this seed and prints each tick; takes one --family");
   app.add_option("--code", options.code, "Prints the scene of this seed as C++");
   app.add_option("--shrink", options.shrink,

@@ -53,16 +53,16 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
     outcome.ticks.push_back(sample);
     if (!sample.finite) outcome.end = End::broken;
     if (std::chrono::duration<double>(Clock::now() - begun).count() > max_seconds && k + 1 < scene.ticks) {
-      outcome.end = End::cut;
+      outcome.end = End::timed_out;
     }
-    if (outcome.end != End::whole) return;
+    if (outcome.end != End::completed) return;
   }
 }
 
 }  // namespace
 
 std::string_view name(End end) {
-  constexpr std::string_view names[] = {"whole", "cut", "broken", "refused", "crashed"};
+  constexpr std::string_view names[] = {"completed", "timed_out", "broken", "refused", "crashed"};
   return names[static_cast<std::size_t>(end)];
 }
 

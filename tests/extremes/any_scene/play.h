@@ -30,17 +30,17 @@ struct Sample {
 
 /// How a run ended.
 enum class End : unsigned char {
-  whole,    ///< all ticks were played
-  cut,      ///< the time limit was exceeded
-  broken,   ///< a number was not finite
-  refused,  ///< the definition was refused
-  crashed,  ///< the process crashed
+  completed,  ///< all ticks were played
+  timed_out,  ///< the time limit was exceeded
+  broken,     ///< a number was not finite
+  refused,    ///< the definition was refused
+  crashed,    ///< the process crashed
 };
 std::string_view name(End end);
 
 struct Outcome {
   std::vector<Sample> ticks;
-  End end = End::whole;
+  End end = End::completed;
   std::string message;  ///< the reason of a refusal
 };
 

@@ -81,12 +81,12 @@ Histogram left_of(const Runs& runs) {
   Histogram all;
   long unsolved = 0;
   long substeps = 0;
-  bool is_told = false;
+  bool is_reported = false;
   for (const Summary& run : runs) {
     all.all += run.ticks;
     substeps += run.unconverged;
     if (!run.left) continue;
-    is_told = true;
+    is_reported = true;
     for (const auto& [bin, count] : *run.left) {
       bins[bin] += count;
       unsolved += count;
@@ -94,8 +94,8 @@ Histogram left_of(const Runs& runs) {
   }
   all.bars = bars_of(bins);
   if (all.all == 0) return all;
-  all.figures = is_told ? percent(unsolved, all.all) + " of ticks unsolved"
-                        : std::to_string(substeps) + " substeps unsolved, not told how far";
+  all.figures = is_reported ? percent(unsolved, all.all) + " of ticks unsolved"
+                            : std::to_string(substeps) + " substeps unsolved, residual not reported";
   return all;
 }
 

@@ -69,7 +69,7 @@ Summary collect(const Child& child, bool was_ended) {
   } else {
     const Scene scene = generate(child.which);
     summary = sum_up(child.which, scene, {});
-    summary.end = was_ended ? End::cut : End::crashed;
+    summary.end = was_ended ? End::timed_out : End::crashed;
   }
   summary.which = child.which;
   return summary;

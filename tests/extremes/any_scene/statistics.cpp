@@ -77,7 +77,7 @@ const std::vector<Column>& columns() {
       {"x mov", 5, how_many([](const Summary& run) { return run.crossings_moving > 0; })},
       {"x prs", 5, how_many([](const Summary& run) { return run.crossings_pressed > 0; })},
       {"inver", 5, how_many([](const Summary& run) { return run.inverted > 0; })},
-      {"ended", 5, how_many([](const Summary& run) { return run.end != End::whole; })},
+      {"ended", 5, how_many([](const Summary& run) { return run.end != End::completed; })},
       {"depth90", 8, over_runs(0.9, [](const Summary& run) { return run.penetration; })},
       {"depthmx", 8, over_runs(1.0, [](const Summary& run) { return run.penetration; })},
       {"gap mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap; })},
@@ -119,7 +119,7 @@ void print_table(const std::vector<Summary>& runs) {
     }
     print_row("all", name(preset), some(runs, of_preset));
   }
-  for (const End end : {End::cut, End::broken, End::refused, End::crashed}) {
+  for (const End end : {End::timed_out, End::broken, End::refused, End::crashed}) {
     for (const Summary& run : runs) {
       if (run.end != end) continue;
       std::printf("%s: %s, seed %u, %s, after %d ticks\n", std::string(name(end)).c_str(),

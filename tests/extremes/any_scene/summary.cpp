@@ -20,7 +20,7 @@ Value named(const std::string& word, const std::array<Value, Size>& values) {
 
 constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accurate};
 constexpr std::array all_difficulties = {Difficulty::gentle, Difficulty::wild};
-constexpr std::array all_ends = {End::whole, End::cut, End::broken, End::refused, End::crashed};
+constexpr std::array all_ends = {End::completed, End::timed_out, End::broken, End::refused, End::crashed};
 
 constexpr double bins_a_decade = 4.0;
 

@@ -14,7 +14,7 @@ namespace any_scene {
 struct Summary {
   SceneId which;
   Preset preset = Preset::balanced;
-  End end = End::whole;
+  End end = End::completed;
   int ticks = 0;         ///< number of ticks played
   int points = 0;        ///< of all cords
   int unconverged = 0;   ///< substeps, total

@@ -11,7 +11,9 @@ namespace {
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
-int some_cord(Dice& dice, const Scene& scene) { return whole(dice, 0, static_cast<int>(scene.cords.size()) - 1); }
+int some_cord(Dice& dice, const Scene& scene) {
+  return random_integer(dice, 0, static_cast<int>(scene.cords.size()) - 1);
+}
 
 Vec2 some_vector(Dice& dice, double least, double most) {
   const double size = log_uniform(dice, least, most);
@@ -20,7 +22,7 @@ Vec2 some_vector(Dice& dice, double least, double most) {
 
 /// Adds solids that overlap cords.
 void overlap(Dice& dice, Scene& scene) {
-  for (int k = whole(dice, 1, 3); k > 0; --k) {
+  for (int k = random_integer(dice, 1, 3); k > 0; --k) {
     const CordDef& def = scene.cords[slot(some_cord(dice, scene))].def;
     Solid solid;
     solid.motion = dice.coin() ? Motion::dynamic : Motion::fixed;
@@ -28,7 +30,7 @@ void overlap(Dice& dice, Scene& scene) {
     solid.half = {dice(0.1, 0.4), dice(0.1, 0.4)};
     solid.angle = solid.shape == Shape::box ? dice(-1.5, 1.5) : 0.0;
     solid.density = log_uniform(dice, 1.0, 1000.0);
-    solid.position = def.positions[slot(whole(dice, 0, def.points * def.rows - 1))];
+    solid.position = def.positions[slot(random_integer(dice, 0, def.points * def.rows - 1))];
     solid.position += some_vector(dice, 0.01, 0.5);
     scene.solids.push_back(solid);
   }
@@ -49,7 +51,7 @@ Solid kinematic(Dice& dice, Vec2 position) {
 /// Adds a kinematic solid that moves towards a cord.
 void sweep(Dice& dice, Scene& scene) {
   const CordDef& def = scene.cords[slot(some_cord(dice, scene))].def;
-  const Vec2 target = def.positions[slot(whole(dice, 0, def.points * def.rows - 1))];
+  const Vec2 target = def.positions[slot(random_integer(dice, 0, def.points * def.rows - 1))];
   const Vec2 from = some_vector(dice, 0.5, 3.0);
   Solid solid = kinematic(dice, target + from);
   solid.velocity = (-length(solid.velocity) / length(from)) * from;
@@ -61,7 +63,7 @@ void pull(Dice& dice, Scene& scene) {
   const int cord = some_cord(dice, scene);
   CordDef& def = scene.cords[slot(cord)].def;
   if (dice.coin() && def.pins.empty()) def.pins.push_back(0);
-  const int column = whole(dice, 1, def.points - 1);
+  const int column = random_integer(dice, 1, def.points - 1);
   Hold hold;
   hold.solid = static_cast<int>(scene.solids.size());
   hold.cord = cord;
@@ -74,11 +76,11 @@ void drag(Dice& dice, Scene& scene) {
   Drag drag;
   drag.cord = some_cord(dice, scene);
   const CordDef& def = scene.cords[slot(drag.cord)].def;
-  drag.point = whole(dice, 0, def.points * def.rows - 1);
+  drag.point = random_integer(dice, 0, def.points * def.rows - 1);
   if (std::find(def.pins.begin(), def.pins.end(), drag.point) != def.pins.end()) return;
-  drag.from_tick = whole(dice, 0, 60);
+  drag.from_tick = random_integer(dice, 0, 60);
   drag.speed = log_uniform(dice, 0.5, 30.0);
-  for (int k = whole(dice, 1, 5); k > 0; --k) {
+  for (int k = random_integer(dice, 1, 5); k > 0; --k) {
     const double x = dice(-6.0, 6.0);
     drag.path.push_back({x, dice(-3.0, 6.0)});
   }
@@ -89,9 +91,9 @@ void reel(Dice& dice, Scene& scene) {
   Reel reel;
   reel.cord = some_cord(dice, scene);
   const CordDef& def = scene.cords[slot(reel.cord)].def;
-  reel.first = whole(dice, 0, def.points - 2);
-  reel.last = whole(dice, reel.first + 1, def.points - 1);
-  reel.from_tick = whole(dice, 0, 60);
+  reel.first = random_integer(dice, 0, def.points - 2);
+  reel.last = random_integer(dice, reel.first + 1, def.points - 1);
+  reel.from_tick = random_integer(dice, 0, 60);
   reel.length = def.length * (reel.last - reel.first) / (def.points - 1) * log_uniform(dice, 0.1, 4.0);
   reel.speed = log_uniform(dice, 0.1, 10.0);
   scene.reels.push_back(reel);
@@ -118,8 +120,8 @@ void hurl(Dice& dice, Scene& scene) {
 }  // namespace
 
 void make_wild(Dice& dice, Scene& scene) {
-  for (int k = whole(dice, 1, 3); k > 0; --k) {
-    switch (whole(dice, 0, 6)) {
+  for (int k = random_integer(dice, 1, 3); k > 0; --k) {
+    switch (random_integer(dice, 0, 6)) {
       case 0: overlap(dice, scene); break;
       case 1: sweep(dice, scene); break;
       case 2: pull(dice, scene); break;

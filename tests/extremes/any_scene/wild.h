@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/extremes/any_scene/lay.h"
+#include "tests/extremes/any_scene/placement.h"
 
 namespace any_scene {
 

@@ -52,7 +52,7 @@ TEST(ReplayFaults, TheGameContinuesWhenTheDiskIsFull) {
   ticks_kept(path);
 }
 
-TEST(ReplayFaults, ARecordingCutShortIsMadeWholeByRecordingItAnew) {
+TEST(ReplayFaults, ATruncatedRecordingIsCompletedByRecordingItAgain) {
   const std::string cut = scratch("cut_again.replay");
   const std::string whole = scratch("whole_again.replay");
   const std::string bytes = bytes_of(golden());
@@ -66,7 +66,7 @@ TEST(ReplayFaults, ARecordingCutShortIsMadeWholeByRecordingItAnew) {
 }
 
 /// An old recording is emptied only after everything else that can fail at the start.
-TEST(ReplayFaults, ARunThatCannotStartLeavesTheRecordingOfTheLastAlone) {
+TEST(ReplayFaults, ARunThatCannotStartKeepsTheEarlierRecording) {
   const std::string path = scratch("earlier.replay");
   const std::string level = scratch("broken.tmj");
   const std::string replay = scratch("broken.replay");
@@ -148,7 +148,7 @@ std::string changed_level(const std::string& text, const std::string& by) {
   return level.replace(at, text.size(), by);
 }
 
-TEST(ProgramFaults, ALevelThatCannotBeReadOrLacksAnObjectIsRefusedBySentence) {
+TEST(ProgramFaults, AnUnreadableOrIncompleteLevelIsRefusedWithAMessage) {
   const auto refused = [](const std::string& level, const std::string& about) {
     const std::string path = scratch("lacking.tmj");
     write_bytes(path, level);
@@ -189,7 +189,7 @@ TEST(ProgramFaults, AHundredThousandObjectsAreRefusedAtOnce) {
   refused(head + layers + "]}", "\"type\" is missing, accepted is a text");
 }
 
-TEST(ProgramFaults, ReportsByItsStatusThatItsOutputCouldNotBeWritten) {
+TEST(ProgramFaults, ReportsUnwrittenOutputByItsStatus) {
   EXPECT_EQ(ropeswing("--headless --ticks 1 >/dev/full").status, 2);
 }
 

@@ -183,7 +183,7 @@ class RealWindowJourney : public Journey {
 
 TEST_F(RealWindowJourney, AGamepadPlaysIsUnpluggedAndPluggedInAgain) { play_by_gamepad(); }
 
-TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
+TEST_F(Journey, APressCountsInTheTickAfterTheEvent) {
   RunOptions options;
   options.level = "first_swing";
   open(options);
@@ -198,7 +198,7 @@ TEST_F(Journey, WhatIsPressedCountsInTheTickAfterTheEvent) {
   EXPECT_GT(play().simulation().player().position().y, before + 0.05);
 }
 
-TEST_F(Journey, AWindowThatLosesTheFocusPausesAndHoldsNothing) {
+TEST_F(Journey, AWindowThatLosesTheFocusPausesAndReleasesAllButtons) {
   RunOptions options;
   options.level = "first_swing";
   open(options);
@@ -218,7 +218,7 @@ TEST_F(Journey, AWindowThatLosesTheFocusPausesAndHoldsNothing) {
   EXPECT_FALSE(play().is_assisted()) << "a pause is no help";
 }
 
-TEST_F(Journey, RebindingIsRememberedAndSteers) {
+TEST_F(Journey, AReboundKeyIsSavedAndWorks) {
   open();
   tap(Key::down);
   tap(Key::enter);
@@ -315,7 +315,7 @@ TEST_F(Journey, LongerArmsAndNoFallsAreDeclaredInTheRecordingWhichVerifies) {
   EXPECT_EQ(ended.status, 0) << ended.output;
 }
 
-TEST_F(Journey, WithoutAFolderToWriteToItSaysSoAndIsPlayed) {
+TEST_F(Journey, WithoutAWritableFolderTheGameReportsItAndRuns) {
   setenv("XDG_CONFIG_HOME", "/proc/nowhere", 1);
   setenv("XDG_DATA_HOME", "/proc/nowhere", 1);
   RunOptions options;

@@ -83,7 +83,7 @@ TEST(Reload, ABrokenFileIsReportedAndTheOldLevelContinues) {
   EXPECT_EQ(played.app->session().notice.text(), "The level was reloaded");
 }
 
-TEST(Reload, AFileThatWasOnlyTouchedDoesNotEndTheRun) {
+TEST(Reload, AFileSavedWithoutAChangeDoesNotEndTheRun) {
   Played played;
   played.frames(30);
   played.save(played.text);
@@ -92,7 +92,7 @@ TEST(Reload, AFileThatWasOnlyTouchedDoesNotEndTheRun) {
   EXPECT_GE(played.screen().simulation().run_ticks(), 30);
 }
 
-TEST(Panel, F2ShowsItOverTheRunAndHidesIt) {
+TEST(Panel, F2ShowsAndHidesIt) {
   Played played;
   played.frames(5);
   played.app->draw();

@@ -25,7 +25,7 @@ TEST(ReplayProgram, TheGoldenRunVerifiesAndReachesTheGoal) {
   EXPECT_NE(last_line(ended.output).find(" ticks, hash "), std::string::npos);
 }
 
-TEST(ReplayProgram, ACutShortReplayVerifiesItsCompleteTicksWithStatus2) {
+TEST(ReplayProgram, ATruncatedReplayVerifiesItsCompleteTicksWithStatus2) {
   const std::string bytes = bytes_of(golden());
   const std::string path = scratch("cut.replay");
   write_bytes(path, bytes.substr(0, bytes.size() / 2));
@@ -34,7 +34,7 @@ TEST(ReplayProgram, ACutShortReplayVerifiesItsCompleteTicksWithStatus2) {
   EXPECT_EQ(last_line(ended.output).rfind("cut short after ", 0), 0U) << ended.output;
 }
 
-TEST(ReplayProgram, WhatItRecordsItVerifies) {
+TEST(ReplayProgram, VerifiesItsOwnRecording) {
   const std::string path = scratch("recorded.replay");
   ASSERT_EQ(ropeswing("--headless --ticks 120 --record " + path).status, 0);
   const Ended ended = ropeswing("--headless --verify --replay " + path);
@@ -42,7 +42,7 @@ TEST(ReplayProgram, WhatItRecordsItVerifies) {
   EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
 }
 
-TEST(ReplayProgram, WhatItRecordsOfALevelWithCordsOfBothSolversItVerifies) {
+TEST(ReplayProgram, VerifiesItsRecordingOfALevelWithBothSolvers) {
   const std::string level = scratch("mixed_swing.tmj");
   const std::string path = scratch("mixed_swing.replay");
   write_bytes(level, test_support::mixed_swing_map());
@@ -53,7 +53,7 @@ TEST(ReplayProgram, WhatItRecordsOfALevelWithCordsOfBothSolversItVerifies) {
   EXPECT_EQ(last_line(ended.output).rfind("verified 120 ticks", 0), 0U) << ended.output;
 }
 
-TEST(ReplayProgram, SeeksATickAndSaysHowFast) {
+TEST(ReplayProgram, SeeksATickAndReportsTheTime) {
   const Ended ended = ropeswing("--headless --seek 300 --ticks 300 --replay " + golden());
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(ended.output.rfind("tick 300 reached in ", 0), 0U) << ended.output;
@@ -66,7 +66,7 @@ TEST(ReplayProgram, SeeksATickAndSaysHowFast) {
   EXPECT_EQ(ropeswing("--headless --seek 3 --ticks 5").status, 2) << "of what?";
 }
 
-TEST(ReplayProgram, RecordingAReplayAnewGivesTheSameFile) {
+TEST(ReplayProgram, RecordingAReplayAgainGivesTheSameFile) {
   const std::string path = scratch("again.replay");
   ASSERT_EQ(ropeswing("--headless --replay " + golden() + " --record " + path).status, 0);
   EXPECT_TRUE(bytes_of(path) == bytes_of(golden()));
@@ -112,7 +112,7 @@ TEST(ReplayProgram, AReplayOfAChangedLevelIsRefused) {
   EXPECT_NE(refused.output.find("level hash differs"), std::string::npos) << refused.output;
 }
 
-TEST(ReplayProgram, AKilledGameLeavesAReplayUpToItsLastTick) {
+TEST(ReplayProgram, AKilledGameHasWrittenAReplayUpToItsLastTick) {
   const std::string path = scratch("killed.replay");
   fs::remove(path);
   const pid_t game = fork();
@@ -157,7 +157,7 @@ TEST(ReplayProgram, RefusesGarbageAnotherVersionAndAMissingFile) {
   EXPECT_EQ(ropeswing("--headless --replay " TEST_ASSETS).status, 2);  // a folder
 }
 
-TEST(Program, RefusesUnknownLevelsAndBadArgumentsWithASentence) {
+TEST(Program, RefusesUnknownLevelsAndBadArgumentsWithAMessage) {
   const Ended level = ropeswing("--headless --level nowhere");
   EXPECT_EQ(level.status, 2);
   EXPECT_NE(level.output.find("first_swing"), std::string::npos) << level.output;  // lists the existing levels
@@ -193,7 +193,7 @@ TEST(Program, RefusesEmptyNamesAndARunWithoutAnEnd) {
   EXPECT_NE(endless.output.find("--ticks"), std::string::npos) << endless.output;
 }
 
-TEST(Program, WithoutADisplayAWindowIsRefusedWithTheWayOut) {
+TEST(Program, WithoutADisplayAWindowIsRefusedWithAHint) {
   const Ended ended = ropeswing("", "env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11");
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.output.find("--headless"), std::string::npos) << ended.output;

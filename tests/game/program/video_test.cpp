@@ -25,7 +25,7 @@ std::string fake_ffmpeg() {
 
 std::string found_first(const std::string& folder) { return "PATH=" + folder + ":$PATH"; }
 
-TEST(Video, OfAReplayHasThirtyFramesASecondAndChangesNoBitOfTheRun) {
+TEST(Video, HasThirtyFramesASecondAndChangesNoBitOfTheRun) {
   const std::string path = scratch("run.gif");
   const std::string arguments = "--headless --ticks 60 --replay " + golden();
   const Ended ended = ropeswing(arguments + " --video " + path + " --video-size 64x36", found_first(fake_ffmpeg()));
@@ -37,7 +37,7 @@ TEST(Video, OfAReplayHasThirtyFramesASecondAndChangesNoBitOfTheRun) {
   EXPECT_NE(bytes.substr(0, 64 * 36 * 4), bytes.substr(bytes.size() - 64 * 36 * 4)) << "it stands still";
 }
 
-TEST(Video, BeginsWhereItIsSoughtAndIsOfTheSizeThatIsUsual) {
+TEST(Video, StartsAtTheSoughtTickWithTheDefaultSize) {
   const std::string path = scratch("later.mp4");
   const Ended ended = ropeswing("--headless --seek 300 --ticks 320 --replay " + golden() + " --video " + path,
                                 found_first(fake_ffmpeg()));
@@ -45,7 +45,7 @@ TEST(Video, BeginsWhereItIsSoughtAndIsOfTheSizeThatIsUsual) {
   EXPECT_EQ(fs::file_size(path), 10U * 480 * 270 * 4);
 }
 
-TEST(Video, WhatCannotBeIsRefusedWithASentence) {
+TEST(Video, InvalidArgumentsAreRefusedWithAMessage) {
   const std::string run = "--headless --ticks 10 --video ";
   const Ended missing = ropeswing(run + scratch("a.gif"), "PATH=/no/such/folder");
   EXPECT_EQ(missing.status, 2);
@@ -70,7 +70,7 @@ TEST(Video, AnFfmpegThatFailsFailsTheProgram) {
   EXPECT_NE(ended.output.find("disk full"), std::string::npos) << ended.output;
 }
 
-TEST(Film, TakesThirtyFramesASecondOfWhateverIsDrawn) {
+TEST(Film, TakesThirtyFramesASecond) {
   const std::string folder = fake_ffmpeg();
   const Environment path("PATH", (folder + ":" + std::getenv("PATH")).c_str());
   const fs::path before = fs::current_path();

@@ -40,7 +40,7 @@ TEST(Menu, TheFocusWrapsAround) {
   EXPECT_EQ(empty.update({.down = 1, .accept = true}, place), std::nullopt);
 }
 
-TEST(Menu, ALineIsChosenAndAValueIsChanged) {
+TEST(Menu, ChoosesALineAndChangesAValue) {
   Menu menu;
   menu.set_items({{"Play"}, {"Volume", "70 %", true}});
   EXPECT_EQ(menu.update({.right = 1}, place), std::nullopt) << "nothing to change";
@@ -64,7 +64,7 @@ TEST(Menu, TheMouseFocusesWhereItMovesAndClicksWhereItIs) {
   EXPECT_EQ(menu.update({.clicked = true, .mouse = {110.0, 50.0 + 3.1 * 35.0}}, place), std::nullopt) << "below";
 }
 
-TEST(Menu, WhatDoesNotFitIsScrolledSoThatTheFocusIsSeen) {
+TEST(Menu, ALongMenuScrollsToItsFocus) {
   constexpr MenuPlace low{{0.0, 0.0}, 400.0, 4.5 * 35.0, 20.0};
   Menu menu = menu_of(10);
   for (int k = 0; k < 6; ++k) menu.update({.down = 1}, low);
@@ -123,7 +123,7 @@ bool press(Rebinding& rebinding, Bindings& bindings, const auto& code) {
   return rebinding.take(input, bindings);
 }
 
-TEST(Rebinding, AFreeKeyIsTakenAtOnce) {
+TEST(Rebinding, AFreeKeyIsBoundAtOnce) {
   Bindings bindings = Bindings::defaults();
   Rebinding rebinding(Action::jump);
   EXPECT_FALSE(rebinding.take({}, bindings)) << "it waits";
@@ -131,19 +131,19 @@ TEST(Rebinding, AFreeKeyIsTakenAtOnce) {
   EXPECT_EQ(bindings.action_of(Key::j), Action::jump);
 }
 
-TEST(Rebinding, AKeyOfAnotherActionIsAskedForTwice) {
+TEST(Rebinding, AKeyOfAnotherActionMustBePressedTwice) {
   Bindings bindings = Bindings::defaults();
   Rebinding rebinding(Action::jump);
   EXPECT_FALSE(press(rebinding, bindings, Key::q));
   EXPECT_EQ(bindings.action_of(Key::q), Action::reel_in);
   EXPECT_NE(rebinding.prompt(bindings).find("Reel in"), std::string::npos) << rebinding.prompt(bindings);
-  EXPECT_FALSE(press(rebinding, bindings, Key::z)) << "another one: it is asked for anew";
+  EXPECT_FALSE(press(rebinding, bindings, Key::z)) << "another one: it must be confirmed again";
   EXPECT_TRUE(press(rebinding, bindings, Key::z));
   EXPECT_EQ(bindings.action_of(Key::z), Action::jump);
   EXPECT_EQ(bindings.action_of(Key::q), Action::reel_in);
 }
 
-TEST(Rebinding, AKeyOfItsOwnIsTakenAwayAndEscapeChangesNothing) {
+TEST(Rebinding, ItsOwnKeyIsRemovedAndEscapeChangesNothing) {
   Bindings bindings = Bindings::defaults();
   Rebinding away(Action::jump);
   EXPECT_TRUE(press(away, bindings, PadButton::a));
@@ -206,7 +206,7 @@ TEST(ScreenStack, OpensClosesAndReplacesScreens) {
   EXPECT_EQ(log, "f- e+ e- d- ");
 }
 
-TEST(ScreenStack, TheLastScreenThatGoesBackEndsTheGame) {
+TEST(ScreenStack, LeavingTheLastScreenEndsTheGame) {
   std::string log;
   engine::HeadlessCanvas canvas(64, 64);
   const engine::WindowInput input;

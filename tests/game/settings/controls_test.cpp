@@ -47,7 +47,7 @@ TEST(Controls, ATapInAFrameWithoutATickCountsInTheNextFrames) {
   EXPECT_EQ(hands.tick(), 0);
 }
 
-TEST(Controls, WhatIsHeldCountsInEveryTick) {
+TEST(Controls, AHeldButtonCountsInEveryTick) {
   Hands hands;
   hands.events.key_down(Key::d);
   hands.events.trigger(PadButton::right_trigger, 0.9);
@@ -66,7 +66,7 @@ TEST(Controls, ASingleNotchOfTheWheelReelsForAWhile) {
   EXPECT_EQ(hands.tick(), 0);
 }
 
-TEST(Controls, WherePressesToggleTheNextOneOrAJumpLetsGo) {
+TEST(Controls, IfPressesToggleTheNextPressOrAJumpReleases) {
   Hands hands;
   hands.settings.toggle_grab = true;
   const auto tap = [&hands](Key key) {
@@ -114,7 +114,7 @@ TEST(Controls, TheMouseAimsUntilAStickDoes) {
   EXPECT_EQ(engine::pointer(hands.controls.next(hand)), (ribbon::Vec2{8.0, 1.0}));
 }
 
-TEST(Controls, WhatWasPressedBeforeAPauseIsForgotten) {
+TEST(Controls, PressesBeforeAPauseAreDiscarded) {
   Hands hands;
   hands.events.key_down(Key::space);
   hands.events.key_up(Key::space);
@@ -156,7 +156,7 @@ TEST(InputState, AnUnpluggedGamepadReleasesEverythingAndTheKeyboardDoesNot) {
   EXPECT_FALSE(state.take().pad_lost);
 }
 
-TEST(InputState, WheelAndTextAreOfOnePollOnly) {
+TEST(InputState, WheelAndTextLastForOnePoll) {
   InputState state;
   state.wheel({0.0, 1.0});
   state.wheel({0.0, 0.5});
@@ -170,14 +170,14 @@ TEST(InputState, WheelAndTextAreOfOnePollOnly) {
   EXPECT_TRUE(next.text.empty() && next.wheel == ribbon::Vec2{} && next.wheel_turned.none());
 }
 
-TEST(Controls, WhatIsStillDownFromAMenuDoesNothingUntilItWasUp) {
+TEST(Controls, AButtonStillDownFromAMenuIsIgnoredUntilItWasUp) {
   Hands hands;
   hands.events.key_down(Key::space);
   hands.events.key_down(Key::e);
   hands.events.take();  // the events of the menu
   hands.controls.discard();
   hands.frame();
-  EXPECT_EQ(hands.tick(), button_grab) << "who hangs on goes on to";
+  EXPECT_EQ(hands.tick(), button_grab) << "a player that hangs continues to hold";
   hands.frame();
   EXPECT_EQ(hands.tick(), button_grab);
   hands.events.key_up(Key::space);

@@ -42,7 +42,7 @@ TEST(Bindings, AHintNamesTheKeysThatAreBound) {
 }
 
 /// With default keys and with a gamepad no hint of a level has an unknown word.
-TEST(Bindings, TheHintsOfAllLevelsAreWhole) {
+TEST(Bindings, TheHintsOfAllLevelsHaveNoUnknownWords) {
   for (const Level& level : levels_in_order()) {
     for (const bool pad : {false, true}) {
       const std::string words = hint_in_words(level.hint, Settings{}, pad);
@@ -52,7 +52,7 @@ TEST(Bindings, TheHintsOfAllLevelsAreWhole) {
   }
 }
 
-TEST(Bindings, ACodeIsOfOneActionOnly) {
+TEST(Bindings, ACodeBelongsToOneActionOnly) {
   Bindings bindings = Bindings::defaults();
   EXPECT_EQ(bindings.action_of(Key::q), Action::reel_in);
   bindings.bind(Action::jump, Key::q);
@@ -64,7 +64,7 @@ TEST(Bindings, ACodeIsOfOneActionOnly) {
   EXPECT_EQ(bindings.action_of(Key::q), std::nullopt);
 }
 
-TEST(Bindings, AtFirstEveryActionHasAKeyAndNoneIsUsedTwice) {
+TEST(Bindings, ByDefaultEveryActionHasAKeyAndNoneIsUsedTwice) {
   const Bindings bindings = Bindings::defaults();
   std::vector<engine::InputCode> seen;
   for (const Action action : all_actions()) {
@@ -77,7 +77,7 @@ TEST(Bindings, AtFirstEveryActionHasAKeyAndNoneIsUsedTwice) {
   }
 }
 
-TEST(Bindings, EveryCodeHasANameOfItsOwn) {
+TEST(Bindings, EveryCodeHasAUniqueName) {
   const auto check = [](const engine::InputCode& code) {
     EXPECT_EQ(engine::input_of_name(engine::input_name(code)), code);
     EXPECT_FALSE(engine::input_title(code).empty());
@@ -120,7 +120,7 @@ TEST(SettingsText, NamesWhatIsWrongAndWhatIsAccepted) {
   EXPECT_NE(refused("[]").find("an array"), std::string::npos);
 }
 
-TEST(SettingsText, AnActionOfALaterVersionHasItsUsualKeysUnlessTheyAreTaken) {
+TEST(SettingsText, ANewActionHasItsDefaultKeysUnlessTheyAreInUse) {
   const Settings settings = parse_settings(R"({"bindings": {"jump": ["key_r", "key_j"], "left": []}})", "file");
   EXPECT_EQ(settings.bindings.action_of(Key::r), Action::jump);
   EXPECT_EQ(settings.bindings.action_of(PadButton::back), Action::restart);
@@ -128,7 +128,7 @@ TEST(SettingsText, AnActionOfALaterVersionHasItsUsualKeysUnlessTheyAreTaken) {
 }
 
 /// Cut at every byte, and with every byte changed: the file is accepted or refused.
-TEST(SettingsText, ABrokenFileIsRefusedBySentence) {
+TEST(SettingsText, ABrokenFileIsRefusedWithAMessage) {
   const std::string whole = settings_text(some_settings());
   int refused = 0;
   const auto read = [&](const std::string& text) {
@@ -146,7 +146,7 @@ TEST(SettingsText, ABrokenFileIsRefusedBySentence) {
   }
 }
 
-TEST(SettingsFile, IsRememberedAndKeptAsideIfBroken) {
+TEST(SettingsFile, IsLoadedAgainOrRenamedIfBroken) {
   const std::string path = scratch("config/settings.json");
   std::string notice;
   SettingsFile(path).save(some_settings(), notice);
@@ -159,7 +159,7 @@ TEST(SettingsFile, IsRememberedAndKeptAsideIfBroken) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(SettingsFile, SaysOnceThatItCannotBeWritten) {
+TEST(SettingsFile, ReportsOnceThatItCannotBeWritten) {
   const std::string file = scratch("a_file");
   write_bytes(file, "");
   for (const std::string& path : {file + "/settings.json", std::string("/proc/nowhere/settings.json")}) {
@@ -173,7 +173,7 @@ TEST(SettingsFile, SaysOnceThatItCannotBeWritten) {
   }
 }
 
-TEST(Records, TheBestRunIsKeptWithItsRecording) {
+TEST(Records, TheBestRunIsStoredWithItsRecording) {
   const std::string folder = scratch("data");
   const LevelKey level{"swing", 0x1234};
   std::string notice;
@@ -196,13 +196,13 @@ TEST(Records, TheBestRunIsKeptWithItsRecording) {
   EXPECT_EQ(notice, "");
 }
 
-TEST(Records, ARunWithoutHelpCountsMore) {
+TEST(Records, AnUnassistedRunRanksAboveAnAssistedOne) {
   EXPECT_TRUE((Best{900, false}).is_better_than({300, true}));
   EXPECT_FALSE((Best{300, true}).is_better_than({900, false}));
   EXPECT_TRUE((Best{299, true}).is_better_than({300, true}));
 }
 
-TEST(Records, ABrokenFileIsKeptAsideAtEveryByte) {
+TEST(Records, AFileBrokenAtAnyByteIsRenamed) {
   const std::string folder = scratch("broken_data");
   std::string notice;
   Records(folder).offer({"swing", 7}, {500, false}, "", notice);
@@ -227,7 +227,7 @@ TEST(Records, ABrokenFileIsKeptAsideAtEveryByte) {
   }
 }
 
-TEST(Records, WithoutAFolderTheyLastAsLongAsTheGame) {
+TEST(Records, WithoutAFolderTheyAreStoredInMemory) {
   std::string notice;
   Records nowhere("");
   EXPECT_TRUE(nowhere.offer({"swing", 7}, {500, false}, "", notice));
@@ -255,7 +255,7 @@ TEST(RunFolder, KeepsTheNewest) {
   EXPECT_EQ(RunFolder("/proc/nowhere").next_path("swing"), "");
 }
 
-TEST(Medals, AreForTimesUpToTheirs) {
+TEST(Medals, AreAwardedForTimesUpToTheirLimits) {
   const Medals medals{10.0, 12.5, 20.0};
   EXPECT_EQ(medal_for(600, medals), Medal::gold);
   EXPECT_EQ(medal_for(601, medals), Medal::silver);

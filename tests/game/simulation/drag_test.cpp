@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Drag, DraggedBody, testing::Values("loose ball", "ball 
                            return name;
                          });
 
-TEST_P(DraggedBody, FollowsThePointerAndIsLetGo) {
+TEST_P(DraggedBody, FollowsThePointerAndIsReleased) {
   Simulation simulation(sandbox());
   for (int k = 0; k < 60; ++k) simulation.tick({});
   b2Body& body = body_named(simulation, GetParam());
@@ -82,7 +82,7 @@ TEST_P(DraggedBody, FollowsThePointerAndIsLetGo) {
   }
 }
 
-TEST(Drag, ThePlayerIsLiftedAndFallsWhenLetGo) {
+TEST(Drag, ThePlayerIsLiftedAndFallsWhenReleased) {
   Simulation simulation(sandbox());
   for (int k = 0; k < 20; ++k) simulation.tick({});
   const Vec2 from = simulation.player().position();
@@ -92,7 +92,7 @@ TEST(Drag, ThePlayerIsLiftedAndFallsWhenLetGo) {
   EXPECT_NEAR(simulation.player().position().y, from.y, 0.02);
 }
 
-TEST(Drag, ABodyIsHeldWhereItWasTakenAndTurnsAboutThat) {
+TEST(Drag, ABodyIsHeldAtThePointerAndRotatesAboutIt) {
   Simulation simulation(sandbox());
   b2Body& ball = body_named(simulation, "loose ball");
   const Vec2 rim = to_double(ball.GetWorldCenter()) + Vec2{0.45, 0.0};
@@ -103,7 +103,7 @@ TEST(Drag, ABodyIsHeldWhereItWasTakenAndTurnsAboutThat) {
 }
 
 /// Dragging a cord moves the body it is fixed to, as far as its other fixed points allow.
-TEST(Drag, WhatACordIsFixedToComesAlong) {
+TEST(Drag, ACordMovesTheBodyItIsFixedTo) {
   for (const int cord : {0, 1, 4}) {  // a rope, one of the thesis's with two rows, a hammock with two ends
     Simulation simulation(sandbox());
     for (int k = 0; k < 30; ++k) simulation.tick({});
@@ -124,7 +124,7 @@ TEST(Drag, WhatACordIsFixedToComesAlong) {
   }
 }
 
-TEST(Drag, TheGroundStays) {
+TEST(Drag, TheGroundDoesNotMove) {
   Simulation simulation(sandbox());
   simulation.tick(drag_at({30.0, 1.0}));
   EXPECT_EQ(simulation.drag().body(), nullptr);
@@ -150,7 +150,7 @@ TEST(Drag, AHeavyLoadIsDraggedNoFurtherThanItsCordIsLong) {
   EXPECT_EQ(coupling.cord(held->cord).island_total().unconverged, 0);
 }
 
-TEST(Drag, SameBitsOfTheSameInputsWhateverIsDragged) {
+TEST(Drag, SameBitsOfTheSameInputsForAnyDraggedObject) {
   const auto run = [] {
     Simulation simulation(sandbox());
     std::vector<std::uint64_t> hashes;

@@ -36,7 +36,7 @@ class EffortOfEveryLevel : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Effort, EffortOfEveryLevel, testing::ValuesIn(level_names()),
                          [](const auto& level) { return level.param; });
 
-TEST_P(EffortOfEveryLevel, IsEvenOverItsWinningRun) {
+TEST_P(EffortOfEveryLevel, IsEvenDuringItsWinningRun) {
   constexpr int most_steps = 120;
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   const Level level = load_level(GetParam());
@@ -60,7 +60,7 @@ std::uint16_t at_random_among_curtains(test_support::Dice& dice, double x) {
 
 /// Soft cloth with friction gets stuck on itself in configurations that no solve resolves: with a quarter of this
 /// bending stiffness, or with friction 0.2, some ticks take thousands of steps.
-TEST(Effort, OfCurtainsStaysEvenHoweverTheyArePushed) {
+TEST(Effort, OfCurtainsStaysEvenUnderAnyPush) {
   constexpr int most_steps = 400;
   const Level level = load_level("curtains");
   for (unsigned seed = 1; seed <= 8; ++seed) {

@@ -41,7 +41,7 @@ TEST_P(EveryLevel, HasAPlaceATitleAHintAndAPicture) {
   EXPECT_TRUE(std::filesystem::exists(assets_folder() + "/pictures/" + GetParam() + ".jpg"));
 }
 
-TEST_P(EveryLevel, HasTheMedalsThatTheRuleMakesOfItsWinningRun) {
+TEST_P(EveryLevel, HasTheMedalsThatFollowFromItsWinningRun) {
   const Level level = load_level(GetParam());
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   Simulation simulation(level);

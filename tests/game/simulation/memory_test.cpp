@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Memory, EveryWinningRun, testing::ValuesIn(level_names(
 
 /// The candidate pairs of a cord are not visible here. Their lists have a capacity of 64 at first and then double, and
 /// the pattern of the linear solve doubles with them, one island after the other. Only that growth is allowed.
-TEST_P(EveryWinningRun, TakesNoMemoryInATickInWhichNothingIsNew) {
+TEST_P(EveryWinningRun, AllocatesNothingInATickWithoutNewObjects) {
   constexpr std::size_t most_growing = 8;
   constexpr std::size_t most_new = 16;
   const Ticks ticks = ticks_of(GetParam());

@@ -28,7 +28,7 @@ TEST(Meter, ShowsTheMedianAndTheMaximumOfTheLastSecond) {
   EXPECT_EQ(meter.median_us(), 10.0);
 }
 
-TEST(Meter, RemembersTheMostThatACordWasStretchedSinceTheRestart) {
+TEST(Meter, ShowsTheMaximumStretchOfACordSinceTheRestart) {
   const Level level = load_level("first_swing");
   Simulation simulation(level);
   Meter meter;
@@ -53,7 +53,7 @@ TEST(Meter, RemembersTheMostThatACordWasStretchedSinceTheRestart) {
   EXPECT_EQ(meter.peak_stretch(99), 0.0);
 }
 
-TEST(Meter, EstimatesErrorsTenTimesASecondAndNoTimeByThose) {
+TEST(Meter, EstimatesErrorsTenTimesASecondAndExcludesThoseTicksFromTimes) {
   const Level level = load_level("first_swing");
   Simulation simulation(level);
   Simulation alone(level);

@@ -132,7 +132,7 @@ std::string hash_of(const Level& level) {
   return ribbon::box2d::to_hex(simulation.hash().combined());
 }
 
-TEST(ObjectTypes, HaveEveryClassThatTheLoaderTakes) {
+TEST(ObjectTypes, HaveEveryClassThatTheLoaderAccepts) {
   const std::string sentence =
       test_support::refusal<engine::MapError>([] { level_with(object(9, "no_such_class", 1.0, 1.0)); });
   const std::size_t at = sentence.find("accepted is ");
@@ -145,7 +145,7 @@ TEST(ObjectTypes, HaveEveryClassThatTheLoaderTakes) {
   EXPECT_EQ(offered, accepted);
 }
 
-TEST(ObjectTypes, HaveThePropertiesThatTheLoaderTakes) {
+TEST(ObjectTypes, HaveThePropertiesThatTheLoaderAccepts) {
   for (const json& type : object_types()) {
     const std::string kind = type["name"];
     std::set<std::string> accepted = accepted_by(one_of(kind));
@@ -208,7 +208,7 @@ void expect_same(const engine::TiledMap& a, const engine::TiledMap& b) {
 }
 
 /// Tiled keeps 15 digits of a number: after the first save, saving and loading does not change the bits.
-TEST(Tiled, WhatItSavesOfEveryLevelLoadsAsItWas) {
+TEST(Tiled, EveryLevelThatItSavesLoadsUnchanged) {
   if (std::system("QT_QPA_PLATFORM=offscreen tiled --version >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "tiled is not installed";
   }

@@ -76,14 +76,14 @@ TEST(Climbing, LiftsTheClimber) {
   EXPECT_GT(simulation.player().position().y, low + 5.0);
 }
 
-TEST(Catching, TakesACordBetweenItsPointsWhereItIsNearest) {
+TEST(Catching, HoldsTheNearestPlaceOfACordBetweenItsPoints) {
   const Level level = load_level("pump_it_up");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(7.0), test_support::jump_and_catch(button_right)});
   EXPECT_GT(held(simulation).along, 0.0);
 }
 
-TEST(LettingGo, ByJumpingHopsAndKeepsWhatTheSwingGave) {
+TEST(LettingGo, ByJumpingHopsAndKeepsTheVelocityOfTheSwing) {
   const Level level = load_level("pump_it_up");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(7.0), test_support::jump_and_catch(button_right)});
@@ -96,7 +96,7 @@ TEST(LettingGo, ByJumpingHopsAndKeepsWhatTheSwingGave) {
   EXPECT_NEAR(after.y, before.y + jumps.player().tuning().hop_speed - 9.81 / 60.0, 0.05);
 }
 
-TEST(LettingGo, LeavesAMomentInWhichAJumpStillHops) {
+TEST(LettingGo, AllowsAHopForAMoment) {
   const auto velocity_after = [](int wait) {
     const Level level = load_level("pump_it_up");
     Simulation simulation(level);
@@ -164,7 +164,7 @@ TEST_F(ThrownLine, StretchesUnderItsBouncingPlayer) {
   EXPECT_GT(most - least, 0.5 * by_weight);
 }
 
-TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
+TEST_F(ThrownLine, IsReleasedByThrowingAndTheNextUsesTheSameCord) {
   tick(simulation, button_throw);
   EXPECT_EQ(simulation.player().line().state(), Line::State::released);
   EXPECT_FALSE(simulation.scene().coupling().body(simulation.player().body()).held_place());
@@ -176,17 +176,17 @@ TEST_F(ThrownLine, IsReleasedByThrowingAndHangsWhereItWas) {
   EXPECT_EQ(simulation.scene().coupling().size(), cords);  // the same cord is used again
 }
 
-TEST_F(ThrownLine, IsDrawnFromWhereItWasMadeOn) {
-  Simulation anew(level);
-  play(anew, {test_support::run_past(7.2), test_support::stand()});
-  tick(anew, button_throw, 1, ring);
-  while (anew.player().line().state() == Line::State::flying) tick(anew, 0, 1, ring);
-  const Snapshot between = interpolate(anew.previous(), anew.current(), 0.5);
-  EXPECT_EQ(between.cords.back(), anew.current().cords.back());
+TEST_F(ThrownLine, IsNotInterpolatedInItsFirstTick) {
+  Simulation fresh(level);
+  play(fresh, {test_support::run_past(7.2), test_support::stand()});
+  tick(fresh, button_throw, 1, ring);
+  while (fresh.player().line().state() == Line::State::flying) tick(fresh, 0, 1, ring);
+  const Snapshot between = interpolate(fresh.previous(), fresh.current(), 0.5);
+  EXPECT_EQ(between.cords.back(), fresh.current().cords.back());
 }
 
 /// The line snaps back with its stored energy, crumples, falls and comes to rest below its hook.
-TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
+TEST(Line, ALineReleasedUnderTensionConvergesInEveryTickUntilItHangs) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
   ScriptedPlayer player(test_support::winning_script(level.name));
@@ -204,7 +204,7 @@ TEST(Line, OneThatIsLetGoUnderTensionIsSolvedInEveryTickUntilItHangs) {
   EXPECT_NEAR(end.x, hook.x, 0.5);
 }
 
-TEST(Aim, GoesForTheRingThatThePointerIsAtAndElseForOneAhead) {
+TEST(Aim, SelectsTheRingAtThePointerOrElseOneAhead) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
   tick(simulation, 0);
@@ -242,7 +242,7 @@ TEST(Load, OfAThousandTimesItsCordsWeightDoesNotStretchIt) {
   EXPECT_NEAR(way, simulation.scene().coupling().cord(0).direct().def().length, 1e-6);
 }
 
-TEST(Checkpoint, IsWhereAFallAndARetryEnd) {
+TEST(Checkpoint, IsTheStartAfterAFallAndARetry) {
   const Level level = load_level("round_the_pegs");
   Simulation simulation(level);
   tick(simulation, button_right, 30);
@@ -258,7 +258,7 @@ TEST(Checkpoint, IsWhereAFallAndARetryEnd) {
   EXPECT_GT(simulation.player().position().y, area.center.y - 0.5 * area.size.y);
 }
 
-TEST(Bridge, CarriesAPlayerWhoWalksAndJumps) {
+TEST(Bridge, CarriesAPlayerThatWalksAndJumps) {
   const Level level = load_level("rolling_bridge");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(14.0), test_support::stand()});
@@ -270,7 +270,7 @@ TEST(Bridge, CarriesAPlayerWhoWalksAndJumps) {
   EXPECT_GT(simulation.player().position().y, stands + 1.0);
 }
 
-TEST(Trampoline, ThrowsHigherEachTimeOneJumpsAsItStopsTheFall) {
+TEST(Trampoline, ThrowsThePlayerHigherWithEachWellTimedJump) {
   const Level level = load_level("trampoline");
   Simulation simulation(level);
   play(simulation, {test_support::run_past(6.2), test_support::jump(button_right, 20), test_support::bounce(12.0, 11.0),

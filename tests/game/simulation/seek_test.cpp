@@ -15,7 +15,7 @@ RunOptions golden() {
 }
 
 /// Seeks forwards, backwards, to the same tick and near the end; only the last two ticks are compared.
-TEST(ReplaySeek, EveryTickIsWhatWasRecordedWhereverOneComesFrom) {
+TEST(ReplaySeek, EveryTickIsAsRecordedFromAnyOtherTick) {
   const engine::Replay replay = engine::load_replay(golden().replay);
   const auto last = static_cast<int>(replay.ticks.size());
   RecordedRun run(golden());
@@ -32,7 +32,7 @@ TEST(ReplaySeek, EveryTickIsWhatWasRecordedWhereverOneComesFrom) {
 }
 
 /// The picture between two ticks is that of a run without a seek.
-TEST(ReplaySeek, ShowsBothTicksThatAreDrawnBetween) {
+TEST(ReplaySeek, RestoresBothTicksOfAnInterpolation) {
   RecordedRun sought(golden());
   RecordedRun run(golden());
   sought.seek(200);
@@ -42,7 +42,7 @@ TEST(ReplaySeek, ShowsBothTicksThatAreDrawnBetween) {
   EXPECT_NE(run.simulation().previous().cords, run.simulation().current().cords);
 }
 
-TEST(ReplaySeek, RefusesWhatItCannotReach) {
+TEST(ReplaySeek, RefusesInvalidTicksAndRunsThatCannotSeek) {
   RecordedRun run(golden());
   run.seek(10);
   const ribbon::box2d::StateHash before = run.simulation().hash();

@@ -168,7 +168,7 @@ Level first_swing_without_falls() {
   return level;
 }
 
-TEST(NoFall, AFallContinuesFromTheLastFooting) {
+TEST(NoFall, AFallReturnsThePlayerToItsLastFooting) {
   const Level level = first_swing_without_falls();
   Simulation simulation(level);
   double edge = 0.0;
@@ -184,11 +184,11 @@ TEST(NoFall, AFallContinuesFromTheLastFooting) {
   EXPECT_GT(back_at, level.player_start.x + 1.0) << "not at the start";
   EXPECT_EQ(simulation.falls(), 0);
   for (int k = 0; k < 60; ++k) simulation.tick({});
-  EXPECT_NEAR(simulation.player().position().x, back_at, 0.05) << "he stands there";
+  EXPECT_NEAR(simulation.player().position().x, back_at, 0.05) << "it stands there";
   EXPECT_TRUE(simulation.player().is_on_firm_ground());
 }
 
-TEST(NoFall, ARestartForgetsTheLastFooting) {
+TEST(NoFall, ARestartResetsTheLastFooting) {
   const Level level = first_swing_without_falls();
   Simulation simulation(level);
   for (int k = 0; k < 60; ++k) simulation.tick(press(button_right));
@@ -198,7 +198,7 @@ TEST(NoFall, ARestartForgetsTheLastFooting) {
   EXPECT_NEAR(simulation.player().position().x, level.player_start.x, 0.1);
 }
 
-TEST(NoFall, AReplayDeclaresItAndNothingElseTakesIt) {
+TEST(NoFall, IsTakenFromTheHeaderOfAReplay) {
   const Level level = first_swing_without_falls();
   const engine::ReplayHeader header = Simulation::replay_header(level);
   Level other = first_swing_level();
@@ -213,7 +213,7 @@ TEST(NoFall, AReplayDeclaresItAndNothingElseTakesIt) {
   EXPECT_THROW(engine::check_header(strange, Simulation::replay_header(other)), engine::ReplayError);
 }
 
-TEST_P(EitherLevel, ThePointerDragsACordPointAndLetsGo) {
+TEST_P(EitherLevel, ThePointerDragsACordPointAndReleasesIt) {
   Simulation simulation(level());
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const auto end = static_cast<int>(coupling.cord(0).positions().size()) - 1;
@@ -282,7 +282,7 @@ TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
   EXPECT_EQ(on_ground, 99);
 }
 
-TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndLetsGoWithItsVelocity) {
+TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndReleasesWithItsVelocity) {
   Simulation simulation(level());
   test_support::Autopilot autopilot;
   const auto held = [&] { return simulation.scene().coupling().body(simulation.player().body()).held_place(); };
@@ -301,7 +301,7 @@ TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndLetsGoWithItsVelocity) {
 }
 
 /// Pumping in phase with the swing adds height; in antiphase it removes height.
-TEST_P(EitherLevel, PumpingAtTheRightTimePays) {
+TEST_P(EitherLevel, PumpingAtTheRightTimeRaisesTheSwing) {
   const auto height_after = [](int sign) {
     Simulation simulation(level());
     test_support::Autopilot autopilot;

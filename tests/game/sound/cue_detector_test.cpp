@@ -91,7 +91,7 @@ Heard winning_run(CueDetector& detector, Simulation& simulation) {
   return heard;
 }
 
-TEST(CueDetector, HearsWhatHappensInAWinningRunAndChangesNoneOfItsBits) {
+TEST(CueDetector, DetectsTheEventsOfAWinningRunAndChangesNoneOfItsBits) {
   CueDetector detector;
   Simulation simulation(first_swing_level());
   const Heard heard = winning_run(detector, simulation);
@@ -191,7 +191,7 @@ TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrARelease) {
   EXPECT_TRUE(detector.cues().empty());
 }
 
-TEST(CueDetector, TheSameRunIsHeardTheSameAgain) {
+TEST(CueDetector, TheSameRunHasTheSameCues) {
   CueDetector detector;
   Simulation first(first_swing_level());
   Simulation second(first_swing_level());

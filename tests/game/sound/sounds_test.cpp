@@ -15,7 +15,7 @@ std::string audio_to(const std::string& path) {
   return "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=" + path;
 }
 
-TEST(Sound, ARunInAWindowIsHeard) {
+TEST(Sound, ARunInAWindowPlaysSounds) {
   const std::string path = scratch("run.raw");
   const Ended ended = ropeswing("--replay " + golden() + " --seek 60 --ticks 150", audio_to(path));
   EXPECT_EQ(ended.status, 0) << ended.output;
@@ -25,7 +25,7 @@ TEST(Sound, ARunInAWindowIsHeard) {
   EXPECT_LT(peak(samples), 1.0);
 }
 
-TEST(Sound, WithoutADeviceTheGameSaysSoAndRunsToTheSameEnd) {
+TEST(Sound, WithoutADeviceTheGameReportsItAndRunsToTheSameEnd) {
   const Ended silent = ropeswing("--ticks 30", "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=none_of_that_name");
   EXPECT_EQ(silent.status, 0);
   EXPECT_NE(silent.output.find("there is no sound: "), std::string::npos) << silent.output;

@@ -85,7 +85,7 @@ TEST(TunedLevel, GravityChangesAtOnceAndWithTheLevel) {
   EXPECT_EQ(tuned.level().make_scene()->world().GetGravity().y, -3.5F);
 }
 
-TEST(TunedLevel, WhatCannotBeSetChangesNothing) {
+TEST(TunedLevel, AnInvalidSettingChangesNothing) {
   const Level level = load_level(own_level());
   Simulation simulation(level);
   TunedLevel tuned(level);
@@ -97,7 +97,7 @@ TEST(TunedLevel, WhatCannotBeSetChangesNothing) {
   EXPECT_EQ(tuned.level().map.content_hash, level.map.content_hash);
 }
 
-TEST(TunedLevel, IsWrittenWithAllElseAsItWasAndOnlyOverTheFileItRead) {
+TEST(TunedLevel, WritesOnlyTheTunedValuesAndOnlyOverTheFileItRead) {
   const std::string path = own_level();
   const std::string before = bytes_of(path);
   const Level level = load_level(path);
@@ -118,7 +118,7 @@ TEST(TunedLevel, IsWrittenWithAllElseAsItWasAndOnlyOverTheFileItRead) {
   EXPECT_THROW(TunedLevel{level}, engine::MapError);
 }
 
-TEST(RecordedRun, OneThatIsTunedIsMarkedAndItsRecordingEndsWithTheTicksBefore) {
+TEST(RecordedRun, ATunedRunIsMarkedAndItsRecordingEndsBeforeTheChange) {
   const std::string level = own_level();
   const std::string path = scratch("tuned.replay");
   RecordedRun run(play(level, path));
@@ -135,7 +135,7 @@ TEST(RecordedRun, OneThatIsTunedIsMarkedAndItsRecordingEndsWithTheTicksBefore) {
   EXPECT_EQ(test_support::ropeswing("--headless --verify --level " + level + " --replay " + path).status, 0);
 }
 
-TEST(RecordedRun, ALevelThatIsSetBeginsWithTheNextRun) {
+TEST(RecordedRun, ANewLevelStartsWithTheNextRun) {
   const std::string path = own_level();
   RecordedRun run(play(path));
   Simulation plain(run.level());
@@ -171,7 +171,7 @@ struct Panelled {
   }
 };
 
-TEST(TuningPanel, ChangesNothingUnlessItIsAskedTo) {
+TEST(TuningPanel, ChangesNothingWithoutInput) {
   Panelled shown(play(own_level()));
   Panelled hidden(play(own_level()));
   shown.panel.toggle();
@@ -188,7 +188,7 @@ TEST(TuningPanel, ChangesNothingUnlessItIsAskedTo) {
 }
 
 /// Presses, drags and releases in three hundred places of the panel, so that every element is operated.
-TEST(TuningPanel, WhateverIsClickedTheRunGoesOn) {
+TEST(TuningPanel, TheRunContinuesAfterAnyClick) {
   Panelled panelled(play(own_level()));
   panelled.panel.toggle();
   panelled.frame();
@@ -216,7 +216,7 @@ TEST(TuningPanel, WhateverIsClickedTheRunGoesOn) {
   EXPECT_NO_THROW(load_level(panelled.path)) << "if it was written to, with what can be loaded";
 }
 
-TEST(TuningPanel, OfARecordedRunNothingCanBeTuned) {
+TEST(TuningPanel, CannotTuneAReplay) {
   RunOptions options;
   options.replay = test_support::golden();
   Panelled panelled(options);
@@ -236,7 +236,7 @@ TEST(TuningPanel, OfARecordedRunNothingCanBeTuned) {
   EXPECT_EQ(panelled.run.simulation().hash(), plain.simulation().hash());
 }
 
-TEST(Tables, CellsTurnedInsideOutAreCounted) {
+TEST(Tables, InvertedCellsAreCounted) {
   const Level level = load_level(own_level());
   Simulation simulation(level);
   ribbon::box2d::Coupling& coupling = simulation.scene().coupling();

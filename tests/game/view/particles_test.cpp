@@ -27,7 +27,7 @@ TEST(Particles, AreNeverMoreThanTheCapacityAndDisappear) {
   EXPECT_TRUE(particles.all().empty());
 }
 
-TEST(Particles, OfTwoThatAreTreatedAlikeAreAlike) {
+TEST(Particles, EqualCallsGiveEqualParticles) {
   Particles a;
   Particles b;
   for (int k = 0; k < 100; ++k) {

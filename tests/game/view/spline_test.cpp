@@ -24,7 +24,7 @@ TEST(Spline, GoesThroughItsPoints) {
   }
 }
 
-TEST(Spline, OfAStraightLineIsTheLine) {
+TEST(Spline, IsStraightThroughPointsOnALine) {
   const std::vector<Vec2> points{{0.0, 0.0}, {1.0, 2.0}, {1.5, 3.0}, {4.0, 8.0}};
   std::vector<Vec2> curve;
   smooth_curve(points, 8, curve);
@@ -35,7 +35,7 @@ TEST(Spline, OfAStraightLineIsTheLine) {
 }
 
 /// A spline through points of a circle approximates the circle far better than the chords do.
-TEST(Spline, IsRoundWhereThePointsAre) {
+TEST(Spline, ApproximatesACircleThroughItsPoints) {
   std::vector<Vec2> points;
   for (int k = 0; k <= 24; ++k) points.push_back({std::cos(0.2 * k), std::sin(0.2 * k)});
   std::vector<Vec2> curve;
@@ -56,7 +56,7 @@ TEST(Spline, HasNoCuspInAShortPiece) {
   }
 }
 
-TEST(Spline, PointsInOnePlaceDoNoHarm) {
+TEST(Spline, CoincidentPointsAreHarmless) {
   const std::vector<Vec2> points{{0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}};
   std::vector<Vec2> curve;
   smooth_curve(points, 6, curve);

@@ -53,7 +53,7 @@ void draw(RecordingCanvas& canvas, const Level& level, bool debug) {
   View(simulation).draw(canvas, 0.5, options);
 }
 
-TEST(View, ShowsTheCountsOfEachSolverThatIsThere) {
+TEST(View, ShowsTheCountsOfEachSolverInUse) {
   RecordingCanvas mixed;
   draw(mixed, test_support::mixed_swing(), true);
   EXPECT_TRUE(mixed.shows("tangled"));
@@ -169,7 +169,7 @@ TEST(View, EachOptionChangesThePicture) {
   EXPECT_NE(picture(options, 60, 1), plain);
 }
 
-TEST(View, LookingChangesNothingOfARun) {
+TEST(View, DrawingDoesNotChangeARun) {
   const Level level = load_level("first_swing");
   Simulation seen(level);
   Simulation unseen(level);
@@ -188,7 +188,7 @@ TEST(View, LookingChangesNothingOfARun) {
 }
 
 /// A shank with a ring, each twice because of the outline.
-TEST(View, AWeightThatHangsHasAnEye) {
+TEST(View, AHangingWeightHasAnEye) {
   const Level level = load_level("sandbox");
   Simulation simulation(level);
   RecordingCanvas hanging;

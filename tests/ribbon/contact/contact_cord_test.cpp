@@ -75,7 +75,7 @@ TEST_P(CordBridge, ABallRestsOnItWithoutDriftOrJitter) {
 INSTANTIATE_TEST_SUITE_P(MassRatios, CordBridge, testing::Values(0.01, 0.1, 1.0, 10.0, 100.0));
 
 /// A cord of 50 points falls over 20 circles in a valley, and comes to rest on them.
-TEST(CordContact, DrapedOverTwentyCirclesItComesToRest) {
+TEST(CordContact, ComesToRestOverTwentyCircles) {
   CordDef def;
   def.points = 50;
   def.length = 5.0;
@@ -107,7 +107,7 @@ TEST(CordContact, DrapedOverTwentyCirclesItComesToRest) {
   }
 }
 
-TEST(CordContact, ACircleThatNothingStopsPushesIt) {
+TEST(CordContact, IsPushedByAKinematicCircle) {
   CordDef def;
   def.points = 41;
   def.length = 4.0;
@@ -127,7 +127,7 @@ TEST(CordContact, ACircleThatNothingStopsPushesIt) {
   EXPECT_EQ(world.total.unconverged, 0);
 }
 
-TEST(CordContact, ItRestsOnFlatGroundAtItsRadius) {
+TEST(CordContact, RestsOnFlatGroundAtItsRadius) {
   for (const double edge_radius : {0.0, 0.01}) {
     CordDef def;
     def.points = 21;
@@ -145,7 +145,7 @@ TEST(CordContact, ItRestsOnFlatGroundAtItsRadius) {
 }
 
 /// A cord between a heavy body and the ground carries the weight of the body too.
-TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
+TEST(CordContact, IsNotPushedIntoTheGroundByAHeavyBall) {
   CordDef def;
   def.points = 21;
   def.length = 2.0;
@@ -165,7 +165,7 @@ TEST(CordContact, UnderAHeavyBallItIsNotPressedIntoTheGround) {
 }
 
 /// The cord keeps its radius at the sharp corner of a box that is static, and of one that rises.
-TEST(CordContact, ItHangsOverACornerAndDoesNotPassIt) {
+TEST(CordContact, HangsOverACornerWithoutTunnelling) {
   for (const double speed : {0.0, 0.3}) {
     CordDef def;
     def.points = 41;
@@ -223,7 +223,7 @@ TEST(CordContact, ABoxRestsOnABridge) {
   EXPECT_GT(depth, 0.0);
 }
 
-TEST(CordContact, WithBallsInFreeFlightItKeepsItsMomentum) {
+TEST(CordContact, ConservesMomentumWithBallsInFreeFlight) {
   Accuracy accuracy = Accuracy::accurate();
   accuracy.tolerance = 1e-9;
   ContactWorld world = test_support::free_flight(accuracy, 0.0);
@@ -296,7 +296,7 @@ ContactWorld busy() {
   return world;
 }
 
-TEST(CordContact, AStepTakesNoHeapMemoryOnceItHasTouched) {
+TEST(CordContact, AStepAfterTheFirstContactAllocatesNothing) {
   ContactWorld world = busy();
   for (int k = 0; k < 120; ++k) world.step();
   int touching = 0;
@@ -309,7 +309,7 @@ TEST(CordContact, AStepTakesNoHeapMemoryOnceItHasTouched) {
   EXPECT_GT(touching, 50);
 }
 
-TEST(CordContact, SavedAndRestoredWhileItTouchesItRunsOnToTheSameBits) {
+TEST(CordContact, RestoredDuringContactContinuesWithTheSameBits) {
   ContactWorld world = busy();
   int touching = 0;
   for (int k = 0; k < 120; ++k) {

@@ -58,7 +58,7 @@ double capstan_ratio(double angle, double friction_of_cord, double friction_of_c
   }
 }
 
-TEST(CordContact, AroundACircleItSlipsAsEulersCapstanSays) {
+TEST(CordContact, SlipsAroundACircleByEulersCapstanEquation) {
   for (const double angle : {pi, 2.0 * pi}) {
     const double expected = std::exp(0.3 * angle);
     const double r = capstan_ratio(angle, 0.3, 0.3);
@@ -93,7 +93,7 @@ struct Incline {
   ContactWorld world;
 };
 
-TEST(CordContact, OnAnInclineItSlidesAsFrictionSays) {
+TEST(CordContact, SlidesOnAnInclineByCoulombsLaw) {
   for (const double friction : {0.0, 0.2, 0.4}) {
     Incline incline(friction);
     for (int k = 0; k < 60; ++k) incline.world.step();
@@ -106,7 +106,7 @@ TEST(CordContact, OnAnInclineItSlidesAsFrictionSays) {
   }
 }
 
-TEST(CordContact, OnAnInclineFrictionHoldsItAndItDoesNotCreep) {
+TEST(CordContact, SticksToAnInclineWithoutCreep) {
   for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
     for (const double friction : {0.505, 0.55, 0.8, 2.0}) {
       Incline incline(friction, accuracy);

@@ -17,7 +17,7 @@ using std::numbers::pi;
 using test_support::ContactWorld;
 
 /// The direction does not depend on the side of the links that the wheel is on.
-TEST(CordContactLimits, ATurningCircleDragsItAlong) {
+TEST(CordContactLimits, ARotatingCirclePullsItByFriction) {
   for (const double friction : {0.0, 0.8}) {
     CordDef def;
     def.points = 61;
@@ -47,7 +47,7 @@ TEST(CordContactLimits, ATurningCircleDragsItAlong) {
   }
 }
 
-TEST(CordContactLimits, WithBallsInFreeFlightItKeepsItsMomentumToTheDefaultTolerance) {
+TEST(CordContactLimits, ConservesMomentumToTheDefaultTolerance) {
   for (const Accuracy& accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
     for (const double friction : {0.0, 0.5}) {
       ContactWorld world = test_support::free_flight(accuracy, friction);
@@ -88,7 +88,7 @@ TEST(CordContactLimits, AHeavyBallOnATautCordThatDoesNotStretchGainsNoEnergy) {
 
 /// A ball that was moved into the cord between two steps is depenetrated in the next step without a large velocity. The
 /// energy that so stiff a contact could return grows as the substeps get shorter.
-TEST(CordContactLimits, APenetratingBallIsNotThrownOut) {
+TEST(CordContactLimits, APenetratingBallGainsLittleSpeed) {
   for (const int substeps : {1, 4, 64, 256}) {
     CordDef def;
     def.points = 21;
@@ -299,7 +299,7 @@ TEST(CordContactLimits, ACordThatStartsDeepInALargeCircleIsDepenetratedUndamaged
 }
 
 /// On a drum with a radius of forty links, a half turn holds e^(μπ) times the weight of the other end.
-TEST(CordContactLimits, ALargeDrumHoldsByFrictionAsASmallOne) {
+TEST(CordContactLimits, ALargeDrumHoldsByFrictionLikeASmallOne) {
   const auto slid = [](double ratio) {
     CordDef def;
     def.points = 201;

@@ -188,7 +188,7 @@ TEST(LongCordPassing, ShotAThousandTimesNoBallGoesThrough) {
 }
 
 /// The check detects a ball that passes through: here nothing stops it.
-TEST(CordPassing, WithoutContactItIsSeenToGoThrough) {
+TEST(CordPassing, WithoutContactTheTestFindsBallsThatGoThrough) {
   for (const Hung hung : {Hung::taut, Hung::ring, Hung::free_end}) {
     for (const double radii : {1.0, 10.0, 100.0}) {
       const Tally tally = shoot_many({hung, radii, false}, 100);
@@ -281,7 +281,7 @@ TEST(LongCordPassing, WhippedAThousandTimesItDoesNotGoThroughAPeg) {
   for (const bool driven : {false, true}) expect_none_through(Whip{driven}, 1000);
 }
 
-TEST(CordPassing, WithoutContactAWhipIsSeenToGoThrough) {
+TEST(CordPassing, WithoutContactTheTestFindsAWhipThatGoesThrough) {
   for (const bool driven : {false, true}) EXPECT_EQ(whip_many({driven, false}, 50).through, 50);
 }
 

@@ -198,7 +198,7 @@ TEST(CordHeldBody, HeldOffItsCentreItSwingsAtTheFrequencyOfADoublePendulum) {
   EXPECT_NEAR(found / std::sqrt(omega2), 1.0, 1e-3);
 }
 
-TEST(CordHeldBody, RestingItPullsWithItsWeight) {
+TEST(CordHeldBody, AtRestPullsWithItsWeight) {
   CordDef def;
   def.points = 21;
   def.length = 4.0;
@@ -215,7 +215,7 @@ TEST(CordHeldBody, RestingItPullsWithItsWeight) {
   }
 }
 
-TEST(CordHeldBody, AFreeCordAndItsHoldersKeepTheirMomentum) {
+TEST(CordHeldBody, AFreeCordAndItsHoldersConserveMomentum) {
   CordDef def;
   def.points = 21;
   def.length = 4.0;
@@ -282,7 +282,7 @@ TEST(CordHeldBody, ADistantHolderPullsThePointAndAKinematicOneCarriesIt) {
   EXPECT_NEAR(carried.cord.velocities()[5].y, 0.5, 1e-9);
 }
 
-TEST(CordHeldBody, SavedAndRestoredItRunsOnAndTakesNoHeapMemory) {
+TEST(CordHeldBody, RestoredContinuesWithoutAllocation) {
   Held held{heavy_swing_without_load(1e6, Accuracy::balanced()),
             {body_at({10.0, -0.4}, 70.0, 3.0)},
             {{50, 0, {0.0, 0.4}, {}}}};

@@ -121,7 +121,7 @@ TEST(LimitedRows, InteriorPointAndActiveSetAfterItSolveAnyProblem) {
   EXPECT_LE(most, 40);
 }
 
-TEST(LimitedRows, PotentialHasTheForceForItsSlope) {
+TEST(LimitedRows, TheSlopeOfThePotentialIsTheForce) {
   Problem problem(5, 12, 3);
   Dice dice(11);
   std::vector<Vec2> step;

@@ -47,7 +47,7 @@ CordDef wound_rope(int points) {
   return def;
 }
 
-TEST(CordSelfContact, WoundFourTimesAndPulledItNeverCrossesItself) {
+TEST(CordSelfContact, WoundFourTimesAndPulledNeverCrossesItself) {
   CordDef def = wound_rope(61);
   def.pins = {0};
   ContactWorld world(def);
@@ -61,7 +61,7 @@ TEST(CordSelfContact, WoundFourTimesAndPulledItNeverCrossesItself) {
 }
 
 /// Without self-contact the rope crosses itself, and the check detects that.
-TEST(CordSelfContact, UndeclaredItIsNone) {
+TEST(CordSelfContact, ActsOnlyIfDeclared) {
   CordDef def = wound_rope(61);
   def.self_contact = false;
   def.pins = {0};
@@ -78,7 +78,7 @@ TEST(CordSelfContact, UndeclaredItIsNone) {
 
 /// Edges whose rest distance is less than the thickness of the ribbon do not push each other apart: the whole outline
 /// moves as without self-contact.
-TEST(CordSelfContact, NarrowerThanItIsThickARibbonSwingsAsWithoutIt) {
+TEST(CordSelfContact, DoesNotChangeARibbonNarrowerThanItsThickness) {
   const auto swing = [](bool self_contact) {
     CordDef def;
     def.points = 11;
@@ -99,7 +99,7 @@ TEST(CordSelfContact, NarrowerThanItIsThickARibbonSwingsAsWithoutIt) {
   for (std::size_t p = 0; p < with.size(); ++p) EXPECT_LT(length(with[p] - without[p]), 1e-9) << p;
 }
 
-TEST(CordSelfContact, DroppedIntoAPileItDoesNotCrossItself) {
+TEST(CordSelfContact, DroppedIntoAPileDoesNotCrossItself) {
   CordDef def;
   def.points = 41;
   def.length = 2.0;
@@ -119,7 +119,7 @@ TEST(CordSelfContact, DroppedIntoAPileItDoesNotCrossItself) {
 
 /// A rope falls on another one that hangs between pins, and stays on it. With the flag on one of them only, it falls
 /// through.
-TEST(CordContactWithCords, HoldsOnlyWhereBothDeclareIt) {
+TEST(CordContactWithCords, ActsOnlyIfBothDeclareIt) {
   for (const bool both : {true, false}) {
     CordDef below;
     below.points = 21;
@@ -156,7 +156,7 @@ TEST(CordContactWithCords, HoldsOnlyWhereBothDeclareIt) {
 }
 
 /// The momentum that one cord loses, the other one gains.
-TEST(CordContactWithCords, KeepsTheirMomentum) {
+TEST(CordContactWithCords, ConservesTheirMomentum) {
   CordDef def;
   def.points = 11;
   def.length = 1.0;

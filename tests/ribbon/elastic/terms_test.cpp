@@ -233,7 +233,7 @@ TEST_P(Terms, MatrixIsPositiveSemidefiniteFromAnyShape) {
   }
 }
 
-TEST_P(Terms, KnowNothingOfWhereTheyAre) {
+TEST_P(Terms, AreInvariantUnderRotationAndTranslation) {
   const double before = potential(here);
   const Vec2 turn{std::cos(0.7), std::sin(0.7)};
   std::vector<Vec2> elsewhere;

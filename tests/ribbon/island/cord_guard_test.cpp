@@ -148,7 +148,7 @@ Cord dashed(const Dashed& how, int max_work) {
 class LongDashed : public testing::TestWithParam<Dashed> {};
 
 /// Shorter pieces need more than ten halvings at the start, the long cord needs more than 4,000 Newton steps.
-TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
+TEST_P(LongDashed, ConvergesInAStepOfASecond) {
   Cord cord = dashed(GetParam(), ample_work);
   const double start = cord.energy(gravity).total();
   EXPECT_EQ(cord.step(1.0, gravity).unconverged, 0);
@@ -159,7 +159,7 @@ TEST_P(LongDashed, IsSolvedInAStepOfASecond) {
 }
 
 /// The rest of a step then costs one more attempt, and is finite and without spurious energy.
-TEST(LongMaxWork, BoundsWhatAStepCosts) {
+TEST(LongMaxWork, BoundsTheCostOfAStep) {
   const Dashed how{1000, 20, 100.0, 1};
   Cord whole = dashed(how, ample_work);
   const int needed = whole.step(1.0, gravity).iterations;
@@ -316,7 +316,7 @@ TEST(CordGuard, ImplicitEulerGainsNoEnergyEither) {
 }
 
 /// The work on a substep that cannot be solved is limited.
-TEST(CordGuard, TriesNoLongerThanItsBudget) {
+TEST(CordGuard, StopsAtItsBudget) {
   Cord cord = slack({51, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   for (int k = 0; k < 20; ++k) {
     EXPECT_LT(cord.step(0.5, gravity).iterations, 4 * 4100);
@@ -324,7 +324,7 @@ TEST(CordGuard, TriesNoLongerThanItsBudget) {
 }
 
 /// An unsolved step stays finite and is reported: one Newton step per stage, and a tolerance that cannot be reached.
-TEST(CordGuard, ReportsWhatStaysUnconvergedAndStaysFinite) {
+TEST(CordGuard, ReportsUnconvergedSubstepsAndStaysFinite) {
   Cord cord = slack({501, 1, 1e7, 0.0}, 4, {Integrator::tr_bdf2, 1, 1, 1e-12});
   IslandReport report;
   for (int k = 0; k < 20; ++k) report += cord.step(1.0, gravity);

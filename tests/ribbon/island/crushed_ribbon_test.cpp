@@ -85,7 +85,7 @@ CordDef crushed(const Crushed& what, unsigned seed) {
 
 class LongCrushedRibbon : public testing::TestWithParam<Crushed> {};
 
-TEST_P(LongCrushedRibbon, IsItselfAgainAfterFourSeconds) {
+TEST_P(LongCrushedRibbon, RecoversItsShapeInFourSeconds) {
   IslandReport report;
   double worst = 0.0;
   for (unsigned seed = 0; seed < 500; ++seed) {
@@ -111,7 +111,7 @@ std::vector<Crushed> all_crushed() {
 }
 INSTANTIATE_TEST_SUITE_P(All, LongCrushedRibbon, testing::ValuesIn(all_crushed()));
 
-TEST(CordGuard, WithoutAreaStiffnessAnInvertedRibbonMayStaySo) {
+TEST(CordGuard, WithoutAreaStiffnessARibbonMayStayInverted) {
   int inverted = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     CordDef def = crushed({12, 3, Start::random}, seed);

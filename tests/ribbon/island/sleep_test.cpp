@@ -70,7 +70,7 @@ struct Near {
 
 std::vector<Vec2> points_of(const Cord& cord) { return {cord.positions().begin(), cord.positions().end()}; }
 
-TEST(CordSleep, ComesAfterHalfASecondOfRestAndCostsNothingFromThenOn) {
+TEST(CordSleep, StartsAfterHalfASecondOfRestAndCostsNothing) {
   Cord cord = sloping_rope();
   Near nothing;
   double slow = 0.0;
@@ -92,7 +92,7 @@ TEST(CordSleep, ComesAfterHalfASecondOfRestAndCostsNothingFromThenOn) {
   for (const Vec2 v : cord.velocities()) EXPECT_EQ(v, Vec2{});
 }
 
-TEST(CordSleep, IsNotForOneThatDoesNotDeclareIt) {
+TEST(CordSleep, HappensOnlyIfDeclared) {
   Cord cord = sloping_rope(false);
   Near nothing;
   for (int k = 0; k < 3000; ++k) ASSERT_GT(nothing.step(cord).stages, 0);
@@ -102,7 +102,7 @@ TEST(CordSleep, IsNotForOneThatDoesNotDeclareIt) {
 
 /// Sleep cancels the remaining motion, at most the amplitude of a swing of 1 cm/s in the slowest mode of a hanging
 /// chain: ω = 2.4048/2·√(g/L), with the first zero of J₀.
-TEST(CordSleep, FreezesItNearWhereItWouldComeToRest) {
+TEST(CordSleep, StopsTheCordNearItsEquilibrium) {
   Cord sleeping = sloping_rope();
   Cord waking = sloping_rope(false);
   Near nothing;
@@ -116,7 +116,7 @@ TEST(CordSleep, FreezesItNearWhereItWouldComeToRest) {
   RecordProperty("furthest_mm", std::to_string(1e3 * furthest));
 }
 
-TEST(CordSleep, WhateverChangesTheCordWakesIt) {
+TEST(CordSleep, EndsWithAnyChangeOfTheCord) {
   const std::vector<std::pair<const char*, std::function<void(Cord&)>>> changes = {
       {"attach_mass", [](Cord& cord) { cord.attach_mass(20, 1.0); }},
       {"set_load",
@@ -150,7 +150,7 @@ TEST(CordSleep, WhateverChangesTheCordWakesIt) {
   }
 }
 
-TEST(CordSleep, AReelThatCreepsKeepsItAwake) {
+TEST(CordSleep, DoesNotStartDuringSlowReeling) {
   Cord cord = sloping_rope();
   Near nothing;
   ASSERT_TRUE(nothing.sleeps_in(cord, 6000));
@@ -159,7 +159,7 @@ TEST(CordSleep, AReelThatCreepsKeepsItAwake) {
   EXPECT_TRUE(nothing.sleeps_in(cord, 2 * drowsy + 5));
 }
 
-TEST(CordSleep, WhatChangesAroundItWakesIt) {
+TEST(CordSleep, EndsWithAChangeOfTheSurroundings) {
   const auto still = [](Near& near) {
     near.body.position = {0.5, -1.0};
     near.has_circle = near.has_segment = true;
@@ -195,7 +195,7 @@ TEST(CordSleep, WhatChangesAroundItWakesIt) {
 }
 
 /// A dynamic body at rest sleeps with the cord if its owner allows it; the result reports that.
-TEST(CordSleep, WithABodyThatCanBePushedOnlyIfThatMaySleepToo) {
+TEST(CordSleep, IncludesADynamicBodyOnlyIfItMaySleep) {
   for (const bool holds : {true, false}) {
     for (const bool may_sleep : {true, false}) {
       Cord cord(rope_def());
@@ -223,7 +223,7 @@ TEST(CordSleep, WithABodyThatCanBePushedOnlyIfThatMaySleepToo) {
   }
 }
 
-TEST(CordSleep, HeldByWhatStandsStillItSleeps) {
+TEST(CordSleep, HappensOnAStationaryHolder) {
   Cord cord(rope_def());
   Near near;
   near.body.position = cord.positions()[20];

@@ -45,7 +45,7 @@ TEST(BandedLdlt, AgreesWithEigenAtEveryWidth) {
   }
 }
 
-TEST(BandedLdlt, RefusesWhatIsNotPositiveDefinite) {
+TEST(BandedLdlt, RefusesMatricesThatAreNotPositiveDefinite) {
   const auto solves = [](double a00, double a01, double a11) {
     BandedMatrix a(2, 7);
     a.row(0)[0] = a00;

@@ -53,7 +53,7 @@ Pair random_pair(int n, int far, std::mt19937& random) {
   return pair;
 }
 
-TEST(BlockLdlt, AgreesWithEigenWhateverIsCoupledAndHeld) {
+TEST(BlockLdlt, AgreesWithEigenForAnyCouplingsAndConstraints) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
   for (const int n : {1, 2, 7, 40}) {
@@ -83,7 +83,7 @@ TEST(BlockLdlt, AgreesWithEigenWhateverIsCoupledAndHeld) {
   }
 }
 
-TEST(BlockLdlt, KnowsWhatEliminationFills) {
+TEST(BlockLdlt, PredictsTheFillOfElimination) {
   BlockLdlt matrix;
   matrix.begin_pattern(std::vector<int>{0, 1, 2, 3});
   matrix.couple(0, 2);
@@ -101,7 +101,7 @@ TEST(BlockLdlt, KnowsWhatEliminationFills) {
   EXPECT_EQ(matrix.off_diagonal_blocks(), 2U);  // 0 last of them: nothing fills
 }
 
-TEST(BlockLdlt, RefusesWhatIsNotPositiveDefinite) {
+TEST(BlockLdlt, RefusesMatricesThatAreNotPositiveDefinite) {
   const auto solves = [](double diagonal, double off) {
     BlockLdlt matrix;
     matrix.begin_pattern(std::vector<int>{0, 1});
@@ -164,9 +164,9 @@ void expect_to_take_a_band(const std::vector<int>& order) {
   }
 }
 
-TEST(BlockLdlt, TakesABandWhoseSlotsRiseInTheOrder) { expect_to_take_a_band({2, 3, 0, 4, 5, 1, 6}); }
+TEST(BlockLdlt, AcceptsABandWithAscendingSlots) { expect_to_take_a_band({2, 3, 0, 4, 5, 1, 6}); }
 
-TEST(BlockLdlt, TakesABandWhoseSlotsComeInAnyOrder) {
+TEST(BlockLdlt, AcceptsABandWithSlotsInAnyOrder) {
   expect_to_take_a_band({6, 5, 4, 3, 2, 1, 0});
   expect_to_take_a_band({3, 0, 6, 2, 5, 1, 4});
 }

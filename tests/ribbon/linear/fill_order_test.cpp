@@ -54,7 +54,7 @@ Couplings grid(int n) {
   return couplings;
 }
 
-TEST(FillOrder, EliminatesEachVariableOnceWhateverIsCoupled) {
+TEST(FillOrder, EliminatesEachVariableOnceForAnyCouplings) {
   std::mt19937 random(5);
   FillOrder fill_order;
   for (const int count : {0, 1, 2, 9, 60}) {
@@ -70,7 +70,7 @@ TEST(FillOrder, EliminatesEachVariableOnceWhateverIsCoupled) {
   }
 }
 
-TEST(FillOrder, FillsNothingWhereNothingHasToBeFilled) {
+TEST(FillOrder, HasNoFillInStarsAndTrees) {
   Couplings star;
   Couplings tree;
   for (int k = 1; k < 40; ++k) {
@@ -82,12 +82,12 @@ TEST(FillOrder, FillsNothingWhereNothingHasToBeFilled) {
   EXPECT_GT(blocks(natural(40), star), 10 * star.size());
 }
 
-TEST(FillOrder, FillsASquareLessThanRowsInTheirOrder) {
+TEST(FillOrder, HasLessFillInAGridThanRowOrder) {
   const Couplings couplings = grid(30);
   EXPECT_LT(2 * blocks(found(900, couplings), couplings), blocks(natural(900), couplings));
 }
 
-TEST(FillOrder, KnowsDegreesNoWorseThanByCounting) {
+TEST(FillOrder, HasLittleMoreFillThanExactMinimumDegree) {
   // Elimination by exact degrees on random graphs has this fill; a tenth more is accepted.
   std::mt19937 random(8);
   std::uniform_int_distribution<int> any(0, 79);

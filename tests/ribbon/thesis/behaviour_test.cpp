@@ -163,7 +163,7 @@ TEST(LongCord, DroppedOnACircleItComesToRestAroundIt) {
   EXPECT_LT(nearest, 0.2 + 1e-2);
 }
 
-TEST(LongCord, AFreeCordAndAFreeCircleThatMeetKeepTheirMomentum) {
+TEST(LongCord, AFreeCordAndAFreeCircleThatCollideConserveMomentum) {
   ThesisDef def = test_support::thesis_def(thesis_conditions[0]);
   def.drag = 0.0;
   ThesisCord cord(def);
@@ -201,7 +201,7 @@ TEST(LongCord, AFreeCordAndAFreeCircleThatMeetKeepTheirMomentum) {
 
 TEST(LongCord, FoldedOnItselfItComesToRestWhereItsCentreOfMassGoes) {
   ThesisDef def = test_support::thesis_def(thesis_conditions[0]);
-  // A hairpin: the two halves lie side by side, a few millimetres apart, and run into each other.
+  // A hairpin: the two halves are side by side, a few millimetres apart, and run into each other.
   def.positions = lay_along(std::array{Vec2{0.0, 0.0}, Vec2{0.575, 0.0}, Vec2{0.575, 0.085}, Vec2{-1.0, 0.085}}, def.w,
                             def.h, def.spacing);
   ThesisCord cord(def);

@@ -101,7 +101,7 @@ TEST(FindContact, AnOwnPointDoesNotLeaveThroughItsOwnNeighbourhood) {
   for (const int p : contact->point) EXPECT_GT(strip.mesh.column(p), 2);
 }
 
-TEST(PushApart, SharesByMassAndKeepsTheCentreOfMass) {
+TEST(PushApart, MovesByInverseMassAndKeepsTheCentreOfMass) {
   Strip strip;
   const double w_circle = 0.25;  // 4 kg against points of 1 kg
   Circle circle{{4.3, 1.2}, {4.3, 1.2}, 0.5};
@@ -166,7 +166,7 @@ TEST(Quadtree, SurvivesManyEqualBoxesAndNone) {
   EXPECT_EQ(found, 100);
 }
 
-TEST(BroadPhase, MissesNothingWhileThingsMoveAndRebuildsOnlyThen) {
+TEST(BroadPhase, FindsAllPairsOfMovingPointsAndRebuildsOnlyAfterMotion) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> step(-0.03, 0.03);
   const Mesh mesh = make_mesh(30, 2, 0.1);
@@ -210,7 +210,7 @@ TEST(BroadPhase, LeavesOutTheCellsAroundAPoint) {
   }
 }
 
-TEST(BroadPhase, FallsBackToAllTrianglesWhenTheRoomIsUsedUp) {
+TEST(BroadPhase, ReturnsAllTrianglesWhenItsMemoryIsFull) {
   const Mesh mesh = make_mesh(200, 2, 0.1);
   const std::vector<Vec2> heap(400, Vec2{0.5, 0.5});  // every triangle touches every point
   const std::vector<double> radii(400, 0.04);

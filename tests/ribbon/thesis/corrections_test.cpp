@@ -7,7 +7,7 @@
 namespace ribbon {
 namespace {
 
-TEST(Springs, ReachTheStaticSpringInOneStepHowStiffItIs) {
+TEST(Springs, AreStableInOneStepAtAnyStiffness) {
   // One spring, both masses m: the implicit step moves by κ/(1 + κ) of the stretch, κ = (w_a + w_b)·k·dt².
   const std::vector<Connection> bar = {{0, 1, 1.0}};
   for (const double k : {1.0, 100.0, 1e12}) {
@@ -19,7 +19,7 @@ TEST(Springs, ReachTheStaticSpringInOneStepHowStiffItIs) {
   }
 }
 
-TEST(Springs, ShareByMassAndKeepTheCentreOfMass) {
+TEST(Springs, MovePointsByInverseMassAndKeepTheCentreOfMass) {
   const std::vector<Connection> bar = {{0, 1, 1.0}};
   std::vector<Vec2> x = {{0.0, 0.0}, {0.0, 3.0}};
   const std::vector<double> w = {1.0, 0.001};  // 1 kg and 1 t
@@ -28,7 +28,7 @@ TEST(Springs, ShareByMassAndKeepTheCentreOfMass) {
   EXPECT_GT(x[0].y, 1.9);  // the light one moves
 }
 
-TEST(Springs, LeaveDrivenAndCoincidentPointsAlone) {
+TEST(Springs, DoNotMoveDrivenAndCoincidentPoints) {
   const std::vector<Connection> bars = {{0, 1, 1.0}, {1, 2, 1.0}};
   std::vector<Vec2> x = {{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.0}};
   const std::vector<double> w = {0.0, 0.0, 1.0};
@@ -36,7 +36,7 @@ TEST(Springs, LeaveDrivenAndCoincidentPointsAlone) {
   EXPECT_EQ(x, (std::vector<Vec2>{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.0}}));
 }
 
-TEST(Areas, GiveBackTheSharedPartOfWhatIsMissing) {
+TEST(Areas, RestoreTheRequiredShareOfTheArea) {
   const std::vector<Triangle> triangle = {{0, 1, 2, 0.5}};
   std::vector<Vec2> x = {{0.0, 0.0}, {1.0, 0.0}, {0.3, 0.001}};
   const std::vector<double> w = {1.0, 1.0, 1.0};
@@ -55,7 +55,7 @@ TEST(Areas, TurnAnInvertedTriangleBack) {
   EXPECT_GT(signed_area(x[0], x[1], x[2]), 0.14);
 }
 
-TEST(Areas, LeaveAHealthyOrDrivenTriangleAlone) {
+TEST(Areas, DoNotMoveAHealthyOrDrivenTriangle) {
   const std::vector<Triangle> triangle = {{0, 1, 2, 0.5}};
   const std::vector<Vec2> healthy = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 0.4}};
   std::vector<Vec2> x = healthy;

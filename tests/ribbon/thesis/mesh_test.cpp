@@ -35,7 +35,7 @@ TEST(Mesh, ConnectionsAreUniqueAndWithinTheBand) {
   }
 }
 
-TEST(Mesh, RestLengthsAndAreasAreThoseOfTheLaidOutGrid) {
+TEST(Mesh, RestLengthsAndAreasAreThoseOfTheInitialGrid) {
   const Mesh mesh = make_mesh(6, 4, 0.25);
   const std::array<Vec2, 2> path = {Vec2{1.0, 2.0}, Vec2{1.0 + 0.6, 2.0 + 0.8}};
   const std::vector<Vec2> x = lay_along(path, 6, 4, 0.25);

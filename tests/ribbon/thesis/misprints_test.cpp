@@ -266,7 +266,7 @@ TEST(Misprint7Inside, ACentreInsideATriangleHasNoDirection) {
   const Mesh mesh = make_mesh(6, 2, 1.0);
   const std::vector<Vec2> x = lay_along(std::array{Vec2{0.0, 0.0}, Vec2{1.0, 0.0}}, 6, 2, 1.0);
   const Vec2 c{2.7, 0.1};
-  const Vec2 t_c = c;  // the nearest point of the triangle that c lies in
+  const Vec2 t_c = c;  // the nearest point of the triangle that contains c
   const double size = length(c - t_c);
   EXPECT_TRUE(std::isnan((c - t_c).x / size));
   int inside = 0;
@@ -280,7 +280,7 @@ TEST(Misprint7Inside, ACentreInsideATriangleHasNoDirection) {
   EXPECT_GT(inside, 0);
 }
 
-TEST(Misprint8Memory, LengthsAloneAreContentWithAMirroredCord) {
+TEST(Misprint8Memory, LengthsAloneAcceptAMirroredCord) {
   const Mesh mesh = make_mesh(6, 2, 1.0);
   std::vector<Vec2> x = lay_along(std::array{Vec2{0.0, 0.0}, Vec2{1.0, 0.0}}, 6, 2, 1.0);
   for (Vec2& p : x) p.y = -p.y;

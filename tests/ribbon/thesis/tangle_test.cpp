@@ -26,7 +26,7 @@ std::vector<char> tangled_columns(const std::vector<Vec2>& path) {
   return tangled;
 }
 
-TEST(Tangle, AStraightOneACurveAndAHairpinAreNone) {
+TEST(Tangle, StraightCurvedAndHairpinCordsAreNotTangled) {
   const std::vector<std::vector<Vec2>> paths = {{{0.0, 0.0}, {1.0, 0.0}},
                                                 {{0.0, 0.0}, {1.5, 0.0}, {2.5, 1.0}, {2.5, 3.0}},
                                                 {{0.0, 0.0}, {1.9, 0.0}, {1.9, 0.2}, {0.0, 0.2}}};

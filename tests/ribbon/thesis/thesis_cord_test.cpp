@@ -31,7 +31,7 @@ std::vector<int> first_column(int h) {
   return pins;
 }
 
-TEST(ThesisCord, FallsAsFastHoweverManySubsteps) {
+TEST(ThesisCord, FallsAtTheSameRateWithAnyNumberOfSubsteps) {
   // y = −½·g·t·(t + δ) exactly: symplectic Euler with the substep δ.
   for (const int substeps : {1, 4, 32}) {
     ThesisDef def = free_def();
@@ -43,7 +43,7 @@ TEST(ThesisCord, FallsAsFastHoweverManySubsteps) {
   }
 }
 
-TEST(ThesisCord, DragTakesSpeedAtItsRate) {
+TEST(ThesisCord, DragReducesSpeedAtItsRate) {
   ThesisDef def = free_def();
   def.drag = 0.7;
   ThesisCord cord(def);
@@ -53,7 +53,7 @@ TEST(ThesisCord, DragTakesSpeedAtItsRate) {
   EXPECT_NEAR(cord.velocities()[5].x, 3.0 * std::pow(1.0 / (1.0 + 0.7 * frame_dt / 8), 480), 1e-10);
 }
 
-TEST(ThesisCord, KeepsLinearMomentumWhateverItDoes) {
+TEST(ThesisCord, ConservesLinearMomentum) {
   ThesisCord cord(free_def());
   for (int p = 0; p < cord.mesh().size(); ++p) {
     cord.set_velocity(p, {std::sin(3.0 * p), std::cos(5.0 * p)});
@@ -73,7 +73,7 @@ TEST(ThesisCord, KeepsLinearMomentumWhateverItDoes) {
 }
 
 /// The report shows errors: bars off their length, inverted triangles, spurious energy. At rest it shows none.
-TEST(ThesisCord, ReportsWhetherItsStepMayBeTrusted) {
+TEST(ThesisCord, ReportsErrorsOfItsStep) {
   ThesisDef def = free_def();
   const ThesisCord rest(def);
   ThesisCord still(def);
@@ -92,7 +92,7 @@ TEST(ThesisCord, ReportsWhetherItsStepMayBeTrusted) {
 }
 
 /// A circle that appears inside the cord adds energy, which is reported. While a point is dragged, that is unknown.
-TEST(ThesisCord, ReportsEnergyFromNowhere) {
+TEST(ThesisCord, ReportsSpuriousEnergy) {
   const auto gains = [](bool dragged) {
     ThesisCord cord(free_def());
     std::vector<RigidBody> bodies(1);
@@ -109,7 +109,7 @@ TEST(ThesisCord, ReportsEnergyFromNowhere) {
   EXPECT_EQ(gains(true), 0);
 }
 
-TEST(ThesisCord, IsTheSameTurnedAndFarAway) {
+TEST(ThesisCord, IsInvariantUnderRotationAndTranslation) {
   // The same swing, turned by the angle of (0.6, 0.8) and 10 km off.
   const auto swing = [](Vec2 x_axis, Vec2 origin) {
     ThesisDef def = free_def();
@@ -157,7 +157,7 @@ TEST(ThesisCord, DrivenPointsMoveEvenlyAndArriveExactly) {
 }
 
 /// If the inertia is lost beside the stiffness in double precision, the system of a free cord is singular.
-TEST(ThesisCord, CarriesOnWithSpringsAloneWhereASolveFailsAndCountsIt) {
+TEST(ThesisCord, ContinuesWithSpringsAfterAFailedSolveAndCountsIt) {
   ThesisDef def = free_def();
   def.point_mass = 1e-9;
   def.bar_damping = 1e15;
@@ -183,7 +183,7 @@ TEST(ThesisCord, CarriesOnWithSpringsAloneWhereASolveFailsAndCountsIt) {
   EXPECT_EQ(failing.save(), without.save());
 }
 
-TEST(ThesisCord, TakesNoHeapMemoryInAStepAfterTheFirst) {
+TEST(ThesisCord, AStepAfterTheFirstAllocatesNothing) {
   for (const auto& condition : thesis_conditions) {
     ThesisCord cord(test_support::hanging(condition));
     std::array<RigidBody, 2> bodies;
@@ -229,7 +229,7 @@ TEST(ThesisCord, RefusesBadNumbersAndChangesNothing) {
   EXPECT_EQ(cord.save(), before);
 }
 
-TEST(ThesisCordSameBits, SavedAndRestoredItRunsTheSame) {
+TEST(ThesisCordSameBits, ARestoredCordRunsTheSame) {
   ThesisCord cord(test_support::hanging(thesis_conditions[1]));
   cord.operate(49, {0.3, -0.1});
   for (int frame = 0; frame < 20; ++frame) cord.step(frame_dt, earth_gravity);

@@ -10,7 +10,7 @@ namespace any_scene {
 using test_support::Dice;
 
 /// Returns a random integer in low … high.
-int whole(Dice& dice, int low, int high);
+int random_integer(Dice& dice, int low, int high);
 bool chance(Dice& dice, double share);
 /// Returns a log-uniform random number between low and high. Uses + − · / and √ only, so that it is portable.
 double log_uniform(Dice& dice, double low, double high);
@@ -18,9 +18,9 @@ double log_uniform(Dice& dice, double low, double high);
 ribbon::Vec2 direction(Dice& dice);
 
 /// Places a scene's objects. Each added object is clear of those already present.
-class Room {
+class Placer {
  public:
-  explicit Room(Scene& scene) : scene_(scene) {}
+  explicit Placer(Scene& scene) : scene_(scene) {}
 
   bool is_clear(const Solid& solid, int except = -1) const;
   bool is_clear(const ribbon::CordDef& def, const std::vector<ribbon::Vec2>& positions) const;
@@ -29,7 +29,7 @@ class Room {
   bool add_cord(Dice& dice, ribbon::CordDef def, ribbon::Vec2 low, ribbon::Vec2 high);
   /// Moves a solid to a cord so that it touches the cord at the arc on either side, and sets the hold. Returns false if
   /// the solid would overlap another object.
-  bool bring(Dice& dice, int solid, int cord, double arc, Hold& hold);
+  bool place_holder(Dice& dice, int solid, int cord, double arc, Hold& hold);
 
  private:
   Scene& scene_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/peers/players.h"
+#include "tests/peers/runners.h"
 
 namespace peers {
 namespace {
@@ -111,7 +111,7 @@ class Space {
 
 std::string chipmunk_version() { return cpVersionString; }
 
-Recording play_chipmunk(const Plan& plan, const Parameters& parameters) {
+Recording run_chipmunk(const Plan& plan, const Parameters& parameters) {
   const int substeps = static_cast<int>(parameter_or(parameters, "substeps", 1.0));
   Space space(plan, static_cast<int>(parameter_or(parameters, "iterations", 10.0)));
   const auto tick = [&] {

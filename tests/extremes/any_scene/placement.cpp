@@ -1,4 +1,4 @@
-#include "tests/extremes/any_scene/lay.h"
+#include "tests/extremes/any_scene/placement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +32,11 @@ Vec2 unit(Vec2 d) { return (1.0 / length(d)) * d; }
 std::vector<Vec2> line(Dice& dice, const CordDef& def, Vec2 start) {
   const double link = def.length / (def.points - 1);
   Vec2 d = direction(dice);
-  const int kind = whole(dice, 0, def.rows > 1 ? 1 : 2);
+  const int kind = random_integer(dice, 0, def.rows > 1 ? 1 : 2);
   const double most_turn = def.rows > 1 ? 0.5 * link / (link + def.width) / (def.points - 1) : 2.2 / (def.points - 1);
   const double turn = kind == 1 ? dice(-1.0, 1.0) * most_turn : 0.0;
   const double corner = kind == 2 ? dice(0.1, 0.5) : 0.0;
-  const int leg = whole(dice, 2, 8);
+  const int leg = random_integer(dice, 2, 8);
   std::vector<Vec2> points{start};
   for (int i = 1; i < def.points; ++i) {
     points.push_back(points.back() + link * d);
@@ -92,7 +92,9 @@ double support(const Solid& solid, Vec2 n) {
 
 }  // namespace
 
-int whole(Dice& dice, int low, int high) { return std::min(low + static_cast<int>(dice() * (high - low + 1)), high); }
+int random_integer(Dice& dice, int low, int high) {
+  return std::min(low + static_cast<int>(dice() * (high - low + 1)), high);
+}
 
 bool chance(Dice& dice, double share) { return dice() < share; }
 
@@ -100,7 +102,7 @@ double log_uniform(Dice& dice, double low, double high) {
   int octaves = 0;
   for (double x = low; 2.0 * x <= high; x *= 2.0) ++octaves;
   double value = low;
-  for (int k = whole(dice, 0, octaves); k > 0; --k) value *= 2.0;
+  for (int k = random_integer(dice, 0, octaves); k > 0; --k) value *= 2.0;
   return std::min(value * dice(1.0, 2.0), high);
 }
 
@@ -113,7 +115,7 @@ Vec2 direction(Dice& dice) {
   }
 }
 
-bool Room::is_clear(const Solid& solid, int except) const {
+bool Placer::is_clear(const Solid& solid, int except) const {
   for (int k = 0; k < static_cast<int>(scene_.solids.size()); ++k) {
     if (k != except && overlap(solid, scene_.solids[slot(k)]) > -clearance) return false;
   }
@@ -122,7 +124,7 @@ bool Room::is_clear(const Solid& solid, int except) const {
   });
 }
 
-bool Room::is_clear(const CordDef& def, const std::vector<Vec2>& positions) const {
+bool Placer::is_clear(const CordDef& def, const std::vector<Vec2>& positions) const {
   const Outline around = outline(def, positions);
   if (!is_clear_of_itself(def, around)) return false;
   for (const Solid& solid : scene_.solids) {
@@ -133,7 +135,7 @@ bool Room::is_clear(const CordDef& def, const std::vector<Vec2>& positions) cons
   });
 }
 
-bool Room::add_solid(Dice& dice, Solid solid, Vec2 low, Vec2 high) {
+bool Placer::add_solid(Dice& dice, Solid solid, Vec2 low, Vec2 high) {
   for (int k = 0; k < tries; ++k) {
     solid.position.x = dice(low.x, high.x);
     solid.position.y = dice(low.y, high.y);
@@ -144,7 +146,7 @@ bool Room::add_solid(Dice& dice, Solid solid, Vec2 low, Vec2 high) {
   return false;
 }
 
-bool Room::add_cord(Dice& dice, CordDef def, Vec2 low, Vec2 high) {
+bool Placer::add_cord(Dice& dice, CordDef def, Vec2 low, Vec2 high) {
   for (int k = 0; k < tries; ++k) {
     const double x = dice(low.x, high.x);
     const double y = dice(low.y, high.y);
@@ -156,7 +158,7 @@ bool Room::add_cord(Dice& dice, CordDef def, Vec2 low, Vec2 high) {
   return false;
 }
 
-bool Room::bring(Dice& dice, int solid, int cord, double arc, Hold& hold) {
+bool Placer::place_holder(Dice& dice, int solid, int cord, double arc, Hold& hold) {
   const CordDef& def = scene_.cords[slot(cord)].def;
   const bool left = dice.coin();
   hold.solid = solid;
@@ -172,7 +174,7 @@ bool Room::bring(Dice& dice, int solid, int cord, double arc, Hold& hold) {
   moved.position = hand + (support(moved, n) + skin(moved) + def.radius) * n;
   Scene others = scene_;
   others.cords.erase(others.cords.begin() + cord);
-  if (!Room(others).is_clear(moved, solid)) return false;
+  if (!Placer(others).is_clear(moved, solid)) return false;
   if (overlap(def, outline(def, def.positions), moved) > touching) return false;
   scene_.solids[slot(solid)] = moved;
   hold.local_anchor = pose_of(moved).to_local(hand);

@@ -1,7 +1,7 @@
 #include <chrono>
 
 #include "ribbon/box2d/convert.h"
-#include "tests/peers/players.h"
+#include "tests/peers/runners.h"
 
 namespace peers {
 
@@ -14,7 +14,7 @@ double parameter_or(const Parameters& parameters, const std::string& name, doubl
   return fallback;
 }
 
-Recording play_coupled(const SetUp& set_up, const Plan& plan, const test_support::CordMethod& method) {
+Recording run_coupled(const SetUp& set_up, const Plan& plan, const test_support::CordMethod& method) {
   CoupledWorld world(method, plan.gravity);
   set_up(world);
   const std::vector<b2Body*> moving_bodies = moving_bodies_of(world.world);

@@ -1,6 +1,6 @@
-// play.mjs ENGINE PLAN RECORDING [parameter=value …]: plays a plan (tests/peers/plan.h) with an engine from npm. Writes
-// the time of each tick and the positions after it (tests/peers/recording.h).
-// play.mjs ENGINE --version
+// run_plan.mjs ENGINE PLAN RECORDING [parameter=value …]: runs a plan (tests/peers/plan.h) with an engine from npm.
+// Writes the time of each tick and the positions after it (tests/peers/recording.h).
+// run_plan.mjs ENGINE --version
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
@@ -71,7 +71,7 @@ function record(world, row) {
   }
 }
 
-async function play() {
+async function run() {
   const world = await engine.make(plan, parameters, name);
   for (let tick = 0; tick < plan.settlingTicks; ++tick) {
     world.step();
@@ -92,7 +92,7 @@ async function play() {
 
 // The first run warms up the compiler; the second is recorded, unless it would take too long.
 const began = process.hrtime.bigint();
-let frames = await play();
-if (Number(process.hrtime.bigint() - began) < 5e9) frames = await play();
+let frames = await run();
+if (Number(process.hrtime.bigint() - began) < 5e9) frames = await run();
 writeFileSync(recordingPath, Buffer.concat(frames.map((row) => Buffer.from(row.buffer))));
 process.exit(0);

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tests/peers/players.h"
+#include "tests/peers/runners.h"
 #include "tests/study/text.h"
 
 namespace peers {
@@ -28,7 +28,7 @@ std::string without_newline(std::string text) {
 
 }  // namespace
 
-void NodePlayer::run(const std::string& arguments) const {
+void NodeRunner::start_node(const std::string& arguments) const {
   const std::string log = path("node.log");
   const std::string command = "timeout 600 node '" + script_ + "' " + arguments + " > '" + log + "' 2>&1";
   if (std::system(command.c_str()) != 0) {
@@ -36,18 +36,18 @@ void NodePlayer::run(const std::string& arguments) const {
   }
 }
 
-Recording NodePlayer::play(const std::string& engine, const Plan& plan, const Parameters& parameters) const {
+Recording NodeRunner::run(const std::string& engine, const Plan& plan, const Parameters& parameters) const {
   std::ofstream(path("plan.json")) << to_json(plan);
   std::filesystem::remove(path("recording"));
   std::string settings;
   for (const Parameter& parameter : parameters)
     settings += " " + parameter.name + "=" + study::significant(parameter.value, 6);
-  run(engine + " '" + path("plan.json") + "' '" + path("recording") + "'" + settings);
+  start_node(engine + " '" + path("plan.json") + "' '" + path("recording") + "'" + settings);
   return read_recording(path("recording"), plan);
 }
 
-std::string NodePlayer::version(const std::string& engine) const {
-  run(engine + " --version");
+std::string NodeRunner::version(const std::string& engine) const {
+  start_node(engine + " --version");
   return without_newline(study::read_file(path("node.log")));
 }
 

@@ -29,12 +29,12 @@ struct Counts {
 };
 
 /// A cord of any method, built from one definition.
-class Subject {
+class TestedCord {
  public:
   /// With the thesis's method a rope is a strip of two rows; EA becomes the stiffness of its springs along it, limited
   /// (also for infinity) to one that corrects half of a link's error in a substep of a step of dt; attached masses are
   /// bodies that hold its points. The other methods ignore `dt`.
-  Subject(Method method, ribbon::CordDef def, double dt);
+  TestedCord(Method method, ribbon::CordDef def, double dt);
 
   /// Attaches a mass [kg] to the last column; each row carries its share of the width. Call it once.
   void attach_load(double mass);

@@ -1,4 +1,4 @@
-#include "tests/peers/contestants.h"
+#include "tests/peers/variants.h"
 
 #include <algorithm>
 
@@ -35,11 +35,11 @@ bool is_affordable(const Parameters& parameters, const Plan& plan) {
 
 struct NodeEngine {
   const char* name;
-  const char* module;  ///< in tests/peers/play.mjs
+  const char* module;  ///< in tests/peers/run_plan.mjs
   const char* kind;
   std::vector<Parameters> settings;
-  bool plays_ropes = true;
-  bool plays_ribbons = false;
+  bool runs_ropes = true;
+  bool runs_ribbons = false;
 };
 
 Parameters with(Parameters parameters, const std::string& name, double value) {
@@ -90,13 +90,13 @@ const std::vector<NodeEngine>& node_engines() {
   return list;
 }
 
-std::vector<Contestant> ours(bool ribbons) {
-  std::vector<Contestant> list;
+std::vector<Variant> ours(bool ribbons) {
+  std::vector<Variant> list;
   const auto add = [&](const char* setting, const ribbon::Accuracy& accuracy) {
     CordMethod how;
     how.accuracy = accuracy;
     list.push_back({our_name, setting,
-                    [how](const Scene& scene, const Plan& plan) { return play_coupled(scene.set_up, plan, how); }});
+                    [how](const Scene& scene, const Plan& plan) { return run_coupled(scene.set_up, plan, how); }});
   };
   add("balanced", ribbon::Accuracy::balanced());
   add("fast", ribbon::Accuracy::fast());
@@ -104,8 +104,8 @@ std::vector<Contestant> ours(bool ribbons) {
   return list;
 }
 
-std::vector<Contestant> box2d_chains(const Plan& plan) {
-  std::vector<Contestant> list;
+std::vector<Variant> box2d_chains(const Plan& plan) {
+  std::vector<Variant> list;
   for (const int substeps : {1, 4, 16, 64}) {
     const Parameters parameters = {{"substeps", static_cast<double>(substeps)}};
     if (!is_affordable(parameters, plan)) continue;
@@ -113,14 +113,14 @@ std::vector<Contestant> box2d_chains(const Plan& plan) {
     how.chain = true;
     how.substeps = substeps;
     list.push_back({box2d_name, words_of(parameters),
-                    [how](const Scene& scene, const Plan& known) { return play_coupled(scene.set_up, known, how); }});
+                    [how](const Scene& scene, const Plan& known) { return run_coupled(scene.set_up, known, how); }});
   }
   return list;
 }
 
 }  // namespace
 
-std::vector<Engine> engines(const NodePlayer& node) {
+std::vector<Engine> engines(const NodeRunner& node) {
   const b2Version box2d = b2_version;
   std::vector<Engine> list = {
       {our_name, RIBBON_VERSION, "native"},
@@ -134,33 +134,33 @@ std::vector<Engine> engines(const NodePlayer& node) {
   return list;
 }
 
-std::vector<Contestant> contestants(const Scene& scene, const NodePlayer& node, bool quick) {
+std::vector<Variant> variants(const Scene& scene, const NodeRunner& node, bool quick) {
   const Plan plan = plan_of(scene.set_up, 0, 0);
   const bool ribbons = plan.cords.front().def.rows > 1;
-  std::vector<Contestant> list = ours(ribbons);
-  const auto add = [&](std::vector<Contestant> more) {
+  std::vector<Variant> list = ours(ribbons);
+  const auto add = [&](std::vector<Variant> more) {
     if (quick) more.resize(std::min<std::size_t>(more.size(), 1));
     list.insert(list.end(), more.begin(), more.end());
   };
   if (quick) list.resize(1);
   if (!ribbons) {
     add(box2d_chains(plan));
-    std::vector<Contestant> chipmunk;
+    std::vector<Variant> chipmunk;
     for (const Parameters& parameters : by_substeps({}, 40.0)) {
       if (!is_affordable(parameters, plan)) continue;
       chipmunk.push_back({chipmunk_name, words_of(parameters),
-                          [parameters](const Scene&, const Plan& known) { return play_chipmunk(known, parameters); }});
+                          [parameters](const Scene&, const Plan& known) { return run_chipmunk(known, parameters); }});
     }
     add(chipmunk);
   }
   for (const NodeEngine& engine : node_engines()) {
-    if (!(ribbons ? engine.plays_ribbons : engine.plays_ropes)) continue;
-    std::vector<Contestant> settings;
+    if (!(ribbons ? engine.runs_ribbons : engine.runs_ropes)) continue;
+    std::vector<Variant> settings;
     for (const Parameters& parameters : engine.settings) {
       if (!is_affordable(parameters, plan)) continue;
       settings.push_back(
           {engine.name, words_of(parameters), [&node, &engine, parameters](const Scene&, const Plan& known) {
-             return node.play(engine.module, known, parameters);
+             return node.run(engine.module, known, parameters);
            }});
     }
     add(settings);

@@ -1,4 +1,4 @@
-#include "tests/extremes/subject.h"
+#include "tests/extremes/tested_cord.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ Counts& Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-Subject::Subject(Method method, ribbon::CordDef def, double dt)
+TestedCord::TestedCord(Method method, ribbon::CordDef def, double dt)
     : method_(method), columns_(def.points), rows_(def.rows), cell_{def.length / (def.points - 1), 0.0} {
   def.positions = laid_out(def);
   if (method == Method::thesis) {
@@ -89,7 +89,7 @@ Subject::Subject(Method method, ribbon::CordDef def, double dt)
   direct_.emplace(def);
 }
 
-void Subject::attach_load(double mass) {
+void TestedCord::attach_load(double mass) {
   for (int j = 0; j < rows_ && mass > 0.0; ++j) {
     const int point = index(columns_ - 1, j);
     const double share = rows_ == 1 ? 1.0 : (j == 0 || j == rows_ - 1 ? 0.5 : 1.0) / (rows_ - 1);
@@ -104,22 +104,22 @@ void Subject::attach_load(double mass) {
   }
 }
 
-void Subject::operate(int point, Vec2 target) {
+void TestedCord::operate(int point, Vec2 target) {
   direct_ ? direct_->operate(point, target) : thesis_->operate(point, target);
 }
 
-void Subject::release(int point) { direct_ ? direct_->release(point) : thesis_->release(point); }
+void TestedCord::release(int point) { direct_ ? direct_->release(point) : thesis_->release(point); }
 
-void Subject::set_velocity(int point, Vec2 velocity) {
+void TestedCord::set_velocity(int point, Vec2 velocity) {
   direct_ ? direct_->set_velocity(point, velocity) : thesis_->set_velocity(point, velocity);
 }
 
-void Subject::stop() {
+void TestedCord::stop() {
   for (int p = 0; p < columns_ * rows_; ++p) set_velocity(p, {});
   for (Load& load : loads_) load.body.velocity = {};
 }
 
-void Subject::step(double dt, Vec2 gravity, const ribbon::Surroundings& surroundings) {
+void TestedCord::step(double dt, Vec2 gravity, const ribbon::Surroundings& surroundings) {
   ++counts_.steps;
   if (direct_) {
     counts_.direct += direct_->step(dt, gravity, surroundings);
@@ -129,7 +129,7 @@ void Subject::step(double dt, Vec2 gravity, const ribbon::Surroundings& surround
 }
 
 /// The loads follow the existing bodies.
-void Subject::step_thesis(double dt, Vec2 gravity, const ribbon::Surroundings& surroundings) {
+void TestedCord::step_thesis(double dt, Vec2 gravity, const ribbon::Surroundings& surroundings) {
   bodies_.assign(surroundings.bodies.begin(), surroundings.bodies.end());
   grips_.assign(surroundings.grips.begin(), surroundings.grips.end());
   for (Load& load : loads_) {
@@ -147,19 +147,19 @@ void Subject::step_thesis(double dt, Vec2 gravity, const ribbon::Surroundings& s
   }
 }
 
-std::span<const Vec2> Subject::positions() const { return direct_ ? direct_->positions() : thesis_->positions(); }
-std::span<const Vec2> Subject::velocities() const { return direct_ ? direct_->velocities() : thesis_->velocities(); }
+std::span<const Vec2> TestedCord::positions() const { return direct_ ? direct_->positions() : thesis_->positions(); }
+std::span<const Vec2> TestedCord::velocities() const { return direct_ ? direct_->velocities() : thesis_->velocities(); }
 
-double Subject::mass(int point) const { return direct_ ? direct_->mass(point) : thesis_->def().point_mass; }
+double TestedCord::mass(int point) const { return direct_ ? direct_->mass(point) : thesis_->def().point_mass; }
 
-double Subject::total_mass() const {
+double TestedCord::total_mass() const {
   double sum = 0.0;
   for (int p = 0; p < columns_ * rows_; ++p) sum += mass(p);
   for (const Load& load : loads_) sum += 1.0 / load.body.inverse_mass;
   return sum;
 }
 
-double Subject::energy(Vec2 gravity) const {
+double TestedCord::energy(Vec2 gravity) const {
   if (direct_) return direct_->energy(gravity).total();
   double sum = test_support::kinetic_energy(*thesis_);
   const auto x = positions();
@@ -175,27 +175,27 @@ double Subject::energy(Vec2 gravity) const {
   return sum;
 }
 
-bool Subject::is_finite() const {
+bool TestedCord::is_finite() const {
   const auto all = [](std::span<const Vec2> values) {
     return std::all_of(values.begin(), values.end(), [](Vec2 v) { return ribbon::is_finite(v); });
   };
   return all(positions()) && all(velocities());
 }
 
-double Subject::fastest() const {
+double TestedCord::fastest() const {
   double most = 0.0;
   for (const Vec2 v : velocities()) most = std::max(most, ribbon::length(v));
   return most;
 }
 
-double Subject::length() const {
+double TestedCord::length() const {
   Vec2 sum;
   for (int j = 0; j < rows_; ++j) sum += positions()[slot(index(columns_ - 1, j))] - positions()[slot(j)];
   return ribbon::length((1.0 / rows_) * sum);
 }
 
 /// Ratios of links, or of sides and diagonals of cells, to their rest lengths.
-Subject::Lengths Subject::lengths() const {
+TestedCord::Lengths TestedCord::lengths() const {
   Lengths lengths;
   const auto x = positions();
   const auto take = [&](int a, int b, double rest) {
@@ -218,18 +218,18 @@ Subject::Lengths Subject::lengths() const {
   return lengths;
 }
 
-double Subject::worst_strain(bool may_be_slack) const {
+double TestedCord::worst_strain(bool may_be_slack) const {
   const Lengths ratio = lengths();
   return may_be_slack ? ratio.longest - 1.0 : std::max(ratio.longest - 1.0, 1.0 - ratio.shortest);
 }
 
-std::string_view Subject::shape() const {
+std::string_view TestedCord::shape() const {
   if (inverted() > 0) return "inside out";
   const Lengths ratio = lengths();
   return 1.0 - ratio.shortest > ratio.longest - 1.0 ? "collapsed" : "stretched";
 }
 
-int Subject::inverted() const {
+int TestedCord::inverted() const {
   if (thesis_) return test_support::inverted_triangles(*thesis_);
   int count = 0;
   const auto x = positions();
