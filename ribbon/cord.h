@@ -20,8 +20,9 @@ class Island;
 struct CordParts;
 
 /// A cord that keeps its length under any load: a direct solver computes all its points at once, in O(points). A rope
-/// has one row of points; a ribbon has several and resists shear and compression too. A step allocates no memory. It
-/// throws DefinitionError for a value out of range, before anything has moved.
+/// has one row of points; a ribbon has several and resists shear and compression too. A step allocates no memory,
+/// unless more bodies and shapes come near than before. It throws DefinitionError for a value out of range, before
+/// anything has moved.
 class Cord {
  public:
   /// Creates a cord at rest. Throws DefinitionError if check(def) does.
@@ -40,8 +41,8 @@ class Cord {
   std::span<const Vec2> positions() const;   ///< m, by index
   std::span<const Vec2> velocities() const;  ///< m/s, by index
   /// N, tensions of the links of a rope or of the bars of a ribbon; negative under compression. A ribbon of cells has
-  /// one entry per cell first, column by column, (μ + λ)·area·(|z| − 2) [J], then the tensions of its spine, if any
-  /// [N].
+  /// one entry per cell first, column by column, (μ + λ)·area·(|z| − 2) [J], where |z| is the sum of its principal
+  /// stretches, then the tensions of its spine, if any [N].
   std::span<const double> tensions() const;
   /// Returns what determines the motion of a point. This and the next three do not check the index.
   PointKind kind(int point) const;
@@ -67,8 +68,9 @@ class Cord {
   /// damping after set_velocity and while inverted cells are turned back. It is 0 for a free point. Throws
   /// DefinitionError for an unknown point. O(points).
   Vec2 reaction(int point, Vec2 gravity) const;
-  /// Returns the same for a point that a static or kinematic body holds, or for any other: the force that balances all
-  /// others on the point.
+  /// Returns the force [N] that would hold any point, free or not, against the other forces on it, among them its
+  /// weight under gravity_scale times `gravity`. For a point that a static or kinematic body holds it is the force of
+  /// the body.
   Vec2 holding_force(int point, Vec2 gravity) const;
 
   /// Bounds of a cord's position and motion.
@@ -113,15 +115,16 @@ class Cord {
   /// and the links keep their proportions.
   void reel(int first, int last, double length, double speed);
 
-  /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold points of the cord
-  /// (`grips`, at most one per body) or touch it are solved with it. Each receives the impulses that give it its
+  /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold the cord (`grips`) or
+  /// touch it are solved with it. Each receives the impulses that give it its
   /// velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
 
-  /// Returns the contacts of the last step with shapes that have an id.
+  /// Returns the contacts of the last step, ordered by the id of what the cord touched: a circle, an edge, another cord
+  /// or itself. A contact with another cord is listed by the cord whose point touches.
   std::span<const Touch> touches() const;
 
   /// State of a body that held the cord in the last step.
@@ -136,7 +139,8 @@ class Cord {
     double slid = 0.0;                  ///< columns, slip of the grip along the cord
     bool operator==(const Holder&) const = default;
   };
-  /// Returns the dynamic bodies that held the cord in the last step, ordered by point.
+  /// Returns the bodies that held the cord in the last step, ordered by point, except static and kinematic ones at a
+  /// point: these drive it.
   std::span<const Holder> holders() const;
 
   /// Everything that later steps depend on, except the definition.

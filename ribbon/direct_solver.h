@@ -27,8 +27,8 @@ class DirectSolver {
   ~DirectSolver();
 
   /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Islands are stepped in the order of their
-  /// first cords. Writes the report of cords[k] to reports[k]. Throws DefinitionError, and moves nothing,
-  /// if check_step, check_bodies or check_surroundings do.
+  /// first cords. Writes the report of cords[k] to reports[k]; there must be as many. Throws DefinitionError, and
+  /// moves nothing, if check_step, check_bodies or check_surroundings do.
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
             std::span<CordReport> reports);
 

@@ -5,8 +5,8 @@
 namespace ribbon {
 
 /// Statistics of one step of an island: of cords that were solved together, or of a single cord. They are summed over
-/// its substeps. Counts from `searches` to `unlocked` are of difficulties that the solver overcame; `unconverged`
-/// counts those that it did not.
+/// its substeps. Counts from `searches` to `unlocked` are of what the solver needed beyond full Newton steps;
+/// `unconverged` counts what it did not solve.
 struct IslandReport {
   int stages = 0;        ///< implicit solves: two per substep of TR-BDF2, one per substep of implicit Euler
   int iterations = 0;    ///< Newton steps, each of which solves one linear system in O(points)
@@ -16,10 +16,11 @@ struct IslandReport {
                          ///< without a cause; not checked while a point of the cord is driven
   int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
   int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
-  int posed = 0;         ///< steps whose contacts were linearised once, because Newton steps did not converge
-  int cuts = 0;  ///< parts of posed substeps in which a point was stopped to prevent penetration or an energy gain, and
-                 ///< lost velocity
-  int unlocked = 0;     ///< steps in which inverted cells were turned back
+  int posed = 0;     ///< steps that were redone with contacts that are linearised once (posed as one convex problem),
+                     ///< because Newton steps did not converge
+  int cuts = 0;      ///< parts of such steps in which a point was stopped to prevent penetration or an energy gain, and
+                     ///< lost velocity
+  int unlocked = 0;  ///< steps in which inverted cells were turned back
   int unconverged = 0;  ///< substeps that did not converge and were kept as they are
   /// Work done, in a unit that does not depend on the machine: 1 for each 2 × 2 block of the matrix of a linear system
   /// (4 per point for the band matrix of a single cord), and 1 for each pair tested for contact.
@@ -35,11 +36,13 @@ struct IslandReport {
 
 /// What one step did to one cord.
 struct CordReport {
-  int island = 0;                 ///< index of its island in the step; see DirectSolver::island_reports
+  /// Index of its island in the step: cords with the same index were solved together. DirectSolver::island_reports and
+  /// CordView::island_report have the report of the island.
+  int island = 0;
   int contacts = 0;               ///< at the end of the step, or hit in it; one with another cord counts for both
   double max_normal_force = 0.0;  ///< N, of a contact at the end of the step
   int cuts = 0;                   ///< times that it was stopped to prevent penetration, and lost velocity
-  double position_error = 0.0;    ///< m, as IslandReport::position_error, of its own points
+  double position_error = 0.0;    ///< m, as IslandReport::position_error, of its own points; 0 if all converged
 
   bool operator==(const CordReport&) const = default;
 };

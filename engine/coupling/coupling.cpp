@@ -120,7 +120,7 @@ void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
 void release_overloaded(CouplingParts& parts) {
   for (std::size_t k = 0; k < parts.grips.all().size();) {
     const BodyGrip& grip = parts.grips.all()[k];
-    if (grip.lets_go && length(grip.pull) > grip.most_pull) {
+    if (grip.lets_go && length(parts.pull(grip)) > grip.most_pull) {
       parts.release(grip.id);
     } else {
       ++k;

@@ -31,8 +31,9 @@ namespace ribbon::box2d {
 ///     world.Step(dt, …);
 ///
 /// **Momentum.** Cords and bodies together conserve linear momentum to double precision, except where a cord limits the
-/// motion of a point; its report counts that. Box2D moves a touched body at the last velocity of the tick, so after an
-/// impact the common centre of mass can be off its path by a millimetre or two.
+/// motion of a point; its report counts that. Box2D moves a body that touches a cord of the
+/// thesis's solver at the last velocity of the tick, so after an impact the common centre of mass can be off its path
+/// by a millimetre or two.
 ///
 /// **Velocities of bodies.** A body that holds a cord follows a curve during a tick. Box2D can only move it in a
 /// straight line to the end of that curve, at the mean velocity. The coupling stores the difference between the
@@ -61,7 +62,8 @@ namespace ribbon::box2d {
 /// gathered.
 ///
 /// **Errors.** A value out of range throws DefinitionError. A wrong call throws CallError: one for a cord or grip that
-/// does not exist, for a cord of the other solver, inside world.Step, or out of order. Either changes nothing.
+/// does not exist, for a cord of the other solver (unless the function returns a default for it), inside world.Step, or
+/// out of order. Either changes nothing.
 class Coupling {
  public:
   Coupling();
@@ -75,7 +77,8 @@ class Coupling {
   CordId add(Cord cord, const b2Filter& filter = {});
   /// Adds a cord of the thesis's solver. `filter` applies to circles.
   CordId add(ThesisCord cord, const b2Filter& filter = {});
-  /// Removes a cord. Its id is never used again. Bodies that held it release it, and its contacts end in the next step.
+  /// Removes a cord. Its id is not used again, except that `restore` goes back to the next id of the state. Bodies that
+  /// held it release it, and its contacts end in the next step, with events that have its id.
   /// Throws CallError for an unknown cord.
   void remove(CordId cord);
   /// Returns the handle of a cord, existing or not.
@@ -87,9 +90,9 @@ class Coupling {
   /// Returns the number of cords, enabled or not.
   int size() const { return static_cast<int>(cords().size()); }
 
-  /// Makes a body hold a cord, in addition to its other grips. Throws CallError for a cord that is unknown or disabled,
-  /// a place that the body holds already, inside world.Step, and for a cord of the thesis's solver unless the grip is
-  /// at a point and of infinite strength; DefinitionError for a value out of range.
+  /// Makes a body hold a cord, in addition to its other grips. Throws CallError if the cord is unknown or disabled, if
+  /// the body already holds that place, and inside world.Step; for a cord of the thesis's solver also if the grip is
+  /// not at a point or has a finite strength. Throws DefinitionError for a value out of range.
   GripId hold(b2Body& body, const GripDef& def);
   /// Makes a body hold a point of a cord of either solver at an anchor in the body's frame: a short form. Start with an
   /// anchor at the point; a distant point is pulled to the anchor with great force, over several ticks. Throws
@@ -108,8 +111,8 @@ class Coupling {
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
   /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick. Ignores
   /// sensors, disabled bodies, dynamic bodies without mass, and bodies whose position or velocity is not finite or
-  /// beyond ±1e9 (m, m/s). A second call replaces the result of the first, for measurements: bodies that Box2D pushes,
-  /// and contacts that end, may take the tick a little differently then. Throws CallError for a locked world and
+  /// beyond ±1e9 (m, m/s). A second call replaces the result of the first, for measurements, but may change the tick
+  /// slightly. Throws CallError for a locked world and
   /// between step and apply; DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
@@ -123,8 +126,7 @@ class Coupling {
   /// DefinitionError for less than one worker.
   void use(const ParallelFor& parallel_for);
 
-  /// Returns the report of the last step of all cords of the direct solver, which counts each island once. Its `work`
-  /// is that of the whole tick.
+  /// Returns the sum of the reports of all islands of the direct solver in the last step.
   const IslandReport& tick_report() const;
   /// Returns the number of islands of the direct solver in the last step.
   int islands() const;
@@ -166,7 +168,8 @@ class Coupling {
 
   /// The state that save returns and restore takes.
   using State = CouplingState;
-  /// Returns the state between an apply and the next gather; inside a tick, a state from which other ticks follow.
+  /// Returns the state between an apply and the next gather. Inside a tick it returns a usable state too, but ticks
+  /// that continue from it differ from those of this coupling.
   /// `world` is the world of the coupling. Grips of destroyed bodies are left out. The state does not contain the
   /// bodies of Box2D: restore their positions and velocities yourself. (The contacts that Box2D stores cannot be
   /// restored.)

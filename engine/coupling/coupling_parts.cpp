@@ -17,6 +17,13 @@ void CouplingParts::forget_predecessor(const b2Body& body) {
   carry.forget(body);
 }
 
+/// A static or kinematic body that holds a point drives it, unless a pin does.
+Vec2 CouplingParts::pull(const BodyGrip& grip) const {
+  if (!grip.drives_point) return grip.pull;
+  const Cord& cord = cords.at(grip.cord).direct();
+  return cord.kind(grip.point) == PointKind::free ? -cord.holding_force(grip.point, conditions.gravity) : Vec2{};
+}
+
 bool CouplingParts::release(GripId grip) {
   const BodyGrip* const found = grips.find(grip);
   if (found == nullptr) return false;

@@ -50,6 +50,8 @@ struct CouplingParts {
   void enter(const b2World& world);
   /// Forgets what is stored for the address of a body that is a new one.
   void forget_predecessor(const b2Body& body);
+  /// Returns the force on the body of a grip in the last step, N.
+  Vec2 pull(const BodyGrip& grip) const;
   /// Releases a grip. Returns false if there is none with that id.
   bool release(GripId grip);
   /// Releases all grips of a cord that is about to be disabled, replaced or removed, and wakes the cords that touch it.

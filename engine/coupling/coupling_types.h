@@ -41,7 +41,7 @@ struct CordPoint {
   double along = 0.0;     ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// Id of a grip in its coupling: 1, 2, 3 … The same holds for it.
+/// Id of a grip in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
 using GripId = int;
 
 /// Defines how a body holds a cord.
@@ -50,7 +50,8 @@ struct GripDef {
   double arc = 0.0;                 ///< m of rest length from the first point, 0 … length of the cord
   int row = 0;                      ///< row of a ribbon
   b2Vec2 local_anchor{0.0F, 0.0F};  ///< m, anchor in the body's frame
-  /// N, force along the cord above which the grip of a dynamic body slips. Infinite for the thesis's solver.
+  /// N, force along the cord above which the grip of a dynamic body slips; the grip of a static or kinematic body slips
+  /// between points only. Infinite for the thesis's solver.
   double strength = std::numeric_limits<double>::infinity();
   bool lets_go = false;  ///< the grip is released above its strength, in any direction, instead of slipping
   /// Index of a point to hold, in place of `arc` and `row`. A cord of the thesis's solver is held at points only.
@@ -59,10 +60,11 @@ struct GripDef {
 
 /// State of a grip.
 struct GripState {
-  CordId cord = 0;     ///< the cord
-  double arc = 0.0;    ///< m of rest length from the first point
-  Vec2 place;          ///< m, position on the cord
-  /// N, force on the body in the last tick; of a cord of the thesis's solver always 0
+  CordId cord = 0;   ///< the cord
+  double arc = 0.0;  ///< m of rest length from the first point
+  Vec2 place;        ///< m, position on the cord
+  /// N, force of the cord on the body in the last tick; 0 if a pin holds the same point of the cord, after restore
+  /// until the next tick if the body is not dynamic, and for a cord of the thesis's solver
   Vec2 pull;
   bool slips = false;  ///< the grip slipped in the last tick
   int point = 0;       ///< index of the point that it holds, or of the one before its place

@@ -16,11 +16,6 @@ void check_place(const CoupledCord& cord, int point, double along) {
   check_range("along", along, 0.0, 1.0);
 }
 
-/// Returns the force of a cord on the static or kinematic body that holds a point, N; 0 if a pin holds it too.
-Vec2 pull_on_driver(const Cord& cord, int point, Vec2 gravity) {
-  return cord.kind(point) == PointKind::free ? -cord.holding_force(point, gravity) : Vec2{};
-}
-
 }  // namespace
 
 bool CordView::is_valid() const { return parts_->cords.find(id_) != nullptr; }
@@ -117,7 +112,7 @@ GripState GripView::state() const {
   return {grip.cord,
           cord.arc_at(column_of(grip, cord)),
           cord.position(grip.point, grip.along),
-          grip.drives_point ? pull_on_driver(cord.direct(), grip.point, parts_->conditions.gravity) : grip.pull,
+          parts_->pull(grip),
           grip.slips,
           grip.point,
           grip.along};

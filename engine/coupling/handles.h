@@ -19,9 +19,9 @@ namespace ribbon::box2d {
 struct CouplingParts;
 
 /// A cord of a coupling, for reading: a small handle to copy and pass by value. It stays usable while other cords are
-/// added and removed and while the coupling is moved, and must not outlive the coupling, nor its cords, which another
-/// coupling replaces that is assigned to it. Spans and references are valid until the next step, replace or remove. All
-/// functions except `id` and `is_valid` throw CallError if the cord has been removed.
+/// added and removed and while the coupling is moved. Do not use it after the coupling is destroyed or another one is
+/// assigned to it. Spans and references are valid until the next step, replace or remove, unless a function says
+/// otherwise. All functions except `id` and `is_valid` throw CallError if the cord has been removed.
 class CordView {
  public:
   /// Returns the handle of a cord; Coupling::cord calls this.
@@ -54,8 +54,9 @@ class CordView {
   /// Returns the box [m] in which the last gather searched for fixtures; empty if the cord was disabled.
   Box swept_aabb() const;
 
-  // Of cords of the direct solver:
-  /// Returns what the last step did to the cord; empty after Coupling::restore.
+  // Of cords of the direct solver; default values for the others:
+  /// Returns what the last step did to the cord. All values are 0 if there was none since the cord was added, replaced,
+  /// disabled or restored.
   const CordReport& report() const;
   /// Returns the report of the last step of the island that the cord belongs to.
   const IslandReport& island_report() const;
@@ -64,7 +65,7 @@ class CordView {
   /// Returns the estimated time integration error of the last tick [m], for exact initial values; 0 if errors are not
   /// estimated.
   double error() const;
-  // Of cords of the thesis's solver:
+  // Of cords of the thesis's solver; default values for the others:
   const StepReport& thesis_report() const;  ///< of the last step
   const StepReport& thesis_total() const;   ///< the sum since the cord was added
 

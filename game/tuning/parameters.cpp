@@ -23,6 +23,8 @@ std::vector<Parameter> material_parameters(bool is_ribbon) {
       {"mass", "kg", 1e-2, 1e3, true, false, false, 0.0,
        direct([](const CordDef& d) { return d.mass_per_length * d.length; })},
       {"drag", "1/s", 1e-3, 10.0, true, false, true, 0.1, direct([](const CordDef& d) { return d.drag; })},
+      {"gravity_scale", "", -2.0, 4.0, false, false, false, 0.0,
+       direct([](const CordDef& d) { return d.gravity_scale; })},
       {"stretch_stiffness", "N", 10.0, 1e9, true, false, !is_ribbon, 1e4,
        direct([](const CordDef& d) { return d.stretch_stiffness; })},
       {"bending_stiffness", "N·m²", 1e-6, 1e4, true, false, true, 0.1,

@@ -108,9 +108,7 @@ std::vector<std::string> notes_on_baselines(const Study& study) {
   return notes;
 }
 
-Report report_of(const Study& study, const LevelFile& file) {
-  Report report;
-  report.title = study.level;
+void add_notes(Report& report, const Study& study, const LevelFile& file) {
   report.notes.push_back(
       "Level " + study.level + ", " + fixed(static_cast<double>(study.ticks) / 60.0, 2) + " s of recorded input (" +
       study.replay +
@@ -133,8 +131,10 @@ Report report_of(const Study& study, const LevelFile& file) {
   for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
   add_chaotic_notes(report, study);
-  report.points = study.points();
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
+}
+
+void add_table(Report& report, const Study& study) {
   report.columns = {"position_m",
                     "position_relative",
                     "player_m",
@@ -165,6 +165,9 @@ Report report_of(const Study& study, const LevelFile& file) {
          direct ? std::to_string(m.unconverged_ticks) : ""});
     for (const double value : m.chaotic.values) report.cells.back().push_back(cell(value));
   }
+}
+
+void add_metrics(Report& report, const Study& study) {
   const auto add = [&](const char* name, double (*value)(const Measured&)) {
     Metric& metric = report.metrics.emplace_back();
     metric.name = name;
@@ -179,6 +182,15 @@ Report report_of(const Study& study, const LevelFile& file) {
   add("momentum", [](const Measured& m) { return m.error.momentum; });
   add("windows_position_m", [](const Measured& m) { return m.windows.position_m; });
   add("windows_player_m", [](const Measured& m) { return m.windows.player_m; });
+}
+
+Report report_of(const Study& study, const LevelFile& file) {
+  Report report;
+  report.title = study.level;
+  report.points = study.points();
+  add_notes(report, study, file);
+  add_table(report, study);
+  add_metrics(report, study);
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <exception>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -74,32 +75,25 @@ CLI::Validator measured_in(const std::map<std::string, double>& units) {
   return CLI::Validator(check, "NUMBER+UNIT");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{
-      std::string("Measures error against cost of cords: medians of interleaved repeats in one process, and the 99th "
-                  "percentile of single ticks. Box2D is ") +
-      box2d};
+/// The arguments of the command line.
+struct Arguments {
   bool list = false;
   bool csv = false;
+  bool report = false;
+  bool accept = false;
   int repeats = 25;
-  std::string name;
-  app.add_flag("--list", list, "List the scenes");
-  app.add_option("--scene", name, "The scene to run");
-  auto* repeats_option = app.add_option("--repeats", repeats,
-                                        "Repeats to take the median of, unless given 25 of a scene, 9 of a level, at "
-                                        "most 9 in a report, 1 in a quick one")
-                             ->check(CLI::Range(1, 100000));
+  bool repeats_given = false;
+  std::string scene;
+  std::string table;  // of the baseline
   study::Command study;
-  app.add_option("--out", study.folder, "A folder for the report: CSV, JSON, a plot and a page");
+};
+
+void add_level_options(CLI::App& app, study::Command& study) {
   auto* level = app.add_option("--level", study.levels, "A level (a name, or a .tmj file) instead of a scene")
                     ->allow_extra_args(false);
   app.add_option("--replay", study.replay, "Its recorded input; default: the replay of the same name in the assets")
       ->needs(level);
   app.add_flag("--quick", study.quick, "A small grid of a level; a report of fewer scenes too");
-  bool report = false;
-  app.add_flag("--report", report, "The standard report of scenes and levels, into --out");
   app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
       ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}));
   app.add_option("--budget", study.budget_us, "Recommend the most exact setting that costs at most this: 50us")
@@ -111,45 +105,85 @@ int main(int argc, char** argv) {
                  "measures them with another; for all levels of the game, or those of --level, which may be repeated")
       ->check(CLI::Range(1, 10000));
   app.add_flag("--terms", study.terms, "Report which terms of its cords the level needs")->needs(level);
-  std::string table;
-  bool accept = false;
-  auto* baseline = app.add_option("--baseline", table,
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--list", arguments.list, "List the scenes");
+  app.add_option("--scene", arguments.scene, "The scene to run");
+  app.add_option_function<int>(
+         "--repeats",
+         [&arguments](int repeats) {
+           arguments.repeats = repeats;
+           arguments.repeats_given = true;
+         },
+         "Repeats to take the median of, unless given 25 of a scene, 9 of a level, at most 9 in a report, 1 in a quick "
+         "one")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--out", arguments.study.folder, "A folder for the report: CSV, JSON, a plot and a page");
+  add_level_options(app, arguments.study);
+  app.add_flag("--report", arguments.report, "The standard report of scenes and levels, into --out");
+  auto* baseline = app.add_option("--baseline", arguments.table,
                                   "Count the work of all scenes and recorded runs and compare it with this table")
                        ->excludes("--scene", "--level");
-  app.add_flag("--accept", accept, "Rewrite the table instead")->needs(baseline);
-  app.add_flag("--csv", csv, "Print rows of comma-separated values under a header, scene,method,setting,points,…");
+  app.add_flag("--accept", arguments.accept, "Rewrite the table instead")->needs(baseline);
+  app.add_flag("--csv", arguments.csv,
+               "Print rows of comma-separated values under a header, scene,method,setting,points,…");
+}
+
+/// Returns the exit status.
+int run_study(Arguments& arguments) {
+  study::Command& study = arguments.study;
+  if (study.levels.size() > 1) {
+    throw std::runtime_error("--level is given more than once; accepted is that only with --validate");
+  }
+  study.level = study.levels.front();
+  if (study.apply && !study.max_error_m && !study.budget_us) {
+    throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
+  }
+  if (arguments.repeats_given) study.repeats = arguments.repeats;
+  return study::run(study);
+}
+
+/// Returns the exit status.
+int run(Arguments& arguments) {
+  const study::Command& study = arguments.study;
+  if (arguments.list) {
+    list_scenes();
+    return 0;
+  }
+  if (arguments.accept) {
+    baseline::accept(tradeoff::scenes(), arguments.table);
+    return 0;
+  }
+  if (!arguments.table.empty()) return baseline::check(tradeoff::scenes(), arguments.table);
+  if (arguments.report) {
+    const auto repeats = arguments.repeats_given ? std::optional(arguments.repeats) : std::nullopt;
+    return tradeoff::write({study.folder, study.quick, repeats});
+  }
+  if (study.validation_runs) return study::run(study);
+  if (!study.levels.empty()) return run_study(arguments);
+  if (study.max_error_m || study.budget_us) {
+    throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");
+  }
+  return run_named_scene(arguments.scene, arguments.repeats, arguments.csv, study.folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      std::string("Measures error against cost of cords: medians of interleaved repeats in one process, and the 99th "
+                  "percentile of single ticks. Box2D is ") +
+      box2d};
+  Arguments arguments;
+  add_options(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-
-  if (list) {
-    list_scenes();
-    return 0;
-  }
   try {
-    if (accept) {
-      baseline::accept(tradeoff::scenes(), table);
-      return 0;
-    }
-    if (!table.empty()) return baseline::check(tradeoff::scenes(), table);
-    const std::optional<int> asked_repeats = repeats_option->count() > 0 ? std::optional(repeats) : std::nullopt;
-    if (report) return tradeoff::write({study.folder, study.quick, asked_repeats});
-    if (study.validation_runs) return study::run(study);
-    if (study.levels.empty() && (study.max_error_m || study.budget_us)) {
-      throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");
-    }
-    if (study.levels.empty()) return run_named_scene(name, repeats, csv, study.folder);
-    if (study.levels.size() > 1) {
-      throw std::runtime_error("--level is given more than once; accepted is that only with --validate");
-    }
-    study.level = study.levels.front();
-    if (study.apply && !study.max_error_m && !study.budget_us) {
-      throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
-    }
-    study.repeats = asked_repeats.value_or(study.repeats);
-    return study::run(study);
+    return run(arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tradeoff: %s\n", error.what());
     return 2;

@@ -236,6 +236,28 @@ TEST(Grip, PullsAStaticOrKinematicBodyWithTheCordsWeight) {
   }
 }
 
+TEST(Grip, OfAStaticOrKinematicBodyIsReleasedAboveItsStrength) {
+  for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
+    for (const double arc : {0.0, 0.1}) {
+      for (const double strength : {30.0, 60.0}) {  // N; it holds 4 kg
+        GripWorld scene;
+        CordDef def = hanging();
+        def.pins = {};
+        def.drag = 20.0;
+        def.points = 101;
+        def.positions = test_support::equally_spaced(def.points, {}, {0.0, -0.1});
+        scene.coupling.add(Cord(def));
+        b2Body* hook = scene.add_body({0.0, -arc}, 0.0, type);
+        const ribbon::box2d::GripId grip =
+            scene.coupling.hold(*hook, {.cord = 0, .arc = arc, .strength = strength, .lets_go = true});
+        scene.coupling.hold(*scene.add_body({0.0, -10.0}, 3.0), {.cord = 0, .arc = 10.0});
+        scene.tick(60);
+        EXPECT_EQ(scene.coupling.grip(grip).is_valid(), strength > 4.0 * g) << type << ", arc " << arc;
+      }
+    }
+  }
+}
+
 /// If only static grips hold a cord, a body that hits the cord transfers its momentum to them, as to pins.
 TEST(Grip, AStaticBodyTakesTheMomentumOfWhatHitsTheCord) {
   const auto hit = [](bool pinned) {

@@ -248,13 +248,16 @@ TEST(CordSleep, CordsThatAreNearEachOtherSleepAndWakeTogether) {
   for (std::size_t k = 0; k < cords.size(); ++k) all.push_back({&cords[k], {}, 10 + k});
   std::vector<CordReport> reports(3);
   const auto step = [&] { solver.step(all, {}, dt, gravity, reports); };
+  const auto stages = [&](std::size_t cord) {
+    return solver.island_reports()[static_cast<std::size_t>(reports[cord].island)].stages;
+  };
   for (int k = 0; k < 6000 && !(cords[0].is_asleep() && cords[2].is_asleep()); ++k) step();
   for (const Cord& cord : cords) ASSERT_TRUE(cord.is_asleep());
   cords[0].wake();
   step();
-  EXPECT_GT(solver.island_reports()[at(reports[0].island)].stages, 0);
-  EXPECT_GT(solver.island_reports()[at(reports[1].island)].stages, 0);
-  EXPECT_EQ(solver.island_reports()[at(reports[2].island)].stages, 0) << "far away";
+  EXPECT_GT(stages(0), 0);
+  EXPECT_GT(stages(1), 0);
+  EXPECT_EQ(stages(2), 0) << "far away";
 }
 
 TEST(CordSleep, IsSavedAndRestoredToTheSameBits) {
