@@ -12,7 +12,7 @@ namespace ribbon::box2d {
 /// still in the list behind the item, or if there was none, the item is a new one.
 ///
 /// The function cannot detect the replacement of the newest item of a list, nor of an item that is destroyed together
-/// with its successor if that is created anew after it. O(1), unless the former successor is gone. `then` is compared
+/// with its successor if that is created again after it. O(1), unless the former successor is gone. `then` is compared
 /// but never dereferenced.
 template <typename Item>
 bool is_still_there(const Item& item, const Item* then) {

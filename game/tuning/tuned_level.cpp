@@ -39,7 +39,7 @@ void set_gravity(b2World& world, const engine::Properties& properties) {
 TunedLevel::TunedLevel(const Level& level) : file_text_(text_of(level.map.file)), text_(file_text_), level_(level) {
   if (ribbon::box2d::hash_bytes(file_text_) != level.map.content_hash) {
     throw engine::MapError(level.map.file +
-                           ": the file has changed since the level was loaded; load it anew to tune it");
+                           ": the file has changed since the level was loaded; load it again to tune it");
   }
 }
 
