@@ -226,7 +226,8 @@ class CarryOfABoxOnTheGround : public testing::Test {
     ribbon::box2d::CarryState& memory = state.carries.at(0).memory;
     memory.carry = {carry, 0.0};
     memory.velocity = {static_cast<double>(moved) - push, 0.0};
-    memory.start = ribbon::box2d::to_double(scene.body->GetWorldCenter()) - memory.dt * Vec2{moved, 0.0};
+    memory.start =
+        ribbon::box2d::to_double(scene.body->GetWorldCenter()) - memory.dt * Vec2{static_cast<double>(moved), 0.0};
     memory.expected_delta_v = {};
     scene.coupling.restore(state, scene.world);
     return scene.coupling.body(*scene.body).velocity().x;
