@@ -31,9 +31,8 @@ namespace ribbon::box2d {
 ///     world.Step(dt, …);
 ///
 /// **Momentum.** Cords and bodies together conserve linear momentum to double precision, except where a cord limits the
-/// motion of a point; its report counts that. Box2D moves a body that touches a cord of the
-/// thesis's solver at the last velocity of the tick, so after an impact the common centre of mass can be off its path
-/// by a millimetre or two.
+/// motion of a point; its report counts that. Box2D moves a body that touches a cord of the thesis's solver at the last
+/// velocity of the tick, so after an impact the common centre of mass can be off its path by a millimetre or two.
 ///
 /// **Velocities of bodies.** A body that holds a cord follows a curve during a tick. Box2D can only move it in a
 /// straight line to the end of that curve, at the mean velocity. The coupling stores the difference between the
@@ -78,8 +77,8 @@ class Coupling {
   /// Adds a cord of the thesis's solver. `filter` applies to circles.
   CordId add(ThesisCord cord, const b2Filter& filter = {});
   /// Removes a cord. Its id is not used again, except that `restore` goes back to the next id of the state. Bodies that
-  /// held it release it, and its contacts end in the next step, with events that have its id.
-  /// Throws CallError for an unknown cord.
+  /// held it release it, and its contacts end in the next step, with events that have its id. Throws CallError for an
+  /// unknown cord.
   void remove(CordId cord);
   /// Returns the handle of a cord, existing or not.
   CordRef cord(CordId cord) { return {*parts_, cord}; }
@@ -112,8 +111,8 @@ class Coupling {
   /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick. Ignores
   /// sensors, disabled bodies, dynamic bodies without mass, and bodies whose position or velocity is not finite or
   /// beyond ±1e9 (m, m/s). A second call replaces the result of the first, for measurements, but may change the tick
-  /// slightly. Throws CallError for a locked world and
-  /// between step and apply; DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
+  /// slightly. Throws CallError for a locked world and between step and apply; DefinitionError for a dt outside
+  /// 1e-9 … 1 and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
   /// bodies as the ones before it left them. Do not change the world between gather and apply. Throws CallError without
@@ -169,10 +168,9 @@ class Coupling {
   /// The state that save returns and restore takes.
   using State = CouplingState;
   /// Returns the state between an apply and the next gather. Inside a tick it returns a usable state too, but ticks
-  /// that continue from it differ from those of this coupling.
-  /// `world` is the world of the coupling. Grips of destroyed bodies are left out. The state does not contain the
-  /// bodies of Box2D: restore their positions and velocities yourself. (The contacts that Box2D stores cannot be
-  /// restored.)
+  /// that continue from it differ from those of this coupling. `world` is the world of the coupling. Grips of destroyed
+  /// bodies are left out. The state does not contain the bodies of Box2D: restore their positions and velocities
+  /// yourself. (The contacts that Box2D stores cannot be restored.)
   State save(const b2World& world) const;
   /// Continues from a saved state, with the same bits if the bodies have the same state too. `world` may be another
   /// world that was built in the same way, with the same numbers of bodies and fixtures in the same order. A gather

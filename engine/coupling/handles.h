@@ -56,7 +56,7 @@ class CordView {
 
   // Of cords of the direct solver; default values for the others:
   /// Returns what the last step did to the cord. All values are 0 if there was none since the cord was added, replaced,
-  /// disabled or restored.
+  /// disabled or restored. While the cord sleeps it counts no contacts.
   const CordReport& report() const;
   /// Returns the report of the last step of the island that the cord belongs to.
   const IslandReport& island_report() const;
