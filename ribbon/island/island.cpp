@@ -11,6 +11,7 @@
 namespace ribbon {
 namespace {
 
+constexpr std::size_t heap_cords = 8;      // that touch each other, or more, are a heap
 constexpr std::size_t usual_touches = 16;  // of a cord that may touch something: it has memory for so many
 
 }  // namespace
@@ -61,12 +62,19 @@ void Island::begin_attempt(std::span<const IslandCord> cords) {
   work_.begin_attempt(state_);
 }
 
+/// Returns whether many cords touch each other and none of them asks for more than scenery needs. Where everything lies
+/// on everything, the error of a few linear systems is lost in that of the heap.
+bool Island::is_heap() const {
+  return state_.accuracy.soft_contacts && state_.members.size() >= heap_cords && !contacts_.empty();
+}
+
 /// Returns false if a substep did not converge.
 bool Island::take_substeps(bool linearised) {
   if (linearised) {
     linearised_step_.take(context(), restitution_);
     return true;
   }
+  if (is_heap()) return linearised_step_.take_truncated(context(), restitution_);
   const double dt = state_.dt / state_.accuracy.substeps;
   for (int n = 0; n < state_.accuracy.substeps; ++n) {
     if (!substeps_.take(context(), n * dt, dt, restitution_)) return false;

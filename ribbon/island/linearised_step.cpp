@@ -62,7 +62,8 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
     const bool last = piece >= max_pieces || work.redoing_is_over();
     const double dt = last ? left : std::min(max, next_piece(context, time, left));
     if (last) is_impact_ = impact_is_due_ = false;
-    const Piece taken = take_piece(context, time, dt);
+    const ContactSolve solve = is_impact_ ? ContactSolve::linearised_impact : ContactSolve::linearised;
+    const Piece taken = take_piece(context, time, dt, solve);
     const bool good = taken.solved && !taken.result.cut;
     const bool is_repeat = dt == left && (piece >= max_pieces || work.redoing_is_over());
     if (!good && !last && !is_repeat) {
@@ -72,18 +73,27 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
       impact_is_due_ = false;
       continue;
     }
-    if (!taken.solved) {
-      const double position_error = std::min(taken.result.position_error, NewtonSolver::max_displacement);
-      context.report_unconverged(position_error, taken.result.force_error);
-    }
-    if (end_piece(context, taken, dt, restitution) || taken.result.cut) ++work.report.cuts;
-    for (Member& member : state.members) {
-      if (taken.result.cut && member.stopped) ++member.report.cuts;
-    }
+    end_piece(context, taken, dt, restitution);
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
   }
   if (!state.driven) context.guard.account(state, context.contacts, before);
+}
+
+bool LinearisedStep::take_truncated(const StepContext& context, Restitution& restitution) {
+  IslandState& state = context.state;
+  context.work.begin_linearised();
+  context.begin_substep(0.0, state.dt);
+  const Cord::Energy before = context.energy_before();
+  contact_energy_ = context.contacts.energy_of_forces();
+  const Piece taken = take_piece(context, 0.0, state.dt, ContactSolve::truncated);
+  if (!(taken.result.position_error <= NewtonSolver::max_displacement)) {
+    context.return_to_start();
+    return false;
+  }
+  end_piece(context, taken, state.dt, restitution);
+  if (!state.driven) context.guard.account(state, context.contacts, before);
+  return true;
 }
 
 /// Returns the length of the next piece, s: up to an impact, through it, or all that is left if there is none or it has
@@ -101,7 +111,8 @@ double LinearisedStep::next_piece(const StepContext& context, double time, doubl
 }
 
 /// The tolerance of a piece is that of the step times its share of the step.
-LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, double time, double dt) const {
+LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, double time, double dt,
+                                                 ContactSolve solve) const {
   IslandState& state = context.state;
   context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
@@ -110,7 +121,7 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
     piece.before = EnergyGuard::total_energy(state, context.contacts);
     piece.before.elastic += contact_energy_ - context.contacts.energy();
   }
-  context.stages.set_contact_solve(is_impact_ ? ContactSolve::linearised_impact : ContactSolve::linearised);
+  context.stages.set_contact_solve(solve);
   const double tolerance = state.tolerance;
   state.tolerance = std::max(dt / state.dt * tolerance, std::min(state.min_tolerance, tolerance));
   piece.solved = Integrators::implicit_euler(context, time, dt);
@@ -120,9 +131,21 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
   return piece;
 }
 
+/// Reports the piece, and ends it.
+void LinearisedStep::end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
+  if (!piece.solved) {
+    const double position_error = std::min(piece.result.position_error, NewtonSolver::max_displacement);
+    context.report_unconverged(position_error, piece.result.force_error);
+  }
+  if (take_back(context, piece, dt, restitution) || piece.result.cut) ++context.work.report.cuts;
+  for (Member& member : context.state.members) {
+    if (piece.result.cut && member.stopped) ++member.report.cuts;
+  }
+}
+
 /// The energy of linearised contacts follows from their forces. Their depths do not tell, because normals and places
 /// are kept. Returns whether some of the motion was taken back.
-bool LinearisedStep::end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
+bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   context.guard.remove_spurious_energy(state, contacts, piece.before);

@@ -15,6 +15,9 @@ class LinearisedStep {
  public:
   void resize(std::size_t slots, std::size_t tensions) { rollback_.resize(slots, tensions); }
   void take(const StepContext& context, Restitution& restitution);
+  /// Takes the step in one piece, whose solve is truncated. Returns false, at the start of the step, if a matrix is not
+  /// definite.
+  bool take_truncated(const StepContext& context, Restitution& restitution);
 
  private:
   /// How a piece ended.
@@ -24,8 +27,9 @@ class LinearisedStep {
     Cord::Energy before;
   };
   double next_piece(const StepContext& context, double time, double left);
-  Piece take_piece(const StepContext& context, double time, double dt) const;
-  bool end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
+  Piece take_piece(const StepContext& context, double time, double dt, ContactSolve solve) const;
+  void end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
+  bool take_back(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
 
   Rollback rollback_;
   bool is_impact_ = false;       // this piece takes an impact

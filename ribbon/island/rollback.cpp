@@ -27,28 +27,46 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before) {
   if (is_sound()) return false;
   end_positions_ = state.positions;
   end_velocities_ = state.velocities;
+  context.stages.groups().begin(state);
+  if (is_stretched(state)) take_stretched_back(context);
+  if (is_sound()) return true;
   context.contacts.linearised.clear();
   double share = 1.0;
-  for (int k = 0; k < max_halvings; ++k) {
+  for (int k = 0; k < max_halvings && !is_sound(); ++k) {
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;
-    go_to(state, share);
-    if (is_sound()) break;
+    go_to(context, share);
   }
   return true;
 }
 
-/// Goes to a share of the way from the start of the piece to its end, with that share of its velocities. The elastic
-/// tensions change as those of the shape do. A piece that follows an unsolved one begins with other tensions than those
-/// of its shape.
-void Rollback::go_to(IslandState& state, double share) {
+/// A cord that others stop may be stretched again, so this is repeated.
+void Rollback::take_stretched_back(const StepContext& context) {
+  IslandState& state = context.state;
+  MotionGroups& groups = context.stages.groups();
+  for (int k = 0; k < max_halvings && is_stretched(state); ++k) {
+    for (const Member& member : state.members) {
+      if (!(largest_strain(member, state.positions) > max_strain)) continue;
+      groups.reduce(member.first_point, k + 1 < max_halvings ? 0.5 : 0.0);
+    }
+    groups.separate(context.contacts, state.start.positions, end_positions_);
+    go_to(context, 1.0);
+  }
+}
+
+/// Goes to a share of the way that each group makes from the start of the piece to its end, with that share of its
+/// velocities. The elastic tensions change as those of the shape do. A piece that follows an unsolved one begins with
+/// other tensions than those of its shape.
+void Rollback::go_to(const StepContext& context, double share) {
+  IslandState& state = context.state;
   state.return_to_start();
   state.add_damping(-1.0);
   offsets_ = state.tensions;
   state.find_tensions();
   for (std::size_t e = 0; e < state.tensions.size(); ++e) offsets_[e] -= state.tensions[e];
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    state.positions[p] += share * (end_positions_[p] - state.start.positions[p]);
-    state.velocities[p] = share * end_velocities_[p];
+    const double of_slot = share * context.stages.groups().share(p);
+    state.positions[p] += of_slot * (end_positions_[p] - state.start.positions[p]);
+    state.velocities[p] = of_slot * end_velocities_[p];
   }
   state.find_tensions();
   for (const Member& member : state.members) {

@@ -11,13 +11,15 @@ namespace ribbon {
 class Rollback {
  public:
   void resize(std::size_t slots, std::size_t tensions);
-  /// Goes back by halves, and in the end to the start of the piece, until neither energy was gained since `before` nor
-  /// an inextensible cord is stretched. While something drives the island, energy tells nothing, and only speeds are
-  /// limited. Returns whether something was changed.
+  /// Takes the motion of each cord that is stretched back by halves, and with it what would come into its way. If the
+  /// island has still gained energy since `before`, all of it goes back by halves, in the end to the start of the
+  /// piece. While something drives the island, energy tells nothing, and only speeds are limited. Returns whether
+  /// something was changed.
   bool apply(const StepContext& context, const Cord::Energy& before);
 
  private:
-  void go_to(IslandState& state, double share);
+  void take_stretched_back(const StepContext& context);
+  void go_to(const StepContext& context, double share);
 
   std::vector<Vec2> end_positions_;
   std::vector<Vec2> end_velocities_;

@@ -6,6 +6,7 @@ namespace {
 constexpr double tied_share = 1e-3;     // of the tolerance, by which a row may be on the wrong side of its limit
 constexpr int max_active_sets = 5;      // tried before the interior point,
 constexpr int few_rows = 2;             // unless more rows than that change, and not fewer each time
+constexpr int truncated_sets = 2;       // of a truncated solve
 constexpr int max_interior = 25;        // iterations of the interior point
 constexpr double polishing_gap = 1e-4;  // of the interior point, below which its active set is tried
 constexpr double closed_gap = 1e-10;    // at which it ends
@@ -29,17 +30,30 @@ ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stag
   return context.newton.take_solution(context.state, stage) ? result : Result::failed;
 }
 
+bool ConvexSolver::solve_truncated(const StageContext& context, const Stage& stage) {
+  context.newton.system().make_pattern(context.state, rows_);
+  active_set_.begin(rows_.rows());
+  int changed = 1;
+  for (int k = 0; k < truncated_sets && changed > 0; ++k) changed = solve_active_set(context, stage);
+  return changed >= 0 && context.newton.take_solution(context.state, stage);
+}
+
+/// Returns the number of rows that change their state, −1 if the matrix is not definite.
+int ConvexSolver::solve_active_set(const StageContext& context, const Stage& stage) {
+  BlockSystem& system = context.newton.system();
+  context.count_system();
+  system.load(context.state, stage);
+  active_set_.load(rows_.rows(), system.matrix(), system.right_side());
+  if (!system.solve(context.state)) return -1;
+  return active_set_.update(rows_.rows(), system.right_side(), tied_share * context.state.tolerance);
+}
+
 /// Goes on as long as the sets get better, each by half. Returns false if none of them was that of the solution.
 bool ConvexSolver::solve_active_sets(const StageContext& context, const Stage& stage) {
-  BlockSystem& system = context.newton.system();
   int before = static_cast<int>(rows_.rows().size()) + 1;
   for (int k = 0; k < max_active_sets; ++k) {
-    context.count_system();
-    system.load(context.state, stage);
-    active_set_.load(rows_.rows(), system.matrix(), system.right_side());
-    if (!system.solve(context.state)) return false;
-    const int changed = active_set_.update(rows_.rows(), system.right_side(), tied_share * context.state.tolerance);
-    if (changed == 0) return true;
+    const int changed = solve_active_set(context, stage);
+    if (changed <= 0) return changed == 0;
     if (2 * changed > before && changed > few_rows) return false;
     before = changed;
   }

@@ -21,8 +21,12 @@ class ConvexSolver {
   /// Finds the step of the problem about the current positions, and the tensions after it. With `far` from where the
   /// linearisations end, it need not be exact.
   Result solve(const StageContext& context, const Stage& stage, bool far);
+  /// Finds the step by a few active sets, whether the last of them is that of the solution or not. Returns false if the
+  /// matrix is not definite or the step not finite.
+  bool solve_truncated(const StageContext& context, const Stage& stage);
 
  private:
+  int solve_active_set(const StageContext& context, const Stage& stage);
   bool solve_active_sets(const StageContext& context, const Stage& stage);
   Result solve_interior(const StageContext& context, const Stage& stage, bool far);
   bool advance_interior(const StageContext& context, const Stage& stage);

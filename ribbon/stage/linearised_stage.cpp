@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
 
@@ -11,11 +10,13 @@ namespace {
 
 constexpr int contact_searches = 3;  // times that contacts are looked for
 constexpr int max_linearisations = 24;
-constexpr int impact_linearisations = 2;  // of a piece that takes an impact: no direction changes much
-constexpr int miss_linearisations = 3;    // more, for each time of
-constexpr int max_misses = 4;             // times that contacts are linearised which the solution would have missed
-constexpr double far_share = 10.0;        // tolerances: a larger correction is far from the solution
-constexpr int full_linearisations = 5;    // after which a step has to reduce the energy
+constexpr int impact_linearisations = 2;     // of a piece that takes an impact: no direction changes much
+constexpr int miss_linearisations = 3;       // more, for each time of
+constexpr int max_misses = 4;                // times that contacts are linearised which the solution would have missed
+constexpr int truncated_linearisations = 4;  // at most, of a truncated solve
+constexpr double shrinking = 0.5;   // of the last correction of a truncated solve, the most that the next one may be
+constexpr double far_share = 10.0;  // tolerances: a larger correction is far from the solution
+constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
 
 /// N, the largest inertia force of the direction.
@@ -32,7 +33,6 @@ double inertia_force(const StageContext& context, const Stage& stage) {
 void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
   best_.resize(slots);
   groups_.resize(slots);
-  group_shares_.resize(slots);
   best_tensions_.resize(tensions);
 }
 
@@ -45,22 +45,27 @@ void LinearisedStage::reserve(const IslandState& state, const Contacts& contacts
 }
 
 LinearisedResult LinearisedStage::solve(const StageContext& context, const MotionBounds& bounds,
-                                        const StageRequest& request, Stage& stage, bool impact) {
+                                        const StageRequest& request, Stage& stage, ContactSolve kind) {
   IslandState& state = context.state;
   for (HeldBody& held : state.held) held.limited = held.may_slip();
   begin(context, request);
   stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   Course course;
-  const int max = impact ? impact_linearisations : max_linearisations;
-  for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {
-    if (k > 0 && context.work.linearising_is_over()) break;
-    if (iterate(context, request, stage, k, course) == Iteration::ended) break;
+  const bool impact = kind == ContactSolve::linearised_impact;
+  if (kind == ContactSolve::truncated) {
+    truncate(context, request, stage, course);
+  } else {
+    const int max = impact ? impact_linearisations : max_linearisations;
+    for (int k = 0; k < max + course.misses * miss_linearisations && !course.result.converged; ++k) {
+      if (k > 0 && context.work.linearising_is_over()) break;
+      if (iterate(context, request, stage, k, course) == Iteration::ended) break;
+    }
+    end(context, stage, course);
   }
-  end(context, stage, course);
   for (HeldBody& held : state.held) held.limited = false;
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
-    result.cut = !keep_apart(context, bounds, request.from);
+    result.cut = !groups_.keep_apart(context, bounds, request.from);
     context.contacts.record_impacts(request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -124,6 +129,34 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
   take_slip_rows(state, solver_.rows());
   settle(context, request, stage, k, course);
   return Iteration::next;
+}
+
+/// Linearises until the correction is within the tolerance, but not often. Contacts and limits of friction are found
+/// anew each time. Without a solution the position error is infinite.
+void LinearisedStage::truncate(const StageContext& context, const StageRequest& request, const Stage& stage,
+                               Course& course) {
+  IslandState& state = context.state;
+  NewtonSolver& newton = context.newton;
+  LinearisedResult& result = course.result;
+  double moved = 0.0;  // m, by the last linearisation
+  for (int k = 0; k < truncated_linearisations && !result.converged; ++k) {
+    if (k > 0) context.contacts.linearise(request.from, state.positions);
+    append_rows(context, stage);
+    const bool solved = solver_.solve_truncated(context, stage);
+    result.position_error = solved ? newton.largest_displacement(state) : std::numeric_limits<double>::infinity();
+    if (!(result.position_error <= NewtonSolver::max_displacement)) return;
+    result.force_error = inertia_force(context, stage);
+    newton.store_corrections(state);
+    const double max = k > 0 ? std::max(shrinking * moved, state.tolerance) : result.position_error;
+    moved = std::min(max, result.position_error);
+    newton.move(state, newton.trial(), moved < result.position_error ? moved / result.position_error : 1.0);
+    state.positions.swap(newton.trial());
+    if (moved < result.position_error) continue;
+    newton.take_tensions(state);
+    context.contacts.take_forces(solver_.rows(), true);
+    take_slip_rows(state, solver_.rows());
+    result.converged = k > 0 && result.position_error <= state.tolerance && !became_stretched(state);
+  }
 }
 
 /// Judges whether the iterate is the solution. If contacts are missed in it, they are linearised and the solve goes on.
@@ -221,54 +254,6 @@ void LinearisedStage::return_to_solved(const StageContext& context) const {
   context.state.tensions = solved_tensions_;
   context.state.held = solved_held_;
   context.contacts.linearised.restore(context.contacts.forces);
-}
-
-/// A cord is a group, and what holds it moves with it.
-void LinearisedStage::find_groups(const IslandState& state) {
-  groups_.assign(state.slots(), -1);
-  const auto root = [&](std::size_t slot) {
-    while (groups_[slot] >= 0 && at(groups_[slot]) != slot) slot = at(groups_[slot]);
-    return slot;
-  };
-  for (const Member& member : state.members) {
-    const auto points = IslandState::points_of(member, groups_);
-    std::fill(points.begin(), points.end(), static_cast<int>(member.first_point));
-  }
-  for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.center(k)] = static_cast<int>(state.center(k));
-  for (const HeldBody& held : state.held) {
-    const std::size_t a = root(held.point);
-    const std::size_t b = root(state.center(held.solved_index));
-    groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
-  }
-  for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
-  }
-  for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.angle(k)] = groups_[state.center(k)];
-  for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (state.constrained[p] != 0) groups_[p] = -1;
-  }
-}
-
-/// Shortens the displacements of groups that would take them through each other, or out of their motion bounds. Returns
-/// false if one was shortened.
-bool LinearisedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from) {
-  IslandState& state = context.state;
-  find_groups(state);
-  group_shares_.assign(state.slots(), 1.0);
-  const bool within = bounds.limit(state, from, groups_, group_shares_);
-  const bool apart =
-      context.contacts.sweep.separate_groups(context.contacts.scene, from, state.positions, groups_, group_shares_);
-  if (apart && within) return true;
-  for (Member& member : state.members) {
-    const auto groups = IslandState::points_of(member, groups_);
-    member.stopped = std::any_of(groups.begin(), groups.end(),
-                                 [this](int group) { return group >= 0 && group_shares_[at(group)] < 1.0; });
-  }
-  for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (state.constrained[p] != 0 || groups_[p] < 0) continue;
-    state.positions[p] = from[p] + group_shares_[at(groups_[p])] * (state.positions[p] - from[p]);
-  }
-  return false;
 }
 
 }  // namespace ribbon

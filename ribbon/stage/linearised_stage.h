@@ -7,8 +7,17 @@
 #include "ribbon/collision/motion_bounds.h"
 #include "ribbon/stage/contact_stage.h"
 #include "ribbon/stage/convex_solver.h"
+#include "ribbon/stage/motion_groups.h"
 
 namespace ribbon {
+
+/// How the contacts of a stage are solved.
+enum class ContactSolve {
+  newton,             ///< as terms of the Newton steps
+  linearised,         ///< linearised once, see LinearisedStage
+  linearised_impact,  ///< the same, in a piece of a step that takes an impact
+  truncated,          ///< the same, ended after a few linear systems
+};
 
 /// How a linearised stage ended.
 struct LinearisedResult {
@@ -26,10 +35,13 @@ class LinearisedStage {
   void resize(std::size_t slots, std::size_t tensions);
   /// Reserves memory for a step of an island with so many contacts.
   void reserve(const IslandState& state, const Contacts& contacts);
-  /// Solves the stage. With `impact` the piece takes an impact: it is so short that nothing moves far, and a few
-  /// linearisations do.
+  /// Solves the stage. A piece that takes an impact is so short that nothing moves far, and a few linearisations do. A
+  /// truncated solve ends with whatever a few linear systems give; the contacts that they leave wrong are those of a
+  /// heap, and the next step begins with their forces.
   LinearisedResult solve(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
-                         Stage& stage, bool impact);
+                         Stage& stage, ContactSolve kind);
+  /// Returns memory for shares of motions.
+  MotionGroups& groups() { return groups_; }
 
  private:
   /// The course of one solve.
@@ -44,6 +56,7 @@ class LinearisedStage {
   void begin(const StageContext& context, const StageRequest& request) const;
   Iteration iterate(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
                     Course& course);
+  void truncate(const StageContext& context, const StageRequest& request, const Stage& stage, Course& course);
   void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);
   void append_rows(const StageContext& context, const Stage& stage);
@@ -54,8 +67,6 @@ class LinearisedStage {
   double step_fraction(const StageContext& context, const Stage& stage);
   void store_solved(const StageContext& context);
   void return_to_solved(const StageContext& context) const;
-  void find_groups(const IslandState& state);
-  bool keep_apart(const StageContext& context, const MotionBounds& bounds, std::span<const Vec2> from);
 
   ConvexSolver solver_;
   std::vector<Vec2> best_;
@@ -64,8 +75,7 @@ class LinearisedStage {
   std::vector<Vec2> solved_positions_;
   std::vector<double> solved_tensions_;
   std::vector<HeldBody> solved_held_;
-  std::vector<int> groups_;  // by slot: what moves together when it is kept apart from others; −1: by itself
-  std::vector<double> group_shares_;
+  MotionGroups groups_;
 };
 
 }  // namespace ribbon

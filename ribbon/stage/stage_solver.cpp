@@ -45,8 +45,7 @@ bool StageSolver::solve_contacts(const StageContext& context, const MotionBounds
   if (contact_solve_ == ContactSolve::newton) {
     return context.contacts.empty() ? free_stage_.solve(context, stage) : contact_stage_.solve(context, request, stage);
   }
-  const bool impact = contact_solve_ == ContactSolve::linearised_impact;
-  linearised_result_ = linearised_stage_.solve(context, bounds, request, stage, impact);
+  linearised_result_ = linearised_stage_.solve(context, bounds, request, stage, contact_solve_);
   return linearised_result_.converged;
 }
 

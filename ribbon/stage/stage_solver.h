@@ -8,13 +8,6 @@
 
 namespace ribbon {
 
-/// How the contacts of a stage are solved.
-enum class ContactSolve {
-  newton,             ///< as terms of the Newton steps
-  linearised,         ///< linearised once, see LinearisedStage
-  linearised_impact,  ///< the same, in a piece of a step that takes an impact
-};
-
 /// Solves one implicit stage of a substep: its forces, where what is driven ends, the Newton steps, and the velocities
 /// that follow from the positions.
 class StageSolver {
@@ -49,6 +42,8 @@ class StageSolver {
   void set_contact_solve(ContactSolve solve);
   /// Returns how the last linearised stage ended.
   const LinearisedResult& linearised_result() const { return linearised_result_; }
+  /// Returns memory for shares of motions.
+  MotionGroups& groups() { return linearised_stage_.groups(); }
   /// Returns memory for positions that are tried.
   std::vector<Vec2>& trial() { return newton_.trial(); }
 

@@ -20,17 +20,21 @@ double shortest_cord(const IslandState& state) {
 
 }  // namespace
 
+double largest_strain(const Member& member, std::span<const Vec2> x) {
+  const CordDef& def = member.cord->def;
+  if (std::isfinite(def.stretch_stiffness)) return 0.0;
+  double max = 0.0;
+  for (std::size_t link = 0; link + 1 < member.points; ++link) {
+    const std::size_t p = member.first_point + link;
+    const double strain = length(x[p + 1] - x[p]) / member.cord->state.rest[link] - 1.0;
+    max = std::max(max, def.tension_only ? strain : std::abs(strain));
+  }
+  return max;
+}
+
 double largest_strain(const IslandState& state, std::span<const Vec2> x) {
   double max = 0.0;
-  for (const Member& member : state.members) {
-    const CordDef& def = member.cord->def;
-    if (std::isfinite(def.stretch_stiffness)) continue;
-    for (std::size_t link = 0; link + 1 < member.points; ++link) {
-      const std::size_t p = member.first_point + link;
-      const double strain = length(x[p + 1] - x[p]) / member.cord->state.rest[link] - 1.0;
-      max = std::max(max, def.tension_only ? strain : std::abs(strain));
-    }
-  }
+  for (const Member& member : state.members) max = std::max(max, largest_strain(member, x));
   return max;
 }
 

@@ -9,6 +9,8 @@ namespace ribbon {
 /// Strain of a link of an inextensible cord, above which it counts as stretched.
 inline constexpr double max_strain = 5e-3;
 
+/// Returns the largest strain of a cord's links at `x`, as below; 0 unless it is inextensible.
+double largest_strain(const Member& member, std::span<const Vec2> x);
 /// Returns the largest strain, also by compression unless `tension_only`, of an inextensible cord's links at `x`; or 0.
 double largest_strain(const IslandState& state, std::span<const Vec2> x);
 /// Returns whether an inextensible cord has become stretched in the substep.
