@@ -234,6 +234,7 @@ void CandidateFinder::find_block(const Search& search, std::size_t k, Vec2 drift
     const std::size_t first = block * at(item);
     const std::size_t end = std::min(first + block, link_boxes_.size());
     for (std::size_t i = 0; i < count; ++i) {
+      if (!overlap(boxes[i], block_boxes_[at(item)])) continue;
       for (std::size_t link = first; link < end; ++link) {
         if (!overlap(boxes[i], link_boxes_[link])) continue;
         find_link(search, static_cast<int>(k + i), links_[link], search.bounds.of(links_[link].member));

@@ -9,7 +9,7 @@ namespace {
 constexpr double distance_tolerance = 1e-3;  // of the contact distance, to which an advancement ends
 constexpr int max_advances = 32;
 constexpr double separated_of_start = 0.995;  // of the distance at the start, what separate_groups leaves
-constexpr int max_reductions = 12;            // of the fraction of a group
+constexpr int max_reductions = 12;            // of the fraction of a group, before it has to stop
 
 }  // namespace
 
@@ -103,13 +103,17 @@ bool ContactSweep::separate_groups(ContactScene& scene, std::span<const Vec2> fr
   set_path(scene, from, to);
   ends_.assign(to_.begin(), to_.end());
   move_groups(scene, group_of, fractions);
-  for (int k = 0; k <= max_reductions; ++k) {
+  for (int k = 0;; ++k) {
     group_limits_.assign(fractions.size(), 1.0);
     if (limit_groups(scene, group_of, k + 1 >= max_reductions)) return k == 0;
-    for (std::size_t g = 0; g < fractions.size(); ++g) fractions[g] *= group_limits_[g];
+    bool changed = false;
+    for (std::size_t g = 0; g < fractions.size(); ++g) {
+      changed = changed || (group_limits_[g] < 1.0 && fractions[g] > 0.0);
+      fractions[g] *= group_limits_[g];
+    }
+    if (!changed) return false;  // what moves into them is kinematic
     move_groups(scene, group_of, fractions);
   }
-  return false;
 }
 
 /// Sets to_ to where the fractions of the groups lead.

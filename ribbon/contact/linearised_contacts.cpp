@@ -129,6 +129,13 @@ void LinearisedContacts::take_forces(const ContactPairs& pairs, const LimitedRow
   }
 }
 
+void LinearisedContacts::forget_forces(ContactForces& forces) {
+  for (auto* values : {&forces.normal, &forces.unlimited_normal, &forces.friction}) {
+    std::fill(values->begin(), values->end(), 0.0);
+  }
+  has_forces_ = true;
+}
+
 void LinearisedContacts::store(const ContactForces& forces) {
   stored_ = contacts_;
   stored_forces_ = forces;

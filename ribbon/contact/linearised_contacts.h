@@ -33,6 +33,8 @@ class LinearisedContacts {
   /// Takes over the forces that were found, in the order of append_rows. Limits of friction follow the normal forces
   /// only if `updates_limits`, otherwise limits and forces can alternate forever.
   void take_forces(const ContactPairs& pairs, const LimitedRows& rows, bool updates_limits, ContactForces& forces);
+  /// Sets all forces to 0: those of a solve that went wrong have an energy that nothing ever had.
+  void forget_forces(ContactForces& forces);
   /// Stores the contacts and forces; restores them.
   void store(const ContactForces& forces);
   void restore(ContactForces& forces);

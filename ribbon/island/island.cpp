@@ -32,7 +32,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody
   bounds_.begin_step(cords.size());
   for (bool linearised = false;;) {
     begin_attempt(cords);
-    state_.driven = state_.driven || (state_.unlocking && !linearised);
+    state_.driven = state_.driven || (state_.unlocking && !linearised && !is_heap());
     if (!take_substeps(linearised)) {
       linearised = true;
       bounds_.enlarge_for_linearised();

@@ -121,6 +121,7 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
     piece.before = EnergyGuard::total_energy(state, context.contacts);
     piece.before.elastic += contact_energy_ - context.contacts.energy();
   }
+  piece.truncated = solve == ContactSolve::truncated;
   context.stages.set_contact_solve(solve);
   const double tolerance = state.tolerance;
   state.tolerance = std::max(dt / state.dt * tolerance, std::min(state.min_tolerance, tolerance));
@@ -149,7 +150,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   context.guard.remove_spurious_energy(state, contacts, piece.before);
-  bool changed = rollback_.apply(context, piece.before);
+  bool changed = rollback_.apply(context, piece.before, piece.truncated);
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);
     restore_momentum(state, contacts);

@@ -25,6 +25,7 @@ class LinearisedStep {
     bool solved;
     LinearisedResult result;
     Cord::Energy before;
+    bool truncated;
   };
   double next_piece(const StepContext& context, double time, double left);
   Piece take_piece(const StepContext& context, double time, double dt, ContactSolve solve) const;

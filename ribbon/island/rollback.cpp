@@ -19,18 +19,22 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
   offsets_.resize(tensions);
 }
 
-bool Rollback::apply(const StepContext& context, const Cord::Energy& before) {
+bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
   if (state.driven) return limit_speeds(state);
-  if (largest_strain(state, state.start.positions) > max_strain) return false;
-  const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
+  const bool was_stretched = largest_strain(state, state.start.positions) > max_strain;
+  if (was_stretched && !truncated) return false;
+  const auto is_sound = [&] {
+    return !context.gained_energy(before, tolerated_gain) && (was_stretched || !is_stretched(state));
+  };
   if (is_sound()) return false;
   end_positions_ = state.positions;
   end_velocities_ = state.velocities;
   context.stages.groups().begin(state);
-  if (is_stretched(state)) take_stretched_back(context);
+  if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);
+  if (!was_stretched) take_stretched_back(context);
   if (is_sound()) return true;
-  context.contacts.linearised.clear();
+  if (!truncated) context.contacts.linearised.clear();
   double share = 1.0;
   for (int k = 0; k < max_halvings && !is_sound(); ++k) {
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;

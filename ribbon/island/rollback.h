@@ -15,7 +15,7 @@ class Rollback {
   /// island has still gained energy since `before`, all of it goes back by halves, in the end to the start of the
   /// piece. While something drives the island, energy tells nothing, and only speeds are limited. Returns whether
   /// something was changed.
-  bool apply(const StepContext& context, const Cord::Energy& before);
+  bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
 
  private:
   void take_stretched_back(const StepContext& context);

@@ -69,32 +69,61 @@ void BlockLdlt::sort_couplings() {
 }
 
 /// Finds the columns of each row: those of its couplings and those of its children in the elimination tree. A row is a
-/// child of its first column (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
+/// child of its first column (Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1). The columns of its largest
+/// child are in order already; the others, mostly few, are sorted and merged into them.
 void BlockLdlt::find_columns() {
   const std::size_t n = order_.size();
   first_child_.assign(n, -1);
   next_child_.assign(n, -1);
   mark_.assign(n, -1);
+  other_columns_.reserve(n);
   first_.assign(1, 0);
   columns_.clear();
   for (std::size_t k = 0; k < n; ++k) {
     const int row = static_cast<int>(k);
     mark_[k] = row;
+    other_columns_.clear();
     const auto add_column = [&](int column) {
       if (mark_[at(column)] == row) return;
       mark_[at(column)] = row;
-      columns_.push_back(column);
+      other_columns_.push_back(column);
     };
+    const auto count = [this](int child) { return first_[at(child) + 1] - first_[at(child)]; };
+    int largest = first_child_[k];
+    for (int child = largest; child >= 0; child = next_child_[at(child)]) {
+      if (count(child) > count(largest)) largest = child;
+    }
+    if (largest >= 0) {
+      for (std::size_t i = first_[at(largest)] + 1; i < first_[at(largest) + 1]; ++i) {  // its first column is the row
+        mark_[at(columns_[i])] = row;
+        columns_.push_back(columns_[i]);
+      }
+    }
     for (std::size_t i = coupling_first_[k]; i < coupling_first_[k + 1]; ++i) add_column(coupled_[i]);
     for (int child = first_child_[k]; child >= 0; child = next_child_[at(child)]) {
+      if (child == largest) continue;
       for (std::size_t i = first_[at(child)]; i < first_[at(child) + 1]; ++i) add_column(columns_[i]);
     }
-    std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(first_[k]), columns_.end());
+    merge_other_columns(first_[k]);
     first_.push_back(columns_.size());
     if (first_[k] == first_[k + 1]) continue;
     const std::size_t parent = at(columns_[first_[k]]);
     next_child_[k] = first_child_[parent];
     first_child_[parent] = row;
+  }
+}
+
+/// Merges the other columns into those from `first` on.
+void BlockLdlt::merge_other_columns(std::size_t first) {
+  if (other_columns_.empty()) return;
+  std::sort(other_columns_.begin(), other_columns_.end());
+  std::size_t left = columns_.size();
+  std::size_t other = other_columns_.size();
+  columns_.resize(left + other);
+  while (other > 0) {
+    const std::size_t place = left + other - 1;
+    const bool from_left = left > first && columns_[left - 1] > other_columns_[other - 1];
+    columns_[place] = from_left ? columns_[--left] : other_columns_[--other];
   }
 }
 

@@ -72,6 +72,7 @@ class BlockLdlt {
   void assign_rows(std::span<const int> order);
   void sort_couplings();
   void find_columns();
+  void merge_other_columns(std::size_t first);
   void resize_blocks();
   bool eliminate(std::size_t row);
   void substitute(std::span<Vec2> b);
@@ -82,6 +83,7 @@ class BlockLdlt {
   std::vector<std::size_t> coupling_first_;    // index in coupled_ of each row, and the end of the last
   std::vector<int> coupled_;                   // columns of the couplings, row by row
   std::vector<int> first_child_, next_child_;  // elimination tree, by row; −1: none
+  std::vector<int> other_columns_;             // of the row that is found, beside those of its largest child
   std::vector<int> mark_;                      // by column: the last row that listed it
   std::vector<std::size_t> first_;             // index in columns_ and blocks_ of each row, and the end of the last
   std::vector<int> columns_;                   // ascending within a row

@@ -1,16 +1,19 @@
 #include "ribbon/stage/convex_solver.h"
 
+#include "ribbon/linear/index.h"
+
 namespace ribbon {
 namespace {
 
-constexpr double tied_share = 1e-3;     // of the tolerance, by which a row may be on the wrong side of its limit
-constexpr int max_active_sets = 5;      // tried before the interior point,
-constexpr int few_rows = 2;             // unless more rows than that change, and not fewer each time
-constexpr int truncated_sets = 2;       // of a truncated solve
-constexpr int max_interior = 25;        // iterations of the interior point
-constexpr double polishing_gap = 1e-4;  // of the interior point, below which its active set is tried
-constexpr double closed_gap = 1e-10;    // at which it ends
-constexpr double far_gap = 1e-2;        // at which it is good enough far from where the linearisations end
+constexpr double tied_share = 1e-3;       // of the tolerance, by which a row may be on the wrong side of its limit
+constexpr int max_active_sets = 5;        // tried before the interior point,
+constexpr int few_rows = 2;               // unless more rows than that change, and not fewer each time
+constexpr int truncated_sets = 2;         // of a truncated solve,
+constexpr std::size_t settled_rows = 50;  // in so many of which no more than one changes after the first
+constexpr int max_interior = 25;          // iterations of the interior point
+constexpr double polishing_gap = 1e-4;    // of the interior point, below which its active set is tried
+constexpr double closed_gap = 1e-10;      // at which it ends
+constexpr double far_gap = 1e-2;          // at which it is good enough far from where the linearisations end
 
 }  // namespace
 
@@ -33,9 +36,12 @@ ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stag
 bool ConvexSolver::solve_truncated(const StageContext& context, const Stage& stage) {
   context.newton.system().make_pattern(context.state, rows_);
   active_set_.begin(rows_.rows());
-  int changed = 1;
-  for (int k = 0; k < truncated_sets && changed > 0; ++k) changed = solve_active_set(context, stage);
-  return changed >= 0 && context.newton.take_solution(context.state, stage);
+  for (int k = 0; k < truncated_sets; ++k) {
+    const int changed = solve_active_set(context, stage);
+    if (changed < 0) return false;
+    if (settled_rows * at(changed) <= rows_.rows().size()) break;
+  }
+  return context.newton.take_solution(context.state, stage);
 }
 
 /// Returns the number of rows that change their state, −1 if the matrix is not definite.

@@ -8,6 +8,7 @@
 namespace ribbon {
 namespace {
 
+constexpr std::size_t many_cords = 8;   // from which on the natural order of what touches certainly fills much
 constexpr std::size_t much_filled = 6;  // blocks a row, above which an order that fills less is looked for
 
 void couple(const Contacts& contacts, BlockLdlt& matrix) { contacts.active.couple(contacts.scene, matrix); }
@@ -56,6 +57,11 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
     for (const int slot : grip_slots(state, state.held[grip])) matrix_.couple(slot, state.grip_dual(grip));
   }
   couple(terms, matrix_);
+  if (!has_fill_order_ && state.members.size() >= many_cords) {
+    reduce_fill(state);
+    has_pattern_ = true;
+    return;
+  }
   matrix_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * matrix_.size();
   if (matrix_.off_diagonal_blocks() > much) reduce_fill(state);

@@ -20,6 +20,8 @@ constexpr Vec2 scenery_high{6.0, 2.0};
 constexpr Vec2 bodies_low{-6.0, -2.5};
 constexpr Vec2 bodies_high{6.0, 7.0};
 constexpr double ground = -4.0;  // m
+constexpr Vec2 pit_low{-2.2, -3.0};
+constexpr Vec2 pit_high{1.6, 7.0};
 
 /// What a family prescribes; all else is random.
 struct Recipe {
@@ -46,6 +48,7 @@ Recipe recipe_of(Family family, Dice& dice) {
     case Family::grips_slip: return {1, 1, false, false, false, 2, 5, 2, true, true};
     case Family::ribbon_falls: return {1, 1, true};
     case Family::ribbons_both: return {1, 3, true, true, true};
+    case Family::heap: return {8, 16, false, true, true, 0, 4};
     default: break;
   }
   return {1, 4, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
@@ -97,6 +100,34 @@ CordDef some_cord(Dice& dice, const Recipe& recipe, bool mixed) {
     for (int j = 0; both && j < def.rows; ++j) def.pins.push_back((def.points - 1) * def.rows + j);
   }
   return def;
+}
+
+CordDef cord_of_heap(Dice& dice) {
+  CordDef def;
+  def.points = random_integer(dice, 9, 31);
+  def.length = dice(0.8, 2.0);
+  const double link = def.length / (def.points - 1);
+  def.radius = std::min(0.02, dice(0.2, 0.45) * link);
+  def.mass_per_length = log_uniform(dice, 0.03, 3.0);
+  if (dice.coin()) def.stretch_stiffness = log_uniform(dice, 1e3, 1e6);
+  if (dice.coin()) def.bending_stiffness = log_uniform(dice, 1e-3, 1.0);
+  def.friction = dice();
+  def.self_contact = def.cord_contact = true;
+  if (chance(dice, 0.4)) set_ribbon(dice, def, false);
+  return def;
+}
+
+/// Adds a ground and two walls.
+void add_pit(Dice& dice, Scene& scene) {
+  const double friction = dice();
+  for (const Vec2 side : {Vec2{-3.0, 0.0}, Vec2{0.0, -1.0}, Vec2{3.0, 0.0}}) {
+    Solid solid;
+    solid.shape = Shape::box;
+    solid.half = side.x == 0.0 ? Vec2{4.0, 0.5} : Vec2{0.5, 12.0};
+    solid.position = {side.x, side.x == 0.0 ? ground - 0.5 : ground + 12.0};
+    solid.friction = friction;
+    scene.solids.push_back(solid);
+  }
 }
 
 Solid some_solid(Dice& dice, Motion motion) {
@@ -162,8 +193,9 @@ void vary_cords(Dice dice, Scene& scene) {
 }  // namespace
 
 std::string_view name(Family family) {
-  constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
-                                        "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed"};
+  constexpr std::string_view names[] = {"rope_falls",   "rope_self",    "ropes_mutual", "ropes_both",
+                                        "hold_points",  "hold_between", "grips_slip",   "ribbon_falls",
+                                        "ribbons_both", "mixed",        "heap"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -178,14 +210,28 @@ Scene generate(const SceneId& which) {
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
   scene.sleeping = mixed && dice.coin();
   Placer placer(scene);
-  add_scenery(dice, placer, scene);
+  const bool heap = which.family == Family::heap;
+  if (heap) {
+    add_pit(dice, scene);
+  } else {
+    add_scenery(dice, placer, scene);
+  }
   for (int k = random_integer(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
-    const CordDef def = some_cord(dice, recipe, mixed);
+    const CordDef def = heap ? cord_of_heap(dice) : some_cord(dice, recipe, mixed);
+    if (heap) {
+      placer.add_cord(dice, def, pit_low, pit_high);
+      continue;
+    }
     // If a hundred tries find no free place, search higher up.
     if (!placer.add_cord(dice, def, cords_low, cords_high)) placer.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
   }
   for (int k = random_integer(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
-    placer.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
+    const Solid solid = some_solid(dice, Motion::dynamic);
+    if (heap) {
+      placer.add_solid(dice, solid, pit_low, pit_high);
+    } else {
+      placer.add_solid(dice, solid, bodies_low, bodies_high);
+    }
   }
   add_holders(dice, recipe, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);

@@ -20,10 +20,12 @@ enum class Family : unsigned char {
   ribbon_falls,  ///< a ribbon of 2 to 4 rows on scenery
   ribbons_both,  ///< ribbons with both contacts
   mixed,         ///< all of these
+  heap,          ///< 8 to 16 short ropes and ribbons with both contacts, and bodies, between two walls
 };
-constexpr std::array<Family, 10> all_families = {
-    Family::rope_falls,   Family::rope_self,  Family::ropes_mutual, Family::ropes_both,   Family::hold_points,
-    Family::hold_between, Family::grips_slip, Family::ribbon_falls, Family::ribbons_both, Family::mixed};
+constexpr std::array<Family, 11> all_families = {Family::rope_falls, Family::rope_self,    Family::ropes_mutual,
+                                                 Family::ropes_both, Family::hold_points,  Family::hold_between,
+                                                 Family::grips_slip, Family::ribbon_falls, Family::ribbons_both,
+                                                 Family::mixed,      Family::heap};
 std::string_view name(Family family);
 
 /// The difficulty of a scene.
