@@ -103,5 +103,36 @@ TEST(ContactSweep, KeepsEveryPairApartOnTheCollisionFreePartOfThePath) {
   EXPECT_GT(limited, 25);
 }
 
+/// A column of discs moves towards a disc that does not move. Each stops the one behind it.
+TEST(ContactSweep, WhatHasToStopStopsWhatComesBehind) {
+  constexpr int moving = 40;
+  constexpr double distance = 0.2;  // m, of contact
+  ContactScene scene;
+  scene.clear(moving + 1);
+  std::vector<Vec2> from;
+  std::vector<Vec2> to;
+  std::vector<int> groups;
+  for (int k = 0; k <= moving; ++k) {
+    from.push_back({0.3 * k, 0.0});
+    to.push_back(from.back() + (k < moving ? Vec2{10.0, 0.0} : Vec2{}));
+    groups.push_back(k < moving ? k : -1);
+    if (k == 0) continue;
+    ContactPair pair;
+    pair.disc = k - 1;
+    pair.a = pair.b = k;
+    pair.contact_distance = distance;
+    pair.disc_radius = 0.5 * distance;
+    scene.add(pair);
+  }
+  scene.begin_substep(1.0);
+  ContactSweep sweep;
+  std::vector<double> fractions(from.size(), 1.0);
+  EXPECT_FALSE(sweep.separate_groups(scene, from, to, groups, fractions));
+  const auto end = [&](int k) {
+    return from[Scene::at(k)].x + fractions[Scene::at(k)] * (to[Scene::at(k)].x - from[Scene::at(k)].x);
+  };
+  for (int k = 0; k < moving; ++k) EXPECT_LT(end(k), end(k + 1)) << k;
+}
+
 }  // namespace
 }  // namespace ribbon
