@@ -7,13 +7,14 @@
 namespace ribbon {
 
 /// The last resort for a linearised piece that gained energy in anything but velocities, or stretched: it takes the
-/// motion back. It does nothing if a cord was stretched at the start of the piece.
+/// motion back. Unless the solve was truncated, it does nothing if a cord was stretched at the start of the piece.
 class Rollback {
  public:
   void resize(std::size_t slots, std::size_t tensions);
   /// Takes the motion of each cord that is stretched back by halves, and with it what would come into its way. If the
   /// island has still gained energy since `before`, all of it goes back by halves, in the end to the start of the
-  /// piece. While something drives the island, energy tells nothing, and only speeds are limited. Returns whether
+  /// piece. While something drives the island, energy tells nothing, and only speeds are limited. After a truncated
+  /// solve the contacts forget their forces, and energy is taken back whatever was stretched before. Returns whether
   /// something was changed.
   bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
 
