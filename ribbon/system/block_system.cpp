@@ -57,14 +57,10 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
     for (const int slot : grip_slots(state, state.held[grip])) matrix_.couple(slot, state.grip_dual(grip));
   }
   couple(terms, matrix_);
-  if (!has_fill_order_ && state.members.size() >= many_cords) {
-    reduce_fill(state);
-    has_pattern_ = true;
-    return;
-  }
-  matrix_.end_pattern();
+  const bool is_heap = !has_fill_order_ && state.members.size() >= many_cords;
+  if (!is_heap) matrix_.end_pattern();
   const std::size_t much = has_fill_order_ ? filled_ + filled_ / 2 : much_filled * matrix_.size();
-  if (matrix_.off_diagonal_blocks() > much) reduce_fill(state);
+  if (is_heap || matrix_.off_diagonal_blocks() > much) reduce_fill(state);
   has_pattern_ = true;
 }
 
