@@ -17,7 +17,7 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 }  // namespace
 
 /// A step in which something leaves its motion bound is redone with a larger one. A step in which a substep does not
-/// converge is redone with contacts that are linearised once.
+/// converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
                           std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -32,7 +32,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody
   bounds_.begin_step(cords.size());
   for (bool linearised = false;;) {
     begin_attempt(cords);
-    state_.driven = state_.driven || (state_.unlocking && !linearised && !is_heap());
+    state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
     if (!take_substeps(linearised)) {
       linearised = true;
       bounds_.enlarge_for_linearised();
@@ -62,19 +62,22 @@ void Island::begin_attempt(std::span<const IslandCord> cords) {
   work_.begin_attempt(state_);
 }
 
-/// Returns whether many cords touch each other and none of them asks for more than scenery needs. Where everything lies
-/// on everything, the error of a few linear systems is lost in that of the heap.
-bool Island::is_heap() const {
-  return state_.accuracy.soft_contacts && state_.members.size() >= heap_cords && !contacts_.empty();
+/// Returns whether the attempt is a truncated solve. Where everything lies on everything, the error of a few linear
+/// systems is lost in that of the heap. If no cord asks for more than scenery needs, nothing else is tried first.
+bool Island::truncates(bool linearised) const {
+  const bool is_heap = state_.members.size() >= heap_cords && !contacts_.empty();
+  return is_heap && linearised != state_.accuracy.soft_contacts;
 }
 
 /// Returns false if a substep did not converge.
 bool Island::take_substeps(bool linearised) {
+  const bool truncated = truncates(linearised);
+  if (truncated && linearised_step_.take_truncated(context(), restitution_)) return true;
   if (linearised) {
     linearised_step_.take(context(), restitution_);
     return true;
   }
-  if (is_heap()) return linearised_step_.take_truncated(context(), restitution_);
+  if (truncated) return false;
   const double dt = state_.dt / state_.accuracy.substeps;
   for (int n = 0; n < state_.accuracy.substeps; ++n) {
     if (!substeps_.take(context(), n * dt, dt, restitution_)) return false;

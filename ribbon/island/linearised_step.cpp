@@ -150,6 +150,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   context.guard.remove_spurious_energy(state, contacts, piece.before);
+  if (piece.truncated) rollback_.fit_tensions(context);
   bool changed = rollback_.apply(context, piece.before, piece.truncated);
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);

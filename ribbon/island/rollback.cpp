@@ -1,6 +1,7 @@
 #include "ribbon/island/rollback.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ribbon/island/momentum.h"
 #include "ribbon/system/stretch.h"
@@ -16,6 +17,7 @@ constexpr double tolerated_gain = 1e-3;  // of the scene's energy
 void Rollback::resize(std::size_t slots, std::size_t tensions) {
   end_positions_.resize(slots);
   end_velocities_.resize(slots);
+  end_tensions_.resize(tensions);
   offsets_.resize(tensions);
 }
 
@@ -28,9 +30,7 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before, boo
     return !context.gained_energy(before, tolerated_gain) && (was_stretched || !is_stretched(state));
   };
   if (is_sound()) return false;
-  end_positions_ = state.positions;
-  end_velocities_ = state.velocities;
-  context.stages.groups().begin(state);
+  begin(context);
   if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);
   if (!was_stretched) take_stretched_back(context);
   if (is_sound()) return true;
@@ -41,6 +41,26 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before, boo
     go_to(context, share);
   }
   return true;
+}
+
+void Rollback::fit_tensions(const StepContext& context) {
+  IslandState& state = context.state;
+  begin(context);
+  go_to(context, 1.0);
+  for (const Member& member : state.members) {
+    if (!std::isfinite(member.cord->def.stretch_stiffness)) continue;
+    const auto fitted = IslandState::tensions_of(member, state.tensions);
+    std::copy(fitted.begin(), fitted.end(), IslandState::tensions_of(member, end_tensions_).begin());
+  }
+  state.tensions.swap(end_tensions_);
+}
+
+/// Stores the end of the piece, to which every group makes all of its way.
+void Rollback::begin(const StepContext& context) {
+  end_positions_ = context.state.positions;
+  end_velocities_ = context.state.velocities;
+  end_tensions_ = context.state.tensions;
+  context.stages.groups().begin(context.state);
 }
 
 /// A cord that others stop may be stretched again, so this is repeated.

@@ -17,13 +17,18 @@ class Rollback {
   /// solve the contacts forget their forces, and energy is taken back whatever was stretched before. Returns whether
   /// something was changed.
   bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
+  /// Sets the tensions of extensible cords to those of their shapes, as far as the piece has changed these. The tensions
+  /// of a solve that was truncated, or of which something was stopped, belong to other shapes, and have another energy.
+  void fit_tensions(const StepContext& context);
 
  private:
+  void begin(const StepContext& context);
   void take_stretched_back(const StepContext& context);
   void go_to(const StepContext& context, double share);
 
   std::vector<Vec2> end_positions_;
   std::vector<Vec2> end_velocities_;
+  std::vector<double> end_tensions_;
   std::vector<double> offsets_;  // of the tensions at the start from those of the shape
 };
 

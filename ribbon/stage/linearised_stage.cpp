@@ -18,6 +18,8 @@ constexpr double shrinking = 0.5;   // of the last correction of a truncated sol
 constexpr double far_share = 10.0;  // tolerances: a larger correction is far from the solution
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
+constexpr int length_restorations = 3;  // of cords that were stopped
+constexpr double gross_strain = 5e-2;   // of a cord that is stretched although its solve was not truncated
 
 /// N, the largest inertia force of the direction.
 double inertia_force(const StageContext& context, const Stage& stage) {
@@ -33,6 +35,7 @@ double inertia_force(const StageContext& context, const Stage& stage) {
 void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
   best_.resize(slots);
   groups_.resize(slots);
+  link_lengths_.resize(slots);
   best_tensions_.resize(tensions);
 }
 
@@ -65,7 +68,8 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   for (HeldBody& held : state.held) held.limited = false;
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
-    result.cut = !groups_.keep_apart(context, bounds, request.from);
+    const double strain = state.driven ? std::numeric_limits<double>::infinity() : gross_strain;
+    keep_apart(context, bounds, request, stage, kind == ContactSolve::truncated ? max_strain : strain, result);
     context.contacts.record_impacts(request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -151,6 +155,7 @@ void LinearisedStage::truncate(const StageContext& context, const StageRequest& 
     moved = std::min(max, result.position_error);
     newton.move(state, newton.trial(), moved < result.position_error ? moved / result.position_error : 1.0);
     state.positions.swap(newton.trial());
+    link_lengths_.restore(state, stage.inertia);
     if (moved < result.position_error) continue;
     newton.take_tensions(state);
     context.contacts.take_forces(solver_.rows(), true);
@@ -184,6 +189,22 @@ void LinearisedStage::end(const StageContext& context, const Stage& stage, Cours
   } else if (course.has_best) {
     append_rows(context, stage);
     return_to_best(context, stage);
+  }
+}
+
+/// Stops what would pass through something, and gives cords that are stretched by more than the tolerated strain their
+/// lengths back: an inextensible cord that turns is compressed at a share of its way. What is driven may have to
+/// stretch.
+void LinearisedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
+                                 const Stage& stage, double tolerated_strain, LinearisedResult& result) {
+  IslandState& state = context.state;
+  const auto is_stretched = [&] { return largest_strain(state, state.positions) > tolerated_strain; };
+  if (!result.converged && is_stretched()) link_lengths_.restore(state, stage.inertia);
+  bool apart = groups_.keep_apart(context, bounds, request.from);
+  result.cut = !apart;
+  for (int k = 0; k < length_restorations && !apart && is_stretched(); ++k) {
+    link_lengths_.restore(state, stage.inertia);
+    apart = groups_.keep_apart(context, bounds, request.from);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "ribbon/stage/contact_stage.h"
 #include "ribbon/stage/convex_solver.h"
 #include "ribbon/stage/motion_groups.h"
+#include "ribbon/system/link_lengths.h"
 
 namespace ribbon {
 
@@ -59,6 +60,8 @@ class LinearisedStage {
   void truncate(const StageContext& context, const StageRequest& request, const Stage& stage, Course& course);
   void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);
+  void keep_apart(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
+                  const Stage& stage, double tolerated_strain, LinearisedResult& result);
   void append_rows(const StageContext& context, const Stage& stage);
   double energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x);
   bool is_worse_than_best(const StageContext& context, const Stage& stage);
@@ -76,6 +79,7 @@ class LinearisedStage {
   std::vector<double> solved_tensions_;
   std::vector<HeldBody> solved_held_;
   MotionGroups groups_;
+  LinkLengths link_lengths_;
 };
 
 }  // namespace ribbon

@@ -49,6 +49,7 @@ Recipe recipe_of(Family family, Dice& dice) {
     case Family::ribbon_falls: return {1, 1, true};
     case Family::ribbons_both: return {1, 3, true, true, true};
     case Family::heap: return {8, 16, false, true, true, 0, 4};
+    case Family::heap_held: return {8, 16, false, true, true, 3, 6, 3, dice.coin(), dice.coin()};
     default: break;
   }
   return {1, 4, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
@@ -195,7 +196,7 @@ void vary_cords(Dice dice, Scene& scene) {
 std::string_view name(Family family) {
   constexpr std::string_view names[] = {"rope_falls",   "rope_self",    "ropes_mutual", "ropes_both",
                                         "hold_points",  "hold_between", "grips_slip",   "ribbon_falls",
-                                        "ribbons_both", "mixed",        "heap"};
+                                        "ribbons_both", "mixed",        "heap",         "heap_held"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -210,7 +211,7 @@ Scene generate(const SceneId& which) {
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
   scene.sleeping = mixed && dice.coin();
   Placer placer(scene);
-  const bool heap = which.family == Family::heap;
+  const bool heap = which.family == Family::heap || which.family == Family::heap_held;
   if (heap) {
     add_pit(dice, scene);
   } else {

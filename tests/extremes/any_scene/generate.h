@@ -21,11 +21,12 @@ enum class Family : unsigned char {
   ribbons_both,  ///< ribbons with both contacts
   mixed,         ///< all of these
   heap,          ///< 8 to 16 short ropes and ribbons with both contacts, and bodies, between two walls
+  heap_held,     ///< the same, of whose bodies up to three hold cords
 };
-constexpr std::array<Family, 11> all_families = {Family::rope_falls, Family::rope_self,    Family::ropes_mutual,
+constexpr std::array<Family, 12> all_families = {Family::rope_falls, Family::rope_self,    Family::ropes_mutual,
                                                  Family::ropes_both, Family::hold_points,  Family::hold_between,
                                                  Family::grips_slip, Family::ribbon_falls, Family::ribbons_both,
-                                                 Family::mixed,      Family::heap};
+                                                 Family::mixed,      Family::heap,         Family::heap_held};
 std::string_view name(Family family);
 
 /// The difficulty of a scene.
