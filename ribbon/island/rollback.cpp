@@ -24,15 +24,11 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
 bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
   if (state.driven) return limit_speeds(state);
-  const bool was_stretched = largest_strain(state, state.start.positions) > max_strain;
-  if (was_stretched && !truncated) return false;
-  const auto is_sound = [&] {
-    return !context.gained_energy(before, tolerated_gain) && (was_stretched || !is_stretched(state));
-  };
+  const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
   if (is_sound()) return false;
   begin(context);
   if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);
-  if (!was_stretched) take_stretched_back(context);
+  take_stretched_back(context);
   if (is_sound()) return true;
   if (!truncated) context.contacts.linearised.clear();
   double share = 1.0;
@@ -69,7 +65,7 @@ void Rollback::take_stretched_back(const StepContext& context) {
   MotionGroups& groups = context.stages.groups();
   for (int k = 0; k < max_halvings && is_stretched(state); ++k) {
     for (const Member& member : state.members) {
-      if (!(largest_strain(member, state.positions) > max_strain)) continue;
+      if (!is_stretched(state, member)) continue;
       groups.reduce(member.first_point, k + 1 < max_halvings ? 0.5 : 0.0);
     }
     groups.separate(context.contacts, state.start.positions, end_positions_);

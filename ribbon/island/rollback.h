@@ -17,8 +17,9 @@ class Rollback {
   /// solve the contacts forget their forces, and energy is taken back whatever was stretched before. Returns whether
   /// something was changed.
   bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
-  /// Sets the tensions of extensible cords to those of their shapes, as far as the piece has changed these. The tensions
-  /// of a solve that was truncated, or of which something was stopped, belong to other shapes, and have another energy.
+  /// Sets the tensions of extensible cords to those of their shapes, as far as the piece has changed these. The
+  /// tensions of a solve that was truncated, or of which something was stopped, belong to other shapes, and have
+  /// another energy.
   void fit_tensions(const StepContext& context);
 
  private:

@@ -19,7 +19,6 @@ constexpr double far_share = 10.0;  // tolerances: a larger correction is far fr
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
 constexpr int length_restorations = 3;  // of cords that were stopped
-constexpr double gross_strain = 5e-2;   // of a cord that is stretched although its solve was not truncated
 
 /// N, the largest inertia force of the direction.
 double inertia_force(const StageContext& context, const Stage& stage) {
@@ -68,8 +67,8 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   for (HeldBody& held : state.held) held.limited = false;
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
-    const double strain = state.driven ? std::numeric_limits<double>::infinity() : gross_strain;
-    keep_apart(context, bounds, request, stage, kind == ContactSolve::truncated ? max_strain : strain, result);
+    result.cut = !groups_.keep_apart(context, bounds, request.from);
+    if (result.cut && kind == ContactSolve::truncated) restore_lengths(context, bounds, request, stage);
     context.contacts.record_impacts(request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -192,19 +191,14 @@ void LinearisedStage::end(const StageContext& context, const Stage& stage, Cours
   }
 }
 
-/// Stops what would pass through something, and gives cords that are stretched by more than the tolerated strain their
-/// lengths back: an inextensible cord that turns is compressed at a share of its way. What is driven may have to
-/// stretch.
-void LinearisedStage::keep_apart(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
-                                 const Stage& stage, double tolerated_strain, LinearisedResult& result) {
+/// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through
+/// something again.
+void LinearisedStage::restore_lengths(const StageContext& context, const MotionBounds& bounds,
+                                      const StageRequest& request, const Stage& stage) {
   IslandState& state = context.state;
-  const auto is_stretched = [&] { return largest_strain(state, state.positions) > tolerated_strain; };
-  if (!result.converged && is_stretched()) link_lengths_.restore(state, stage.inertia);
-  bool apart = groups_.keep_apart(context, bounds, request.from);
-  result.cut = !apart;
-  for (int k = 0; k < length_restorations && !apart && is_stretched(); ++k) {
+  for (int k = 0; k < length_restorations && largest_strain(state, state.positions) > max_strain; ++k) {
     link_lengths_.restore(state, stage.inertia);
-    apart = groups_.keep_apart(context, bounds, request.from);
+    if (groups_.keep_apart(context, bounds, request.from)) return;
   }
 }
 

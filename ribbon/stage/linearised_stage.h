@@ -60,8 +60,8 @@ class LinearisedStage {
   void truncate(const StageContext& context, const StageRequest& request, const Stage& stage, Course& course);
   void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);
-  void keep_apart(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
-                  const Stage& stage, double tolerated_strain, LinearisedResult& result);
+  void restore_lengths(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
+                       const Stage& stage);
   void append_rows(const StageContext& context, const Stage& stage);
   double energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x);
   bool is_worse_than_best(const StageContext& context, const Stage& stage);

@@ -1,11 +1,13 @@
 #include "ribbon/system/link_lengths.h"
 
+#include <algorithm>
+
 #include "ribbon/system/stretch.h"
 
 namespace ribbon {
 namespace {
 
-constexpr int max_iterations = 3;
+constexpr int max_iterations = 3;         // more give cords of heaps more energy
 constexpr double restored_strain = 1e-3;  // at which a cord needs no further iteration
 constexpr double softening = 1e-6;        // of the diagonal: a taut cord between two fixed points has no solution
 
@@ -14,6 +16,7 @@ constexpr double softening = 1e-6;        // of the diagonal: a taut cord betwee
 void LinkLengths::resize(std::size_t slots) {
   mobility_.resize(slots);
   rows_.reserve(slots);
+  before_.reserve(slots);
 }
 
 void LinkLengths::restore(IslandState& state, std::span<const double> inertia) {
@@ -23,13 +26,22 @@ void LinkLengths::restore(IslandState& state, std::span<const double> inertia) {
     mobility_[held.point] = 0.0;
     if (held.along > 0.0) mobility_[held.next] = 0.0;
   }
-  for (const Member& member : state.members) {
-    for (int k = 0; k < max_iterations && largest_strain(member, state.positions) > restored_strain; ++k) {
-      load(state, member);
-      if (!solve()) break;
-      move(state, member);
-    }
+  for (const Member& member : state.members) restore(state, member);
+}
+
+/// A cord that is too short for what holds it has no solution: what increases the strain is undone.
+void LinkLengths::restore(IslandState& state, const Member& member) {
+  const double strain = largest_strain(member, state.positions);
+  const auto positions = IslandState::points_of(member, state.positions);
+  before_.assign(positions.begin(), positions.end());
+  double restored = strain;
+  for (int k = 0; k < max_iterations && restored > restored_strain; ++k) {
+    load(state, member);
+    if (!solve()) break;
+    move(state, member);
+    restored = largest_strain(member, state.positions);
   }
+  if (!(restored <= strain)) std::copy(before_.begin(), before_.end(), positions.begin());
 }
 
 void LinkLengths::load(const IslandState& state, const Member& member) {

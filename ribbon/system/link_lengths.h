@@ -30,12 +30,14 @@ class LinkLengths {
     double upper = 0.0;     // m/N, the entry to the right of it
     double right = 0.0;     // m; after the solve λ, N
   };
+  void restore(IslandState& state, const Member& member);
   void load(const IslandState& state, const Member& member);
   bool solve();
   void move(IslandState& state, const Member& member) const;
 
   std::vector<double> mobility_;  // W, m/N, by point
   std::vector<Row> rows_;         // by link
+  std::vector<Vec2> before_;      // m, by point, before the iterations
 };
 
 }  // namespace ribbon

@@ -42,8 +42,14 @@ bool became_stretched(const IslandState& state) {
   return largest_strain(state, state.positions) > std::max(max_strain, largest_strain(state, state.start.positions));
 }
 
+bool is_stretched(const IslandState& state, const Member& member) {
+  const double strain = largest_strain(member, state.positions);
+  return strain > max_strain && strain > largest_strain(member, state.start.positions);
+}
+
 bool is_stretched(const IslandState& state) {
-  return largest_strain(state, state.positions) > max_strain &&
+  const auto of_member = [&](const Member& member) { return is_stretched(state, member); };
+  return std::any_of(state.members.begin(), state.members.end(), of_member) &&
          highest_start_speed(state) * state.dt < shortest_cord(state);
 }
 

@@ -15,8 +15,9 @@ double largest_strain(const Member& member, std::span<const Vec2> x);
 double largest_strain(const IslandState& state, std::span<const Vec2> x);
 /// Returns whether an inextensible cord has become stretched in the substep.
 bool became_stretched(const IslandState& state);
-/// Returns whether an inextensible cord is stretched. It is always false if something moves further in a step than the
-/// shortest cord is long.
+/// Returns whether a cord is inextensible and stretched, and more than at the start of the substep.
+bool is_stretched(const IslandState& state, const Member& member);
+/// Returns whether a cord is. It is always false if something moves further in a step than the shortest cord is long.
 bool is_stretched(const IslandState& state);
 /// Returns the highest speed at the start of the substep, m/s, of cords, bodies and what is driven.
 double highest_start_speed(const IslandState& state);

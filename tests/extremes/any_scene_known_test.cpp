@@ -36,6 +36,7 @@ const Known scenes[] = {
      unconverged, 6},
     {"WhatGainedGoesBack", gentle(Family::ribbons_both, 17, Preset::accurate), "gain of energy", gain, 3e-3},
     {"WhatIsStretchedGoesBack", gentle(Family::mixed, 16, Preset::balanced), "stretch", stretch, 1e-2},
+    {"WhatIsStretchedIsNotStretchedMore", gentle(Family::rope_self, 79, Preset::fast), "stretch", stretch, 1e-2},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"CordsReturnSlowlyToBlockedAnchors", gentle(Family::hold_between, 58, Preset::accurate), "gain of energy", gain,
@@ -51,6 +52,10 @@ const Known scenes[] = {
     {"WhatHasToStopStopsOthers", gentle(Family::heap, 14, Preset::fast), "crossings", crossings, 0},
     {"HeapsKeepTheirEnergyWhileCellsAreTurnedBack", gentle(Family::heap, 21, Preset::fast), "gain of energy", gain,
      1e-3},
+    {"LinksOfHeapsKeepTheirLengths", gentle(Family::heap_held, 6, Preset::fast), "stretch", stretch, 0.1},
+    {"BalancedHeapsKeepTheirLengths", gentle(Family::heap_held, 6, Preset::balanced), "stretch", stretch, 1e-2},
+    {"BalancedHeapsKeepTheirEnergy", gentle(Family::heap_held, 4, Preset::balanced), "gain of energy", gain, 1e-3},
+    {"AccurateHeapsKeepTheirEnergy", gentle(Family::heap, 6, Preset::accurate), "gain of energy", gain, 1e-3},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
