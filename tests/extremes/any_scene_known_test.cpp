@@ -52,10 +52,10 @@ const Known scenes[] = {
     {"WhatHasToStopStopsOthers", gentle(Family::heap, 14, Preset::fast), "crossings", crossings, 0},
     {"HeapsKeepTheirEnergyWhileCellsAreTurnedBack", gentle(Family::heap, 21, Preset::fast), "gain of energy", gain,
      1e-3},
-    {"LinksOfHeapsKeepTheirLengths", gentle(Family::heap_held, 6, Preset::fast), "stretch", stretch, 0.1},
-    {"BalancedHeapsKeepTheirLengths", gentle(Family::heap_held, 6, Preset::balanced), "stretch", stretch, 1e-2},
-    {"BalancedHeapsKeepTheirEnergy", gentle(Family::heap_held, 4, Preset::balanced), "gain of energy", gain, 1e-3},
-    {"AccurateHeapsKeepTheirEnergy", gentle(Family::heap, 6, Preset::accurate), "gain of energy", gain, 1e-3},
+    {"LinksOfHeapsKeepTheirLengths", gentle(Family::heap_held, 12, Preset::fast), "stretch", stretch, 0.1},
+    {"TensionsOfHeapsAreThoseOfTheirShapes", gentle(Family::heap_held, 4, Preset::accurate), "gain of energy", gain,
+     1e-3},
+    {"BalancedHeapsAreTruncated", gentle(Family::heap_held, 4, Preset::balanced), "gain of energy", gain, 1e-3},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
