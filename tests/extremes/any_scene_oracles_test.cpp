@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/oracles.h"
@@ -79,6 +81,31 @@ INSTANTIATE_TEST_SUITE_P(Of, Obstacle,
                          testing::Values(solid(Shape::circle, {0.03, 0.0}, {0.2, 0.2}),
                                          solid(Shape::box, {0.03, 0.0}, {0.3, 0.2}),
                                          solid(Shape::edge, {0.03, 0.0}, {0.4, 0.0})));
+
+/// Its points are collinear but for rounding errors. At four of these angles, these make two links seem to cross.
+TEST(AnySceneOracles, FindNothingWhereAStraightRopeTurns) {
+  constexpr int points = 23;
+  constexpr double link = 0.2662;  // m
+  Scene scene;
+  scene.cords.resize(1);
+  scene.cords[0].def.self_contact = true;
+  const auto at_angle = [&scene](int k) {
+    const Vec2 along = link * Vec2{std::cos(0.0017 * k), std::sin(0.0017 * k)};
+    std::vector<Vec2>& positions = scene.cords[0].def.positions;
+    positions.clear();
+    for (int i = 0; i < points; ++i) positions.push_back({4.183 + i * along.x, 1.3 + i * along.y});
+    return snapshot(scene);
+  };
+  scene.cords[0].def.points = points;
+  scene.cords[0].def.length = (points - 1) * link;
+  Snapshot before = at_angle(0);
+  const Oracles oracles(scene);
+  for (int k = 1; k < 3600; ++k) {
+    Snapshot after = at_angle(k);
+    EXPECT_TRUE(oracles.crossings(before, after).empty()) << k;
+    before = std::move(after);
+  }
+}
 
 TEST(AnySceneOracles, FindACircleThatIsMovedThroughACord) {
   Scene scene;

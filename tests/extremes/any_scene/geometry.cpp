@@ -49,7 +49,11 @@ double distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
+/// Where points are collinear, as in a straight rope that falls, the sides are rounding errors. The boxes tell then.
 bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const bool apart = std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+                     std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y);
+  if (apart) return false;
   const double side_c = cross(b - a, c - a);
   const double side_d = cross(b - a, d - a);
   const double side_a = cross(d - c, a - c);
