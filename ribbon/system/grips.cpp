@@ -37,7 +37,8 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   const Vec2 off = grip.offset - held.arm;
   const double max_off = max_draw * link;
   held.travel = grip.travel + (length(off) > max_off ? (max_off / length(off)) * off : off);
-  const double displacement = length(held.travel) + std::abs(held.climb) * link;
+  // A grip that has slipped past a bend is off its cord. It returns in this step, and does no work by that.
+  const double displacement = length(held.may_slip() ? grip.travel : held.travel) + std::abs(held.climb) * link;
   held.displacement = displacement > min_travel * link ? displacement : 0.0;
   return held;
 }

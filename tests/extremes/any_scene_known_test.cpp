@@ -39,6 +39,7 @@ const Known scenes[] = {
     {"WhatIsStretchedIsNotStretchedMore", gentle(Family::rope_self, 79, Preset::fast), "stretch", stretch, 1e-2},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
+    {"WhatSlipsPastABendIsNotThrown", gentle(Family::grips_slip, 67, Preset::balanced), "gain of energy", gain, 1e-2},
     {"CordsReturnSlowlyToBlockedAnchors", gentle(Family::hold_between, 58, Preset::accurate), "gain of energy", gain,
      1e-3},
     {"WhatIsPushedTogetherConverges", gentle(Family::mixed, 110, Preset::accurate), "unconverged substeps", unconverged,
