@@ -47,7 +47,8 @@ struct Ropes {
       state.members.push_back(member);
     }
     for (std::size_t p = 0; p < state.points; ++p) {
-      const Vec2 straight{static_cast<double>(p % points), static_cast<double>(p / points)};
+      const std::size_t row = p / points;
+      const Vec2 straight{static_cast<double>(p % points), static_cast<double>(row)};
       state.positions[p] = straight + Vec2{dice(-displacement, displacement), dice(-displacement, displacement)};
       inertia.push_back(dice(1.0, 100.0));
     }
