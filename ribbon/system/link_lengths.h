@@ -14,7 +14,8 @@ namespace ribbon {
 ///
 ///     J·W·Jᵀ·λ = c        x ← x − W·Jᵀ·λ.
 ///
-/// Two links share a point only if they are neighbours, so the matrix is tridiagonal and the cost O(points). Points
+/// Two links share a point only if they are neighbours, so the matrix is tridiagonal and the cost O(points). It is
+/// factorised here, and not by BandedLdlt, whose matrix has one size while the cords of an island have many. Points
 /// that are constrained or held by bodies do not move.
 class LinkLengths {
  public:

@@ -318,6 +318,26 @@ TEST(Grip, IsMovedToAPlaceOfItsCord) {
   EXPECT_EQ(moved(std::numeric_limits<double>::quiet_NaN()), 7.25) << "where it was";
 }
 
+/// A grip that may slip draws the cord to a hand that is beside it as one that may not.
+TEST(Grip, CatchesTheSameWhetherItMaySlipOrNot) {
+  const auto caught = [](double strength, double& gap) {
+    GripWorld scene;
+    scene.coupling.add(Cord(hanging()));
+    b2Body* body = scene.add_body({0.2, -5.0}, 70.0);
+    const ribbon::box2d::GripId grip = scene.coupling.hold(*body, {.cord = 0, .arc = 5.0, .strength = strength});
+    scene.tick(5);
+    gap = length(ribbon::box2d::to_double(body->GetWorldCenter()) - scene.coupling.grip(grip).state().place);
+    scene.tick(115);
+    return ribbon::box2d::to_double(body->GetWorldCenter());
+  };
+  double gap = 0.0;  // m, after five ticks
+  const Vec2 fixed = caught(std::numeric_limits<double>::infinity(), gap);
+  EXPECT_LE(gap, 1e-5);
+  const Vec2 strong = caught(5000.0, gap);
+  EXPECT_LE(gap, 1e-5);
+  EXPECT_LE(length(strong - fixed), 0.01);
+}
+
 /// A heavy body slides down a slack rope, to and fro past the bend at its bottom. The line of the link that it leaves
 /// runs below the next link. What pulled it onto that link in one tick, as if by work of its own, threw it 200 m away.
 TEST(Grip, GainsNoEnergyWhereItSlipsPastABend) {

@@ -4,10 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-#include "ribbon/linear/index.h"
 #include "ribbon/system/stretch.h"
 #include "tests/support/allocations.h"
 #include "tests/support/dice.h"
