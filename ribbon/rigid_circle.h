@@ -61,8 +61,11 @@ struct Grip {
   // Used by the direct solver:
   double along = 0.0;  ///< position between `point` and the point of the next column, 0 … 1; 0 at the last column
   double climb = 0.0;  ///< columns, displacement of the grip along the cord during the step, at constant velocity
-  /// N, force along the cord above which the grip slips, for a dynamic body.
+  /// N, force along the cord above which the grip slips.
   double strength = std::numeric_limits<double>::infinity();
+  bool returns = false;  ///< the anchor was pushed off its place; that the cord draws it back is not work from outside
+  /// Unit vector, in which a grip that slips is held, for an anchor that slips round a point; zero: across its link.
+  Vec2 across{};
 };
 
 /// The surroundings of a cord in one step.

@@ -116,11 +116,12 @@ void push(const TickBody& entry, const RigidBody& rigid, CordTable& cords) {
   if (CoupledCord* const cord = cords.find(entry.thesis_cord)) cord->thesis().add_momentum(rigid.impulse - given);
 }
 
-/// Releases the grips that were pulled with more than their strength.
-void release_overloaded(CouplingParts& parts) {
+/// Releases the grips that slipped off an end of their cord, and those that let go and were pulled with more than their
+/// strength.
+void release_lost(CouplingParts& parts) {
   for (std::size_t k = 0; k < parts.grips.all().size();) {
     const BodyGrip& grip = parts.grips.all()[k];
-    if (grip.lets_go && length(parts.pull(grip)) > grip.most_pull) {
+    if (grip.slipped_off || (grip.lets_go && length(parts.pull(grip)) > grip.most_pull)) {
       parts.release(grip.id);
     } else {
       ++k;
@@ -250,7 +251,7 @@ void Coupling::apply() {
       if (entry.thesis_cord >= 0) push(entry, rigid, parts.cords);
     }
   }
-  release_overloaded(parts);
+  release_lost(parts);
   parts.phase = TickPhase::between_ticks;
 }
 

@@ -42,7 +42,7 @@ struct GripMemory {
   double climb_speed = 0.0;                                    ///< columns per second
   Vec2 pull{};                                                 ///< N, force on the body in the last tick
   bool slips = false;                                          ///< it slipped in the last tick
-  bool blocked = false;  ///< Box2D keeps the body away from the cord, and the cord is still on its way to the anchor
+  bool blocked = false;  ///< the body is beside the cord, because Box2D pushed it or it slipped, and is on its way back
 
   bool operator==(const GripMemory&) const = default;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,6 +16,7 @@ constexpr double same_place = 1e-6;          // columns
 constexpr double return_share = 0.2;         // of its distance that a cord returns in a tick to a blocked anchor
 constexpr double closed_distance = 1e-6;     // m, below which the anchor has been reached
 constexpr double max_return_speed = 0.5;     // m/s
+constexpr double max_slip_return = 3.0;      // m/s, the same for a grip that has slipped beside its cord
 constexpr double arc_rounding = 1.0 + 1e-9;  // links may add up to a little more than the length in the definition
 
 /// Sets the place of a new grip from its definition.
@@ -33,16 +33,18 @@ void set_place(BodyGrip& grip, const GripDef& def, const CoupledCord& cord) {
   set_column(grip, cord.column_at(def.arc), shape.columns, shape.rows);
 }
 
-/// Returns the vector from the body's centre to the anchor that the cord is to be at, m. If Box2D's contacts have kept
-/// the body away from where the cord took it, the anchor is assumed to be at the cord, and returns to its place over
-/// several ticks. A return in one tick would throw the lighter of the two, again in each tick.
+/// Returns the vector from the body's centre to the anchor that the cord is to be at, m. If the body is elsewhere than
+/// where the cord took it, because Box2D's contacts kept it away or because it slipped past a bend, the anchor is
+/// assumed to be at the cord, and returns to its place over several ticks. A return in one tick would throw the lighter
+/// of the two, again in each tick.
 Vec2 anchor_for_step(BodyGrip& grip, const CoupledCord& cord, Vec2 center, Vec2 anchor, double dt) {
   if (!cord.is_direct()) return anchor;
   const Vec2 at_cord = cord.position(grip.point, grip.along) - center;
   const Vec2 distance = anchor - at_cord;
-  grip.blocked = length(distance) > closed_distance && (grip.blocked || meets_anything(*grip.body));
+  grip.blocked = length(distance) > closed_distance && (grip.blocked || grip.slips || meets_anything(*grip.body));
   if (!grip.blocked) return anchor;
-  return at_cord + std::min(return_share, max_return_speed * dt / length(distance)) * distance;
+  const double speed = grip.may_slip() ? max_slip_return : max_return_speed;
+  return at_cord + std::min(return_share, speed * dt / length(distance)) * distance;
 }
 
 /// Returns how far a grip climbs in a tick, columns.
@@ -53,8 +55,14 @@ double climb_in_tick(const BodyGrip& grip, const CoupledCord& cord, double dt) {
   return std::clamp(left, -most, most);
 }
 
-/// Reads the result of a step for one grip of a cord: its force, and the distance that it slid and climbed.
-void follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
+bool is_at_end(const BodyGrip& grip, const CoupledCord& cord) {
+  const int column = grip.point / cord.shape().rows;
+  return grip.along == 0.0 && (column == 0 || column == cord.shape().columns - 1);
+}
+
+/// Reads the result of a step for one grip of a cord: its force, and the distance that it slid and climbed. Returns
+/// whether it slid past an end.
+bool follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
   grip.pull = {};
   grip.drives_point = true;
   double slid = 0.0;
@@ -65,10 +73,11 @@ void follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
     slid = solved.slid;
   }
   grip.slips = slid != 0.0;
-  const double moved = cord.grips[index].climb + slid;
   const CordShape shape = cord.shape();
-  if (moved != 0.0) set_column(grip, column_of(grip, cord) + moved, shape.columns, shape.rows);
+  const double column = column_of(grip, cord) + cord.grips[index].climb + slid;
+  if (column != column_of(grip, cord)) set_column(grip, column, shape.columns, shape.rows);
   if (grip.climb_to >= 0.0 && std::abs(grip.climb_to - column_of(grip, cord)) <= same_place) grip.climb_to = -1.0;
+  return grip.slips && (column < -same_place || column > shape.columns - 1 + same_place);
 }
 
 }  // namespace
@@ -169,6 +178,19 @@ void GripTable::drop_unable() {
   for (BodyGrip& grip : grips_) grip.seen = SeenBody(*grip.body);
 }
 
+/// A grip that slides stops at an end of its cord that is fixed or held by another grip. Off another end it slips.
+bool GripTable::stops_at(const CoupledCord& cord, int point, GripId grip) const {
+  return cord.direct().kind(point) != PointKind::free ||
+         std::any_of(grips_.begin(), grips_.end(), [&](const BodyGrip& other) {
+           return other.cord == cord.id && other.point == point && other.along == 0.0 && other.id != grip;
+         });
+}
+
+SlipPlace GripTable::place_of(BodyGrip& grip, const CoupledCord& cord, Vec2 hand) const {
+  move_to_nearest(grip, cord, hand);
+  return slip_place(grip, cord, hand, is_at_end(grip, cord) && stops_at(cord, grip.point, grip.id));
+}
+
 void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Body&)>& index_of) {
   for (BodyGrip& held : grips_) {
     const b2Body& body = *held.body;
@@ -178,11 +200,14 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     const Vec2 center = to_double(body.GetWorldCenter());
     const Vec2 anchor = to_double(body.GetWorldPoint(held.local_anchor)) - center;
     const Vec2 travel = to_double(body.GetWorldVector(held.next_anchor - held.local_anchor));
+    const SlipPlace place = held.may_slip() ? place_of(held, cord, center + anchor) : SlipPlace{held.point, held.along};
     const Vec2 offset = anchor_for_step(held, cord, center, anchor, dt);
-    Grip grip{held.point, index_of(*held.body), offset, travel};
-    grip.along = held.along;
+    Grip grip{place.point, index_of(*held.body), offset, travel};
+    grip.along = place.along;
     grip.climb = climb_in_tick(held, cord, dt);
-    grip.strength = held.strength;
+    grip.returns = held.blocked;
+    grip.across = grip.climb == 0.0 ? place.across : Vec2{};
+    if (!place.sticks) grip.strength = held.strength;
     cord.grips.push_back(grip);
     cord.grip_ids.push_back(held.id);
   }
@@ -194,7 +219,8 @@ void GripTable::follow(const CordTable& cords) {
     if (!cord.is_direct()) continue;
     for (std::size_t k = 0; k < cord.grips.size(); ++k) {
       BodyGrip* const held = find(cord.grip_ids[k]);
-      if (held != nullptr) follow_grip(*held, cord, k);  // else it was released since gather
+      if (held == nullptr) continue;  // it was released since gather
+      held->slipped_off = follow_grip(*held, cord, k) && !stops_at(cord, held->point, held->id);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "ribbon/box2d/coupled_cord.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/coupling_types.h"
+#include "ribbon/box2d/slip_place.h"
 
 namespace ribbon::box2d {
 
@@ -19,6 +21,9 @@ struct BodyGrip : GripMemory {
   b2Body* body = nullptr;
   SeenBody seen;
   bool drives_point = false;  // in the last step: its body is static or kinematic, and it holds a point
+  bool slipped_off = false;   // in the last step, off an end of its cord
+
+  bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }
 };
 
 /// Moves a grip to a column of its cord, 0 … columns − 1, at the same row: to the nearest end if the column is beyond
@@ -72,6 +77,9 @@ class GripTable {
   void restore(const GripMemory& memory, b2Body& body);
 
  private:
+  bool stops_at(const CoupledCord& cord, int point, GripId grip) const;
+  SlipPlace place_of(BodyGrip& grip, const CoupledCord& cord, Vec2 hand) const;
+
   std::vector<BodyGrip> grips_;
   GripId next_ = 1;
 };

@@ -169,7 +169,7 @@ void fields(Archive& archive, T& segment) {
 
 template <typename Archive, Is<ribbon::Grip> T>
 void fields(Archive& archive, T& grip) {
-  auto& [point, body, offset, travel, along, climb, strength] = grip;
+  auto& [point, body, offset, travel, along, climb, strength, returns, across] = grip;
   archive("point", point);
   archive("body", body);
   archive("offset", offset);
@@ -177,6 +177,8 @@ void fields(Archive& archive, T& grip) {
   archive("along", along);
   archive("climb", climb);
   archive("strength", strength);
+  archive("returns", returns);
+  archive("across", across);
 }
 
 template <typename Archive, Is<SolverStep::Cord> T>

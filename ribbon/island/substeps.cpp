@@ -73,15 +73,18 @@ void Substeps::end(const StepContext& context, const Cord::Energy& before, doubl
 }
 
 /// Takes the substep with TR-BDF2, or with SDIRK2 where there is no acceleration to begin with. A second-order
-/// integrator bounces where a contact begins or ends, so there implicit Euler goes first and BDF2 follows. Returns
-/// false, at the start of the substep, if it has to be redone by implicit Euler.
+/// integrator bounces where a contact begins or ends, or where the cord draws back a body that was pushed off it. There
+/// implicit Euler goes first and BDF2 follows. Returns false, at the start of the substep, if it has to be redone by
+/// implicit Euler.
 bool Substeps::take_second_order(const StepContext& context, double time, double dt, const Cord::Energy& before) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
   const bool in_contact = !contacts.empty() && contacts.active.any();
   const bool free = !in_contact && (contacts.empty() || !will_touch(context, time, dt));
-  if (free || (in_contact && !state.touch_changed)) {
+  const bool returns =
+      std::any_of(state.held.begin(), state.held.end(), [](const HeldBody& held) { return held.returns; });
+  if (!returns && (free || (in_contact && !state.touch_changed))) {
     const bool converged =
         free && !state.restart ? integrators_.tr_bdf2(context, time, dt) : integrators_.sdirk2(context, time, dt);
     state.restart = !free;

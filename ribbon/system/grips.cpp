@@ -26,6 +26,8 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   held.rigid_index = grip.body;
   held.turns = body.inverse_inertia > 0.0;
   held.strength = grip.strength;
+  held.across = grip.across;
+  held.returns = grip.returns;
   const int column = grip.point / def.rows;
   held.column = column + grip.along;
   held.climb = std::clamp(held.column + grip.climb, 0.0, def.points - 1.0) - held.column;
@@ -37,13 +39,14 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   const Vec2 off = grip.offset - held.arm;
   const double max_off = max_draw * link;
   held.travel = grip.travel + (length(off) > max_off ? (max_off / length(off)) * off : off);
-  // A grip that has slipped past a bend is off its cord. It returns in this step, and does no work by that.
-  const double displacement = length(held.may_slip() ? grip.travel : held.travel) + std::abs(held.climb) * link;
+  // What brings a grip back that has slipped past a bend, or was pushed off its cord, is not its own work.
+  const Vec2 own_travel = held.may_slip() || held.returns ? grip.travel : held.travel;
+  const double displacement = length(own_travel) + std::abs(held.climb) * link;
   held.displacement = displacement > min_travel * link ? displacement : 0.0;
   return held;
 }
 
-/// Returns the direction of the cord where it is held.
+/// Returns the direction in which a grip slips: that of the cord where it is held, or round a point.
 Vec2 grip_tangent(const IslandState& state, const HeldBody& held, std::span<const Vec2> x) {
   std::size_t a = held.point;
   std::size_t b = held.next;
@@ -53,6 +56,7 @@ Vec2 grip_tangent(const IslandState& state, const HeldBody& held, std::span<cons
     b + rows < member.end_point() ? b += rows : a -= rows;
   }
   const Vec2 ab = x[b] - x[a];
+  if (held.across != Vec2{}) return dot(perp(held.across), ab) < 0.0 ? -perp(held.across) : perp(held.across);
   const double size = length(ab);
   return size > 0.0 ? (1.0 / size) * ab : Vec2{1.0, 0.0};
 }
@@ -67,7 +71,7 @@ bool yields_along(const HeldBody& held) { return held.slip_sign != 0.0 || held.l
 ///
 /// as if the grip were w/L further along.
 double acting_share(const IslandState& state, const HeldBody& held) {
-  if (held.next == held.point || !yields_along(held)) return held.along;
+  if (held.next == held.point || !yields_along(held) || held.across != Vec2{}) return held.along;
   const Vec2 ab = state.positions[held.next] - state.positions[held.point];
   const double size2 = dot(ab, ab);
   const double slip = size2 > 0.0 ? -dot(grip_separation(state, held, state.positions), ab) / size2 : 0.0;
@@ -117,7 +121,7 @@ void add_grips(IslandState& state, Member& member) {
   for (std::size_t k = 0; k < member.surroundings.grips.size(); ++k) {
     const Grip& grip = member.surroundings.grips[k];
     const RigidBody& body = state.rigid[at(grip.body)];
-    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0) {
+    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0 || std::isfinite(grip.strength)) {
       const HeldBody held = make_grip(state, member, k);
       const auto first = state.held.begin() + static_cast<std::ptrdiff_t>(member.first_grip);
       const auto after = std::upper_bound(first, state.held.end(), held.point,

@@ -336,7 +336,7 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
     {"contacts", build_contacts, nullptr, 150, 0xb67f601bfab2f714},
-    {"grips", build_grips, drive_grips, 180, 0x2abb53775e3d66d5},
+    {"grips", build_grips, drive_grips, 180, 0x0016508695475153},
     {"self_contact", build_self_contact, nullptr, 80, 0xd305d23c4c91575f},
     {"thesis", build_thesis, drive_thesis, 180, 0xf745b06e8dd5b555},
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
