@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 4;
+inline constexpr int solver_step_version = 5;
 
 /// T, const or not.
 template <typename T, typename Plain>

@@ -25,9 +25,9 @@ class EnergyGuard {
   static Energy total_energy(IslandState& state, Contacts& contacts);
   /// Stores the energy at the end of the substep, unless something drives the island.
   void measure(IslandState& state, Contacts& contacts);
-  /// Measures, and returns whether the energy has risen since `before` by more than the work of grips and the larger
-  /// one of what may be regained and `tolerated` [share of the scene's energy]. Returns false while something drives
-  /// the island.
+  /// Measures, and returns whether the energy has risen since `before` by more than the work of grips, what may be
+  /// regained and `tolerated` [share of the scene's energy]. Near contacts the larger one of the last two counts.
+  /// Returns false while something drives the island.
   bool gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated);
   /// The last resort for a substep that is not solved: takes the energy that came from nowhere out of the velocities.
   void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);

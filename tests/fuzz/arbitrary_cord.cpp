@@ -70,6 +70,7 @@ ribbon::CordDef arbitrary_cord(Bytes& bytes) {
   def.cord_contact = (flags & 4) != 0;
   if ((flags & 24) == 24) def.elements = ribbon::Elements::bars;
   def.allow_sleep = (flags & 64) != 0;
+  if ((flags & 128) != 0) def.gravity_scale = bytes.number(-1e3, 1e3);
   if ((flags & 32) != 0) def.accuracy = arbitrary_accuracy(bytes);
   def.positions = arbitrary_positions(bytes, count(def.points, def.rows));
   def.pins = arbitrary_pins(bytes, count(def.points, def.rows));
