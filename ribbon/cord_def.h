@@ -19,8 +19,7 @@ struct Accuracy {
   Integrator integrator = Integrator::tr_bdf2;  ///< time integration method
   int substeps =
       1;  ///< per step, 1 … 4096. The error of TR-BDF2 falls with their square, that of implicit Euler linearly
-  int max_iterations =
-      8;  ///< full Newton steps of a solve without contacts, 1 … 1000; then it restarts with a line search
+  int max_iterations = 8;   ///< full Newton steps without contacts, 1 … 1000; then the solve begins a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
   /// Work budget of a step, 1 … 1,000,000, roughly in linear systems. (The unit is 4 units of IslandReport::work for
   /// each point and body of the island.) When a step exceeds the budget, it keeps the current state, which is finite
