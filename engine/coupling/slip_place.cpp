@@ -19,7 +19,10 @@ class Polyline {
 
   int rows() const { return rows_; }
   int links() const { return columns_ - 1; }
-  Vec2 at(int column) const { return x_[static_cast<std::size_t>(column * rows_ + row_)]; }
+  Vec2 at(int column) const {
+    const int point = column * rows_ + row_;
+    return x_[static_cast<std::size_t>(point)];
+  }
   /// Returns the place on a link, 0 … 1, that is nearest to a position.
   double nearest(int link, Vec2 position) const {
     const Vec2 edge = at(link + 1) - at(link);
