@@ -56,7 +56,7 @@ void check_grip(const Entry& entry, const Grip& grip) {
   entry.check("offset", grip.offset);
   entry.check("travel", grip.travel);
   entry.check("along", grip.along, 0.0, 1.0);
-  entry.check("across", grip.across);
+  entry.check("across", grip.across, 1.0);
   entry.check("climb", grip.climb, -max_component, max_component);
   entry.check("strength", grip.strength, 0.0, std::numeric_limits<double>::infinity());
 }

@@ -219,7 +219,7 @@ void Coupling::step() {
   Gatherer::activate_changed(parts.cords);
   step_thesis(parts);
   step_direct(parts);
-  parts.grips.follow(parts.cords);
+  parts.grips.follow(parts.cords, parts.conditions.gravity);
   parts.touches.find_events(parts.cords, parts.fixtures);
   parts.islands = parts.solver.islands() + static_cast<int>(parts.cords.resting().size());
   // What watches steps sees those of all cords.

@@ -50,8 +50,8 @@ struct GripDef {
   double arc = 0.0;                 ///< m of rest length from the first point, 0 … length of the cord
   int row = 0;                      ///< row of a ribbon
   b2Vec2 local_anchor{0.0F, 0.0F};  ///< m, anchor in the body's frame
-  /// N, force along the cord above which the grip slips. It stops at an end that is pinned or held by another grip, and
-  /// is released where it slips off any other end. Infinite for the thesis's solver.
+  /// N, force along the cord above which the grip slips. It stops at an end that is pinned or that another grip holds
+  /// without slipping, and is released where it slips off any other end. Infinite for the thesis's solver.
   double strength = std::numeric_limits<double>::infinity();
   bool lets_go = false;  ///< the grip is released above its strength, in any direction, instead of slipping
   /// Index of a point to hold, in place of `arc` and `row`. A cord of the thesis's solver is held at points only.

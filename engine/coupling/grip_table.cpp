@@ -178,11 +178,13 @@ void GripTable::drop_unable() {
   for (BodyGrip& grip : grips_) grip.seen = SeenBody(*grip.body);
 }
 
-/// A grip that slides stops at an end of its cord that is fixed or held by another grip. Off another end it slips.
+/// A grip that slides stops at an end of its cord that is fixed or that another grip holds without slipping. Off
+/// another end it slips.
 bool GripTable::stops_at(const CoupledCord& cord, int point, GripId grip) const {
   return cord.direct().kind(point) != PointKind::free ||
          std::any_of(grips_.begin(), grips_.end(), [&](const BodyGrip& other) {
-           return other.cord == cord.id && other.point == point && other.along == 0.0 && other.id != grip;
+           return other.cord == cord.id && other.point == point && other.along == 0.0 && !other.may_slip() &&
+                  other.id != grip;
          });
 }
 
@@ -213,13 +215,16 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
   }
 }
 
-void GripTable::follow(const CordTable& cords) {
+void GripTable::follow(const CordTable& cords, Vec2 gravity) {
   for (BodyGrip& grip : grips_) grip.local_anchor = grip.next_anchor;
   for (const CoupledCord& cord : cords.active()) {
     if (!cord.is_direct()) continue;
     for (std::size_t k = 0; k < cord.grips.size(); ++k) {
       BodyGrip* const held = find(cord.grip_ids[k]);
       if (held == nullptr) continue;  // it was released since gather
+      if (held->drives_point && held->may_slip() && cord.direct().kind(held->point) == PointKind::free) {
+        held->pull = -cord.direct().holding_force(held->point, gravity);  // tells whether a bend still catches it
+      }
       held->slipped_off = follow_grip(*held, cord, k) && !stops_at(cord, held->point, held->id);
     }
   }

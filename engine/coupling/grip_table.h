@@ -66,8 +66,8 @@ class GripTable {
   /// Passes each grip of a body that cords can meet to its cord, for a step of dt seconds. `index_of` returns the index
   /// of a body in the step.
   void gather(CordTable& cords, double dt, const std::function<int(b2Body&)>& index_of);
-  /// Reads the forces and positions of the grips after a step.
-  void follow(const CordTable& cords);
+  /// Reads the forces and positions of the grips after a step, under `gravity` [m/s²].
+  void follow(const CordTable& cords, Vec2 gravity);
 
   /// Returns the id of the next grip to be added.
   GripId next() const { return next_; }

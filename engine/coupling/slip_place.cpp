@@ -72,7 +72,7 @@ SlipPlace place_at_point(const GripMemory& grip, const Polyline& line, int colum
     place.point -= line.rows();
     place.along = 1.0;
   }
-  const bool is_caught = column > 0 && column < line.links() && -dot(back, on) < sharp_bend && grip.pull != Vec2{};
+  const bool is_caught = column > 0 && column < line.links() && -dot(back, on) < sharp_bend;
   place.sticks = !slides_on && !slides_back && (stops || is_caught);
   return place;
 }

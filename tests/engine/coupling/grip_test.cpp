@@ -415,6 +415,36 @@ TEST(Grip, StopsAtAnEndThatIsFixed) {
   }
 }
 
+/// Two bodies that slip do not stop each other at a free end.
+TEST(Grip, SlipsOffAnEndPastAnotherThatSlips) {
+  GripWorld scene;
+  scene.coupling.add(Cord(hanging()));
+  std::vector<ribbon::box2d::GripId> grips;
+  for (const double arc : {9.0, 10.0}) {
+    b2Body* body = scene.add_body({0.0, -arc}, 70.0);
+    grips.push_back(scene.coupling.hold(*body, {.cord = 0, .arc = arc, .strength = 50.0}));
+  }
+  scene.tick(120);
+  for (const ribbon::box2d::GripId grip : grips) EXPECT_FALSE(scene.coupling.grip(grip).is_valid()) << grip;
+}
+
+/// A fold of a rope on a hook hangs still, though its sides are not equally long: one point carries both.
+TEST(Grip, HangsStillWhereItIsFoldedOverAHook) {
+  GripWorld scene;
+  CordDef def = hanging();
+  def.pins = {};
+  for (std::size_t i = 0; i < def.positions.size(); ++i) {
+    const double arc = 0.2 * (static_cast<double>(i) - 20.0);
+    def.positions[i] = {i == 20 ? 0.0 : std::copysign(0.005, arc), -std::abs(arc)};
+  }
+  scene.coupling.add(Cord(def));
+  b2Body* hook = scene.add_body({0.0, 0.0}, 1.0, b2_staticBody);
+  const ribbon::box2d::GripId grip = scene.coupling.hold(*hook, {.cord = 0, .arc = 4.0, .strength = 0.05});
+  scene.tick(300);
+  ASSERT_TRUE(scene.coupling.grip(grip).is_valid());
+  EXPECT_LE(length(scene.coupling.grip(grip).state().place), 1e-3);
+}
+
 /// A rope runs through a hook that is fixed, by its own weight less the friction, and drops off it.
 TEST(Grip, LetsACordRunThroughAHook) {
   for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
