@@ -222,10 +222,10 @@ void GripTable::follow(const CordTable& cords, Vec2 gravity) {
     for (std::size_t k = 0; k < cord.grips.size(); ++k) {
       BodyGrip* const held = find(cord.grip_ids[k]);
       if (held == nullptr) continue;  // it was released since gather
+      held->slipped_off = follow_grip(*held, cord, k) && !stops_at(cord, held->point, held->id);
       if (held->drives_point && held->may_slip() && cord.direct().kind(held->point) == PointKind::free) {
         held->pull = -cord.direct().holding_force(held->point, gravity);  // tells whether a bend still catches it
       }
-      held->slipped_off = follow_grip(*held, cord, k) && !stops_at(cord, held->point, held->id);
     }
   }
 }
