@@ -95,13 +95,14 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
 }
 
 void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
-  if (gained_energy(state, contacts, before, tolerated_gain)) slow_down(state, after_.total() - before.total());
+  if (!gained_energy(state, contacts, before, tolerated_gain)) return;
+  slow_down(state, std::max(0.0, after_.total() - before.total()));
 }
 
 void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before) {
   if (!gained_energy(state, contacts, before, tolerated_gain)) return;
   const double motion = after_.kinetic - before.kinetic + after_.potential - before.potential;
-  slow_down(state, std::clamp(motion, 0.0, after_.total() - before.total()));
+  slow_down(state, std::clamp(motion, 0.0, std::max(0.0, after_.total() - before.total())));
 }
 
 void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {
