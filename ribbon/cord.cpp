@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "ribbon/island/island.h"
 #include "ribbon/system/cord_parts.h"
@@ -40,6 +41,25 @@ Cord::Cord(const CordDef& def)
 Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
+
+double Cord::breaking_force(int link) const {
+  const std::vector<double>& forces = parts_->state.breaking_forces;
+  return forces.empty() ? parts_->def.breaking_force : forces[slot(link)];
+}
+
+std::optional<int> Cord::overloaded_link() const {
+  if (parts_->state.breaking_forces.empty() && std::isinf(parts_->def.breaking_force)) return std::nullopt;
+  std::optional<int> overloaded;
+  double highest = 1.0;
+  for (int link = 0; link + 1 < parts_->def.points; ++link) {
+    // A link without any strength breaks under any tension.
+    const double load = std::max(0.0, parts_->state.tensions[slot(link)]) / breaking_force(link);
+    if (!(load > highest)) continue;
+    highest = load;
+    overloaded = link;
+  }
+  return overloaded;
+}
 
 IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
@@ -114,6 +134,16 @@ void Cord::set_accuracy(const Accuracy& accuracy) {
   if (accuracy.integrator != parts_->def.accuracy.integrator)
     parts_->state.restart = true;  // its accelerations have another order
   parts_->def.accuracy = accuracy;
+}
+
+void Cord::set_breaking_force(int link, double force) {
+  if (parts_->def.rows > 1) {
+    throw CallError("set_breaking_force is for a rope; the cord has " + std::to_string(parts_->def.rows) + " rows");
+  }
+  check_range("link", link, 0, parts_->def.points - 2);
+  if (!(force >= 0.0)) refuse("breaking force", force, "0 up to infinity");
+  parts_->state.breaking_forces.resize(parts_->state.rest.size(), parts_->def.breaking_force);
+  parts_->state.breaking_forces[slot(link)] = force;
 }
 
 void Cord::reel(int first, int last, double length, double speed) {

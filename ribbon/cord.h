@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,12 @@ class Cord {
   /// Returns the energies under `gravity` [m/s²].
   Energy energy(Vec2 gravity) const;
 
+  /// Returns the tension above which a link breaks, N.
+  double breaking_force(int link) const;
+  /// Returns the link whose tension exceeds its breaking force by the largest factor, the first of equal ones; nothing
+  /// if none does. O(1) if no link can break.
+  std::optional<int> overloaded_link() const;
+
   /// Returns the force [N] that keeps a constrained or operated point on its path, under `gravity` [m/s²]: the reaction
   /// of the pin on the cord, at the end of the last step. It does not include contacts of the links at the point, nor
   /// damping after set_velocity and while inverted cells are turned back. It is 0 for a free point. Throws
@@ -110,6 +117,9 @@ class Cord {
   void set_velocity(int point, Vec2 velocity);
   /// Sets the accuracy from the next step on. An island uses the highest accuracy of its cords.
   void set_accuracy(const Accuracy& accuracy);
+  /// Sets the tension above which the link from column `link` to the next one breaks, N, 0 … infinity: see
+  /// CordDef::breaking_force. Not for a ribbon.
+  void set_breaking_force(int link, double force);
   /// Changes the rest lengths of the links from column `first` to column `last`, as a winch does, until their sum is
   /// `length` [m], 1e-3 … 1e3 times the sum in the definition. The sum changes at `speed` [m/s, above 0, at most 1e6],
   /// and the links keep their proportions.
@@ -156,6 +166,7 @@ class Cord {
     std::vector<double> rest;             ///< m, rest lengths by link
     std::vector<double> rest_targets;     ///< m, by link, goal of the reel; empty until reel is first called
     std::vector<double> rest_speeds;      ///< m/s, by link, speed of the reel; the same
+    std::vector<double> breaking_forces;  ///< N, by link; empty until set_breaking_force is first called
     std::vector<char> unlocked;           ///< by cell, if area stiffness is declared: 1 while it is turned back
     std::vector<Holder> holders;          ///< see Cord::holders
     std::vector<Touch> touches;           ///< see Cord::touches

@@ -23,6 +23,9 @@ void check_ribbon(const CordDef& def) {
     refuse("stretch_stiffness", def.stretch_stiffness, "1e-06 to 1e+18 for a ribbon (rows is above 1)");
   }
   if (def.tension_only) refuse("tension_only", 1, "0 (false) for a ribbon (rows is above 1)");
+  if (def.breaking_force != infinity) {
+    refuse("breaking_force", def.breaking_force, "infinity for a ribbon (rows is above 1)");
+  }
   if (def.elements == Elements::bars) {
     if (def.bending_stiffness != 0.0)
       refuse("bending_stiffness", def.bending_stiffness, "0 with bars, which bend as they do");
@@ -63,6 +66,7 @@ void check(const CordDef& def) {
   check_range("damping", def.damping, 0.0, 1e3);
   check_range("drag", def.drag, 0.0, 1e6);
   check_range("gravity_scale", def.gravity_scale, -1e3, 1e3);
+  if (!(def.breaking_force > 0.0)) refuse("breaking_force", def.breaking_force, "above 0, up to infinity");
   check_range("friction", def.friction, 0.0, 10.0);
   check_range("restitution", def.restitution, 0.0, 1.0);
   check(def.accuracy);

@@ -70,10 +70,13 @@ struct CordDef {
   double drag = 0.0;           ///< 1/s, 0 … 1e6: decay rate of the cord's velocity, not of attached masses
   double gravity_scale = 1.0;  ///< factor of gravity for the cord and attached masses, −1e3 … 1e3
   bool tension_only = false;   ///< of a rope: links resist tension but not compression
-  double friction = 0.0;       ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D
-  double restitution = 0.0;    ///< coefficient, 0 … 1; two surfaces combine to the larger one, as in Box2D
-  bool self_contact = false;   ///< the cord collides with itself
-  bool cord_contact = false;   ///< the cord collides with other cords that declare this too
+  /// N, above 0: tension above which a link of a rope breaks. Infinity, the default, makes it unbreakable. The cord
+  /// only reports an overloaded link (Cord::overloaded_link); a coupling cuts it there.
+  double breaking_force = std::numeric_limits<double>::infinity();
+  double friction = 0.0;      ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D
+  double restitution = 0.0;   ///< coefficient, 0 … 1; two surfaces combine to the larger one, as in Box2D
+  bool self_contact = false;  ///< the cord collides with itself
+  bool cord_contact = false;  ///< the cord collides with other cords that declare this too
   /// Allows the cord to sleep. It falls asleep, together with the bodies near it, when all of them have moved slower
   /// than 1 cm/s for half a second. A sleeping cord does not move and costs next to nothing until something disturbs
   /// it. The error is the remaining distance to its equilibrium.

@@ -34,6 +34,7 @@ void check_sizes(const Cord::State& state, const CordParts& cord) {
       !is_optional(state.loads.size(), n) || state.tensions.size() != own.tensions.size() ||
       state.rest.size() != own.rest.size() || !is_optional(state.rest_targets.size(), own.rest.size()) ||
       state.rest_speeds.size() != state.rest_targets.size() ||
+      !is_optional(state.breaking_forces.size(), cord.def.rows == 1 ? own.rest.size() : 0) ||
       state.unlocked.size() != cord.elasticity->unlocked().size()) {
     throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(cord.def.points) + " x " +
                           std::to_string(cord.def.rows) + " points with the same terms");
@@ -67,6 +68,7 @@ void Cord::check_state(const State& state) const {
   check_all("state.rest", state.rest, smallest, largest);
   check_all("state.rest_targets", state.rest_targets, smallest, largest);
   check_all("state.rest_speeds", state.rest_speeds, 0.0, largest);
+  check_all("state.breaking_forces", state.breaking_forces, 0.0, std::numeric_limits<double>::infinity());
   check_range("state.regainable_energy", state.regainable_energy, -largest, largest);
   check_range("state.energy_drift", state.energy_drift, -largest, largest);
   check_range("state.rest_time", state.rest_time, state.asleep ? time_to_sleep : 0.0,

@@ -6,6 +6,7 @@
 #include "ribbon/box.h"
 #include "ribbon/cord.h"
 #include "ribbon/cord_def.h"
+#include "ribbon/cut.h"
 #include "ribbon/definition.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"

@@ -14,6 +14,8 @@ class BodyFinder {
  public:
   /// Sets the world to search. Returns whether it is another one than before.
   bool enter(const b2World& world);
+  /// Returns whether that world is inside its Step.
+  bool is_locked() const { return world_ != nullptr && world_->IsLocked(); }
   /// With true, every body that was not forgotten exists, and the world need not be searched.
   void trust_forget(bool trusted) { trusts_forget_ = trusted; }
   bool trusts_forget() const { return trusts_forget_; }

@@ -32,6 +32,11 @@ CordShape shape_of(const Cord& cord) {
 
 }  // namespace
 
+CoupledCord::CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
+    : filter(cord_filter), cord(std::move(of_solver)) {
+  if (const Cord* const of_direct = std::get_if<Cord>(&cord)) def = std::make_shared<const CordDef>(of_direct->def());
+}
+
 std::string_view solver_name(Solver solver) { return solver == Solver::direct ? "direct" : "thesis"; }
 
 Cord& CoupledCord::direct() { return const_cast<Cord&>(std::as_const(*this).direct()); }
@@ -111,6 +116,18 @@ CordId CordTable::add(CoupledCord cord) {
   active_.push_back(cords_.back().get());
   resting_.reserve(cords_.capacity());
   return next_++;
+}
+
+void CordTable::put(CoupledCord cord) {
+  if (find(cord.id) != nullptr) remove(cord.id);
+  cord.reserve();
+  const auto at = static_cast<std::ptrdiff_t>(place(cord.id));
+  ids_.insert(ids_.begin() + at, cord.id);
+  cords_.insert(cords_.begin() + at, std::make_unique<CoupledCord>(std::move(cord)));
+  CoupledCord* const added = cords_[static_cast<std::size_t>(at)].get();
+  const auto by_id = [](const CoupledCord* a, const CoupledCord* b) { return a->id < b->id; };
+  active_.insert(std::lower_bound(active_.begin(), active_.end(), added, by_id), added);
+  resting_.reserve(cords_.capacity());
 }
 
 void CordTable::remove(CordId id) {

@@ -22,8 +22,7 @@ namespace ribbon::box2d {
 
 /// A cord of a coupling: the object of its solver, its reports, and its surroundings in this tick.
 struct CoupledCord {
-  CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter)
-      : filter(cord_filter), cord(std::move(of_solver)) {}
+  CoupledCord(std::variant<ThesisCord, Cord> of_solver, const b2Filter& cord_filter);
 
   // What a tick reads of a resting cord comes first, because most of its cost is reading this memory.
   CordId id = -1;
@@ -44,6 +43,7 @@ struct CoupledCord {
   std::vector<FixtureTouch> touching_before{};  // in the step before it
 
   std::uintptr_t user_data = 0;
+  std::shared_ptr<const CordDef> def{};  // that it was added with; null for the thesis's solver
   CordReport report{};
   IslandReport island_report{};
   IslandReport island_total{};
@@ -72,6 +72,7 @@ struct CoupledCord {
   /// Returns whether a point of the cord may be within `distance` [m] of `position`.
   bool may_be_within(Vec2 position, double distance) const;
 
+  CordOrigin origin() const { return {def, filter, user_data}; }
   /// Reserves memory, so that the first circle to come near allocates none.
   void reserve();
   /// Clears what the last gather found.
@@ -113,6 +114,8 @@ class CordTable {
  public:
   /// Adds a cord and assigns its id.
   CordId add(CoupledCord cord);
+  /// Adds a cord that has an id, in place of the one with that id if there is one.
+  void put(CoupledCord cord);
   /// Removes the cord with that id, which exists.
   void remove(CordId id);
   /// Returns a cord, or null if there is none with that id.

@@ -3,24 +3,11 @@
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
 
 namespace ribbon::box2d {
 namespace {
-
-constexpr std::size_t usual_bodies = 64;
-constexpr std::size_t usual_events = 16;
-
-/// Adds a cord and reserves memory for its bodies.
-CordId add_to(CouplingParts& parts, CoupledCord cord) {
-  const CordId id = parts.cords.add(std::move(cord));
-  parts.bodies.reserve(usual_bodies);
-  parts.fixtures.reserve(usual_bodies);
-  parts.finder.reserve(usual_bodies);
-  parts.touches.reserve(usual_events);
-  parts.gatherer.reserve(usual_bodies, parts.cords.ids().size());
-  return id;
-}
 
 void check_unlocked(const b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
@@ -136,19 +123,24 @@ Coupling::Coupling(Coupling&& other) noexcept = default;
 Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
 Coupling::~Coupling() = default;
 
-CordId Coupling::add(Cord cord, const b2Filter& filter) {
-  return add_to(*parts_, CoupledCord(std::move(cord), filter));
-}
+CordId Coupling::add(Cord cord, const b2Filter& filter) { return parts_->add(CoupledCord(std::move(cord), filter)); }
 
 CordId Coupling::add(ThesisCord cord, const b2Filter& filter) {
-  return add_to(*parts_, CoupledCord(std::move(cord), filter));
+  return parts_->add(CoupledCord(std::move(cord), filter));
 }
 
-void Coupling::remove(CordId cord) {
-  parts_->touches.end_all(parts_->cords.at(cord));
-  parts_->detach(cord);
-  parts_->cords.remove(cord);
+void Coupling::remove(CordId cord) { parts_->remove(cord); }
+
+std::span<const CutEvent> Coupling::cut(Vec2 from, Vec2 to) {
+  check_coordinates("from", from);
+  check_coordinates("to", to);
+  check_may_cut(*parts_);
+  const std::size_t before = parts_->cuts.events().size();
+  cut_along(*parts_, from, to);
+  return parts_->cuts.events().subspan(before);
 }
+
+std::span<const CutEvent> Coupling::cut_events() const { return parts_->cuts.events(); }
 
 std::span<const CordId> Coupling::cords() const { return parts_->cords.ids(); }
 
@@ -216,6 +208,7 @@ void Coupling::step() {
     throw CallError("step does not follow gather; accepted is gather, step, apply");
   }
   parts.phase = TickPhase::between_ticks;  // also if something throws
+  parts.cuts.begin_step();
   Gatherer::activate_changed(parts.cords);
   step_thesis(parts);
   step_direct(parts);
@@ -252,6 +245,8 @@ void Coupling::apply() {
     }
   }
   release_lost(parts);
+  break_overloaded(parts);
+  parts.cuts.end_tick();
   parts.phase = TickPhase::between_ticks;
 }
 

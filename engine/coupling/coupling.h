@@ -80,6 +80,14 @@ class Coupling {
   /// held it release it, and its contacts end in the next step, with events that have its id. Throws CallError for an
   /// unknown cord.
   void remove(CordId cord);
+  /// Cuts all enabled cords of the direct solver where they cross the segment between two points [m], as the path of a
+  /// blade in a tick; a ribbon is cut across where its middle line does. Returns the cuts; see CordRef::cut. A cord
+  /// that crosses several times falls into several pieces, by a cut of a piece each time. Valid until the next cut or
+  /// step. Throws DefinitionError for a coordinate beyond ±1e9, and CallError as CordRef::cut does.
+  std::span<const CutEvent> cut(Vec2 from, Vec2 to);
+  /// Returns the cuts by calls before the last step and by links that broke in it, and behind them those by calls since
+  /// then, in this order. Valid until the next cut, step or restore.
+  std::span<const CutEvent> cut_events() const;
   /// Returns the handle of a cord, existing or not.
   CordRef cord(CordId cord) { return {*parts_, cord}; }
   /// Returns the handle of a cord for reading.

@@ -39,7 +39,9 @@ void add(Hasher& hasher, const StepReport& report) {
 }
 
 void add(Hasher& hasher, const CouplingState::Cord& cord) {
-  const auto& [id, state, enabled, island_report, island_total, error, thesis_report, thesis_total, touching] = cord;
+  const auto& [id, state, enabled, island_report, island_total, error, thesis_report, thesis_total, touching, origin] =
+      cord;
+  (void)origin;
   (void)id;  // see add_ids
   hasher.add(state.index());
   std::visit([&](const auto& of_solver) { add_to(hasher, of_solver); }, state);
@@ -100,6 +102,15 @@ void add(Hasher& hasher, const EndingTouch& ending) {
   add(hasher, touch);
 }
 
+void add(Hasher& hasher, const CutEvent& event) {
+  const auto& [cord, arc, first, second, broke, tension] = event;
+  hasher.add(cord);
+  hasher.add(arc);
+  for (const auto& piece : {first, second}) hasher.add(piece.value_or(-1));
+  hasher.add(broke ? 1 : 0);
+  hasher.add(tension);
+}
+
 /// Adds the number of values too, so that lists with different boundaries have different hashes.
 template <typename T>
 void add_all(Hasher& hasher, const std::vector<T>& values) {
@@ -128,7 +139,8 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, next_cord, cords, grips, next_grip, carries, fixtures, next_fixture, events, ending] = state;
+  const auto& [bodies, next_cord, cords, grips, next_grip, carries, fixtures, next_fixture, events, ending, cuts,
+               old_cuts] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -140,6 +152,9 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
+  if (cuts.empty()) return;  // golden hashes are without cuts
+  add_all(hasher, cuts);
+  hasher.add(old_cuts);
 }
 
 void add_to(Hasher& hasher, const ThesisCord::State& state) {
@@ -150,11 +165,12 @@ void add_to(Hasher& hasher, const ThesisCord::State& state) {
 
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift,
+               rest_speeds, breaking_forces, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift,
                damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
+  if (!breaking_forces.empty()) add_all(hasher, breaking_forces);  // only where it is used: golden hashes stay
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
   for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {

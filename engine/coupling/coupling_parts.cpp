@@ -3,6 +3,30 @@
 #include <algorithm>
 
 namespace ribbon::box2d {
+namespace {
+
+constexpr std::size_t usual_bodies = 64;
+constexpr std::size_t usual_events = 16;
+
+}  // namespace
+
+CordId CouplingParts::add(CoupledCord cord) {
+  const CordId id = cords.add(std::move(cord));
+  bodies.reserve(usual_bodies);
+  fixtures.reserve(usual_bodies);
+  finder.reserve(usual_bodies);
+  touches.reserve(usual_events);
+  cuts.reserve(usual_events);
+  overloaded.reserve(usual_events);
+  gatherer.reserve(usual_bodies, cords.ids().size());
+  return id;
+}
+
+void CouplingParts::remove(CordId cord) {
+  touches.end_all(cords.at(cord));
+  detach(cord);
+  cords.remove(cord);
+}
 
 void CouplingParts::enter(const b2World& world) {
   if (!finder.enter(world)) return;
@@ -17,11 +41,17 @@ void CouplingParts::forget_predecessor(const b2Body& body) {
   carry.forget(body);
 }
 
-/// A static or kinematic body that holds a point drives it, unless a pin does.
+/// A static or kinematic body that holds a point drives it, unless a pin does. Several share the force: how it divides
+/// among rigid bodies, statics does not determine.
 Vec2 CouplingParts::pull(const BodyGrip& grip) const {
   if (!grip.drives_point) return grip.pull;
   const Cord& cord = cords.at(grip.cord).direct();
-  return cord.kind(grip.point) == PointKind::free ? -cord.holding_force(grip.point, conditions.gravity) : Vec2{};
+  if (cord.kind(grip.point) != PointKind::free) return {};
+  const auto drives_it = [&](const BodyGrip& other) {
+    return other.drives_point && other.cord == grip.cord && other.point == grip.point;
+  };
+  const auto drives = std::count_if(grips.all().begin(), grips.all().end(), drives_it);
+  return (-1.0 / static_cast<double>(drives)) * cord.holding_force(grip.point, conditions.gravity);
 }
 
 bool CouplingParts::release(GripId grip) {

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ribbon/box2d/body_finder.h"
 #include "ribbon/box2d/coupled_cord.h"
+#include "ribbon/box2d/cut_log.h"
 #include "ribbon/box2d/fixture_ids.h"
 #include "ribbon/box2d/gatherer.h"
 #include "ribbon/box2d/grip_table.h"
@@ -30,6 +32,7 @@ struct CouplingParts {
   VelocityCarry carry;
   FixtureIds fixtures;
   TouchTracker touches;
+  CutLog cuts;
   // Of this tick:
   TickPhase phase = TickPhase::between_ticks;
   bool may_have_left_bodies = false;  // a cord was disabled or removed, and bodies that touched it may sleep
@@ -42,10 +45,15 @@ struct CouplingParts {
   DirectSolver solver;
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
+  std::vector<std::pair<CordId, int>> overloaded;  // cords and their links
   std::optional<ErrorProbe> probe;
   StepWatcher* watcher = nullptr;
   ParallelFor parallel_for;
 
+  /// Adds a cord and reserves memory for its bodies.
+  CordId add(CoupledCord cord);
+  /// Removes the cord with that id, which exists. What it holds or touches is released.
+  void remove(CordId cord);
   /// Sets the world of the coupling. In another world than before, only the bodies that hold cords are known.
   void enter(const b2World& world);
   /// Forgets what is stored for the address of a body that is a new one.

@@ -103,36 +103,66 @@ void check_memory(const CarryState& carry) {
   check_range("state.carries.dt", carry.dt, 0.0, 1.0);
 }
 
-/// Checks the states of the cords of a coupling, which must be the same as when the state was saved.
-void check_cords(const CouplingState& state, const CordTable& cords) {
-  if (state.cords.size() != cords.ids().size()) {
-    throw DefinitionError("state is of " + std::to_string(state.cords.size()) + " cords; accepted is one of " +
-                          std::to_string(cords.size()));
+/// Returns whether a saved cord is the one that the coupling has with its id.
+bool is_same(const CouplingState::Cord& saved, const CoupledCord& cord) {
+  if (saved.origin.def == nullptr || saved.origin.def == cord.def) return true;
+  return cord.is_direct() && saved.origin == cord.origin();
+}
+
+/// Returns the saved cords that the coupling does not have, as they were added. Throws DefinitionError for one that
+/// cannot be added.
+std::vector<CoupledCord> missing_cords(const CouplingState& state, const CordTable& cords) {
+  std::vector<CoupledCord> missing;
+  for (const CouplingState::Cord& saved : state.cords) {
+    const CoupledCord* const cord = cords.find(saved.id);
+    if (cord != nullptr && is_same(saved, *cord)) continue;
+    if (saved.id >= state.next_cord) continue;  // refused later
+    if (saved.origin.def == nullptr || !std::holds_alternative<Cord::State>(saved.state)) {
+      throw DefinitionError(
+          "state has cord " + std::to_string(saved.id) +
+          ", which the coupling does not have; accepted is a state of the same cords or with their definitions");
+    }
+    CoupledCord added(Cord(*saved.origin.def), saved.origin.filter);
+    added.id = saved.id;
+    added.def = saved.origin.def;
+    added.user_data = saved.origin.user_data;
+    missing.push_back(std::move(added));
   }
+  return missing;
+}
+
+void check_cord(const CouplingState::Cord& from, const CoupledCord& cord, const CouplingState& state) {
+  if (from.state.index() != cord.cord.index()) {
+    throw DefinitionError("state of cord " + std::to_string(cord.id) + " is of another solver; accepted is " +
+                          std::string(solver_name(cord.solver())));
+  }
+  if (cord.is_direct()) {
+    cord.direct().check_state(std::get<Cord::State>(from.state));
+  } else {
+    cord.thesis().check_state(std::get<ThesisCord::State>(from.state));
+  }
+  check_range("state.cords.error", from.error, 0.0, most);
+  check_touches("state.cords.touching", from.touching, state.next_fixture);
+}
+
+/// Returns the cord that a saved one is restored to: a missing one, or that of the coupling.
+const CoupledCord& restored_to(CordId id, const CordTable& cords, const std::vector<CoupledCord>& missing) {
+  const auto found =
+      std::find_if(missing.begin(), missing.end(), [id](const CoupledCord& cord) { return cord.id == id; });
+  return found != missing.end() ? *found : cords.at(id);
+}
+
+void check_cords(const CouplingState& state, const CordTable& cords, const std::vector<CoupledCord>& missing) {
   check_range("state.next_cord", state.next_cord, 0, most_ids);
-  auto saved = state.cords.begin();
-  for (const CoupledCord& cord : cords) {
-    const CouplingState::Cord& from = *saved++;
-    if (from.id != cord.id) {
-      throw DefinitionError("state has cord " + std::to_string(from.id) + " where the coupling has cord " +
-                            std::to_string(cord.id) + "; accepted is a state of the same cords");
-    }
+  check_order("state.cords.id", state.cords, [](const CouplingState::Cord& cord) { return cord.id; });
+  for (const CouplingState::Cord& from : state.cords) {
     check_range("state.cords.id", from.id, 0, state.next_cord - 1);
-    if (from.state.index() != cord.cord.index()) {
-      throw DefinitionError("state of cord " + std::to_string(cord.id) + " is of another solver; accepted is " +
-                            std::string(solver_name(cord.solver())));
-    }
-    if (cord.is_direct()) {
-      cord.direct().check_state(std::get<Cord::State>(from.state));
-    } else {
-      cord.thesis().check_state(std::get<ThesisCord::State>(from.state));
-    }
-    check_range("state.cords.error", from.error, 0.0, most);
-    check_touches("state.cords.touching", from.touching, state.next_fixture);
+    check_cord(from, restored_to(from.id, cords, missing), state);
   }
 }
 
-void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords) {
+void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords,
+                 const std::vector<CoupledCord>& missing) {
   check_range("state.next_grip", state.next_grip, 1, most_ids);
   for (const CouplingState::Grip& grip : state.grips) {
     check_body("state.grips.body", grip.body, bodies);
@@ -143,7 +173,7 @@ void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies,
                             "; accepted is the id of an enabled cord");
     }
     check_range("state.grips.id", grip.memory.id, 1, state.next_grip - 1);
-    const CoupledCord& cord = cords.at(grip.memory.cord);
+    const CoupledCord& cord = restored_to(grip.memory.cord, cords, missing);
     check_memory(grip.memory, cord.shape(), cord.is_direct());
   }
   check_order("state.grips.id", state.grips, [](const CouplingState::Grip& grip) { return grip.memory.id; });
@@ -173,16 +203,30 @@ void check_events(const CouplingState& state) {
   }
 }
 
-void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords) {
+void check_cuts(const CouplingState& state) {
+  for (const CutEvent& event : state.cuts) {
+    check_range("state.cuts.cord", event.cord, 0, state.next_cord - 1);
+    for (const auto& piece : {event.first, event.second}) {
+      if (piece) check_range("state.cuts.piece", *piece, 0, state.next_cord - 1);
+    }
+    check_range("state.cuts.arc", event.arc, 0.0, most);
+    check_range("state.cuts.tension", event.tension, 0.0, most);
+  }
+  check_range("state.old_cuts", static_cast<double>(state.old_cuts), 0, static_cast<double>(state.cuts.size()));
+}
+
+void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords,
+                 const std::vector<CoupledCord>& missing) {
   if (state.bodies != static_cast<int>(bodies.size())) {
     throw DefinitionError("state is of a world of " + std::to_string(state.bodies) + " bodies; accepted is one of " +
                           std::to_string(bodies.size()));
   }
   check_fixtures(state, bodies);
-  check_cords(state, cords);
-  check_grips(state, bodies, cords);
+  check_cords(state, cords, missing);
+  check_grips(state, bodies, cords, missing);
   check_carries(state, bodies);
   check_events(state);
+  check_cuts(state);
 }
 
 CouplingState::Cord saved_cord(const CoupledCord& coupled) {
@@ -196,6 +240,7 @@ CouplingState::Cord saved_cord(const CoupledCord& coupled) {
   saved.thesis_report = coupled.thesis_report;
   saved.thesis_total = coupled.thesis_total;
   saved.touching = coupled.touching;
+  saved.origin = coupled.origin();
   return saved;
 }
 
@@ -214,6 +259,21 @@ void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
   to.thesis_total = from.thesis_total;
   to.touching = from.touching;
   to.clear_surroundings();
+}
+
+/// Adds the missing cords and removes those that the state does not have.
+void exchange_cords(const CouplingState& state, std::vector<CoupledCord> missing, CordTable& cords) {
+  for (CoupledCord& cord : missing) cords.put(std::move(cord));
+  std::vector<CordId> extra;
+  auto saved = state.cords.begin();
+  for (const CordId id : cords.ids()) {
+    if (saved != state.cords.end() && saved->id == id) {
+      ++saved;
+    } else {
+      extra.push_back(id);
+    }
+  }
+  for (const CordId id : extra) cords.remove(id);
 }
 
 /// Saves what refers to bodies: grips, carries and fixture numbers. Bodies are named by their place in the order of
@@ -244,6 +304,13 @@ void save_by_body(const CouplingParts& parts, const b2World& world, CouplingStat
 
 }  // namespace
 
+bool CordOrigin::operator==(const CordOrigin& other) const {
+  const bool same_filter = filter.categoryBits == other.filter.categoryBits &&
+                           filter.maskBits == other.filter.maskBits && filter.groupIndex == other.filter.groupIndex;
+  if (!same_filter || (def == nullptr) != (other.def == nullptr)) return false;
+  return def == other.def || *def == *other.def;
+}
+
 CouplingState Coupling::save(const b2World& world) const {
   State state;
   state.bodies = world.GetBodyCount();
@@ -260,6 +327,9 @@ CouplingState Coupling::save(const b2World& world) const {
   }
   const auto ending = parts_->touches.ending();
   state.ending.assign(ending.begin(), ending.end());
+  const auto cuts = parts_->cuts.events();
+  state.cuts.assign(cuts.begin(), cuts.end());
+  state.old_cuts = parts_->cuts.old();
   return state;
 }
 
@@ -267,10 +337,12 @@ void Coupling::restore(const State& state, b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
   const std::vector<b2Body*> bodies = bodies_of(world.GetBodyList());
   CouplingParts& parts = *parts_;
-  check_state(state, bodies, parts.cords);
+  std::vector<CoupledCord> missing = missing_cords(state, parts.cords);
+  check_state(state, bodies, parts.cords, missing);
   const auto body_at = [&bodies](int place) -> b2Body& { return *bodies[static_cast<std::size_t>(place)]; };
 
   parts.cords.activate_if([](const CoupledCord&) { return true; });
+  exchange_cords(state, std::move(missing), parts.cords);
   auto saved = state.cords.begin();
   for (CoupledCord& cord : parts.cords) restore_cord(*saved++, cord);
   parts.cords.continue_from(state.next_cord);
@@ -294,6 +366,7 @@ void Coupling::restore(const State& state, b2World& world) {
                       fixture != nullptr ? event.fixture : 0});
   }
   parts.touches.restore(std::move(events), state.ending);
+  parts.cuts.restore(state.cuts, state.old_cuts);
   parts.finder.enter(world);
 }
 

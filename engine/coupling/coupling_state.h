@@ -1,9 +1,12 @@
 #pragma once
 
+#include <box2d/b2_fixture.h>
 #include <box2d/b2_math.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -65,6 +68,16 @@ struct CarryState {
   bool operator==(const CarryState&) const = default;
 };
 
+/// What a cord of the direct solver was added with. By it, Coupling::restore adds a cord that is gone.
+struct CordOrigin {
+  std::shared_ptr<const CordDef> def;  ///< its definition; null for the thesis's solver
+  b2Filter filter;                     ///< its filter
+  std::uintptr_t user_data = 0;        ///< see CordView; not compared, because it may be a pointer
+
+  /// Returns whether definitions and filters are the same.
+  bool operator==(const CordOrigin& other) const;
+};
+
 /// A contact of a removed cord, which ends in the next step.
 struct EndingTouch {
   CordId cord = 0;     ///< id that the cord had
@@ -73,8 +86,8 @@ struct EndingTouch {
   bool operator==(const EndingTouch&) const = default;
 };
 
-/// State of a coupling between two ticks: everything that later ticks depend on, except the definitions of the cords
-/// and the world, and the results of the last tick. Bodies and fixtures are identified by the order of their creation
+/// State of a coupling between two ticks: everything that later ticks depend on, except the world, and the results of
+/// the last tick. Bodies and fixtures are identified by the order of their creation
 /// among those that exist, from 0.
 struct CouplingState {
   /// State of a cord.
@@ -88,6 +101,7 @@ struct CouplingState {
     StepReport thesis_report;                                    ///< see CordView
     StepReport thesis_total;                                     ///< see CordView
     std::vector<FixtureTouch> touching;                          ///< by fixture number, in the last tick
+    CordOrigin origin;                                           ///< what it was added with
     bool operator==(const Cord&) const = default;
   };
   /// A grip and its body.
@@ -131,6 +145,8 @@ struct CouplingState {
   std::uint64_t next_fixture = 1;   ///< number of the next fixture
   std::vector<Event> events;        ///< of the last tick, by cord and fixture
   std::vector<EndingTouch> ending;  ///< by cord and fixture
+  std::vector<CutEvent> cuts;       ///< see Coupling::cut_events
+  std::size_t old_cuts = 0;         ///< how many of them are of the last tick
 
   bool operator==(const CouplingState&) const = default;
 };

@@ -64,11 +64,24 @@ struct GripState {
   double arc = 0.0;  ///< m of rest length from the first point
   Vec2 place;        ///< m, position on the cord
   /// N, force of the cord on the body in the last tick; 0 if a pin holds the same point of the cord, after restore
-  /// until the next tick if the body is not dynamic, and for a cord of the thesis's solver
+  /// until the next tick if the body is not dynamic, and for a cord of the thesis's solver. Static and kinematic bodies
+  /// that hold the same point share the force equally.
   Vec2 pull;
   bool slips = false;  ///< the grip slipped in the last tick
   int point = 0;       ///< index of the point that it holds, or of the one before its place
   double along = 0.0;  ///< position between this point and the one in the next column, 0 … below 1
+};
+
+/// A cut through a cord. Its pieces are new cords with ids of their own, and the id of the cord is gone.
+struct CutEvent {
+  CordId cord = 0;                 ///< the cord that was cut
+  double arc = 0.0;                ///< m of rest length from its first point
+  std::optional<CordId> first{};   ///< piece from its first point on; nothing if less than two columns were left
+  std::optional<CordId> second{};  ///< piece up to its last point; the same
+  bool broke = false;              ///< a link broke under its tension; else the cord was cut by a call
+  double tension = 0.0;            ///< N, of the link that broke; 0 otherwise
+
+  bool operator==(const CutEvent&) const = default;
 };
 
 /// A part of a fixture that a cord may touch: one edge of a chain, or the whole of any other shape.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
 
 namespace ribbon::box2d {
@@ -87,6 +88,13 @@ void CordRef::set_enabled(bool enabled) const {
   cord.island_report = {};
   cord.error = 0.0;
   cord.thesis_report = {};
+}
+
+CutEvent CordRef::cut(double arc) const {
+  const CoupledCord& cord = parts_->cords.enabled(id());
+  const CutPlace where = cut_at(cord.direct(), arc);
+  check_may_cut(*parts_);
+  return cut_cord(*parts_, id(), where);
 }
 
 void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).user_data = data; }

@@ -92,6 +92,14 @@ class CordRef : public CordView {
   /// Enables or disables the cord, like b2Body::SetEnabled. A disabled cord does not move, costs nothing, touches
   /// nothing and is not found by queries. Bodies that held it release it, and its contacts end in the next step.
   void set_enabled(bool enabled) const;
+  /// Cuts a cord of the direct solver at `arc` [m of rest length from its first point]: at the nearest column of
+  /// points, across a ribbon. The cord is gone, and its pieces are new cords with its filter and user data. Pins,
+  /// loads, attached masses, grips, reels and contacts go to the side that they are on; see ribbon::cut. Less than half
+  /// a link is dust, and gone with what is attached there: a cut close to a pin frees the end. The contacts of the cord
+  /// end in the next step, and those of its pieces begin. Call it between ticks. O(points). Throws CallError, and
+  /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, inside world.Step and
+  /// between gather and apply; DefinitionError unless 0 < arc < length.
+  CutEvent cut(double arc) const;
   /// Stores a number of yours, such as an index or a pointer. It is not part of the state that Coupling::save returns.
   void set_user_data(std::uintptr_t data) const;
   /// Replaces a cord of the direct solver, and enables it. The id and the user data stay. Bodies that held the old cord

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 5;
+inline constexpr int solver_step_version = 6;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -42,8 +42,8 @@ void fields(Archive& archive, T& accuracy) {
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
   auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, gravity_scale, tension_only, friction, restitution, self_contact, cord_contact,
-         allow_sleep, elements, accuracy, positions, pins] = def;
+         area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction, restitution,
+         self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);
@@ -58,6 +58,7 @@ void fields(Archive& archive, T& def) {
   archive("drag", drag);
   archive("gravity_scale", gravity_scale);
   archive("tension_only", tension_only);
+  archive("breaking_force", breaking_force);
   archive("friction", friction);
   archive("restitution", restitution);
   archive("self_contact", self_contact);
@@ -98,8 +99,8 @@ void fields(Archive& archive, T& touch) {
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         unlocked, holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart,
-         rest_time, asleep, surroundings_hash] = state;
+         breaking_forces, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded,
+         restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -111,6 +112,7 @@ void fields(Archive& archive, T& state) {
   archive("rest", rest);
   archive("rest_targets", rest_targets);
   archive("rest_speeds", rest_speeds);
+  archive("breaking_forces", breaking_forces);
   archive("unlocked", unlocked);
   archive("holders", holders);
   archive("touches", touches);

@@ -91,15 +91,17 @@ void Scene::build(const MapObject& object, const std::vector<std::string>& other
 void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   const CordDefinition definition = read_cord(object);
   const b2Filter wanted = is_solid(object) ? b2Filter{} : filter;
+  ribbon::box2d::CordId cord = 0;
   try {
     if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
-      coupling_.add(ribbon::Cord(*direct), wanted);
+      cord = coupling_.add(ribbon::Cord(*direct), wanted);
     } else {
-      coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), wanted);
+      cord = coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), wanted);
     }
   } catch (const ribbon::DefinitionError& error) {
     throw object.error(error.what());
   }
+  coupling_.cord(cord).set_user_data(static_cast<std::uintptr_t>(object.id));
   cord_objects_.push_back(object.id);
 }
 
@@ -160,8 +162,8 @@ void Scene::hang_load(const MapObject& object, const TiledMap& map) {
 }
 
 int Scene::cord_object(ribbon::box2d::CordId cord) const {
-  const auto index = static_cast<std::size_t>(cord);
-  return index < cord_objects_.size() ? cord_objects_[index] : 0;
+  const ribbon::box2d::CordView made = coupling_.cord(cord);
+  return made.is_valid() ? static_cast<int>(made.user_data()) : 0;
 }
 
 void Scene::tick(double dt) { coupling_.tick(world_, dt, velocity_iterations, position_iterations); }

@@ -35,11 +35,13 @@ struct SceneBody {
 ///     area_stiffness, self_collision.
 ///   - "direct" (ribbon/cord_def.h), by default 1 row: stretch_stiffness [N; a rope without it is inextensible, a
 ///     ribbon requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], gravity_scale (1 by
-///     default), tension_only, radius [m], width [m, by default that of square cells], friction, restitution,
-///     self_contact, cord_contact (with other cords that declare it), allow_sleep, accuracy ("fast", "balanced", the
-///     default, or "accurate"), and overrides of it: integrator ("tr_bdf2", "implicit_euler"), substeps, tolerance [m],
-///     max_work, max_iterations (Newton steps per solve), soft_contacts (by default true for implicit_euler). All links
-///     are straight and of equal length, so the cord is a little shorter than a polyline with corners.
+///     default), tension_only, breaking_force [N; 0, the
+///     default, for a rope that does not break], radius [m], width [m, by default that of square cells], friction,
+///     restitution, self_contact, cord_contact (with other cords that declare it), allow_sleep, accuracy ("fast",
+///     "balanced", the default, or "accurate"), and overrides of it: integrator ("tr_bdf2", "implicit_euler"),
+///     substeps, tolerance [m], max_work, max_iterations (Newton steps per solve), soft_contacts (by default true for
+///     implicit_euler). All links are straight and of equal length, so the cord is a little shorter than a polyline
+///     with corners.
 /// - `ribbon`: like cord with 2 rows or more, by default 3.
 /// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
 /// default.
@@ -60,7 +62,8 @@ class Scene {
 
   /// The bodies in the order of the map.
   std::span<const SceneBody> bodies() const { return bodies_; }
-  /// Returns the id of the object that a cord was built from; 0 for cords that were added later.
+  /// Returns the id of the object that a cord or its uncut cord was built from, which is its user data; 0 for cords
+  /// that were added later and for those that do not exist.
   int cord_object(ribbon::box2d::CordId cord) const;
 
   /// Advances the cords and the world by one tick of `dt` s: Coupling::tick.
@@ -88,7 +91,7 @@ class Scene {
   b2World world_;
   ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
-  std::vector<int> cord_objects_;  // by cord
+  std::vector<int> cord_objects_;  // by cord, as built
   ribbon::Cord::State hashed_;     // scratch of add_to
   ribbon::ThesisCord::State hashed_thesis_;
 };

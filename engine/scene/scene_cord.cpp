@@ -21,7 +21,7 @@ const Choices direct_properties = {
     "poisson_ratio", "area_stiffness", "damping",    "drag",          "tension_only",      "radius",
     "width",         "accuracy",       "integrator", "substeps",      "tolerance",         "max_iterations",
     "pin_first",     "pin_last",       "friction",   "restitution",   "self_contact",      "cord_contact",
-    "allow_sleep",   "max_work",       "solid",      "soft_contacts", "gravity_scale"};
+    "allow_sleep",   "max_work",       "solid",      "soft_contacts", "gravity_scale",     "breaking_force"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -152,6 +152,8 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.drag = drag_of(p);
   def.gravity_scale = p.number_or("gravity_scale", 1.0, {-1e3, 1e3});
   def.tension_only = p.boolean_or("tension_only", false);
+  const double breaking_force = p.number_or("breaking_force", 0.0, {0.0, 1e12});
+  if (breaking_force > 0.0) def.breaking_force = breaking_force;
   def.friction = p.number_or("friction", 0.0, {0.0, 10.0});
   def.restitution = p.number_or("restitution", 0.0, {0.0, 1.0});
   def.self_contact = p.boolean_or("self_contact", false);

@@ -21,6 +21,7 @@ ribbon::Cord::State carry_over(const ribbon::Cord& old, const ribbon::Cord& made
   to.rest = from.rest;
   to.rest_targets = from.rest_targets;
   to.rest_speeds = from.rest_speeds;
+  to.breaking_forces = from.breaking_forces;
   to.holders = from.holders;
   to.touches = from.touches;
   for (std::size_t p = 0; p < to.masses.size(); ++p)

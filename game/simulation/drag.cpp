@@ -100,6 +100,7 @@ void Drag::apply(const engine::TickInput& input, engine::Scene& scene, b2Body& p
   ribbon::box2d::Coupling& coupling = scene.coupling();
   if ((input.buttons & button_drag) == 0) return release(coupling);
   const Vec2 pointer = engine::pointer(input);
+  if (cord_point_ && !coupling.cord(cord_point_->cord).is_valid()) cord_point_.reset();  // it was cut
   if (!body_ && !cord_point_) pick(pointer, scene, player);
   if (body_) move_body(pointer, coupling, dt);
   if (cord_point_) move_cord_point(pointer, coupling, dt);
@@ -127,7 +128,8 @@ void Drag::release(ribbon::box2d::Coupling& coupling) {
     body_->body->SetLinearVelocity(body_->velocity);
     body_->body->SetType(body_->type);
   }
-  if (cord_point_ && !is_pin_) coupling.cord(cord_point_->cord).free(cord_point_->point);
+  if (cord_point_ && !is_pin_ && coupling.cord(cord_point_->cord).is_valid())
+    coupling.cord(cord_point_->cord).free(cord_point_->point);
   forget();
 }
 

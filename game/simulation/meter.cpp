@@ -31,8 +31,9 @@ void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const bool restarted = simulation.run_ticks() <= last_run_tick_;
   last_run_tick_ = simulation.run_ticks();
-  if (restarted || cords_.empty()) cords_.assign(static_cast<std::size_t>(coupling.size()), {});
-  for (int c = 0; c < coupling.size(); ++c) {
+  if (restarted) cords_.clear();
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
+    if (static_cast<std::size_t>(c) >= cords_.size()) cords_.resize(static_cast<std::size_t>(c) + 1);
     CordFigures& cord = cords_[static_cast<std::size_t>(c)];
     cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
     if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.cord(c).error();

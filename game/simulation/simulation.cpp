@@ -29,6 +29,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
   Snapshot between = to;
   for (std::size_t c = 0; c < to.cords.size(); ++c) {
+    if (c >= from.cords.size() || from.cords[c].size() != to.cords[c].size())
+      continue;  // a piece that has just been cut
     for (std::size_t p = 0; p < to.cords[c].size(); ++p) {
       between.cords[c][p] = from.cords[c][p] + alpha * (to.cords[c][p] - from.cords[c][p]);
     }
@@ -181,10 +183,12 @@ void Simulation::update_foothold() {
 
 void Simulation::take_snapshot(Snapshot& snapshot) const {
   const ribbon::box2d::Coupling& coupling = scene_->coupling();
-  snapshot.cords.resize(static_cast<std::size_t>(coupling.size()));
-  for (int c = 0; c < coupling.size(); ++c) {
-    const auto positions = coupling.cord(c).positions();
-    snapshot.cords[static_cast<std::size_t>(c)].assign(positions.begin(), positions.end());
+  const auto ids = coupling.cords();
+  snapshot.cords.resize(ids.empty() ? 0 : at(ids.back()) + 1);
+  for (std::vector<ribbon::Vec2>& cord : snapshot.cords) cord.clear();
+  for (const ribbon::box2d::CordId id : ids) {
+    const auto positions = coupling.cord(id).positions();
+    snapshot.cords[at(id)].assign(positions.begin(), positions.end());
   }
   auto index = static_cast<std::size_t>(scene_->world().GetBodyCount());
   snapshot.bodies.resize(index);

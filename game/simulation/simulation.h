@@ -23,7 +23,7 @@ struct Snapshot {
     ribbon::Vec2 position;  ///< m
     double angle = 0.0;     ///< rad
   };
-  std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by cord and point
+  std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by id of the cord and point; empty for one that is gone
   std::vector<Body> bodies;                      ///< in the order of creation
 };
 

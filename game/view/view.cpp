@@ -55,9 +55,10 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
-  for (int c = 0; c < coupling.size(); ++c)
-    cords.push_back({coupling, c, coupling.cord(c).shape(), now.cords[static_cast<std::size_t>(c)],
-                     simulation.player().line().cord() == c});
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
+    cords.push_back({coupling, id, coupling.cord(id).shape(), points, simulation.player().line().cord() == id});
+  }
   return cords;
 }
 

@@ -13,6 +13,7 @@ class Chain final : public Elasticity {
  public:
   explicit Chain(const CordDef& def);
 
+  using Elasticity::tension_count;
   std::size_t tension_count() const override { return rest_lengths_.size(); }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& motion, double sign, std::span<double> tensions) const override;

@@ -23,6 +23,10 @@ class Elasticity {
 
   /// Returns the number of tensions, which are unknowns of mixed Newton.
   virtual std::size_t tension_count() const = 0;
+  /// Returns the number of its terms. The tensions of one follow those of the one before it.
+  virtual std::size_t terms() const { return 1; }
+  /// Returns the number of tensions of a term. They are ordered by column, and each column but the last has as many.
+  virtual std::size_t tension_count(std::size_t /*term*/) const { return tension_count(); }
 
   /// Sets the rest length [m] of each link along the cord: columns − 1 values.
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;

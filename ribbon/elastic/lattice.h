@@ -18,6 +18,8 @@ class Lattice final : public Elasticity {
   explicit Lattice(const CordDef& def);
 
   std::size_t tension_count() const override { return tension_count_; }
+  std::size_t terms() const override { return terms_.size(); }
+  std::size_t tension_count(std::size_t term) const override { return terms_[term]->tension_count(); }
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& motion, double sign, std::span<double> tensions) const override;
   void add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;

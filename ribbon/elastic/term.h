@@ -63,7 +63,9 @@ struct NewtonSystem : Shape {
   }
 };
 
-/// One kind of elastic energy: the sum over its elements. Functions without a comment are as in Elasticity.
+/// One kind of elastic energy: the sum over its elements. Functions without a comment are as in Elasticity. A Lattice
+/// has terms, a Chain has none: for a term of its own that a rope declares, make_elasticity has to choose a Lattice, as
+/// it does for bending stiffness.
 class Term {
  public:
   Term() = default;

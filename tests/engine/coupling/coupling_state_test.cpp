@@ -87,11 +87,18 @@ std::string refusal(Scene& scene, const std::function<void(State&)>& spoil) {
 TEST(CouplingState, OfOtherCordsIsRefused) {
   Scene scene;
   scene.tick(20);
-  EXPECT_EQ(refusal(scene, [](State& s) { s.cords.pop_back(); }), "state is of 1 cords; accepted is one of 2");
   EXPECT_EQ(refusal(scene, [](State& s) { std::swap(s.cords[0].state, s.cords[1].state); }),
             "state of cord 0 is of another solver; accepted is direct");
-  EXPECT_EQ(refusal(scene, [](State& s) { s.cords[1].id = 7; }),
-            "state has cord 7 where the coupling has cord 1; accepted is a state of the same cords");
+  EXPECT_EQ(refusal(scene, [](State& s) { s.cords[1].id = 7; }), "state.cords.id is 7; accepted is 0 to 1");
+  EXPECT_EQ(refusal(scene,
+                    [](State& s) {
+                      s.cords[1].id = 7;
+                      s.next_cord = 8;
+                    }),
+            "state has cord 7, which the coupling does not have; accepted is a state of the same cords or with their "
+            "definitions");
+  EXPECT_EQ(refusal(scene, [](State& s) { std::swap(s.cords[0], s.cords[1]); }),
+            "state.cords.id are out of order, or some are there twice; accepted are rising numbers");
   EXPECT_NE(refusal(scene, [](State& s) { std::get<Cord::State>(s.cords[0].state).rest.pop_back(); })
                 .find("state is of another cord"),
             std::string::npos);

@@ -236,6 +236,23 @@ TEST(Grip, PullsAStaticOrKinematicBodyWithTheCordsWeight) {
   }
 }
 
+TEST(Grip, OfAStaticBodySharesThePullWithOthersAtItsPoint) {
+  GripWorld scene;
+  CordDef def = hanging();
+  def.pins = {};
+  def.drag = 20.0;
+  scene.coupling.add(Cord(def));
+  const auto hold = [&] { return scene.coupling.hold(*scene.add_body({}, 0.0, b2_staticBody), {.cord = 0}); };
+  const ribbon::box2d::GripId first = hold();
+  const ribbon::box2d::GripId second = hold();
+  scene.tick(600);
+  const double weight = def.length * def.mass_per_length * g;
+  EXPECT_NEAR(scene.coupling.grip(first).state().pull.y, -0.5 * weight, 1e-3 * weight);
+  scene.coupling.grip(second).release();
+  scene.tick(60);
+  EXPECT_NEAR(scene.coupling.grip(first).state().pull.y, -weight, 1e-3 * weight);
+}
+
 TEST(Grip, OfAStaticOrKinematicBodyIsReleasedAboveItsStrength) {
   for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
     for (const double arc : {0.0, 0.1}) {

@@ -45,7 +45,7 @@ std::string level(const std::string& fields, const std::vector<Property>& proper
 }
 
 bool all_finite(const Scene& scene) {
-  for (ribbon::box2d::CordId c = 0; c < scene.coupling().size(); ++c) {
+  for (const ribbon::box2d::CordId c : scene.coupling().cords()) {
     for (const ribbon::Vec2 x : scene.coupling().cord(c).positions()) {
       if (!std::isfinite(x.x) || !std::isfinite(x.y)) return false;
     }
@@ -89,7 +89,7 @@ const std::vector<Kind> kinds = {
      {"columns",    "rows",          "mass",        "stretch_stiffness", "bending_stiffness", "damping",
       "drag",       "gravity_scale", "radius",      "substeps",          "tolerance",         "max_iterations",
       "max_work",   "friction",      "restitution", "self_contact",      "allow_sleep",       "accuracy",
-      "integrator", "solver",        "pin_last"}},
+      "integrator", "solver",        "pin_last",    "breaking_force"}},
     {polyline,
      {{"columns", "9"},
       {"rows", "3"},

@@ -131,6 +131,8 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact || def.allow_sleep);
   EXPECT_EQ(def.accuracy, ribbon::Accuracy::balanced());
   EXPECT_TRUE(def.pins.empty());
+  EXPECT_EQ(def.breaking_force, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(def_of("," + number("breaking_force", "450")).breaking_force, 450.0);
   EXPECT_TRUE(def_of("," + yes("tension_only")).tension_only);
   EXPECT_TRUE(def_of("," + yes("self_contact")).self_contact);
   EXPECT_TRUE(def_of("," + yes("cord_contact")).cord_contact);
@@ -248,6 +250,7 @@ TEST(Scene, RefusesAnInvalidDirectCord) {
   refused(number("friction", "10.5"), "friction");
   refused(number("restitution", "1.1"), "restitution");
   refused(number("gravity_scale", "1001"), "gravity_scale");
+  refused(number("breaking_force", "-1"), "breaking_force");
   refused(number("self_contact", "1"), "self_contact");
   refused(number("allow_sleep", "1"), "allow_sleep");
   refused(number("width", "0.1"), "rope");  // what the definition's own check says

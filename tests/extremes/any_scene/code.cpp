@@ -85,6 +85,7 @@ std::string code_of(const ribbon::CordDef& def, const std::string& object) {
   lines.set("drag", def.drag, plain.drag);
   lines.set("gravity_scale", def.gravity_scale, plain.gravity_scale);
   lines.set("tension_only", def.tension_only, plain.tension_only);
+  lines.set("breaking_force", def.breaking_force, plain.breaking_force);
   lines.set("friction", def.friction, plain.friction);
   lines.set("restitution", def.restitution, plain.restitution);
   lines.set("self_contact", def.self_contact, plain.self_contact);

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ribbon/cord.h"
+
+namespace ribbon {
+
+/// Where a cord is cut. The points of one column become two columns, each with the mass of its own side; so a cut
+/// halves the mass of a rope's point and moves nothing. What is attached to the cord goes to its side of the place.
+/// The sides are numbered from 0, at the first column.
+struct CutPlace {
+  int column = 0;      ///< of the points that are doubled, 0 … columns − 1
+  double place = 0.0;  ///< columns from the first one
+
+  /// Returns the side of something attached at a place [columns]; at the cut itself it belongs to side 0.
+  int side_of(double at) const { return at <= place ? 0 : 1; }
+};
+
+/// Returns the cut at `arc` [m of rest length from the first column]: its column is the nearest one. Throws
+/// DefinitionError unless the arc is inside the cord, 0 < arc < its length.
+CutPlace cut_at(const Cord& cord, double arc);
+/// Returns the cut of a cord whose link from column `link` to the next one breaks in the middle. Its column is an inner
+/// one, unless the cord has none. Throws DefinitionError for an unknown link.
+CutPlace cut_through(const Cord& cord, int link);
+
+/// The pieces of a cord. One of less than two columns is dust and does not exist.
+struct CutPieces {
+  std::optional<Cord> first;   ///< side 0
+  std::optional<Cord> second;  ///< side 1
+};
+
+/// Returns the pieces of a cord. Momentum is conserved to round-off. The energy falls by that of the bending at the
+/// cut; a ribbon of bars (Elements::bars) gains the energy of the bars across it at the cut. If one piece is dust, the
+/// other one has all points, without the pins, loads and masses on the side of the dust. Contacts of a rope keep their
+/// forces and their sticking friction; those of a ribbon are found anew. The pieces are awake. The cord itself does not
+/// change. O(points).
+CutPieces cut(const Cord& cord, const CutPlace& where);
+
+/// Returns the place [columns] of something at `at` on its piece, within the piece. `columns` is the number of columns
+/// of the uncut cord.
+double place_on_piece(const CutPlace& where, double at, int columns);
+
+/// A cord that was cut, for the cords that touch it.
+struct CutNeighbour {
+  std::uint64_t id = 0;          ///< by which they knew it, IslandCord::id
+  CutPlace where;                ///< of the cut
+  int columns = 0;               ///< of the uncut cord
+  int rows = 1;                  ///< of the uncut cord
+  std::uint64_t pieces[2] = {};  ///< ids of its pieces; of dust, that of the other piece
+};
+
+/// Makes contacts of a cord with a rope that was cut contacts with its pieces, and ends those with a ribbon, which are
+/// found anew. Wakes the cord if it has any. Also for the pieces of a cord that touched itself.
+void follow_cut(Cord& cord, const CutNeighbour& neighbour);
+
+}  // namespace ribbon

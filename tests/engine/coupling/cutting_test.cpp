@@ -1,0 +1,369 @@
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "tests/engine/coupling/grip_world.h"
+#include "tests/support/dice.h"
+#include "tests/support/refusal.h"
+
+namespace engine {
+namespace {
+
+using ribbon::CallError;
+using ribbon::DefinitionError;
+using ribbon::box2d::CordId;
+using ribbon::box2d::Coupling;
+using ribbon::box2d::CutEvent;
+using ribbon::box2d::GripId;
+using test_support::refusal;
+using test_support::says;
+
+/// A rope of 10 m that hangs from a pin, with a load of 3 kg at its end and a light hand in its middle.
+struct LoadedRope : GripWorld {
+  explicit LoadedRope(CordDef def = hanging()) {
+    rope = coupling.add(Cord(def));
+    hand = add_body({0.0, -5.0}, 0.5);
+    load = add_body({0.0, -10.0}, 3.0);
+    hand_grip = coupling.hold(*hand, {.cord = rope, .arc = 5.0});
+    load_grip = coupling.hold(*load, {.cord = rope, .arc = 10.0});
+  }
+
+  CordId rope;
+  b2Body* hand;
+  b2Body* load;
+  GripId hand_grip, load_grip;
+};
+
+TEST(CuttingACord, MakesTwoCordsWithIdsOfTheirOwn) {
+  LoadedRope scene;
+  scene.coupling.cord(scene.rope).set_user_data(77);
+  scene.tick(10);
+  const CutEvent cut = scene.coupling.cord(scene.rope).cut(6.03);
+  EXPECT_EQ(cut, (CutEvent{scene.rope, cut.arc, 1, 2}));
+  EXPECT_NEAR(cut.arc, 6.03, 1e-12);
+  EXPECT_FALSE(scene.coupling.cord(scene.rope).is_valid());
+  ASSERT_EQ(scene.coupling.size(), 2);
+  EXPECT_EQ(scene.coupling.cord(1).positions().size(), 31U);
+  EXPECT_EQ(scene.coupling.cord(2).positions().size(), 21U);
+  EXPECT_EQ(scene.coupling.cord(1).user_data(), 77U);
+  EXPECT_EQ(scene.coupling.grip(scene.hand_grip).state().cord, 1);
+  EXPECT_EQ(scene.coupling.grip(scene.load_grip).state().cord, 2);
+  EXPECT_NEAR(scene.coupling.grip(scene.load_grip).state().arc, 4.0, 1e-12);
+}
+
+TEST(CuttingACord, IsToldInTheNextTick) {
+  LoadedRope scene;
+  scene.tick();
+  EXPECT_TRUE(scene.coupling.cut_events().empty());
+  const CutEvent cut = scene.coupling.cord(scene.rope).cut(6.0);
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.cut_events()[0], cut);
+  scene.tick();
+  EXPECT_TRUE(scene.coupling.cut_events().empty());
+}
+
+TEST(CuttingACord, LetsTheLoadFallAndTheRestHang) {
+  LoadedRope scene;
+  scene.tick(60);
+  scene.coupling.cord(scene.rope).cut(7.0);
+  scene.tick(30);
+  EXPECT_NEAR(scene.load->GetPosition().y, -10.0 - 0.5 * g * 0.25, 0.02 * g * 0.25);
+  EXPECT_NEAR(scene.hand->GetPosition().y, -5.0, 1e-3);
+}
+
+TEST(CuttingACord, CloseToThePinFreesIt) {
+  LoadedRope scene;
+  scene.tick(10);
+  const CutEvent cut = scene.coupling.cord(scene.rope).cut(0.05);
+  EXPECT_FALSE(cut.first);
+  ASSERT_TRUE(cut.second);
+  scene.tick(30);
+  EXPECT_NEAR(scene.hand->GetPosition().y, -5.0 - 0.5 * g * 0.25, 0.02 * g * 0.25);
+}
+
+TEST(CuttingACord, ReleasesWhatHoldsTheDust) {
+  LoadedRope scene;
+  scene.tick(10);
+  const CutEvent cut = scene.coupling.cord(scene.rope).cut(9.95);
+  EXPECT_FALSE(cut.second);
+  EXPECT_FALSE(scene.coupling.grip(scene.load_grip).is_valid());
+  EXPECT_TRUE(scene.coupling.grip(scene.hand_grip).is_valid());
+}
+
+TEST(CuttingACord, WakesASleepingOneAndItsLoad) {
+  CordDef def = hanging();
+  def.allow_sleep = true;
+  def.drag = 1.0;
+  LoadedRope scene(def);
+  scene.hand->SetSleepingAllowed(true);
+  scene.load->SetSleepingAllowed(true);
+  scene.tick(300);
+  ASSERT_TRUE(scene.coupling.cord(scene.rope).direct().is_asleep());
+  ASSERT_FALSE(scene.load->IsAwake());
+  scene.coupling.cord(scene.rope).cut(7.0);
+  scene.tick(30);
+  EXPECT_LE(scene.load->GetPosition().y, -11.0);
+}
+
+TEST(CuttingACord, RefusesWhatCannotBeCut) {
+  LoadedRope scene;
+  scene.tick();
+  const auto refused = [&](double arc) {
+    return refusal<CallError>([&] { scene.coupling.cord(scene.rope).cut(arc); });
+  };
+  EXPECT_TRUE(says(refusal<DefinitionError>([&] { scene.coupling.cord(scene.rope).cut(10.5); }), "inside the cord"));
+  scene.coupling.gather(scene.world, dt);
+  EXPECT_TRUE(says(refused(5.0), "between gather and apply"));
+  EXPECT_TRUE(says(refusal<CallError>([&] {
+                     scene.coupling.cut({-1.0, -5.0}, {1.0, -5.0});
+                   }),
+                   "between gather and apply"));
+  scene.coupling.step();
+  scene.coupling.apply();
+  scene.coupling.cord(scene.rope).set_enabled(false);
+  EXPECT_EQ(refused(5.0), "cord 0 is disabled; accepted is one that is enabled");
+  scene.coupling.cord(scene.rope).set_enabled(true);
+  scene.coupling.cord(scene.rope).cut(5.1);
+  EXPECT_EQ(refused(5.1), "cord is 0; accepted is the id of a cord that was added and not removed");
+  const CordId thesis = scene.coupling.add(ribbon::ThesisCord({}));
+  EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.cord(thesis).cut(1.0); }), "is of the thesis solver"));
+}
+
+TEST(CuttingACord, IsRefusedInsideTheStepOfTheWorld) {
+  struct Listener : b2ContactListener {
+    void BeginContact(b2Contact* /*contact*/) override {
+      message = refusal<CallError>([this] { coupling->cord(0).cut(5.0); });
+    }
+    Coupling* coupling = nullptr;
+    std::string message;
+  } listener;
+  LoadedRope scene;
+  listener.coupling = &scene.coupling;
+  scene.world.SetContactListener(&listener);
+  for (const float y : {0.0F, 0.3F}) {
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(20.0F, y);
+    b2CircleShape circle;
+    circle.m_radius = 0.2F;
+    scene.world.CreateBody(&def)->CreateFixture(&circle, 1.0F);
+  }
+  scene.tick(2);
+  EXPECT_TRUE(says(listener.message, "world is locked"));
+  EXPECT_EQ(scene.coupling.size(), 1);
+}
+
+TEST(CuttingCords, AlongABladeCutsWhatItCrossesWhereItDoes) {
+  GripWorld scene;
+  for (const double x : {0.0, 1.0, 5.0}) scene.coupling.add(Cord(hanging(x)));
+  scene.tick();
+  const auto cuts = scene.coupling.cut({-1.0, -2.0}, {2.0, -5.0});
+  ASSERT_EQ(cuts.size(), 2U);
+  EXPECT_EQ(cuts[0].cord, 0);
+  EXPECT_NEAR(cuts[0].arc, 3.0, 0.01);
+  EXPECT_NEAR(cuts[1].arc, 4.0, 0.01);
+  EXPECT_TRUE(scene.coupling.cord(2).is_valid());
+  EXPECT_EQ(scene.coupling.size(), 5);
+}
+
+TEST(CuttingCords, AlongABladeCutsACordAtEachCrossing) {
+  GripWorld scene;
+  CordDef def;  // a zigzag of three strands of 2 m
+  def.points = 31;
+  def.length = 6.0;
+  for (int i = 0; i <= 30; ++i) {
+    const int strand = std::min(i / 10, 2);
+    const int step = i - 10 * strand;
+    def.positions.push_back({strand % 2 == 0 ? 0.2 * step : 2.0 - 0.2 * step, 0.01 * i});
+  }
+  def.length = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    def.length += length(def.positions[static_cast<std::size_t>(i) + 1] - def.positions[static_cast<std::size_t>(i)]);
+  }
+  scene.coupling.add(Cord(def));
+  const std::vector<CutEvent> cuts = [&] {
+    const auto made = scene.coupling.cut({1.03, -1.0}, {1.03, 1.0});
+    return std::vector<CutEvent>(made.begin(), made.end());
+  }();
+  ASSERT_EQ(cuts.size(), 3U);
+  ASSERT_EQ(scene.coupling.size(), 4);
+  std::size_t points = 0;
+  for (const CordId cord : scene.coupling.cords()) points += scene.coupling.cord(cord).positions().size();
+  EXPECT_EQ(points, 34U);
+  for (const CordId cord : scene.coupling.cords()) {
+    bool left = false;
+    bool right = false;
+    for (const Vec2 x : scene.coupling.cord(cord).positions()) {
+      left = left || x.x < 0.93;
+      right = right || x.x > 1.13;
+    }
+    EXPECT_NE(left, right) << "each piece is on one side of the blade";
+  }
+}
+
+TEST(CuttingCords, AStateFromBeforeRestoresTheUncutCord) {
+  LoadedRope scene;
+  scene.tick(30);
+  const b2Transform load = scene.load->GetTransform();
+  const b2Transform hand = scene.hand->GetTransform();
+  const b2Vec2 speeds[] = {scene.load->GetLinearVelocity(), scene.hand->GetLinearVelocity()};
+  const Coupling::State before = scene.coupling.save(scene.world);
+  const auto go_on = [&] {
+    scene.coupling.cord(scene.rope).cut(7.0);
+    scene.tick(20);
+    return scene.coupling.save(scene.world);
+  };
+  const Coupling::State once = go_on();
+  scene.coupling.restore(before, scene.world);
+  EXPECT_EQ(scene.coupling.save(scene.world), before);
+  ASSERT_TRUE(scene.coupling.cord(scene.rope).is_valid());
+  EXPECT_EQ(scene.coupling.size(), 1);
+  EXPECT_EQ(scene.coupling.grip(scene.load_grip).state().cord, scene.rope);
+  scene.load->SetTransform(load.p, load.q.GetAngle());
+  scene.hand->SetTransform(hand.p, hand.q.GetAngle());
+  scene.load->SetLinearVelocity(speeds[0]);
+  scene.hand->SetLinearVelocity(speeds[1]);
+  EXPECT_EQ(go_on(), once) << "the same ids and the same bits";
+}
+
+TEST(CuttingCords, AStateFromAfterIsRestoredInAnotherCoupling) {
+  LoadedRope scene;
+  LoadedRope twin;
+  scene.tick(10);
+  scene.coupling.cord(scene.rope).cut(7.0);
+  scene.tick();
+  const Coupling::State after = scene.coupling.save(scene.world);
+  twin.coupling.restore(after, twin.world);
+  EXPECT_EQ(twin.coupling.save(twin.world), after);
+  EXPECT_EQ(twin.coupling.size(), 2);
+}
+
+TEST(ABreakingCord, BreaksWhereItIsLoadedMostOneLinkATick) {
+  CordDef def = hanging();
+  def.breaking_force = 36.0;  // 3.5 kg and half of the cord's 1 kg weigh 39 N, and 3 kg alone 29
+  LoadedRope scene(def);
+  int ticks = 0;
+  while (scene.coupling.cut_events().empty() && ++ticks < 100) scene.tick();
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  const CutEvent event = scene.coupling.cut_events()[0];
+  EXPECT_TRUE(event.broke);
+  EXPECT_GT(event.tension, 36.0);
+  EXPECT_NEAR(event.arc, 0.1, 1e-12) << "the middle of the first link";
+  EXPECT_EQ(scene.coupling.size(), 2);
+}
+
+TEST(ABreakingCord, HoldsALoadBelowItsBreakingForce) {
+  CordDef def = hanging();
+  def.breaking_force = 46.0;  // it hangs with 44.1 N at the top
+  LoadedRope scene(def);
+  scene.tick(300);
+  EXPECT_EQ(scene.coupling.size(), 1);
+}
+
+/// Over a fixed peg the tension rises by e^(μθ) to the heavier side: the cord breaks there.
+TEST(ABreakingCord, OverAPegBreaksOnTheSideOfTheGreaterTension) {
+  GripWorld scene;
+  b2Body* peg = scene.add_body({0.0, 0.0}, 0.0, b2_staticBody);
+  b2Filter all;
+  peg->GetFixtureList()->SetFilterData(all);
+  peg->GetFixtureList()->SetFriction(0.5F);
+  CordDef def;
+  def.points = 61;
+  def.radius = 0.02;
+  def.friction = 0.5;
+  def.mass_per_length = 0.05;
+  def.positions.clear();
+  const double reach = 0.2 + def.radius;
+  for (int i = 0; i < def.points; ++i) {
+    const double s = 0.05 * (i - 30);
+    const double quarter = 0.5 * std::numbers::pi * reach;
+    if (s < -quarter) {
+      def.positions.push_back({-reach, s + quarter});
+    } else if (s > quarter) {
+      def.positions.push_back({reach, quarter - s});
+    } else {
+      def.positions.push_back({reach * std::sin(s / reach), reach * std::cos(s / reach)});
+    }
+  }
+  def.length = 3.0;
+  const CordId rope = scene.coupling.add(Cord(def));
+  const auto x = scene.coupling.cord(rope).positions();
+  b2Body* light = scene.add_body(x[0], 1.0);
+  b2Body* heavy = scene.add_body(x[60], 3.0);  // e^(0.5·π) is 4.8: it does not slip
+  scene.coupling.hold(rope, 0, *light, {0.0F, 0.0F});
+  scene.coupling.hold(rope, 60, *heavy, {0.0F, 0.0F});
+  scene.tick(120);
+  ASSERT_EQ(scene.coupling.size(), 1);
+  Cord& cord = scene.coupling.cord(rope).direct();
+  EXPECT_NEAR(cord.tensions()[5], g, 0.05 * g);
+  EXPECT_NEAR(cord.tensions()[55], 3.0 * g, 0.05 * 3.0 * g);
+  for (int link = 0; link < 60; ++link) cord.set_breaking_force(link, 2.0 * g);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  EXPECT_GT(scene.coupling.cut_events()[0].arc, 1.7) << "beyond the peg, on the heavy side";
+}
+
+/// A hanging rope pulls at its pin with its weight and that of the loads.
+TEST(ABreakingCord, TellsTheReactionOfItsPin) {
+  LoadedRope scene;
+  scene.tick(300);
+  const Vec2 reaction = scene.coupling.cord(scene.rope).direct().reaction(0, {0.0, -g});
+  EXPECT_NEAR(reaction.y, (3.0 + 0.5 + 1.0) * g, 1e-3 * 4.5 * g);
+}
+
+/// Ropes are cut at random while bodies hold them and they touch the ground, are saved and restored.
+TEST(CuttingCords, AtRandomKeepsAllGripsOnTheirCords) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    test_support::Dice dice(seed);
+    GripWorld scene;
+    b2BodyDef ground;
+    b2EdgeShape edge;
+    edge.SetTwoSided({-50.0F, -12.0F}, {50.0F, -12.0F});
+    scene.world.CreateBody(&ground)->CreateFixture(&edge, 0.0F);
+    for (int k = 0; k < 3; ++k) {
+      CordDef def = hanging(k);
+      def.radius = 0.03;
+      def.friction = 0.5;
+      def.self_contact = k == 1;
+      def.cord_contact = true;
+      const CordId rope = scene.coupling.add(Cord(def));
+      for (const double arc : {3.3, 10.0}) {
+        scene.coupling.hold(*scene.add_body({static_cast<double>(k), -arc}, 1.0), {.cord = rope, .arc = arc});
+      }
+    }
+    for (int tick = 0; tick < 200; ++tick) {
+      scene.tick();
+      if (tick % 10 != 9) continue;
+      const auto cords = scene.coupling.cords();
+      const auto pick = static_cast<std::size_t>(dice(0.01, 0.99) * static_cast<double>(cords.size()));
+      const CordId id = cords[pick];
+      const double length =
+          scene.coupling.cord(id).arc(static_cast<int>(scene.coupling.cord(id).positions().size()) - 1);
+      scene.coupling.cord(id).cut(dice(0.01, 0.99) * length);
+      if (tick % 30 == 29) {
+        const Coupling::State state = scene.coupling.save(scene.world);
+        scene.coupling.restore(state, scene.world);
+        ASSERT_EQ(scene.coupling.save(scene.world), state);
+      }
+    }
+    for (const CordId id : scene.coupling.cords()) {
+      for (const Vec2 x : scene.coupling.cord(id).positions()) {
+        ASSERT_TRUE(std::isfinite(x.x) && std::isfinite(x.y));
+        ASSERT_GT(x.y, -12.1) << "nothing falls through the ground; seed " << seed;
+      }
+      const auto& cord = scene.coupling.cord(id).direct();
+      for (int i = 0; i + 1 < cord.size(); ++i) {
+        const double stretch =
+            length(cord.positions()[static_cast<std::size_t>(i) + 1] - cord.positions()[static_cast<std::size_t>(i)]) /
+            cord.rest_length(i);
+        ASSERT_NEAR(stretch, 1.0, 0.01) << "seed " << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace engine
