@@ -92,6 +92,7 @@ Vec2 Cord::holding_force(int point, Vec2 gravity) const {
 Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
 bool Cord::remembers_sweep() const { return parts_->sweep.has_value(); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
+bool Cord::meets_cords() const { return parts_->meets_cords(); }
 void Cord::wake() { parts_->wake(); }
 std::span<const Touch> Cord::touches() const { return parts_->state.touches; }
 std::span<const Cord::Holder> Cord::holders() const { return parts_->state.holders; }

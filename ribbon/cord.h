@@ -97,6 +97,9 @@ class Cord {
   /// near it has changed or is awake, including another cord of its island. The setters below wake it too, except
   /// set_accuracy.
   bool is_asleep() const;
+  /// Returns whether it collides with other cords: with those that declare cord_contact as it does, and, with
+  /// self_contact, with other pieces of the cord that it was cut from.
+  bool meets_cords() const;
   /// Wakes the cord and restarts its rest time.
   void wake();
 
@@ -168,15 +171,18 @@ class Cord {
     std::vector<double> rest_speeds;      ///< m/s, by link, speed of the reel; the same
     std::vector<double> breaking_forces;  ///< N, by link; empty until set_breaking_force is first called
     std::vector<char> unlocked;           ///< by cell, if area stiffness is declared: 1 while it is turned back
-    std::vector<Holder> holders;          ///< see Cord::holders
-    std::vector<Touch> touches;           ///< see Cord::touches
-    bool touch_changed = false;           ///< a contact began or ended in the last step
-    double regainable_energy = 0.0;       ///< J, energy that may be regained; see IslandReport::energy_gains
-    double energy_drift = 0.0;            ///< J, lost since the cord was created; negative if gained
-    bool damping_excluded = false;        ///< the tensions exclude damping
-    bool restart = true;                  ///< the accelerations are out of date
-    double rest_time = 0.0;               ///< s, rest time so far, up to time_to_sleep
-    bool asleep = false;                  ///< see Cord::is_asleep
+    std::uint64_t family = 0;        ///< id of the cord that it is a piece of, however often that was cut; 0 for none
+    std::uint64_t joined_first = 0;  ///< id of the cord that it was cut from at its first column; 0 for none
+    std::uint64_t joined_last = 0;   ///< the same at its last column; see follow_cut
+    std::vector<Holder> holders;     ///< see Cord::holders
+    std::vector<Touch> touches;      ///< see Cord::touches
+    bool touch_changed = false;      ///< a contact began or ended in the last step
+    double regainable_energy = 0.0;  ///< J, energy that may be regained; see IslandReport::energy_gains
+    double energy_drift = 0.0;       ///< J, lost since the cord was created; negative if gained
+    bool damping_excluded = false;   ///< the tensions exclude damping
+    bool restart = true;             ///< the accelerations are out of date
+    double rest_time = 0.0;          ///< s, rest time so far, up to time_to_sleep
+    bool asleep = false;             ///< see Cord::is_asleep
     std::uint64_t surroundings_hash = 0;  ///< hash of its surroundings at rest; 0 if they moved
     bool operator==(const State&) const = default;
   };

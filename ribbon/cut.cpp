@@ -137,9 +137,12 @@ std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side) 
   take_attachments(whole, where, side, columns, piece);
   take_touches(whole, where, side, piece);
   const double share = static_cast<double>(columns.links()) / (columns.all - 1);
-  to.regainable_energy = share * from.regainable_energy;
+  to.regainable_energy = std::min(0.0, share * from.regainable_energy);  // what follows a cut is not smooth
   to.energy_drift = share * from.energy_drift;
   to.damping_excluded = from.damping_excluded;
+  to.family = from.family;
+  if (columns.first == 0) to.joined_first = from.joined_first;
+  if (columns.last == columns.all - 1) to.joined_last = from.joined_last;
   piece.elasticity->set_rest_lengths(to.rest);
   piece.disturb();
   return made;
@@ -164,11 +167,13 @@ CutPlace cut_at(const Cord& cord, double arc) {
 CutPlace cut_through(const Cord& cord, int link) {
   const int links = cord.def().points - 1;
   check_range("link", link, 0, links - 1);
+  if (links == 1) return {-1, 0.5};
   return {link + 1 < links ? link + 1 : link, link + 0.5};
 }
 
 CutPieces cut(const Cord& cord, const CutPlace& where) {
-  check_range("column of a cut", where.column, 0, cord.def().points - 1);
+  check_range("column of a cut", where.column, -1, cord.def().points - 1);
+  if (where.column < 0) return {};
   return {piece_of(cord, where, 0), piece_of(cord, where, 1)};
 }
 
@@ -177,12 +182,24 @@ double place_on_piece(const CutPlace& where, double at, int columns) {
   return std::clamp(at - where.column, 0.0, static_cast<double>(columns - 1 - where.column));
 }
 
+void join_pieces(CutPieces& pieces, const CutNeighbour& cord) {
+  if (!pieces.first || !pieces.second) return;
+  Cord::State& first = pieces.first->parts().state;
+  Cord::State& second = pieces.second->parts().state;
+  first.joined_last = cord.pieces[1];
+  second.joined_first = cord.pieces[0];
+  if (first.family == 0) first.family = second.family = cord.id;
+}
+
 void follow_cut(Cord& cord, const CutNeighbour& neighbour) {
-  std::vector<Touch>& touches = cord.parts().state.touches;
+  Cord::State& state = cord.parts().state;
+  if (state.joined_first == neighbour.id) state.joined_first = neighbour.pieces[1];
+  if (state.joined_last == neighbour.id) state.joined_last = neighbour.pieces[0];
+  std::vector<Touch>& touches = state.touches;
   const auto is_with_it = [&](const Touch& touch) { return touch.other == neighbour.id; };
   if (std::none_of(touches.begin(), touches.end(), is_with_it)) return;
   cord.wake();
-  if (neighbour.rows > 1) {
+  if (neighbour.rows > 1 || neighbour.pieces[0] == 0) {
     touches.erase(std::remove_if(touches.begin(), touches.end(), is_with_it), touches.end());
     return;
   }

@@ -11,7 +11,7 @@ namespace ribbon {
 /// halves the mass of a rope's point and moves nothing. What is attached to the cord goes to its side of the place.
 /// The sides are numbered from 0, at the first column.
 struct CutPlace {
-  int column = 0;      ///< of the points that are doubled, 0 … columns − 1
+  int column = 0;  ///< of the points that are doubled, 0 … columns − 1; −1 for a broken cord of one link, all dust
   double place = 0.0;  ///< columns from the first one
 
   /// Returns the side of something attached at a place [columns]; at the cut itself it belongs to side 0.
@@ -22,7 +22,7 @@ struct CutPlace {
 /// DefinitionError unless the arc is inside the cord, 0 < arc < its length.
 CutPlace cut_at(const Cord& cord, double arc);
 /// Returns the cut of a cord whose link from column `link` to the next one breaks in the middle. Its column is an inner
-/// one, unless the cord has none. Throws DefinitionError for an unknown link.
+/// one; a cord of one link becomes dust. Throws DefinitionError for an unknown link.
 CutPlace cut_through(const Cord& cord, int link);
 
 /// The pieces of a cord. One of less than two columns is dust and does not exist.
@@ -48,11 +48,17 @@ struct CutNeighbour {
   CutPlace where;                ///< of the cut
   int columns = 0;               ///< of the uncut cord
   int rows = 1;                  ///< of the uncut cord
-  std::uint64_t pieces[2] = {};  ///< ids of its pieces; of dust, that of the other piece
+  std::uint64_t pieces[2] = {};  ///< ids of its pieces; of dust, that of the other piece; 0 if all is dust
 };
 
+/// Tells the pieces of a cord by which ids they are known. They collide with each other if the cord has self_contact,
+/// but not where they were joined, because the ends lie in each other: parts that were neighbours in the cord, nearer
+/// than three radii at rest, never touch. A body that holds one piece touches none of them.
+void join_pieces(CutPieces& pieces, const CutNeighbour& cord);
+
 /// Makes contacts of a cord with a rope that was cut contacts with its pieces, and ends those with a ribbon, which are
-/// found anew. Wakes the cord if it has any. Also for the pieces of a cord that touched itself.
+/// found anew. Wakes the cord if it has any. The same for an end that was joined to it by an earlier cut. Call it also
+/// for the pieces, of a cord that touched itself.
 void follow_cut(Cord& cord, const CutNeighbour& neighbour);
 
 }  // namespace ribbon

@@ -74,7 +74,7 @@ void DirectSolver::find_swept_boxes(std::span<const IslandCord> cords, std::span
   link_boxes_.clear();
   first_links_.clear();
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    if (!cords[k].cord->def().cord_contact) continue;
+    if (!cords[k].cord->meets_cords()) continue;
     contact_cords_.push_back(k);
     first_links_.push_back(link_boxes_.size());
     swept_boxes_.push_back(add_swept_boxes(cords[k], bodies, dt, gravity));
@@ -91,12 +91,12 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
     for (const RigidCircle& circle : cords[k].surroundings.circles) join_by_body(k, circle.body, bodies);
     for (const RigidSegment& segment : cords[k].surroundings.segments) join_by_body(k, segment.body, bodies);
   }
-  join_near_cords();
+  join_near_cords(cords);
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
 }
 
 /// Joins cords with links that may come near each other.
-void DirectSolver::join_near_cords() {
+void DirectSolver::join_near_cords(std::span<const IslandCord> cords) {
   if (contact_cords_.size() < 2) return;
   if (tree_capacity_ < contact_cords_.size()) {
     tree_capacity_ = 2 * contact_cords_.size();
@@ -106,7 +106,9 @@ void DirectSolver::join_near_cords() {
   for (std::size_t b = 0; b < contact_cords_.size(); ++b) {
     tree_->query(swept_boxes_[b], [&](int other) {
       const auto a = at(other);
-      if (a < b && root(contact_cords_[a]) != root(contact_cords_[b]) && links_overlap(a, b))
+      if (a >= b || root(contact_cords_[a]) == root(contact_cords_[b])) return;
+      const CordParts& cord = cords[contact_cords_[a]].cord->parts();
+      if (cord.meets(cords[contact_cords_[b]].cord->parts()) && links_overlap(a, b))
         join(contact_cords_[a], contact_cords_[b]);
     });
   }

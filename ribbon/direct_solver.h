@@ -48,7 +48,7 @@ class DirectSolver {
   void join_by_body(std::size_t cord, int body, std::span<const RigidBody> bodies);
   void find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
   Box add_swept_boxes(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
-  void join_near_cords();
+  void join_near_cords(std::span<const IslandCord> cords);
   bool links_overlap(std::size_t a, std::size_t b) const;
   std::size_t root(std::size_t cord);
   void join(std::size_t a, std::size_t b);
@@ -57,7 +57,7 @@ class DirectSolver {
 
   ParallelFor parallel_for_;
   std::vector<std::size_t> parents_;  // disjoint sets, by cord; after find_islands the first cord of its island
-  // Of the cords with cord_contact, in their order:
+  // Of the cords that meet others, in their order:
   std::vector<std::size_t> contact_cords_;  // indices of the cords
   std::vector<Box> swept_boxes_;            // m, which a cord does not leave in the step without an impact
   std::vector<Box> link_boxes_;             // m, the same of each link, cord by cord

@@ -87,7 +87,7 @@ void cut_at_places(CouplingParts& parts, CordId id, const std::vector<double>& p
     if (where.column == last) continue;  // the piece between the two is dust
     last = where.column;
     const CutEvent event = cut_cord(parts, id, where);
-    if (!event.first) return;
+    if (!event.first) return;  // nothing is left before it
     id = *event.first;
   }
 }
@@ -107,12 +107,14 @@ CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   CutPieces pieces = ribbon::cut(whole.direct(), where);
   CutCord cut{id, shape.columns, where, {}};
   parts.cords.activate(whole);
+  const std::uint64_t next = solver_id(parts.cords.next());
+  CutNeighbour neighbour{solver_id(id), where, shape.columns, shape.rows, {}};
+  if (pieces.first || pieces.second) neighbour.pieces[0] = neighbour.pieces[1] = next;
+  if (pieces.first && pieces.second) neighbour.pieces[1] = next + 1;
+  join_pieces(pieces, neighbour);
   cut.pieces[0] = add_piece(parts, whole, std::move(pieces.first));
   cut.pieces[1] = add_piece(parts, whole, std::move(pieces.second));
   move_grips(parts, cut, whole);
-  CutNeighbour neighbour{solver_id(id), where, shape.columns, shape.rows, {}};
-  for (const int side : {0, 1})
-    neighbour.pieces[side] = solver_id(cut.pieces[side] ? *cut.pieces[side] : *cut.pieces[1 - side]);
   for (CoupledCord& other : parts.cords) {
     if (other.is_direct() && other.id != id) follow_cut(other.direct(), neighbour);
   }

@@ -165,12 +165,17 @@ void add_to(Hasher& hasher, const ThesisCord::State& state) {
 
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, breaking_forces, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift,
-               damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
+               rest_speeds, breaking_forces, unlocked, family, joined_first, joined_last, holders, touches,
+               touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
+               surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
-  if (!breaking_forces.empty()) add_all(hasher, breaking_forces);  // only where it is used: golden hashes stay
+  // Only where they are used, so that golden hashes stay:
+  if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
+  for (const std::uint64_t joined : {family, joined_first, joined_last}) {
+    if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
+  }
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
   for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {

@@ -99,8 +99,8 @@ void fields(Archive& archive, T& touch) {
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, unlocked, holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded,
-         restart, rest_time, asleep, surroundings_hash] = state;
+         breaking_forces, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
+         regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -114,6 +114,9 @@ void fields(Archive& archive, T& state) {
   archive("rest_speeds", rest_speeds);
   archive("breaking_forces", breaking_forces);
   archive("unlocked", unlocked);
+  archive("family", family);
+  archive("joined_first", joined_first);
+  archive("joined_last", joined_last);
   archive("holders", holders);
   archive("touches", touches);
   archive("touch_changed", touch_changed);

@@ -21,10 +21,19 @@ bool may_touch(const Member& member) {
          def.cord_contact;
 }
 
-/// A body does not touch a cord that it holds, as bodies that a joint connects do not touch each other.
-bool holds(const Member& member, int body) {
+bool grips(const Member& member, int body) {
   const auto& grips = member.surroundings.grips;
   return std::any_of(grips.begin(), grips.end(), [body](const Grip& grip) { return grip.body == body; });
+}
+
+/// A body does not touch a cord that it holds, as bodies that a joint connects do not touch each other. It does not
+/// touch other pieces of that cord either: where it was cut they may lie in the body.
+bool holds(const IslandState& state, const Member& member, int body) {
+  if (grips(member, body)) return true;
+  if (member.cord->state.family == 0) return false;
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& other) {
+    return other.cord->is_piece_with(*member.cord) && grips(other, body);
+  });
 }
 
 double longest_link(const IslandState& state, const Member& member) {
@@ -83,10 +92,10 @@ void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& c
     sweep_outline(search);
     const double longest = member.surroundings.circles.empty() ? 0.0 : longest_link(state, member);
     for (const RigidCircle& circle : member.surroundings.circles) {
-      if (!holds(member, circle.body)) find_circle(search, circle, longest);
+      if (!holds(state, member, circle.body)) find_circle(search, circle, longest);
     }
     for (const RigidSegment& segment : member.surroundings.segments) {
-      if (!holds(member, segment.body)) find_segment(search, segment);
+      if (!holds(state, member, segment.body)) find_segment(search, segment);
     }
     state.touch_changed = state.touch_changed || member.cord->state.touch_changed;
   }
@@ -250,19 +259,22 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const Member& other = state.members[link.member];
   const bool itself = &other == &member;
   const CordDef& def = member.cord->def;
-  if (itself ? !def.self_contact : !def.cord_contact || !other.cord->def.cord_contact) return;
+  if (itself ? !def.self_contact : !member.cord->meets(*other.cord)) return;
   const std::size_t disc = outline_slot(member, k);
   const double contact_distance = def.radius + other.cord->def.radius;
   const double bound =
       itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
   if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound)) return;
-  if (itself && are_neighbours(def, k, link.link)) return;
+  const auto is_excluded = [&](int of_other) {
+    return itself ? are_neighbours(def, k, of_other) : were_neighbours(member, k, other, of_other);
+  };
+  if (is_excluded(link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);
   pair.disc = static_cast<int>(disc);
   pair.is_mutual = true;
   // At a fold the next link may be the point's neighbour. Then this link alone decides whether it touches.
-  if (itself && are_neighbours(def, k, link.link - 1)) pair.previous = -1;
-  if (itself && are_neighbours(def, k, link.link + 1)) pair.next = -1;
+  if (is_excluded(link.link - 1)) pair.previous = -1;
+  if (is_excluded(link.link + 1)) pair.next = -1;
   pair.contact_distance = contact_distance;
   pair.disc_radius = def.radius;
   pair.touch.other = other.id;

@@ -68,6 +68,22 @@ bool are_close(const CordParts& cord, int k, int link) {
   return std::min(apart, n + 1 - apart) <= close_links;
 }
 
+bool were_neighbours(const Member& member, int k, const Member& other, int link) {
+  const Cord::State& state = member.cord->state;
+  const Cord::State& others = other.cord->state;
+  const CordDef& def = member.cord->def;
+  const CordDef& other_def = other.cord->def;
+  const bool after = state.joined_last != 0 && state.joined_last == other.id && others.joined_first == member.id;
+  const bool before = state.joined_first != 0 && state.joined_first == other.id && others.joined_last == member.id;
+  if (!after && !before) return false;
+  const int size = outline_points(other_def);
+  if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
+  const Vec2 shift{after ? def.length : -other_def.length, 0.0};
+  const Separation gap = find_separation(rest_position(def, k), rest_position(other_def, link) + shift,
+                                         rest_position(other_def, link + 1) + shift);
+  return gap.distance < neighbourhood * def.radius;
+}
+
 bool are_neighbours(const CordDef& def, int k, int link) {
   const int size = outline_points(def);
   if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;

@@ -25,4 +25,8 @@ bool are_close(const CordParts& cord, int k, int link);
 /// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
 bool are_neighbours(const CordDef& def, int k, int link);
 
+/// Returns the same for point k of a cord and a link of the cord that it was cut from, or a piece of it that begins or
+/// ends there.
+bool were_neighbours(const Member& member, int k, const Member& other, int link);
+
 }  // namespace ribbon

@@ -17,6 +17,15 @@ struct CordParts {
 
   std::size_t size() const { return state.positions.size(); }
   bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
+  /// Returns whether it collides with other cords.
+  bool meets_cords() const { return def.cord_contact || (def.self_contact && state.family != 0); }
+  /// Returns whether it is a piece of the same cord as another.
+  bool is_piece_with(const CordParts& other) const { return state.family != 0 && state.family == other.state.family; }
+  /// Returns whether it collides with that other cord. Pieces of one cord do so if the cord collided with itself.
+  bool meets(const CordParts& other) const {
+    if (is_piece_with(other)) return def.self_contact;
+    return def.cord_contact && other.def.cord_contact;
+  }
   /// Returns the positions, and the velocities whose damping the tensions include.
   Motion motion_of_tensions() const;
   /// Returns the energies under `gravity` [m/s²].

@@ -87,6 +87,7 @@ Scene full_scene() {
   def.damping = 0.01;
   def.drag = 0.7;
   def.tension_only = true;
+  def.breaking_force = 88.0;
   def.friction = 0.4;
   def.restitution = 0.6;
   def.self_contact = true;
@@ -100,6 +101,7 @@ Scene full_scene() {
   scene.holds = {{2, 3, 0.5, 1, {0.1, 0.2}, 44.0, true, 0.75, 3.0}};
   scene.drags = {{1, 4, 6, 2.5, {{1.0, 2.0}, {3.0, 4.0}}}};
   scene.reels = {{4, 3, 5, 6, 0.25, 0.125}};
+  scene.cuts = {{19, 0.25, 0.75, true}};
   return scene;
 }
 
@@ -126,6 +128,7 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            ".def.damping = 0.01;",
            ".def.drag = 0.7;",
            ".def.tension_only = true;",
+           ".def.breaking_force = 88.0;",
            ".def.friction = 0.4;",
            ".def.restitution = 0.6;",
            ".def.self_contact = true;",
@@ -158,6 +161,10 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            "drags[0].from_tick = 6;",
            "drags[0].speed = 2.5;",
            "drags[0].path = {{1.0, 2.0}, {3.0, 4.0}};",
+           "cuts[0].tick = 19;",
+           "cuts[0].cord = 0.25;",
+           "cuts[0].place = 0.75;",
+           "cuts[0].weakens = true;",
            "reels[0].cord = 4;",
            "reels[0].first = 3;",
            "reels[0].last = 5;",

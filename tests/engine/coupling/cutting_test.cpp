@@ -306,6 +306,78 @@ TEST(ABreakingCord, OverAPegBreaksOnTheSideOfTheGreaterTension) {
   EXPECT_GT(scene.coupling.cut_events()[0].arc, 1.7) << "beyond the peg, on the heavy side";
 }
 
+TEST(ABreakingCord, OfOneLinkIsDust) {
+  GripWorld scene;
+  CordDef def;
+  def.points = 2;
+  def.length = 1.0;
+  def.positions = {{0.0, 0.0}, {0.0, -1.0}};
+  def.pins = {0};
+  def.breaking_force = 20.0;
+  const CordId rope = scene.coupling.add(Cord(def));
+  b2Body* load = scene.add_body({0.0, -1.0}, 3.0);
+  const GripId grip = scene.coupling.hold(*load, {.cord = rope, .arc = 1.0});
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.cut_events()[0].first || scene.coupling.cut_events()[0].second);
+  EXPECT_EQ(scene.coupling.size(), 0);
+  EXPECT_FALSE(scene.coupling.grip(grip).is_valid());
+  EXPECT_EQ(scene.coupling.add(Cord(def)), 1);
+  scene.tick(2);
+  EXPECT_EQ(scene.coupling.size(), 1) << "without a load it holds";
+}
+
+/// The ends of the pieces lie in each other, and what lies on the ground stays there.
+TEST(CuttingACord, ThatLiesOnTheGroundMovesNothing) {
+  for (const bool self_contact : {false, true}) {
+    GripWorld scene;
+    b2BodyDef ground;
+    b2EdgeShape edge;
+    edge.SetTwoSided({-50.0F, 0.0F}, {50.0F, 0.0F});
+    b2FixtureDef fixture;
+    fixture.shape = &edge;
+    fixture.friction = 0.5F;
+    scene.world.CreateBody(&ground)->CreateFixture(&fixture);
+    CordDef def;
+    def.points = 21;
+    def.length = 2.0;
+    def.radius = 0.04;
+    def.friction = 0.5;
+    def.self_contact = self_contact;
+    def.cord_contact = true;
+    def.positions = test_support::equally_spaced(def.points, {0.0, 0.06}, {0.1, 0.0});
+    const CordId rope = scene.coupling.add(Cord(def));
+    scene.tick(120);
+    const auto rest = scene.coupling.cord(rope).positions();
+    const std::vector<Vec2> before(rest.begin(), rest.end());
+    const CutEvent cut = scene.coupling.cord(rope).cut(0.97);
+    scene.tick(60);
+    for (const auto& [piece, shift] :
+         {std::pair(*cut.first, std::size_t{0}), std::pair(*cut.second, std::size_t{10})}) {
+      const auto x = scene.coupling.cord(piece).positions();
+      for (std::size_t p = 0; p < x.size(); ++p) EXPECT_LE(length(x[p] - before[p + shift]), 1e-4) << self_contact;
+    }
+  }
+}
+
+/// Where a hand holds a cord, the cord lies in its body. A piece that it holds no more is not thrown out of it.
+TEST(CuttingACord, BelowAHandLetsTheRestFallThroughItsBody) {
+  GripWorld scene;
+  CordDef def = hanging();
+  def.radius = 0.02;
+  const CordId rope = scene.coupling.add(Cord(def));
+  b2Body* hand = scene.add_body({0.0, -5.0}, 30.0);
+  hand->GetFixtureList()->SetFilterData({});
+  const GripId grip = scene.coupling.hold(*hand, {.cord = rope, .arc = 5.0});
+  scene.tick(30);
+  const CutEvent cut = scene.coupling.cord(rope).cut(5.05);
+  EXPECT_EQ(scene.coupling.grip(grip).state().cord, *cut.first);
+  scene.tick(12);
+  const auto x = scene.coupling.cord(*cut.second).positions();
+  EXPECT_NEAR(x[0].y, -5.0 - 0.5 * g * 0.04, 0.05);
+  EXPECT_NEAR(x[0].x, 0.0, 1e-6);
+}
+
 /// A hanging rope pulls at its pin with its weight and that of the loads.
 TEST(ABreakingCord, TellsTheReactionOfItsPin) {
   LoadedRope scene;

@@ -158,6 +158,16 @@ std::string code_of(const Reel& reel, const std::string& object) {
   return lines.all();
 }
 
+std::string code_of(const Cut& cut, const std::string& object) {
+  const Cut plain;
+  Lines lines(object);
+  lines.set("tick", cut.tick, plain.tick);
+  lines.set("cord", cut.cord, plain.cord);
+  lines.set("place", cut.place, plain.place);
+  lines.set("weakens", cut.weakens, plain.weakens);
+  return lines.all();
+}
+
 template <typename Part>
 std::string code_of_all(const std::vector<Part>& parts, const std::string& list) {
   std::string code;
@@ -178,7 +188,8 @@ std::string to_code(const Scene& scene, std::string_view name) {
   lines.set("sleeping", scene.sleeping, plain.sleeping);
   return std::string("any_scene::Scene ") + std::string(name) + "() {\n  any_scene::Scene scene;\n" + lines.all() +
          code_of_all(scene.cords, "cords") + code_of_all(scene.solids, "solids") + code_of_all(scene.holds, "holds") +
-         code_of_all(scene.drags, "drags") + code_of_all(scene.reels, "reels") + "  return scene;\n}\n";
+         code_of_all(scene.drags, "drags") + code_of_all(scene.reels, "reels") + code_of_all(scene.cuts, "cuts") +
+         "  return scene;\n}\n";
 }
 
 }  // namespace any_scene

@@ -36,7 +36,7 @@ EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) 
 
 Lengths lengths(const ribbon::box2d::Coupling& coupling) {
   Lengths worst;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     const ribbon::Cord& cord = coupling.cord(c).direct();
     const ribbon::CordDef& def = cord.def();
     for (int i = 0; i + 1 < def.points; ++i) {
@@ -54,7 +54,7 @@ Lengths lengths(const ribbon::box2d::Coupling& coupling) {
 
 int inverted(const ribbon::box2d::Coupling& coupling) {
   int count = 0;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     const ribbon::Cord& cord = coupling.cord(c).direct();
     if (cord.def().area_stiffness == 0.0) continue;
     const auto at = [&](int i, int j) { return cord.positions()[slot(cord.index(i, j))]; };

@@ -191,12 +191,23 @@ void vary_cords(Dice dice, Scene& scene) {
   }
 }
 
+/// Every tenth tick a cord is cut, or a link of it breaks. Some ropes break above a force of their own.
+void add_cuts(Dice& dice, Scene& scene) {
+  for (SceneCord& cord : scene.cords) {
+    if (cord.def.rows == 1 && dice.coin()) cord.def.breaking_force = log_uniform(dice, 3.0, 3e3);
+  }
+  for (int tick = 9; tick < scene.ticks; tick += 10) {
+    const double cord = 0.999 * dice();
+    scene.cuts.push_back({tick, cord, dice(0.01, 0.99), dice.coin()});
+  }
+}
+
 }  // namespace
 
 std::string_view name(Family family) {
-  constexpr std::string_view names[] = {"rope_falls",   "rope_self",    "ropes_mutual", "ropes_both",
-                                        "hold_points",  "hold_between", "grips_slip",   "ribbon_falls",
-                                        "ribbons_both", "mixed",        "heap",         "heap_held"};
+  constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
+                                        "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed",
+                                        "heap",         "heap_held",  "cut"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -205,7 +216,7 @@ std::string_view name(Difficulty difficulty) { return difficulty == Difficulty::
 Scene generate(const SceneId& which) {
   Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.difficulty) +
             12345U);
-  const bool mixed = which.family == Family::mixed;
+  const bool mixed = which.family == Family::mixed || which.family == Family::cut;
   const Recipe recipe = recipe_of(which.family, dice);
   Scene scene;
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
@@ -237,6 +248,7 @@ Scene generate(const SceneId& which) {
   add_holders(dice, recipe, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);
   if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
+  if (which.family == Family::cut) add_cuts(dice, scene);
   return scene;
 }
 

@@ -137,18 +137,29 @@ Outline outline_at_rest(const ribbon::CordDef& def) {
   return outline(def, positions);
 }
 
-std::vector<char> neighbours(const ribbon::CordDef& def) {
-  const Outline rest = outline_at_rest(def);
-  const int n = rest.links();
-  std::vector<char> near(slot(n * n), 0);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const double apart = distance(rest.start(i), rest.end(i), rest.start(j), rest.end(j));
+namespace {
+
+std::vector<char> near_links(const Outline& a, const Outline& b, Vec2 shift, double radius) {
+  std::vector<char> near;
+  for (int i = 0; i < a.links(); ++i) {
+    for (int j = 0; j < b.links(); ++j) {
+      const double apart = distance(a.start(i), a.end(i), b.start(j) + shift, b.end(j) + shift);
       // Links that share a point have distance 0.
-      near[slot(i * n + j)] = apart <= 1e-9 || apart < own_neighbourhood * def.radius * (1.0 + 1e-9) ? 1 : 0;
+      near.push_back(apart <= 1e-9 || apart < own_neighbourhood * radius * (1.0 + 1e-9) ? 1 : 0);
     }
   }
   return near;
+}
+
+}  // namespace
+
+std::vector<char> neighbours(const ribbon::CordDef& def) {
+  const Outline rest = outline_at_rest(def);
+  return near_links(rest, rest, {}, def.radius);
+}
+
+std::vector<char> neighbours(const ribbon::CordDef& before, const ribbon::CordDef& after) {
+  return near_links(outline_at_rest(before), outline_at_rest(after), {before.length, 0.0}, before.radius);
 }
 
 }  // namespace any_scene

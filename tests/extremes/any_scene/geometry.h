@@ -57,5 +57,7 @@ Outline outline_at_rest(const ribbon::CordDef& def);
 /// Returns for each pair of links, at i · links + j, whether they are so close at rest that the solver does not
 /// separate all of them.
 std::vector<char> neighbours(const ribbon::CordDef& def);
+/// Returns the same for a link of a cord and one of the cord that was cut from its last column.
+std::vector<char> neighbours(const ribbon::CordDef& before, const ribbon::CordDef& after);
 
 }  // namespace any_scene

@@ -69,12 +69,18 @@ Outline in_frame(const Outline& line, const Pose& pose) {
 }  // namespace
 
 Oracles::Oracles(const Scene& scene) : scene_(scene) {
-  for (const SceneCord& cord : scene.cords) near_.push_back(neighbours(cord.def));
+  for (const SceneCord& cord : scene.cords) {
+    near_.push_back(neighbours(cord.def));
+    links_.push_back(outline_at_rest(cord.def).links());
+    joined_.emplace_back();
+    if (cord.cut_from >= 0) joined_.back() = neighbours(scene.cords[slot(cord.cut_from)].def, cord.def);
+  }
 }
 
 bool Oracles::meet(int a, int b) const {
   const ribbon::CordDef& first = scene_.cords[slot(a)].def;
-  if (a == b) return first.self_contact;
+  const int family = scene_.cords[slot(a)].family;
+  if (a == b || (family >= 0 && family == scene_.cords[slot(b)].family)) return first.self_contact;
   return first.cord_contact && scene_.cords[slot(b)].def.cord_contact;
 }
 
@@ -86,7 +92,7 @@ std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapsh
       if (meet(a, b) && cords_crossed(a, b, before, after)) found.push_back({a, b, false});
     }
     for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
-      if (holds(scene_, s, a)) continue;
+      if (is_held_by(a, s)) continue;
       const bool is_edge = scene_.solids[slot(s)].shape == Shape::edge;
       const bool crossed = is_edge ? edge_crossed(a, s, before, after) : solid_crossed(a, s, before, after);
       const bool pressed = before.pressed[slot(s)] != 0 || after.pressed[slot(s)] != 0;
@@ -96,6 +102,23 @@ std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapsh
   return found;
 }
 
+/// Returns whether a solid holds a cord or another piece of the same one.
+bool Oracles::is_held_by(int cord, int solid) const {
+  const int family = scene_.cords[slot(cord)].family;
+  for (int other = 0; other < static_cast<int>(scene_.cords.size()); ++other) {
+    const bool same = other == cord || (family >= 0 && family == scene_.cords[slot(other)].family);
+    if (same && holds(scene_, solid, other)) return true;
+  }
+  return false;
+}
+
+/// Returns whether two links were near each other in the cord from which both were cut.
+bool Oracles::were_close(int a, int i, int b, int j) const {
+  if (scene_.cords[slot(a)].cut_from == b) return were_close(b, j, a, i);
+  if (scene_.cords[slot(b)].cut_from != a) return false;
+  return joined_[slot(b)][slot(i * links_[slot(b)] + j)] != 0;
+}
+
 /// A crossing is new if the number of crossings grew and no crossing was near it before.
 bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const {
   const Outline& a0 = before.cords[slot(a)];
@@ -103,7 +126,9 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   const Outline& a1 = after.cords[slot(a)];
   const Outline& b1 = after.cords[slot(b)];
   const int links = b1.links();
-  const auto close = [&](int i, int j) { return a == b && near_[slot(a)][slot(i * links + j)] != 0; };
+  const auto close = [&](int i, int j) {
+    return a == b ? near_[slot(a)][slot(i * links + j)] != 0 : were_close(a, i, b, j);
+  };
   const std::vector<Pair> was = crossing_pairs(a0, b0, a == b);
   const std::vector<Pair> is = crossing_pairs(a1, b1, a == b);
   if (is.size() > was.size()) {
@@ -116,19 +141,21 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   }
   if (!was.empty()) return false;
   const double margin = scene_.cords[slot(a)].def.radius + scene_.cords[slot(b)].def.radius;
-  const auto a_passes_b = [&](const Outline& p0, const Outline& p1, const Outline& q0, const Outline& q1) {
+  const auto passes_other = [&](const Outline& p0, const Outline& p1, const Outline& q0, const Outline& q1,
+                                const auto& is_close) {
     for (int k = 0; k < static_cast<int>(p0.points.size()); ++k) {
       const auto skip = [&](int j) {
         const int n = static_cast<int>(p0.points.size());
         const int last = p0.closed ? k : std::min(k, n - 2);
         const int first = p0.closed ? (k + n - 1) % n : std::max(k - 1, 0);
-        return close(first, j) || close(last, j);
+        return is_close(first, j) || is_close(last, j);
       };
       if (passes_line(swept(p0, p1, k), q0, q1, margin, skip)) return true;
     }
     return false;
   };
-  return a_passes_b(a0, a1, b0, b1) || (a != b && a_passes_b(b0, b1, a0, a1));
+  const auto close_to_a = [&](int i, int j) { return close(j, i); };
+  return passes_other(a0, a1, b0, b1, close) || (a != b && passes_other(b0, b1, a0, a1, close_to_a));
 }
 
 /// Returns the depth of the deepest link, m.
@@ -181,7 +208,7 @@ double Oracles::nearest(int a, int b, const Snapshot& now, double within) const 
     for (int j = a == b ? i + 2 : 0; j < second.links(); ++j) {
       const double far = size + 0.5 * length(second.end(j) - second.start(j)) + least;
       if (length(0.5 * (second.start(j) + second.end(j)) - middle) > far) continue;
-      if (a == b && near_[slot(a)][slot(i * second.links() + j)] != 0) continue;
+      if (a == b ? near_[slot(a)][slot(i * second.links() + j)] != 0 : were_close(a, i, b, j)) continue;
       least = std::min(least, distance(first.start(i), first.end(i), second.start(j), second.end(j)));
     }
   }
@@ -203,7 +230,7 @@ Depth Oracles::penetration(const Snapshot& now) const {
     }
     for (int s = 0; s < static_cast<int>(scene_.solids.size()); ++s) {
       const double contact_distance = radius + skin(scene_.solids[slot(s)]);
-      if (holds(scene_, s, a) || contact_distance == 0.0) continue;
+      if (is_held_by(a, s) || contact_distance == 0.0) continue;
       take(1.0 + depth_of(a, s, now) / contact_distance, {a, s, true});
     }
   }

@@ -39,6 +39,8 @@ class Oracles {
 
  private:
   bool meet(int a, int b) const;
+  bool is_held_by(int cord, int solid) const;
+  bool were_close(int a, int i, int b, int j) const;
   bool cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const;
   bool solid_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const;
   bool edge_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const;
@@ -46,7 +48,9 @@ class Oracles {
   double depth_of(int cord, int solid, const Snapshot& now) const;
 
   Scene scene_;
-  std::vector<std::vector<char>> near_;  // by cord: the result of neighbours()
+  std::vector<std::vector<char>> near_;    // by cord: the result of neighbours()
+  std::vector<int> links_;                 // by cord
+  std::vector<std::vector<char>> joined_;  // by cord: the same for the one that it was cut from; empty if none
 };
 
 /// Returns the overlap of two solids, m; negative if they are apart.

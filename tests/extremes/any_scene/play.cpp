@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "tests/extremes/any_scene/figures.h"
 
@@ -29,21 +31,36 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
   World world(scene);
-  const Oracles oracles(scene);
+  Scene present = scene;
+  std::optional<Oracles> oracles(std::in_place, present);
   EnergyBalance balance(world.energy(), world.weight(), world.heights());
   const bool driven = is_driven(scene);
   Snapshot before = world.snapshot();
   int inside_out = inverted(world.coupling());
   for (int k = 0; k < scene.ticks; ++k) {
     Sample sample;
-    sample.milliseconds = world.tick(k);
+    const auto look_at_pieces = [&] {
+      present = world.present_scene();
+      oracles.emplace(present);
+      inside_out = inverted(world.coupling());
+    };
+    if (world.drive(k)) {
+      look_at_pieces();
+      before = world.snapshot();
+      sample.gain = balance.take(world.energy(), world.heights()).in_tick;  // by the cut
+    }
+    sample.milliseconds = world.tick();
     sample.finite = world.is_finite();
     if (sample.finite) {
+      if (world.has_broken()) {
+        look_at_pieces();
+        before = world.snapshot();  // crossings of the tick are not looked for
+      }
       Snapshot after = world.snapshot();
-      look(world, oracles, before, after, sample);
+      look(world, *oracles, before, after, sample);
       sample.energy = world.energy().total;
       const EnergyBalance::Gain gain = balance.take(world.energy(), world.heights());
-      if (!driven) sample.gain = gain.in_tick;
+      sample.gain = driven ? 0.0 : std::max(sample.gain, gain.in_tick);
       if (!driven) sample.rise = gain.since_lowest;
       const int now_inside_out = inverted(world.coupling());
       sample.inverted = std::max(0, now_inside_out - inside_out);

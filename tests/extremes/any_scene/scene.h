@@ -40,6 +40,8 @@ struct SceneCord {
   ribbon::CordDef def;          ///< with positions; the scene's preset sets the accuracy
   ribbon::Vec2 velocity;        ///< m/s
   bool other_softness = false;  ///< Accuracy::soft_contacts is the opposite of the preset's
+  int family = -1;              ///< pieces of one cord have the same; −1 for a whole one. For the oracles
+  int cut_from = -1;            ///< index of the cord from whose last column it was cut; −1 if none. For the oracles
 
   bool operator==(const SceneCord&) const = default;
 };
@@ -82,6 +84,16 @@ struct Reel {
   bool operator==(const Reel&) const = default;
 };
 
+/// Cuts a cord before a tick.
+struct Cut {
+  int tick = 0;
+  double cord = 0.0;     ///< 0 … below 1, share of the cords that there are then, by id
+  double place = 0.5;    ///< above 0 and below 1, share of its length
+  bool weakens = false;  ///< instead, a rope's link there cannot bear any tension from then on, and breaks
+
+  bool operator==(const Cut&) const = default;
+};
+
 /// All inputs of a run.
 struct Scene {
   ribbon::Vec2 gravity{0.0, -9.81};  ///< m/s²
@@ -93,6 +105,7 @@ struct Scene {
   std::vector<Hold> holds;
   std::vector<Drag> drags;
   std::vector<Reel> reels;
+  std::vector<Cut> cuts;
 
   bool operator==(const Scene&) const = default;
 };

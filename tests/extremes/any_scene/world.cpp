@@ -9,6 +9,7 @@
 namespace any_scene {
 
 using ribbon::Vec2;
+using ribbon::box2d::CordId;
 using ribbon::box2d::CouplingState;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
@@ -111,14 +112,14 @@ void World::add(const Hold& hold) {
   if (hold.climb_to >= 0.0) coupling_.grip(grips_.back()).climb(hold.climb_to, hold.climb_speed);
 }
 
-void World::drive(int number) {
+bool World::drive(int number) {
   for (const Reel& reel : scene_.reels) {
-    if (reel.from_tick == number)
+    if (reel.from_tick == number && coupling_.cord(reel.cord).is_valid())
       coupling_.cord(reel.cord).direct().reel(reel.first, reel.last, reel.length, reel.speed);
   }
   for (std::size_t k = 0; k < scene_.drags.size(); ++k) {
     const Drag& drag = scene_.drags[k];
-    if (number < drag.from_tick) continue;
+    if (number < drag.from_tick || !coupling_.cord(drag.cord).is_valid()) continue;
     if (number == drag.from_tick) drag_starts_[k] = coupling_.cord(drag.cord).positions()[slot(drag.point)];
     bool arrived = false;
     bool was_there = false;
@@ -131,10 +132,27 @@ void World::drive(int number) {
       coupling_.cord(drag.cord).free(drag.point);
     }
   }
+  bool is_cut = false;
+  for (const Cut& wanted : scene_.cuts) is_cut = (wanted.tick == number && cut(wanted)) || is_cut;
+  return is_cut;
 }
 
-double World::tick(int number) {
-  drive(number);
+/// Returns whether a cord was cut.
+bool World::cut(const Cut& cut) {
+  const auto cords = coupling_.cords();
+  if (cords.empty()) return false;
+  const CordId id = cords[static_cast<std::size_t>(cut.cord * static_cast<double>(cords.size()))];
+  ribbon::Cord& cord = coupling_.cord(id).direct();
+  const int columns = cord.def().points;
+  if (cut.weakens && cord.def().rows == 1) {
+    cord.set_breaking_force(static_cast<int>(cut.place * (columns - 1)), 0.0);
+    return false;
+  }
+  coupling_.cord(id).cut(cut.place * coupling_.cord(id).arc((columns - 1) * cord.def().rows));
+  return true;
+}
+
+double World::tick() {
   coupling_.gather(world_, dt);
   const auto begun = std::chrono::steady_clock::now();
   coupling_.step();
@@ -148,9 +166,43 @@ double World::tick(int number) {
   return time.count();
 }
 
+bool World::has_broken() const {
+  const auto events = coupling_.cut_events();
+  return std::any_of(events.begin(), events.end(), [](const auto& event) { return event.broke; });
+}
+
+Scene World::present_scene() const {
+  Scene scene = scene_;
+  scene.cords.clear();
+  scene.holds.clear();
+  const auto cords = coupling_.cords();
+  // The ids of the solver are those of the coupling, with the highest bit.
+  const auto solver_id = [](CordId id) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(id); };
+  std::vector<ribbon::Cord::State> states;
+  for (const CordId id : cords) states.push_back(coupling_.cord(id).direct().save());
+  for (std::size_t k = 0; k < cords.size(); ++k) {
+    SceneCord cord{coupling_.cord(cords[k]).direct().def(), {}};
+    if (states[k].family != 0) cord.family = static_cast<int>(states[k].family - solver_id(0));
+    for (std::size_t other = 0; other < cords.size(); ++other) {
+      const bool joined =
+          states[k].joined_first == solver_id(cords[other]) && states[other].joined_last == solver_id(cords[k]);
+      if (joined) cord.cut_from = static_cast<int>(other);
+    }
+    scene.cords.push_back(std::move(cord));
+  }
+  for (std::size_t k = 0; k < grips_.size(); ++k) {
+    if (!coupling_.grip(grips_[k]).is_valid()) continue;
+    Hold hold = scene_.holds[k];
+    hold.cord = static_cast<int>(std::lower_bound(cords.begin(), cords.end(), coupling_.grip(grips_[k]).state().cord) -
+                                 cords.begin());
+    scene.holds.push_back(hold);
+  }
+  return scene;
+}
+
 Snapshot World::snapshot() const {
   Snapshot now;
-  for (int c = 0; c < coupling_.size(); ++c) {
+  for (const CordId c : coupling_.cords()) {
     now.cords.push_back(outline(coupling_.cord(c).direct().def(), coupling_.cord(c).positions()));
   }
   for (const b2Body* body : bodies_) {
@@ -208,7 +260,7 @@ double World::work_on_moved_bodies(const CouplingState& planned) const {
 
 World::Energy World::energy() const {
   Energy sum;
-  for (int c = 0; c < coupling_.size(); ++c) {
+  for (const CordId c : coupling_.cords()) {
     const ribbon::Cord::Energy of_cord = coupling_.cord(c).direct().energy(scene_.gravity);
     sum.total += of_cord.total();
     sum.kinetic += of_cord.kinetic;
@@ -233,7 +285,7 @@ double World::weight() const {
 Vec2 World::heights() const {
   Vec2 range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const auto take = [&](double y) { range = {std::min(range.x, y), std::max(range.y, y)}; };
-  for (int c = 0; c < coupling_.size(); ++c) {
+  for (const CordId c : coupling_.cords()) {
     for (const Vec2 x : coupling_.cord(c).positions()) take(x.y);
   }
   for (const b2Body* body : bodies_) {
@@ -244,14 +296,14 @@ Vec2 World::heights() const {
 
 double World::fastest() const {
   double most = 0.0;
-  for (int c = 0; c < coupling_.size(); ++c) {
+  for (const CordId c : coupling_.cords()) {
     for (const Vec2 v : coupling_.cord(c).direct().velocities()) most = std::max(most, length(v));
   }
   return most;
 }
 
 bool World::is_finite() const {
-  for (int c = 0; c < coupling_.size(); ++c) {
+  for (const CordId c : coupling_.cords()) {
     for (const Vec2 x : coupling_.cord(c).positions()) {
       if (!ribbon::is_finite(x)) return false;
     }
@@ -266,9 +318,9 @@ bool World::is_finite() const {
 }
 
 /// Returns whether a grip that may slip is at an end of its cord.
-bool World::has_slipped_off(double arc, const Hold& hold) const {
+bool World::has_slipped_off(CordId id, double arc, const Hold& hold) const {
   if (std::isinf(hold.strength)) return false;
-  const ribbon::Cord& cord = coupling_.cord(hold.cord).direct();
+  const ribbon::Cord& cord = coupling_.cord(id).direct();
   double whole = 0.0;
   for (int i = 0; i + 1 < cord.def().points; ++i) whole += cord.rest_length(i);
   return arc <= 1e-6 * whole || arc >= (1.0 - 1e-6) * whole;
@@ -277,7 +329,7 @@ bool World::has_slipped_off(double arc, const Hold& hold) const {
 /// Returns the distance between hand and held place, m; 0 if released.
 double World::gap(std::size_t hold) const {
   const auto grip = coupling_.grip(grips_[hold]);
-  if (!grip.is_valid() || has_slipped_off(grip.state().arc, scene_.holds[hold])) return 0.0;
+  if (!grip.is_valid() || has_slipped_off(grip.state().cord, grip.state().arc, scene_.holds[hold])) return 0.0;
   const b2Body& body = *bodies_[slot(scene_.holds[hold].solid)];
   const Vec2 hand = to_double(body.GetWorldPoint(to_float(scene_.holds[hold].local_anchor)));
   return length(grip.state().place - hand);

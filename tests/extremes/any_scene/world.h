@@ -25,8 +25,14 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// Drives what the scene drives in a tick. Returns whether a cord was cut.
+  bool drive(int number);
   /// Takes one tick; returns the milliseconds of Coupling::step.
-  double tick(int number);
+  double tick();
+  /// Returns whether a link broke in the last tick.
+  bool has_broken() const;
+  /// Returns a scene with the cords that there are now, and what holds them, for the oracles.
+  Scene present_scene() const;
 
   const ribbon::box2d::Coupling& coupling() const { return coupling_; }
   Snapshot snapshot() const;
@@ -53,8 +59,8 @@ class World {
   void add(const Solid& solid);
   void add(const SceneCord& cord, Preset preset);
   void add(const Hold& hold);
-  void drive(int number);
-  bool has_slipped_off(double arc, const Hold& hold) const;
+  bool cut(const Cut& cut);
+  bool has_slipped_off(ribbon::box2d::CordId id, double arc, const Hold& hold) const;
   double gap(std::size_t hold) const;
   void update_pushed_bodies();
   struct Moving;
