@@ -4,6 +4,7 @@
 /// All of the coupling of cords with Box2D. The headers can be included separately too.
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/cord_queries.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/coupling_types.h"

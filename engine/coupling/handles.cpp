@@ -45,6 +45,7 @@ double CordView::arc(int point, double along) const {
   return cord.arc_at(column + along);
 }
 
+const b2Filter& CordView::filter() const { return parts_->cords.at(id_).filter; }
 bool CordView::is_enabled() const { return parts_->cords.at(id_).enabled; }
 std::uintptr_t CordView::user_data() const { return parts_->cords.at(id_).user_data; }
 std::span<const FixtureTouch> CordView::touching() const { return parts_->cords.at(id_).touching; }

@@ -46,6 +46,7 @@ class CordView {
   /// Returns the rest length from the first column to that place, m; 0 for the thesis's solver. Throws likewise.
   double arc(int point, double along = 0.0) const;
   bool is_enabled() const;                         ///< initially true
+  const b2Filter& filter() const;                  ///< of add or replace
   std::uintptr_t user_data() const;                ///< initially 0
   std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
   std::span<const NearShape> near() const;         ///< valid until the next gather or the destruction of a fixture

@@ -11,6 +11,7 @@
 
 #include "engine/tick/workers.h"
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/cord_queries.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/dice.h"
@@ -316,6 +317,45 @@ Variant in_contact(int count, const std::string& name, const SetUp& set_up) {
                                           [](test_support::CoupledWorld&) { return std::vector<double>{}; }});
 }
 
+/// 10,000 rays through 100 or 1,000 ropes of 21 points that swing, each across all of them.
+Variant rays(int cords) {
+  struct Rays {
+    ribbon::box2d::Coupling coupling;
+    ribbon::box2d::CordQueries queries;
+    std::vector<std::pair<Vec2, Vec2>> rays;
+    int hits = 0;
+  };
+  const auto scene = std::make_shared<Rays>();
+  test_support::Dice dice(1);
+  const int columns = static_cast<int>(std::ceil(std::sqrt(cords)));
+  for (int k = 0; k < cords; ++k) {
+    ribbon::CordDef def;
+    def.points = points;
+    def.length = link * (points - 1);
+    for (int p = 0; p < points; ++p) {
+      const int row = k / columns;
+      def.positions.push_back({k % columns + link * p * 0.6, 1.5 * row - link * p * 0.8});
+    }
+    scene->coupling.add(ribbon::Cord(def));
+  }
+  const double high = 1.5 * columns;
+  for (int k = 0; k < 10'000; ++k) {
+    scene->rays.push_back(
+        {{dice(-1.0, columns + 1.0), dice(-1.0, high)}, {dice(-1.0, columns + 1.0), dice(-1.0, high)}});
+  }
+  return {"queries",
+          "10,000 rays",
+          cords * points,
+          [] {},
+          [scene] {
+            scene->queries.update(scene->coupling);
+            for (const auto& [from, to] : scene->rays) scene->hits += scene->queries.ray_cast(from, to) ? 1 : 0;
+          },
+          [scene] { return std::vector{static_cast<double>(scene->rays.size())}; },
+          {},
+          number(cords) + " cords"};
+}
+
 std::vector<Variant> by_workers() {
   std::vector<Variant> list;
   for (const int count : {1, 2}) list.push_back(free_cords(count));
@@ -337,6 +377,15 @@ std::vector<Scene> scale_scenes() {
        20,
        large_worlds,
        {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_per_cord()}},
+      {"rays",
+       "10,000 rays through ropes, with the update of the queries in the same tick",
+       20,
+       [] {
+         std::vector<Variant> list;
+         for (const int cords : {10, 100, 1000}) list.push_back(rays(cords));
+         return list;
+       },
+       {us_per_tick(), {"ns_per_ray", 0, [](const Row& row) { return 1e3 * row.timing.median_us / row.figures[0]; }}}},
       {"workers",
        "many cords by one worker and by two: free ones, a hall of cords and balls, and strips that fall on each other",
        120,
