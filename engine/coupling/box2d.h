@@ -3,6 +3,7 @@
 /// @file
 /// All of the coupling of cords with Box2D. The headers can be included separately too.
 
+#include "ribbon/box2d/contact_listener.h"
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_queries.h"
 #include "ribbon/box2d/coupling.h"

@@ -186,7 +186,7 @@ void Coupling::gather(b2World& world, double dt) {
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
   for (CoupledCord& cord : parts.cords.active()) {
     cord.clear_surroundings();
-    Gatherer::add_shapes_of(cord, parts.conditions, index_of);
+    Gatherer::add_shapes_of(cord, parts.conditions, index_of, parts.listener);
   }
   parts.grips.gather(parts.cords, dt, [&](b2Body& body) {
     const int index = index_of(body);
@@ -272,6 +272,7 @@ void Coupling::watch(StepWatcher* watcher) {
   parts_->watcher = watcher;
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
 }
+void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
 std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
 

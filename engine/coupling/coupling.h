@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "ribbon/box2d/contact_listener.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/coupling_types.h"
 #include "ribbon/box2d/handles.h"
@@ -145,6 +146,9 @@ class Coupling {
   /// Sets an object whose functions are called before and after each step of the direct solver, or null for none. It
   /// must outlive the steps. It is not part of the state, and costs nothing if it is null.
   void watch(StepWatcher* watcher);
+  /// Sets an object that decides which fixtures collide with which cords in a tick, and with what friction; null for
+  /// none. It must outlive the ticks. It is not part of the state, and costs nothing if it is null.
+  void listen(ContactListener* listener);
   /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
   /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
   std::span<const TouchEvent> touch_events() const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/box2d/body_finder.h"
+#include "ribbon/box2d/contact_listener.h"
 #include "ribbon/box2d/coupled_cord.h"
 #include "ribbon/box2d/cut_log.h"
 #include "ribbon/box2d/fixture_ids.h"
@@ -48,6 +49,7 @@ struct CouplingParts {
   std::vector<std::pair<CordId, int>> overloaded;  // cords and their links
   std::optional<ErrorProbe> probe;
   StepWatcher* watcher = nullptr;
+  ContactListener* listener = nullptr;
   ParallelFor parallel_for;
 
   /// Adds a cord and reserves memory for its bodies.

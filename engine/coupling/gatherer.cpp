@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <variant>
 
 #include "ribbon/box2d/convert.h"
@@ -10,6 +11,17 @@
 
 namespace ribbon::box2d {
 namespace {
+
+/// What is out of range, or not a number, counts as the nearest value in it, as with fixtures.
+double within(double value, double max) { return value > 0.0 ? std::min(value, max) : 0.0; }
+
+template <typename Shape>
+void set_surface(const Surface& surface, std::span<Shape> shapes) {
+  for (Shape& shape : shapes) {
+    shape.friction = within(surface.friction, 10.0);
+    shape.restitution = within(surface.restitution, 1.0);
+  }
+}
 
 constexpr double direct_margin = 4.0;  // multiples of the distance that a cord of the direct solver moves in a tick
 constexpr double snap = 2.0;  // multiples of the speed of the whole cord if it had all of its elastic energy as kinetic
@@ -185,18 +197,27 @@ void Gatherer::number_fixtures_of(const b2Body& body, FixtureIds& fixtures) cons
 }
 
 void Gatherer::add_shapes_of(CoupledCord& cord, const StepConditions& conditions,
-                             const std::function<int(b2Body&)>& index_of) {
+                             const std::function<int(b2Body&)>& index_of, ContactListener* listener) {
   std::vector<NearShape>& near = cord.near;
   sort(near);
   for (auto first = near.begin(); first != near.end();) {
     const auto last = std::find_if(first, near.end(), [&](const NearShape& s) { return s.number != first->number; });
-    const int body = index_of(*first->fixture->GetBody());
-    if (cord.is_direct()) {
-      add_shapes({first, last}, body, cord.swept_aabb, cord.circles, cord.segments);
-    } else {
-      add_circle(cord, *first->fixture, body, conditions);
-    }
+    const std::span<const NearShape> parts(first, last);
+    const b2Fixture& fixture = *first->fixture;
     first = last;
+    Surface surface{static_cast<double>(fixture.GetFriction()), static_cast<double>(fixture.GetRestitution())};
+    if (listener != nullptr && !listener->pre_solve(cord.id, fixture, surface)) continue;
+    const int body = index_of(*parts.front().fixture->GetBody());
+    if (!cord.is_direct()) {
+      add_circle(cord, fixture, body, conditions);
+      continue;
+    }
+    const std::size_t circles = cord.circles.size();
+    const std::size_t segments = cord.segments.size();
+    add_shapes(parts, body, cord.swept_aabb, cord.circles, cord.segments);
+    if (listener == nullptr) continue;
+    set_surface(surface, std::span(cord.circles).subspan(circles));
+    set_surface(surface, std::span(cord.segments).subspan(segments));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "ribbon/box2d/contact_listener.h"
 #include "ribbon/box2d/coupled_cord.h"
 #include "ribbon/box2d/fixture_ids.h"
 #include "ribbon/box2d/near_finder.h"
@@ -29,9 +30,9 @@ class Gatherer {
   /// nothing was found near where it is now.
   static bool may_rest(const CoupledCord& cord, const StepConditions& conditions);
   /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. `index_of` returns the index of a
-  /// body in the step.
+  /// body in the step. The listener, if there is one, decides which fixtures.
   static void add_shapes_of(CoupledCord& cord, const StepConditions& conditions,
-                            const std::function<int(b2Body&)>& index_of);
+                            const std::function<int(b2Body&)>& index_of, ContactListener* listener);
 
  private:
   void load_resting_queries(CordTable& cords);
