@@ -2,10 +2,12 @@
 // Each call succeeds, or throws and changes nothing; cords and bodies stay finite.
 
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/cord_queries.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -51,12 +53,14 @@ class Fuzzed {
   void change_bodies();
   void query();
   void drive_a_cord();
+  void cut();
+  void save_or_restore();
   Observed observe() const;
   bool box2d_keeps_bodies_finite() const;
   template <typename Do>
   bool accepts(Do&& what);
 
-  ribbon::box2d::CordId cord() { return bytes_.integer(0, 3); }  // an id of a former, present or unknown cord
+  ribbon::box2d::CordId cord() { return bytes_.integer(0, 7); }  // an id of a former, present or unknown cord
   int point() { return bytes_.integer(0, 15); }
   ribbon::box2d::GripId grip() { return bytes_.integer(0, 8); }
   b2Body* body() { return bodies_.empty() ? nullptr : bodies_[bytes_.byte() % bodies_.size()]; }
@@ -66,6 +70,8 @@ class Fuzzed {
   Coupling coupling_;
   std::vector<b2Body*> bodies_;
   bool gathered_ = false;
+  std::optional<Coupling::State> saved_;
+  ribbon::box2d::CordQueries queries_;
 };
 
 void Fuzzed::add_cord() {
@@ -126,13 +132,16 @@ bool Fuzzed::accepts(Do&& what) {
 }
 
 void Fuzzed::call() {
-  switch (bytes_.below(12)) {
+  switch (bytes_.below(15)) {
     case 0:
     case 1: change_a_grip(); break;
     case 2: drive_a_cord(); break;
     case 3: change_bodies(); break;
     case 4: query(); break;
     case 5: gathered_ = accepts([&] { coupling_.gather(world_, bytes_.number(1e-3, 0.1)); }) || gathered_; break;
+    case 7:
+    case 8: cut(); break;
+    case 9: save_or_restore(); break;
     case 6: require(!accepts([&] { coupling_.apply(); }), "apply without step is refused"); break;
     default: tick();
   }
@@ -219,6 +228,29 @@ void Fuzzed::drive_a_cord() {
   }
 }
 
+void Fuzzed::cut() {
+  const ribbon::box2d::CordId c = cord();
+  switch (bytes_.below(3)) {
+    case 0: accepts([&] { coupling_.cord(c).cut(bytes_.number(0.0, 2.0)); }); break;
+    case 1: accepts([&] { coupling_.cut(bytes_.vector(-2.0, 2.0), bytes_.vector(-2.0, 2.0)); }); break;
+    default:
+      if (!coupling_.cord(c).is_valid() || coupling_.cord(c).solver() != ribbon::box2d::Solver::direct) return;
+      accepts([&] { coupling_.cord(c).direct().set_breaking_force(bytes_.integer(0, 8), bytes_.number(0.0, 100.0)); });
+  }
+  for (const ribbon::box2d::CutEvent& event : coupling_.cut_events()) {
+    require(!event.first || event.first != event.second, "the pieces of a cord have ids of their own");
+  }
+}
+
+/// A state is restored although cords were cut, added and removed since, unless bodies were.
+void Fuzzed::save_or_restore() {
+  if (!saved_ || bytes_.boolean()) {
+    if (!gathered_) saved_ = coupling_.save(world_);
+    return;
+  }
+  if (accepts([&] { coupling_.restore(*saved_, world_); })) gathered_ = false;
+}
+
 void Fuzzed::change_bodies() {
   if (bytes_.boolean() && bodies_.size() < max_bodies) {
     bodies_.push_back(&fuzz::add_arbitrary_body(world_, bytes_));
@@ -239,6 +271,13 @@ void Fuzzed::query() {
   require(!nearest || (coupling_.cord(nearest->cord).is_valid() && nearest->distance >= 0.0),
           "the nearest point is of a valid cord");
   require(!nearest || coupling_.cord(nearest->cord).is_enabled(), "the nearest point is of an enabled cord");
+  queries_.update(coupling_);
+  const Vec2 from = bytes_.vector(-2.0, 2.0);
+  const Vec2 to = bytes_.vector(-2.0, 2.0);
+  accepts([&] {
+    const auto hit = queries_.ray_cast(from, to);
+    require(!hit || (hit->fraction >= 0.0 && hit->fraction <= 1.0 && is_finite(hit->normal)), "a hit is on the ray");
+  });
   if (bytes_.boolean()) coupling_.estimate_errors(bytes_.boolean());
   for (const ribbon::box2d::TouchEvent& touch : coupling_.touch_events()) {
     require(is_finite(touch.point) && is_finite(touch.normal), "contact points and normals are finite");
