@@ -356,6 +356,42 @@ Variant rays(int cords) {
           number(cords) + " cords"};
 }
 
+/// A rope of 51 points that falls from level with a load at its end: a tick of it, and a cut in its middle. What makes
+/// the rope anew is not timed.
+Variant cut_or_tick(bool cut) {
+  struct Falling {
+    b2World world{{0.0F, -9.81F}};
+    ribbon::box2d::Coupling coupling;
+    ribbon::box2d::CordId rope = -1;
+
+    void renew() {
+      while (coupling.size() > 0) coupling.remove(coupling.cords().front());
+      ribbon::CordDef def;
+      def.pins = {0};
+      ribbon::Cord made(def);
+      made.attach_mass(def.points - 1, 1.0);
+      rope = coupling.add(std::move(made));
+      for (int k = 0; k < settling_ticks; ++k) coupling.tick(world, frame_dt);
+    }
+  };
+  const auto falling = std::make_shared<Falling>();
+  return {"coupling",
+          cut ? "a cut" : "a tick",
+          ribbon::CordDef{}.points,
+          [falling] { falling->renew(); },
+          [falling, cut] {
+            if (cut) {
+              falling->coupling.cord(falling->rope).cut(5.03);
+            } else {
+              falling->coupling.gather(falling->world, frame_dt);
+              falling->coupling.step();
+              falling->coupling.apply();
+            }
+          },
+          [] { return std::vector<double>{}; },
+          [falling] { falling->renew(); }};
+}
+
 std::vector<Variant> by_workers() {
   std::vector<Variant> list;
   for (const int count : {1, 2}) list.push_back(free_cords(count));
@@ -377,6 +413,13 @@ std::vector<Scene> scale_scenes() {
        20,
        large_worlds,
        {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_per_cord()}},
+      {"cut",
+       "a rope of 51 points that falls with a load: a tick of it, and a cut in its middle",
+       20,
+       [] {
+         return std::vector{cut_or_tick(false), cut_or_tick(true)};
+       },
+       {cords_us(), cords_max_us()}},
       {"rays",
        "10,000 rays through ropes, with the update of the queries in the same tick",
        20,
