@@ -43,6 +43,7 @@ Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
 
 double Cord::breaking_force(int link) const {
+  check_range("link", link, 0, parts_->def.points - 2);
   const std::vector<double>& forces = parts_->state.breaking_forces;
   return forces.empty() ? parts_->def.breaking_force : forces[slot(link)];
 }
@@ -145,6 +146,7 @@ void Cord::set_breaking_force(int link, double force) {
   if (!(force >= 0.0)) refuse("breaking force", force, "0 up to infinity");
   parts_->state.breaking_forces.resize(parts_->state.rest.size(), parts_->def.breaking_force);
   parts_->state.breaking_forces[slot(link)] = force;
+  parts_->wake();
 }
 
 void Cord::reel(int first, int last, double length, double speed) {

@@ -64,7 +64,7 @@ class Cord {
   /// Returns the energies under `gravity` [m/s²].
   Energy energy(Vec2 gravity) const;
 
-  /// Returns the tension above which a link breaks, N.
+  /// Returns the tension above which a link breaks, N. Throws DefinitionError for an unknown link.
   double breaking_force(int link) const;
   /// Returns the link whose tension exceeds its breaking force by the largest factor, the first of equal ones; nothing
   /// if none does. O(1) if no link can break.

@@ -155,8 +155,7 @@ CutPlace cut_at(const Cord& cord, double arc) {
   double length = 0.0;
   for (int i = 0; i < links; ++i) length += cord.rest_length(i);
   if (!(arc > 0.0 && arc < length)) {
-    throw DefinitionError("arc of a cut is " + std::to_string(arc) +
-                          "; accepted is a place inside the cord, above 0 and below " + std::to_string(length));
+    refuse("arc", arc, ("a place inside the cord, above 0 and below " + std::to_string(length)).c_str());
   }
   int link = 0;
   while (link + 1 < links && arc > cord.rest_length(link)) arc -= cord.rest_length(link++);

@@ -187,8 +187,10 @@ class Coupling {
   /// Continues from a saved state, with the same bits if the bodies have the same state too. `world` may be another
   /// world that was built in the same way, with the same numbers of bodies and fixtures in the same order. A gather
   /// without its apply is discarded. The next ids are those of the state again, so drop ids that were issued since.
-  /// Throws DefinitionError, and changes nothing, for a state of other cords or of
-  /// another world and a value out of range; CallError for a locked world.
+  /// Cords of the direct solver that were cut, removed or replaced since then are added again as they were defined, and
+  /// cords that were added since then are removed; a cord that is still there keeps the accuracy that set_accuracy set
+  /// last. Throws DefinitionError, and changes nothing, for a state with cords of the thesis's solver that are gone, of
+  /// another world, and for a value out of range; CallError for a locked world.
   void restore(const State& state, b2World& world);
 
  private:

@@ -87,8 +87,7 @@ struct EndingTouch {
 };
 
 /// State of a coupling between two ticks: everything that later ticks depend on, except the world, and the results of
-/// the last tick. Bodies and fixtures are identified by the order of their creation
-/// among those that exist, from 0.
+/// the last tick. Bodies and fixtures are identified by the order of their creation among those that exist, from 0.
 struct CouplingState {
   /// State of a cord.
   struct Cord {

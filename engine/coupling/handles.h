@@ -101,7 +101,8 @@ class CordRef : public CordView {
   /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, inside world.Step and
   /// between gather and apply; DefinitionError unless 0 < arc < length.
   CutEvent cut(double arc) const;
-  /// Stores a number of yours, such as an index or a pointer. It is not part of the state that Coupling::save returns.
+  /// Stores a number of yours, such as an index or a pointer. Coupling::restore does not
+  /// change it, but gives it back to a cord that it adds again.
   void set_user_data(std::uintptr_t data) const;
   /// Replaces a cord of the direct solver, and enables it. The id and the user data stay. Bodies that held the old cord
   /// release it, and its reports are reset. What touched the old cord and does not touch the new one gets an end event

@@ -122,7 +122,8 @@ void cut_state(ribbon::Cord::State& state, std::size_t many, bool at_front) {
   for (auto* vectors : {&state.positions, &state.velocities, &state.accelerations, &state.targets, &state.loads}) {
     cut(*vectors, many, at_front);
   }
-  for (auto* numbers : {&state.masses, &state.tensions, &state.rest, &state.rest_targets, &state.rest_speeds}) {
+  for (auto* numbers :
+       {&state.masses, &state.tensions, &state.rest, &state.rest_targets, &state.rest_speeds, &state.breaking_forces}) {
     cut(*numbers, many, at_front);
   }
   cut(state.kinds, many, at_front);

@@ -99,6 +99,26 @@ TEST(ContactListener, IsAskedOnceATickByCordAndDecidesForEach) {
   EXPECT_TRUE(scene.coupling.cord(listener.passes).touching().empty());
 }
 
+/// What sleeps on a platform falls when the listener lets it through.
+TEST(ContactListener, WakesACordThatItLetsThrough) {
+  EdgeWorld scene;
+  ByCord listener;
+  scene.coupling.listen(&listener);
+  CordDef def;
+  def.points = 11;
+  def.length = 1.0;
+  def.radius = 0.03;
+  def.friction = 0.8;
+  def.allow_sleep = true;
+  def.positions = test_support::equally_spaced(def.points, {-0.5, 0.05}, {0.1, 0.0});
+  const CordId rope = scene.coupling.add(Cord(def));
+  scene.tick(200);
+  ASSERT_TRUE(scene.coupling.cord(rope).direct().is_asleep());
+  listener.passes = rope;
+  scene.tick(30);
+  EXPECT_LT(scene.lowest(rope), -0.5);
+}
+
 TEST(ContactListener, ChangesTheFriction) {
   for (const double friction : {0.8, 0.0}) {
     EdgeWorld scene(0.3F);

@@ -144,6 +144,19 @@ TEST(CordQueries, FindsWhatAShapeOverlaps) {
   EXPECT_EQ(found[0].cord, 1);
 }
 
+TEST(CordQueries, FindCordsOfTheThesissSolver) {
+  Coupling coupling;
+  const CordId cord = coupling.add(ribbon::ThesisCord({}));
+  CordQueries queries;
+  queries.update(coupling);
+  const auto x = coupling.cord(cord).positions();
+  const Vec2 middle = 0.5 * (x[0] + x[x.size() - 1]);
+  const auto hit = queries.ray_cast(middle + Vec2{0.0, 50.0}, middle - Vec2{0.0, 50.0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->cord, cord);
+  EXPECT_LE(std::abs(hit->position.x - middle.x), 1e-9);
+}
+
 TEST(CordQueries, RefuseInvalidNumbers) {
   const CordQueries queries;
   EXPECT_THROW((void)queries.ray_cast({0.0, std::nan("")}, {}), ribbon::DefinitionError);

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/tick/workers.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/dice.h"
 #include "tests/support/refusal.h"
@@ -72,6 +73,39 @@ TEST(CuttingACord, LetsTheLoadFallAndTheRestHang) {
   scene.tick(30);
   EXPECT_NEAR(scene.load->GetPosition().y, -10.0 - 0.5 * g * 0.25, 0.02 * g * 0.25);
   EXPECT_NEAR(scene.hand->GetPosition().y, -5.0, 1e-3);
+}
+
+/// Contacts with a rope that is cut go to its pieces: a rope that lies on it, held by friction, does not slide.
+TEST(CuttingACord, KeepsTheContactsOfWhatLiesOnIt) {
+  GripWorld scene;
+  CordDef below;
+  below.points = 21;
+  below.length = 2.0;
+  below.radius = 0.03;
+  below.friction = 1.0;
+  below.cord_contact = true;
+  const Vec2 along{std::cos(0.3), std::sin(0.3)};
+  below.positions = test_support::equally_spaced(below.points, {}, 0.1 * along);
+  for (int p = 0; p < below.points; ++p) below.pins.push_back(p);
+  CordDef above = below;
+  above.pins.clear();
+  above.points = 11;
+  above.length = 1.0;
+  above.bending_stiffness = 1.0;
+  above.positions = test_support::equally_spaced(above.points, 0.5 * along + 0.06 * perp(along), 0.1 * along);
+  const CordId held = scene.coupling.add(Cord(below));
+  const CordId rope = scene.coupling.add(Cord(above));
+  scene.tick(60);
+  const auto touches = scene.coupling.cord(rope).direct().touches();
+  ASSERT_FALSE(touches.empty());
+  const Vec2 before = scene.coupling.cord(rope).positions()[5];
+  const CutEvent cut = scene.coupling.cord(held).cut(0.97);
+  for (const ribbon::Touch& touch : scene.coupling.cord(rope).direct().touches()) {
+    const auto id = static_cast<CordId>(touch.other & ~(std::uint64_t{1} << 63U));
+    EXPECT_TRUE(id == *cut.first || id == *cut.second);
+  }
+  scene.tick(60);
+  EXPECT_LE(length(scene.coupling.cord(rope).positions()[5] - before), 1e-3);
 }
 
 TEST(CuttingACord, CloseToThePinFreesIt) {
@@ -304,6 +338,53 @@ TEST(ABreakingCord, OverAPegBreaksOnTheSideOfTheGreaterTension) {
   scene.tick();
   ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
   EXPECT_GT(scene.coupling.cut_events()[0].arc, 1.7) << "beyond the peg, on the heavy side";
+}
+
+TEST(ABreakingCord, IsWokenWhenItIsWeakened) {
+  CordDef def = hanging();
+  def.allow_sleep = true;
+  def.drag = 1.0;
+  LoadedRope scene(def);
+  scene.hand->SetSleepingAllowed(true);
+  scene.load->SetSleepingAllowed(true);
+  scene.tick(300);
+  ASSERT_TRUE(scene.coupling.cord(scene.rope).direct().is_asleep());
+  scene.coupling.cord(scene.rope).direct().set_breaking_force(30, 10.0);
+  scene.tick();
+  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
+  EXPECT_NEAR(scene.coupling.cut_events()[0].arc, 6.1, 1e-9);
+  scene.tick(30);
+  EXPECT_LE(scene.load->GetPosition().y, -11.0);
+}
+
+/// Cords that touch each other and break, with several workers and with error estimates: the same motion.
+TEST(ABreakingCord, HasTheSameBitsWithWorkersAndWithEstimates) {
+  const auto run = [](int workers, bool estimates) {
+    Workers crew(workers);
+    GripWorld scene;
+    scene.coupling.use(crew.parallel_for());
+    scene.coupling.estimate_errors(estimates);
+    for (int k = 0; k < 6; ++k) {
+      CordDef def = hanging(0.03 * k);
+      def.radius = 0.02;
+      def.cord_contact = def.self_contact = true;
+      def.breaking_force = 25.0 + k;
+      const CordId rope = scene.coupling.add(Cord(def));
+      scene.coupling.hold(*scene.add_body({0.03 * k, -10.0}, 1.0), {.cord = rope, .arc = 10.0});
+    }
+    for (int k = 0; k < 40; ++k) {
+      if (k == 10) scene.coupling.cut({-1.0, -3.0}, {1.0, -3.2});
+      if (k == 20) scene.world.SetGravity({0.0F, -25.0F});
+      scene.tick();
+    }
+    Coupling::State state = scene.coupling.save(scene.world);
+    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
+    return state;
+  };
+  const Coupling::State alone = run(1, false);
+  EXPECT_GT(alone.next_cord, 6 + 12) << "all were cut, and some broke";
+  EXPECT_EQ(run(3, false), alone);
+  EXPECT_EQ(run(1, true), alone);
 }
 
 TEST(ABreakingCord, OfOneLinkIsDust) {
