@@ -68,7 +68,7 @@ IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surrounding
   check_surroundings(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
   const IslandCord alone{this, surroundings};
   CordReport report;
-  return island_->step({&alone, 1}, surroundings.bodies, dt, gravity, {&report, 1});
+  return island_->step({&alone, 1}, {}, surroundings.bodies, dt, gravity, {&report, 1});
 }
 
 const CordDef& Cord::def() const { return parts_->def; }

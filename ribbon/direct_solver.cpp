@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "ribbon/collision/motion_bounds.h"
@@ -9,6 +10,7 @@
 #include "ribbon/island/island.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/tie_groups.h"
 
 namespace ribbon {
 namespace {
@@ -17,7 +19,7 @@ constexpr int min_points_per_part = 200;  // about 20 µs of work
 
 }  // namespace
 
-DirectSolver::DirectSolver() { first_members_.push_back(0); }
+DirectSolver::DirectSolver() : ties_(std::make_unique<TieGroups>()) { first_members_.push_back(0); }
 DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
 DirectSolver& DirectSolver::operator=(DirectSolver&&) noexcept = default;
 DirectSolver::~DirectSolver() = default;
@@ -32,11 +34,12 @@ void DirectSolver::use(const ParallelFor& parallel_for) {
 }
 
 void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
-                        std::span<CordReport> reports) {
+                        std::span<CordReport> reports, std::span<const Tie> ties) {
   check_step(dt, gravity);
   check_bodies(bodies);
   for (const IslandCord& cord : cords)
     check_surroundings(cord.surroundings, bodies.size(), cord.cord->size(), cord.cord->def().rows);
+  find_ties(cords, ties);
   total_ = {};
   island_reports_.clear();
   first_members_.assign(1, 0);
@@ -44,6 +47,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   find_swept_boxes(cords, bodies, dt, gravity);
   find_islands(cords, bodies);
   list_members(cords);
+  list_tied_points();
   island_reports_.resize(at(islands()));
   member_reports_.resize(cords.size());
   parallel_for_(divide_into_parts(), [&](int part) {
@@ -53,7 +57,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
       const std::size_t count = first_members_[k + 1] - first;
       const auto members = std::span<const IslandCord>(members_).subspan(first, count);
       const auto member_reports = std::span(member_reports_).subspan(first, count);
-      island_reports_[k] = island_solvers_[p]->step(members, bodies, dt, gravity, member_reports);
+      island_reports_[k] = island_solvers_[p]->step(members, tied_points(k), bodies, dt, gravity, member_reports);
       for (const IslandCord& member : members) member.cord->parts().remember_sweep();
     }
   });
@@ -64,6 +68,12 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
       reports[member_cords_[m]] = member_reports_[m];
     }
   }
+}
+
+void DirectSolver::find_ties(std::span<const IslandCord> cords, std::span<const Tie> ties) {
+  points_.clear();
+  for (const IslandCord& cord : cords) points_.push_back(cord.cord->size());
+  ties_->find(ties, points_);
 }
 
 /// Finds the boxes of cords that may touch each other.
@@ -90,6 +100,10 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
     for (const Grip& grip : cords[k].surroundings.grips) join_by_body(k, grip.body, bodies);
     for (const RigidCircle& circle : cords[k].surroundings.circles) join_by_body(k, circle.body, bodies);
     for (const RigidSegment& segment : cords[k].surroundings.segments) join_by_body(k, segment.body, bodies);
+  }
+  const auto tied = ties_->points();
+  for (std::size_t k = 1; k < tied.size(); ++k) {
+    if (tied[k].group == tied[k - 1].group) join(at(tied[k].cord), at(tied[k - 1].cord));
   }
   join_near_cords(cords);
   for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
@@ -133,6 +147,34 @@ void DirectSolver::list_members(std::span<const IslandCord> cords) {
     members_[index] = cords[k];
     member_cords_[index] = k;
   }
+}
+
+/// Sorts the tied points by island. From then on they refer to its members.
+void DirectSolver::list_tied_points() {
+  first_tied_.clear();
+  const auto tied = ties_->points();
+  if (tied.empty()) return;
+  for (std::size_t index = 0; index < member_cords_.size(); ++index) next_members_[member_cords_[index]] = index;
+  for (TiedPoint& point : tied) point.cord = static_cast<int>(next_members_[at(point.cord)]);
+  const auto island_of = [&](const TiedPoint& point) {
+    return std::upper_bound(first_members_.begin(), first_members_.end(), at(point.cord)) - first_members_.begin() - 1;
+  };
+  std::sort(tied.begin(), tied.end(), [&](const TiedPoint& a, const TiedPoint& b) {
+    return std::tuple(island_of(a), a.group, a.cord) < std::tuple(island_of(b), b.group, b.cord);
+  });
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < at(islands()); ++k) {
+    first_tied_.push_back(next);
+    for (; next < tied.size() && at(tied[next].cord) < first_members_[k + 1]; ++next) {
+      tied[next].cord -= static_cast<int>(first_members_[k]);
+    }
+  }
+  first_tied_.push_back(next);
+}
+
+std::span<const TiedPoint> DirectSolver::tied_points(std::size_t island) const {
+  if (first_tied_.empty()) return {};
+  return ties_->points().subspan(first_tied_[island], first_tied_[island + 1] - first_tied_[island]);
 }
 
 /// Divides the islands, in their order, into parts with similar numbers of points. Returns the number of parts.

@@ -11,14 +11,17 @@
 #include "ribbon/parallel_for.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
+#include "ribbon/tie.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
 
 class Quadtree;
+class TieGroups;
+struct TiedPoint;
 
-/// Steps many cords with the direct solver. Cords that share a body or may touch each other form an island and are
-/// solved together; islands are independent. The solver stores no state between steps, only memory.
+/// Steps many cords with the direct solver. Cords that share a body, are tied or may touch each other form an
+/// island and are solved together; islands are independent. The solver stores no state between steps, only memory.
 class DirectSolver {
  public:
   DirectSolver();
@@ -27,10 +30,13 @@ class DirectSolver {
   ~DirectSolver();
 
   /// Advances all cords by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Islands are stepped in the order of their
-  /// first cords. Writes the report of cords[k] to reports[k]; there must be as many. Throws DefinitionError, and
-  /// moves nothing, if check_step, check_bodies or check_surroundings do.
+  /// first cords. Writes the report of cords[k] to reports[k]; there must be as many. Tied points move as one; in the
+  /// first step of a tie they get one velocity, which keeps their momentum, and points that are apart are drawn
+  /// together over several steps. Wake cords whose ties have changed. Throws DefinitionError, and moves nothing, if
+  /// check_step, check_bodies or check_surroundings do, for a tie of an unknown cord or point, and for one that ties a
+  /// cord to itself, directly or through others.
   void step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
-            std::span<CordReport> reports);
+            std::span<CordReport> reports, std::span<const Tie> ties = {});
 
   /// Sets how islands are stepped in parallel. The results have the same bits. Throws DefinitionError for less than one
   /// worker.
@@ -44,6 +50,7 @@ class DirectSolver {
   const IslandReport& total() const { return total_; }
 
  private:
+  void find_ties(std::span<const IslandCord> cords, std::span<const Tie> ties);
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void join_by_body(std::size_t cord, int body, std::span<const RigidBody> bodies);
   void find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
@@ -53,6 +60,8 @@ class DirectSolver {
   std::size_t root(std::size_t cord);
   void join(std::size_t a, std::size_t b);
   void list_members(std::span<const IslandCord> cords);
+  void list_tied_points();
+  std::span<const TiedPoint> tied_points(std::size_t island) const;
   int divide_into_parts();
 
   ParallelFor parallel_for_;
@@ -62,6 +71,8 @@ class DirectSolver {
   std::vector<Box> swept_boxes_;            // m, which a cord does not leave in the step without an impact
   std::vector<Box> link_boxes_;             // m, the same of each link, cord by cord
   std::vector<std::size_t> first_links_;    // index in link_boxes_ of each cord, and the end of the last
+  std::vector<int> points_;                 // by cord
+  std::unique_ptr<TieGroups> ties_;
   std::unique_ptr<Quadtree> tree_;          // of swept_boxes_
   std::size_t tree_capacity_ = 0;           // boxes
   std::vector<int> first_cords_;            // by body: the first cord near it; −1: none
@@ -69,6 +80,7 @@ class DirectSolver {
   std::vector<IslandCord> members_;         // cords, island by island
   std::vector<std::size_t> member_cords_;   // index of the cord of each member
   std::vector<std::size_t> first_members_;  // index in members_ of each island, and the end of the last
+  std::vector<std::size_t> first_tied_;     // index in ties_ of each island, and the end of the last; empty: no ties
   std::vector<std::size_t> next_members_;   // by first cord of an island: index of its next member
   std::vector<std::size_t> first_of_part_;  // first island of each part, which is one task, and the end of the last
   std::vector<IslandReport> island_reports_;

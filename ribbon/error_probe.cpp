@@ -19,7 +19,7 @@ CordDef ErrorProbe::finer_def(const Cord& cord) {
 }
 
 void ErrorProbe::foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
-                         Vec2 gravity) {
+                         Vec2 gravity, std::span<const Tie> ties) {
   while (copies_.size() > cords.size()) copies_.pop_back();
   for (std::size_t k = 0; k < cords.size(); ++k) {
     const Cord& cord = *cords[k].cord;
@@ -31,7 +31,7 @@ void ErrorProbe::foresee(std::span<const IslandCord> cords, std::span<const Rigi
   for (std::size_t k = 0; k < cords.size(); ++k) members_[k].cord = &copies_[k];
   bodies_.assign(bodies.begin(), bodies.end());
   reports_.resize(cords.size());
-  solver_.step(members_, bodies_, dt, gravity, reports_);
+  solver_.step(members_, bodies_, dt, gravity, reports_, ties);
 }
 
 double ErrorProbe::error(std::size_t cord, const Cord& stepped) const {

@@ -21,7 +21,8 @@ class ErrorProbe {
   static constexpr int finer = 4;  ///< substeps of a copy for each substep of the cord
 
   /// Advances the copies. Call it before DirectSolver::step with the same arguments.
-  void foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
+  void foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity,
+               std::span<const Tie> ties = {});
 
   /// Returns the largest distance [m] of a point of cord number `cord` from the point of its copy. Call it after the
   /// step.

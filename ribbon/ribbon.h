@@ -16,6 +16,7 @@
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/thesis/thesis_cord.h"
+#include "ribbon/tie.h"
 #include "ribbon/touch.h"
 #include "ribbon/vec2.h"
 #include "ribbon/version.h"

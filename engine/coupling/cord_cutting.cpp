@@ -54,6 +54,27 @@ void move_grips(CouplingParts& parts, const CutCord& cut, const CoupledCord& who
   }
 }
 
+/// Ties go to their piece, or end with the dust.
+void move_ties(CouplingParts& parts, const CutCord& cut, const CoupledCord& whole) {
+  const int rows = whole.shape().rows;
+  const auto side_of = [&](const TiePlace& place) { return cut.where.side_of(place.point / rows); };
+  const auto is_dust = [&](const TiePlace& place) { return place.cord == cut.id && !cut.pieces[side_of(place)]; };
+  for (std::size_t k = 0; k < parts.ties.all().size();) {
+    TieMemory& tie = parts.ties.all()[k];
+    if (is_dust(tie.place) || is_dust(tie.other)) {
+      parts.untie(tie.id);
+      continue;
+    }
+    for (TiePlace* const place : {&tie.place, &tie.other}) {
+      if (place->cord != cut.id) continue;
+      const int side = side_of(*place);
+      place->cord = *cut.pieces[side];
+      if (side == 1) place->point -= cut.where.column * rows;
+    }
+    ++k;
+  }
+}
+
 Vec2 middle(const CoupledCord& cord, const CordShape& shape, int column) {
   const auto x = cord.positions();
   const auto rows = static_cast<std::size_t>(shape.rows);
@@ -94,13 +115,6 @@ void cut_at_places(CouplingParts& parts, CordId id, const std::vector<double>& p
 
 }  // namespace
 
-void check_may_cut(const CouplingParts& parts) {
-  if (parts.finder.is_locked()) throw CallError("world is locked; accepted is a cut that is not inside its Step");
-  if (parts.phase != TickPhase::between_ticks) {
-    throw CallError("cut is between gather and apply; accepted is one before gather or after apply");
-  }
-}
-
 CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   CoupledCord& whole = parts.cords.enabled(id);
   const CordShape shape = whole.shape();
@@ -115,6 +129,7 @@ CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   cut.pieces[0] = add_piece(parts, whole, std::move(pieces.first));
   cut.pieces[1] = add_piece(parts, whole, std::move(pieces.second));
   move_grips(parts, cut, whole);
+  move_ties(parts, cut, whole);
   for (CoupledCord& other : parts.cords) {
     if (other.is_direct() && other.id != id) follow_cut(other.direct(), neighbour);
   }

@@ -5,9 +5,6 @@
 
 namespace ribbon::box2d {
 
-/// Throws CallError inside world.Step and between gather and apply.
-void check_may_cut(const CouplingParts& parts);
-
 /// Cuts an enabled cord of the direct solver: its pieces take its place, and what holds or touches it goes to its side.
 /// Adds the event to the cut log. Throws CallError if the cord cannot be cut.
 CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where);

@@ -105,6 +105,7 @@ void CoupledCord::clear_surroundings() {
   segments.clear();
   grips.clear();
   grip_ids.clear();
+  tied = false;
 }
 
 CordId CordTable::add(CoupledCord cord) {

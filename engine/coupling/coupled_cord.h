@@ -39,6 +39,8 @@ struct CoupledCord {
   std::vector<RigidSegment> segments{};
   std::vector<Grip> grips{};
   std::vector<GripId> grip_ids{};               // of each grip
+  bool tied = false;
+  int step_index = 0;                           // among the cords of the step, of the direct solver
   std::vector<FixtureTouch> touching{};         // in the last step, by fixture number
   std::vector<FixtureTouch> touching_before{};  // in the step before it
 

@@ -1,5 +1,7 @@
 #include "ribbon/box2d/coupling.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
@@ -74,13 +76,15 @@ void step_direct(CouplingParts& parts) {
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
     const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments};
+    cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id)});
   }
+  const std::span<const Tie> ties = parts.ties.of_step(parts.cords);
   parts.reports.resize(parts.island_cords.size());
-  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity);
-  const SolverInput input{parts.island_cords, bodies, dt, gravity};
+  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity, ties);
+  const SolverInput input{parts.island_cords, bodies, dt, gravity, ties};
   if (parts.watcher != nullptr) parts.watcher->before(input);
-  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports);
+  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports, ties);
   if (parts.watcher != nullptr) parts.watcher->after(input, parts.solver.island_reports(), parts.solver.total());
   std::size_t k = 0;
   for (CoupledCord& cord : parts.cords.active()) {
@@ -116,6 +120,28 @@ void release_lost(CouplingParts& parts) {
   }
 }
 
+/// Unties the ties that are overloaded, the one with the largest factor first, and one of a cord in a tick.
+void break_ties(CouplingParts& parts) {
+  auto& overloaded = parts.overloaded_ties;
+  overloaded.clear();
+  for (const TieMemory& tie : std::as_const(parts.ties).all()) {
+    if (!std::isfinite(tie.breaking_force)) continue;
+    const double load = length(tie_force(tie, parts.cords, parts.conditions.gravity)) / tie.breaking_force;
+    if (load > 1.0) overloaded.emplace_back(-load, tie.id);
+  }
+  std::sort(overloaded.begin(), overloaded.end());
+  std::vector<CordId>& relieved = parts.relieved;
+  relieved.clear();
+  for (const auto& [load, id] : overloaded) {
+    const TieMemory& tie = parts.ties.at(id);
+    const auto is_relieved = [&](CordId cord) { return std::find(relieved.begin(), relieved.end(), cord) != relieved.end(); };
+    if (is_relieved(tie.place.cord) || is_relieved(tie.other.cord)) continue;
+    relieved.push_back(tie.place.cord);
+    relieved.push_back(tie.other.cord);
+    parts.untie(id);
+  }
+}
+
 }  // namespace
 
 Coupling::Coupling() : parts_(std::make_unique<CouplingParts>()) {}
@@ -134,7 +160,7 @@ void Coupling::remove(CordId cord) { parts_->remove(cord); }
 std::span<const CutEvent> Coupling::cut(Vec2 from, Vec2 to) {
   check_coordinates("from", from);
   check_coordinates("to", to);
-  check_may_cut(*parts_);
+  check_between_ticks(*parts_, "cut");
   const std::size_t before = parts_->cuts.events().size();
   cut_along(*parts_, from, to);
   return parts_->cuts.events().subspan(before);
@@ -160,6 +186,15 @@ GripId Coupling::hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor)
   def.point = point;
   def.local_anchor = local_anchor;
   return hold(body, def);
+}
+
+TieId Coupling::tie(const TieDef& def) {
+  (void)parts_->cords.enabled(def.cord);
+  (void)parts_->cords.enabled(def.other_cord);
+  check_between_ticks(*parts_, "tie");
+  const TieId id = parts_->ties.add(def, parts_->cords);
+  for (const CordId cord : {def.cord, def.other_cord}) parts_->cords.at(cord).direct().wake();
+  return id;
 }
 
 void Coupling::tick(b2World& world, double dt, int velocity_iterations, int position_iterations) {
@@ -193,6 +228,7 @@ void Coupling::gather(b2World& world, double dt) {
     parts.bodies.entries[static_cast<std::size_t>(index)].holds = true;
     return index;
   });
+  parts.ties.gather(parts.cords);
   const auto is_gathered = [&parts](const SeenBody& seen) {
     const b2Body* const body = parts.bodies.find(seen.body);
     return body != nullptr && seen.is(*body);
@@ -245,6 +281,7 @@ void Coupling::apply() {
     }
   }
   release_lost(parts);
+  break_ties(parts);
   break_overloaded(parts);
   parts.cuts.end_tick();
   parts.phase = TickPhase::between_ticks;

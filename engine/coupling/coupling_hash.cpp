@@ -111,6 +111,12 @@ void add(Hasher& hasher, const CutEvent& event) {
   hasher.add(tension);
 }
 
+void add(Hasher& hasher, const TieMemory& tie) {
+  const auto& [id, place, other, breaking_force] = tie;
+  for (const int number : {id, place.cord, place.point, other.cord, other.point}) hasher.add(number);
+  hasher.add(breaking_force);
+}
+
 /// Adds the number of values too, so that lists with different boundaries have different hashes.
 template <typename T>
 void add_all(Hasher& hasher, const std::vector<T>& values) {
@@ -139,7 +145,7 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, next_cord, cords, grips, next_grip, carries, fixtures, next_fixture, events, ending, cuts,
+  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, carries, fixtures, next_fixture, events, ending, cuts,
                old_cuts] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
@@ -152,7 +158,12 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
-  if (cuts.empty()) return;  // golden hashes are without cuts
+  // Golden hashes are without ties and cuts:
+  if (next_tie > 1) {
+    add_all(hasher, ties);
+    hasher.add(next_tie);
+  }
+  if (cuts.empty()) return;
   add_all(hasher, cuts);
   hasher.add(old_cuts);
 }

@@ -1,6 +1,8 @@
 #include "ribbon/box2d/coupling_parts.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace ribbon::box2d {
 namespace {
@@ -66,11 +68,31 @@ bool CouplingParts::release(GripId grip) {
   return true;
 }
 
+/// Without the tie, the accelerations that its cords have are out of date.
+bool CouplingParts::untie(TieId tie) {
+  const TieMemory* const found = ties.find(tie);
+  if (found == nullptr) return false;
+  for (const TiePlace& place : {found->place, found->other}) {
+    Cord& cord = cords.at(place.cord).direct();
+    cord.set_velocity(place.point, cord.velocities()[static_cast<std::size_t>(place.point)]);
+  }
+  ties.remove(tie);
+  return true;
+}
+
 void CouplingParts::detach(CordId cord) {
   may_have_left_bodies = true;
   for (std::size_t k = 0; k < grips.all().size();) {
     if (grips.all()[k].cord == cord) {
       release(grips.all()[k].id);
+    } else {
+      ++k;
+    }
+  }
+  for (std::size_t k = 0; k < ties.all().size();) {
+    const TieMemory& tie = std::as_const(ties).all()[k];
+    if (tie.place.cord == cord || tie.other.cord == cord) {
+      untie(tie.id);
     } else {
       ++k;
     }
@@ -82,6 +104,13 @@ void CouplingParts::detach(CordId cord) {
                                              [cord](const Touch& touch) { return touch.other == solver_id(cord); });
     if (touches_removed) other.direct().wake();
   }
+}
+
+void check_between_ticks(const CouplingParts& parts, const char* what) {
+  const std::string call(what);
+  if (parts.finder.is_locked()) throw CallError("world is locked; accepted is a " + call + " that is not inside its Step");
+  if (parts.phase == TickPhase::between_ticks) return;
+  throw CallError(call + " is between gather and apply; accepted is one before gather or after apply");
 }
 
 }  // namespace ribbon::box2d

@@ -14,6 +14,7 @@
 #include "ribbon/box2d/grip_table.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/box2d/tick_bodies.h"
+#include "ribbon/box2d/tie_table.h"
 #include "ribbon/box2d/touch_tracker.h"
 #include "ribbon/box2d/velocity_carry.h"
 #include "ribbon/direct_solver.h"
@@ -30,6 +31,7 @@ struct CouplingParts {
   // The state between two ticks:
   CordTable cords;
   GripTable grips;
+  TieTable ties;
   VelocityCarry carry;
   FixtureIds fixtures;
   TouchTracker touches;
@@ -46,7 +48,9 @@ struct CouplingParts {
   DirectSolver solver;
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
-  std::vector<std::pair<CordId, int>> overloaded;  // cords and their links
+  std::vector<std::pair<CordId, int>> overloaded;      // cords and their links
+  std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
+  std::vector<CordId> relieved;                           // whose ties came undone in this tick
   std::optional<ErrorProbe> probe;
   StepWatcher* watcher = nullptr;
   ContactListener* listener = nullptr;
@@ -64,9 +68,15 @@ struct CouplingParts {
   Vec2 pull(const BodyGrip& grip) const;
   /// Releases a grip. Returns false if there is none with that id.
   bool release(GripId grip);
-  /// Releases all grips of a cord that is about to be disabled, replaced or removed, and wakes the cords that touch it.
+  /// Unties a tie. Returns false if there is none with that id.
+  bool untie(TieId tie);
+  /// Releases all grips and ties of a cord that is about to be disabled, replaced or removed, and wakes the cords that
+  /// touch it.
   void detach(CordId cord);
 };
+
+/// Throws CallError inside world.Step and between gather and apply, for a call named `what`.
+void check_between_ticks(const CouplingParts& parts, const char* what);
 
 /// Returns the id by which the direct solver knows a cord. The ids of fixtures are far below.
 inline std::uint64_t solver_id(CordId cord) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(cord); }

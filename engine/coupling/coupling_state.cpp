@@ -161,22 +161,44 @@ void check_cords(const CouplingState& state, const CordTable& cords, const std::
   }
 }
 
+void check_enabled(const char* field, CordId id, const CouplingState& state) {
+  const auto found = std::find_if(state.cords.begin(), state.cords.end(),
+                                  [id](const CouplingState::Cord& cord) { return cord.id == id; });
+  if (found != state.cords.end() && found->enabled) return;
+  throw DefinitionError(std::string(field) + " is " + std::to_string(id) + "; accepted is the id of an enabled cord");
+}
+
 void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords,
                  const std::vector<CoupledCord>& missing) {
   check_range("state.next_grip", state.next_grip, 1, most_ids);
   for (const CouplingState::Grip& grip : state.grips) {
     check_body("state.grips.body", grip.body, bodies);
-    const auto held = std::find_if(state.cords.begin(), state.cords.end(),
-                                   [&](const CouplingState::Cord& cord) { return cord.id == grip.memory.cord; });
-    if (held == state.cords.end() || !held->enabled) {
-      throw DefinitionError("state.grips.cord is " + std::to_string(grip.memory.cord) +
-                            "; accepted is the id of an enabled cord");
-    }
+    check_enabled("state.grips.cord", grip.memory.cord, state);
     check_range("state.grips.id", grip.memory.id, 1, state.next_grip - 1);
     const CoupledCord& cord = restored_to(grip.memory.cord, cords, missing);
     check_memory(grip.memory, cord.shape(), cord.is_direct());
   }
   check_order("state.grips.id", state.grips, [](const CouplingState::Grip& grip) { return grip.memory.id; });
+}
+
+/// Ties are checked as new ones are. `cords` has those of the state.
+void check_ties(const CouplingState& state, const CordTable& cords, const std::vector<CoupledCord>& missing) {
+  check_range("state.next_tie", state.next_tie, 1, most_ids);
+  check_order("state.ties.id", state.ties, [](const TieMemory& tie) { return tie.id; });
+  for (const TieMemory& tie : state.ties) {
+    check_range("state.ties.id", tie.id, 1, state.next_tie - 1);
+    for (const TiePlace& place : {tie.place, tie.other}) {
+      check_enabled("state.ties.cord", place.cord, state);
+      const CoupledCord& cord = restored_to(place.cord, cords, missing);
+      check_range("state.ties.point", place.point, 0, cord.direct().size() - 1.0);
+    }
+    if (!(tie.breaking_force > 0.0)) refuse("state.ties.breaking_force", tie.breaking_force, "above 0");
+  }
+  try {
+    check_loops(state.ties);
+  } catch (const CallError& error) {
+    throw DefinitionError(std::string("state.ties: ") + error.what());
+  }
 }
 
 void check_carries(const CouplingState& state, const std::vector<b2Body*>& bodies) {
@@ -224,6 +246,7 @@ void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies,
   check_fixtures(state, bodies);
   check_cords(state, cords, missing);
   check_grips(state, bodies, cords, missing);
+  check_ties(state, cords, missing);
   check_carries(state, bodies);
   check_events(state);
   check_cuts(state);
@@ -318,6 +341,9 @@ CouplingState Coupling::save(const b2World& world) const {
   state.next_grip = parts_->grips.next();
   state.next_fixture = parts_->fixtures.next();
   for (const CoupledCord& cord : std::as_const(parts_->cords)) state.cords.push_back(saved_cord(cord));
+  const auto ties = std::as_const(parts_->ties).all();
+  state.ties.assign(ties.begin(), ties.end());
+  state.next_tie = parts_->ties.next();
   save_by_body(*parts_, world, state);
   for (const TouchEvent& event : touch_events()) {
     const bool is_saved_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
@@ -351,6 +377,7 @@ void Coupling::restore(const State& state, b2World& world) {
   parts.bodies.clear();
   parts.grips.clear(state.next_grip);
   for (const State::Grip& grip : state.grips) parts.grips.restore(grip.memory, body_at(grip.body));
+  parts.ties.restore(state.ties, state.next_tie);
   parts.carry.clear();
   for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
   std::vector<FixtureIds::Known> known;

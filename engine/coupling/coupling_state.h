@@ -50,6 +50,24 @@ struct GripMemory {
   bool operator==(const GripMemory&) const = default;
 };
 
+/// A point of a cord that is tied.
+struct TiePlace {
+  CordId cord = 0;  ///< the cord
+  int point = 0;    ///< index of the point
+
+  bool operator==(const TiePlace&) const = default;
+};
+
+/// A tie of two cords.
+struct TieMemory {
+  TieId id = 0;                                                    ///< its id
+  TiePlace place;                                                  ///< the first cord
+  TiePlace other;                                                  ///< the other one
+  double breaking_force = std::numeric_limits<double>::infinity();  ///< N, see TieDef
+
+  bool operator==(const TieMemory&) const = default;
+};
+
 /// What is carried from tick to tick for a body that the direct solver moves: see VelocityCarry.
 struct CarryState {
   static constexpr double max_carry = 1e9;  ///< m/s or rad/s, limit of the carry
@@ -139,6 +157,8 @@ struct CouplingState {
   std::vector<Cord> cords;          ///< by id
   std::vector<Grip> grips;          ///< by id
   GripId next_grip = 1;             ///< id of the next grip
+  std::vector<TieMemory> ties;      ///< by id
+  TieId next_tie = 1;               ///< id of the next tie
   std::vector<Carry> carries;       ///< by body
   std::vector<Fixture> fixtures;    ///< by number
   std::uint64_t next_fixture = 1;   ///< number of the next fixture

@@ -72,6 +72,33 @@ struct GripState {
   double along = 0.0;  ///< position between this point and the one in the next column, 0 … below 1
 };
 
+/// Id of a tie in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
+using TieId = int;
+
+/// Defines a tie: a point of a cord and one of another cord, which move as one.
+struct TieDef {
+  CordId cord = 0;        ///< a cord of the direct solver
+  int point = 0;          ///< index of its point
+  CordId other_cord = 0;  ///< another one
+  int other_point = 0;    ///< index of its point
+  /// N, above 0: force between the two cords above which the tie comes undone. In a tick a tie comes undone only if no
+  /// other tie of the same cords is overloaded by a larger factor.
+  double breaking_force = std::numeric_limits<double>::infinity();
+};
+
+/// State of a tie.
+struct TieState {
+  CordId cord = 0;        ///< the first cord; after a cut its piece
+  int point = 0;          ///< index of its point
+  CordId other_cord = 0;  ///< the other cord
+  int other_point = 0;    ///< index of its point
+  Vec2 place;             ///< m, position of the first cord's point
+  double gap = 0.0;       ///< m, distance of the other one, until points that were tied while apart have met
+  /// N, force of the other cord on the first one in the last tick, without contacts at the points. It is 0 if both
+  /// points are pinned or held by bodies too. If more cords are tied there, it is that of the other cord on all.
+  Vec2 pull;
+};
+
 /// A cut through a cord. Its pieces are new cords with ids of their own, and the id of the cord is gone.
 struct CutEvent {
   CordId cord = 0;                 ///< the cord that was cut

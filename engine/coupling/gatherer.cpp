@@ -139,7 +139,7 @@ void Gatherer::activate_changed(CordTable& cords) {
 
 bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& conditions) {
   if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().meets_cords()) return false;
-  if (!cord.near.empty() || !cord.grips.empty() || !cord.touching.empty() || !cord.touching_before.empty())
+  if (!cord.near.empty() || !cord.grips.empty() || cord.tied || !cord.touching.empty() || !cord.touching_before.empty())
     return false;
   return swept_aabb(cord.direct(), conditions.gravity, conditions.dt) == cord.swept_aabb;
 }

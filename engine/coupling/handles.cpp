@@ -94,7 +94,7 @@ void CordRef::set_enabled(bool enabled) const {
 CutEvent CordRef::cut(double arc) const {
   const CoupledCord& cord = parts_->cords.enabled(id());
   const CutPlace where = cut_at(cord.direct(), arc);
-  check_may_cut(*parts_);
+  check_between_ticks(*parts_, "cut");
   return cut_cord(*parts_, id(), where);
 }
 
@@ -145,6 +145,25 @@ void GripRef::move_anchor(b2Vec2 local_anchor) const {
 }
 
 bool GripRef::release() const { return parts_->release(id()); }
+
+bool TieView::is_valid() const { return parts_->ties.find(id_) != nullptr; }
+
+TieState TieView::state() const {
+  const TieMemory& tie = parts_->ties.at(id_);
+  const auto position = [this](const TiePlace& place) { return parts_->cords.at(place.cord).position(place.point, 0.0); };
+  return {tie.place.cord,
+          tie.place.point,
+          tie.other.cord,
+          tie.other.point,
+          position(tie.place),
+          length(position(tie.other) - position(tie.place)),
+          tie_force(tie, parts_->cords, parts_->conditions.gravity)};
+}
+
+bool TieRef::untie() const {
+  check_between_ticks(*parts_, "untie");
+  return parts_->untie(id());
+}
 
 Vec2 BodyView::velocity() const { return parts_->carry.velocity(*body_); }
 double BodyView::angular_velocity() const { return parts_->carry.angular_velocity(*body_); }

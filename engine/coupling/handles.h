@@ -151,6 +151,35 @@ class GripRef : public GripView {
   CouplingParts* parts_;
 };
 
+/// A tie of a coupling, for reading: a small handle like CordView. Once the tie has ended, `state` throws CallError.
+class TieView {
+ public:
+  /// Returns the handle of a tie; Coupling::tie calls this.
+  TieView(const CouplingParts& parts, TieId id) : parts_(&parts), id_(id) {}
+
+  TieId id() const { return id_; }  ///< of the tie
+  bool is_valid() const;            ///< the tie exists
+  TieState state() const;           ///< O(1), and O(grips of the cords)
+
+ private:
+  const CouplingParts* parts_;
+  TieId id_;
+};
+
+/// A tie of a coupling, for reading and writing.
+class TieRef : public TieView {
+ public:
+  /// Returns the handle of a tie; Coupling::tie calls this.
+  TieRef(CouplingParts& parts, TieId id) : TieView(parts, id), parts_(&parts) {}
+
+  /// Ends the tie. The cords keep their velocities. Returns false if it had ended. Throws CallError inside world.Step
+  /// and between gather and apply.
+  bool untie() const;
+
+ private:
+  CouplingParts* parts_;
+};
+
 /// A body of Box2D as the coupling sees it, for reading: a small handle like CordView, also for bodies that no cord has
 /// met. It must not outlive the body or the coupling.
 class BodyView {

@@ -5,6 +5,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/island_cord.h"
 #include "ribbon/rigid_circle.h"
+#include "ribbon/tie.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon::box2d {
@@ -15,6 +16,7 @@ struct SolverInput {
   std::span<const RigidBody> bodies;  ///< bodies that the cords refer to
   double dt = 0.0;                    ///< s
   Vec2 gravity;                       ///< m/s²
+  std::span<const Tie> ties = {};     ///< ties of these cords
 };
 
 /// Interface that is called before and after each step of a coupling's direct solver; see Coupling::watch. Arguments

@@ -42,6 +42,7 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
   step.dt = input.dt;
   step.gravity = input.gravity;
   step.bodies.assign(input.bodies.begin(), input.bodies.end());
+  step.ties.assign(input.ties.begin(), input.ties.end());
   step.cords.resize(input.cords.size());
   for (std::size_t k = 0; k < input.cords.size(); ++k) {
     const ribbon::IslandCord& from = input.cords[k];
@@ -72,6 +73,7 @@ void check(const SolverStep& step) {
     throw SolverStepError(error.what());
   }
   check_ids(step.cords);
+  std::vector<int> points;
   for (std::size_t k = 0; k < step.cords.size(); ++k) {
     check_cord(k, [&cord = step.cords[k], &step] {
       check_points(cord);
@@ -80,6 +82,12 @@ void check(const SolverStep& step) {
       ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(),
                                  cord.def.rows);
     });
+    points.push_back(static_cast<int>(step.cords[k].state.positions.size()));
+  }
+  try {
+    ribbon::check_ties(step.ties, points);
+  } catch (const ribbon::DefinitionError& error) {
+    throw SolverStepError(error.what());
   }
 }
 

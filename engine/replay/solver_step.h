@@ -11,6 +11,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/rigid_circle.h"
+#include "ribbon/tie.h"
 #include "ribbon/vec2.h"
 
 namespace engine {
@@ -44,6 +45,7 @@ struct SolverStep {
   ribbon::Vec2 gravity;                   ///< m/s²
   std::vector<ribbon::RigidBody> bodies;  ///< referred to by all cords
   std::vector<Cord> cords;                ///< in the order of the solver
+  std::vector<ribbon::Tie> ties;          ///< of these cords
   Outcome outcome;
 };
 
@@ -54,7 +56,7 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step);
 std::uint64_t hash_of_positions(std::span<const ribbon::IslandCord> cords);
 
 /// Throws SolverStepError unless the solver accepts the step: all numbers are in range, each state fits its definition,
-/// all bodies and points referred to exist, and the ids of the cords are unique.
+/// all bodies, cords and points referred to exist, and the ids of the cords are unique.
 void check(const SolverStep& step);
 
 /// Returns the step as JSON with exact numbers: the shortest digits that read back as the same bits, and texts for

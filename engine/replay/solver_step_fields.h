@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 6;
+inline constexpr int solver_step_version = 7;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -197,6 +197,15 @@ void fields(Archive& archive, T& cord) {
   archive("grips", grips);
 }
 
+template <typename Archive, Is<ribbon::Tie> T>
+void fields(Archive& archive, T& tie) {
+  auto& [cord, point, other_cord, other_point] = tie;
+  archive("cord", cord);
+  archive("point", point);
+  archive("other_cord", other_cord);
+  archive("other_point", other_point);
+}
+
 template <typename Archive, Is<SolverStep::Outcome> T>
 void fields(Archive& archive, T& outcome) {
   auto& [why, work, unconverged, positions] = outcome;
@@ -208,12 +217,13 @@ void fields(Archive& archive, T& outcome) {
 
 template <typename Archive, Is<SolverStep> T>
 void fields(Archive& archive, T& step) {
-  auto& [dt, gravity, bodies, cords, outcome] = step;
+  auto& [dt, gravity, bodies, cords, ties, outcome] = step;
   archive("outcome", outcome);
   archive("dt", dt);
   archive("gravity", gravity);
   archive("bodies", bodies);
   archive("cords", cords);
+  archive("ties", ties);
 }
 
 }  // namespace engine::step_fields

@@ -266,7 +266,8 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
       itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
   if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound)) return;
   const auto is_excluded = [&](int of_other) {
-    return itself ? are_neighbours(def, k, of_other) : were_neighbours(member, k, other, of_other);
+    if (itself) return are_neighbours(def, k, of_other);
+    return were_neighbours(member, k, other, of_other) || are_tied(state, member, k, other, of_other);
   };
   if (is_excluded(link.link)) return;
   ContactPair pair = pair_with_link(other, link.link);

@@ -27,6 +27,12 @@ Vec2 rest_position(const CordDef& def, int i) {
   return {0.0, def.width - across * (i - n + 1)};
 }
 
+/// m, where a point of the cord, by its index, is in the straight cord.
+Vec2 rest_place(const CordDef& def, int point) {
+  const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  return {def.length / (def.points - 1) * (point / def.rows), across * (point % def.rows)};
+}
+
 }  // namespace
 
 int outline_links(const CordParts& cord) {
@@ -82,6 +88,31 @@ bool were_neighbours(const Member& member, int k, const Member& other, int link)
   const Separation gap = find_separation(rest_position(def, k), rest_position(other_def, link) + shift,
                                          rest_position(other_def, link + 1) + shift);
   return gap.distance < neighbourhood * def.radius;
+}
+
+bool are_tied(const IslandState& state, const Member& member, int k, const Member& other, int link) {
+  if (!state.ties.any()) return false;
+  const int size = outline_points(other.cord->def);
+  if (other.cord->def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
+  const auto ties_of = [&](const Member& of) {
+    const int cord = static_cast<int>(&of - state.members.data());
+    return std::equal_range(state.ties.by_cord.begin(), state.ties.by_cord.end(), TiedPoint{0, cord, 0},
+                            [](const TiedPoint& a, const TiedPoint& b) { return a.cord < b.cord; });
+  };
+  const auto [first, end] = ties_of(member);
+  for (auto tied = first; tied != end; ++tied) {
+    const Vec2 own = rest_position(member.cord->def, k) - rest_place(member.cord->def, tied->point);
+    if (length(own) >= neighbourhood * member.cord->def.radius) continue;
+    const auto [first_of_other, end_of_other] = ties_of(other);
+    for (auto at_other = first_of_other; at_other != end_of_other; ++at_other) {
+      if (at_other->group != tied->group) continue;
+      const Separation gap = find_separation(rest_place(other.cord->def, at_other->point),
+                                             rest_position(other.cord->def, link),
+                                             rest_position(other.cord->def, link + 1));
+      if (gap.distance < neighbourhood * other.cord->def.radius) return true;
+    }
+  }
+  return false;
 }
 
 bool are_neighbours(const CordDef& def, int k, int link) {

@@ -28,5 +28,7 @@ bool are_neighbours(const CordDef& def, int k, int link);
 /// Returns the same for point k of a cord and a link of the cord that it was cut from, or a piece of it that begins or
 /// ends there.
 bool were_neighbours(const Member& member, int k, const Member& other, int link);
+/// Returns the same for point k of a cord and a link of another one, near a tie of the two.
+bool are_tied(const IslandState& state, const Member& member, int k, const Member& other, int link);
 
 }  // namespace ribbon

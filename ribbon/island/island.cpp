@@ -18,8 +18,8 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 /// A step in which something leaves its motion bound is redone with a larger one. A step in which a substep does not
 /// converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
-IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
-                          std::span<CordReport> reports) {
+IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
+                          std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
   if (try_sleep(cords, bodies, gravity)) {
     std::fill(reports.begin(), reports.end(), CordReport{});
@@ -30,9 +30,10 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody
   state_.rigid = bodies;
   work_ = {};
   bounds_.begin_step(cords.size());
+  const bool closes_ties = bring_together(cords, tied, dt);
   for (bool linearised = false;;) {
-    begin_attempt(cords);
-    state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
+    begin_attempt(cords, tied);
+    state_.driven = state_.driven || closes_ties || (state_.unlocking && !linearised && !truncates(linearised));
     if (!take_substeps(linearised)) {
       linearised = true;
       bounds_.enlarge_for_linearised();
@@ -47,8 +48,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<RigidBody
   return work_.report;
 }
 
-void Island::begin_attempt(std::span<const IslandCord> cords) {
-  load_cords(state_, cords);
+void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
+  load_cords(state_, cords, tied);
   guard_.begin_step(state_);
   stages_.begin_step();
   candidates_.find(state_, bounds_, contacts_);

@@ -16,23 +16,24 @@
 #include "ribbon/stage/stage_solver.h"
 #include "ribbon/stage/step_work.h"
 #include "ribbon/system/island_state.h"
+#include "ribbon/system/tie_groups.h"
 
 namespace ribbon {
 
-/// The step of the direct solver: cords that are solved together, because they hold the same bodies or may touch each
-/// other. It stores no state between steps, only memory.
+/// The step of the direct solver: cords that are solved together, because they hold the same bodies, are tied or may
+/// touch each other. It stores no state between steps, only memory.
 class Island {
  public:
-  /// Advances the cords by dt seconds. The surroundings of all of them refer to `bodies`. Writes the report of cords[k]
-  /// to reports[k].
-  IslandReport step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
-                    std::span<CordReport> reports);
+  /// Advances the cords by dt seconds. The surroundings of all of them refer to `bodies`, the `tied` points, group by
+  /// group, to the cords. Writes the report of cords[k] to reports[k].
+  IslandReport step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, std::span<RigidBody> bodies,
+                    double dt, Vec2 gravity, std::span<CordReport> reports);
   /// Reserves memory for steps of a cord with up to this many grips.
   void reserve(const CordParts& cord, std::size_t grips);
 
  private:
   StepContext context() { return {state_, contacts_, bounds_, stages_, guard_, work_}; }
-  void begin_attempt(std::span<const IslandCord> cords);
+  void begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied);
   bool truncates(bool linearised) const;
   bool take_substeps(bool linearised);
   void end_step();

@@ -20,8 +20,9 @@ inline void BlockLdlt::Block::operator+=(Block b) {
   yy += b.yy;
 }
 
-void BlockLdlt::begin_pattern(std::span<const int> order) {
-  row_of_.resize(order.size());
+void BlockLdlt::begin_pattern(std::span<const int> order, std::span<const TiedSlot> tied) {
+  tied_.assign(tied.begin(), tied.end());
+  row_of_.resize(order.size() + tied.size());
   assign_rows(order);
   couplings_.clear();
 }
@@ -29,12 +30,13 @@ void BlockLdlt::begin_pattern(std::span<const int> order) {
 void BlockLdlt::assign_rows(std::span<const int> order) {
   order_.assign(order.begin(), order.end());
   for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
+  for (const TiedSlot& tied : tied_) row_of_[at(tied.slot)] = row_of_[at(tied.with)];
 }
 
 void BlockLdlt::couple(int a, int b) {
-  if (a == b) return;
   const int row_a = row_of_[at(a)];
   const int row_b = row_of_[at(b)];
+  if (row_a == row_b) return;
   couplings_.push_back({std::min(row_a, row_b), std::max(row_a, row_b)});
 }
 
@@ -149,7 +151,7 @@ inline std::size_t BlockLdlt::find(int row, int column) const {
 bool BlockLdlt::is_coupled(int a, int b) const {
   const int row_a = row_of_[at(a)];
   const int row_b = row_of_[at(b)];
-  return a == b || find(std::min(row_a, row_b), std::max(row_a, row_b)) < columns_.size();
+  return row_a == row_b || find(std::min(row_a, row_b), std::max(row_a, row_b)) < columns_.size();
 }
 
 void BlockLdlt::set_zero() {
@@ -162,6 +164,10 @@ void BlockLdlt::set_zero() {
 void BlockLdlt::add(int a, int b, double xx, double xy, double yx, double yy) {
   int row = row_of_[at(a)];
   int column = row_of_[at(b)];
+  if (row == column) {
+    add(a, 2.0 * xx, xy + yx, 2.0 * yy);  // of tied slots: the block and its transpose
+    return;
+  }
   if (row > column) {
     std::swap(row, column);
     std::swap(xy, yx);
@@ -211,9 +217,14 @@ void BlockLdlt::add_band(int first, const BandedMatrix& band, int reach) {
   }
 }
 
+void BlockLdlt::load_right_side(std::span<const Vec2> b) {
+  for (std::size_t k = 0; k < order_.size(); ++k) right_side_[k] = b[at(order_[k])];
+  for (const TiedSlot& tied : tied_) right_side_[at(row_of_[at(tied.slot)])] += b[at(tied.slot)];
+}
+
 bool BlockLdlt::solve(std::span<Vec2> b) {
   const std::size_t n = order_.size();
-  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  load_right_side(b);
   for (std::size_t k = 0; k < n; ++k) {
     if (!eliminate(k)) return false;
   }
@@ -223,7 +234,7 @@ bool BlockLdlt::solve(std::span<Vec2> b) {
 
 void BlockLdlt::solve_again(std::span<Vec2> b) {
   const std::size_t n = order_.size();
-  for (std::size_t k = 0; k < n; ++k) right_side_[k] = b[at(order_[k])];
+  load_right_side(b);
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 r = right_side_[k];
     for (std::size_t i = first_[k]; i < first_[k + 1]; ++i) {
@@ -249,6 +260,7 @@ inline void BlockLdlt::substitute(std::span<Vec2> b) {
     right_side_[k] = x;
   }
   for (std::size_t k = 0; k < n; ++k) b[at(order_[k])] = right_side_[k];
+  for (const TiedSlot& tied : tied_) b[at(tied.slot)] = b[at(tied.with)];
 }
 
 /// Eliminates a row. With its diagonal block D and the blocks B_i right of it,

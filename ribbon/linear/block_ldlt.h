@@ -11,6 +11,14 @@
 
 namespace ribbon {
 
+/// A slot that has the same unknowns as another one.
+struct TiedSlot {
+  int slot;
+  int with;
+
+  bool operator==(const TiedSlot&) const = default;
+};
+
 /// A sparse symmetric matrix of 2 × 2 blocks, and its direct solver: LDLᵀ without pivoting. For systems whose couplings
 /// reach further than a band. A slot holds two unknowns; the slots are eliminated in a given order. Eliminating a slot
 /// couples all later slots that it is coupled with; these fill-in blocks are part of the pattern. It allocates memory
@@ -18,13 +26,14 @@ namespace ribbon {
 /// row.
 class BlockLdlt {
  public:
-  /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once.
-  void begin_pattern(std::span<const int> order);
+  /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once, except the
+  /// `tied` ones: each of these is one with a slot of the order, and what is added to either is added to both.
+  void begin_pattern(std::span<const int> order, std::span<const TiedSlot> tied = {});
   /// Adds the blocks (a, b) and (b, a) to the pattern. Repeated couplings count once.
   void couple(int a, int b);
   /// Completes the pattern with the fill-in of the elimination.
   void end_pattern();
-  /// Changes the order of elimination and completes the pattern again.
+  /// Changes the order of elimination, with the same tied slots, and completes the pattern again.
   void reorder(std::span<const int> order);
   /// Calls visit(a, b) for each call of couple(), with either slot first.
   template <typename Visit>
@@ -33,7 +42,7 @@ class BlockLdlt {
   }
   /// Returns whether the pattern has the block (a, b), as a coupling or as fill-in.
   bool is_coupled(int a, int b) const;
-  /// Returns the number of slots.
+  /// Returns the number of slots that are not tied.
   std::size_t size() const { return order_.size(); }
   /// Returns the number of blocks right of the diagonal, fill-in included.
   std::size_t off_diagonal_blocks() const { return columns_.size(); }
@@ -53,7 +62,7 @@ class BlockLdlt {
   /// Replaces the rows and columns of the slot by those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 
-  /// Overwrites b, by slot, with the solution of A·x = b, and the matrix with its factors. Returns false if a pivot in
+  /// Overwrites b, by slot, with the solution of A·x = b, where b of slots that are tied is the sum of theirs, and the matrix with its factors. Returns false if a pivot in
   /// double precision is not positive definite, or not negative definite for a dual slot; b is then undefined.
   bool solve(std::span<Vec2> b);
   /// Solves for another right-hand side with the factors of the last solve. Entries of held slots must be 0.
@@ -70,6 +79,7 @@ class BlockLdlt {
   /// Returns the index of the block (row, column) in blocks_, or its size if the pattern has no such block.
   std::size_t find(int row, int column) const;
   void assign_rows(std::span<const int> order);
+  void load_right_side(std::span<const Vec2> b);
   void sort_couplings();
   void find_columns();
   void merge_other_columns(std::size_t first);
@@ -78,6 +88,7 @@ class BlockLdlt {
   void substitute(std::span<Vec2> b);
 
   std::vector<int> order_;                     // slot by row
+  std::vector<TiedSlot> tied_;
   std::vector<int> row_of_;                    // row by slot
   std::vector<std::array<int, 2>> couplings_;  // rows a < b, in any order, some more than once
   std::vector<std::size_t> coupling_first_;    // index in coupled_ of each row, and the end of the last

@@ -16,7 +16,7 @@ void MotionGroups::begin(const IslandState& state) {
   shares_.assign(state.slots(), 1.0);
 }
 
-/// A cord is a group, and what holds it moves with it.
+/// A cord is a group. What holds it, and cords that are tied to it, move with it.
 void MotionGroups::find_groups(const IslandState& state) {
   groups_.assign(state.slots(), -1);
   const auto root = [&](std::size_t slot) {
@@ -28,11 +28,13 @@ void MotionGroups::find_groups(const IslandState& state) {
     std::fill(points.begin(), points.end(), static_cast<int>(member.first_point));
   }
   for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.center(k)] = static_cast<int>(state.center(k));
-  for (const HeldBody& held : state.held) {
-    const std::size_t a = root(held.point);
-    const std::size_t b = root(state.center(held.solved_index));
+  const auto join = [&](std::size_t slot, std::size_t other) {
+    const std::size_t a = root(slot);
+    const std::size_t b = root(other);
     groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
-  }
+  };
+  for (const HeldBody& held : state.held) join(held.point, state.center(held.solved_index));
+  for (const TiedSlot& tied : state.ties.slots) join(at(tied.slot), at(tied.with));
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
   }

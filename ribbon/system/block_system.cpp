@@ -46,7 +46,8 @@ void BlockSystem::make_pattern(const IslandState& state, const LimitedRows& rows
 template <typename Terms>
 void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms) {
   if (!has_fill_order_) find_natural_order(state, terms);
-  matrix_.begin_pattern(order_);
+  leave_out_tied(state);
+  matrix_.begin_pattern(order_, state.ties.slots);
   for (const Member& member : state.members) {
     member.cord->elasticity->couple(matrix_, static_cast<int>(member.first_point), state.first_dual(member));
   }
@@ -98,6 +99,12 @@ void BlockSystem::order_with_bodies(const IslandState& state) {
   }
 }
 
+/// Tied slots follow the first one of their group, which has the lowest index: so no tension is eliminated before it.
+void BlockSystem::leave_out_tied(const IslandState& state) {
+  if (state.ties.slots.empty()) return;
+  std::erase_if(order_, [&](int slot) { return state.ties.is_tied(slot); });
+}
+
 /// Points and bodies in an order that fills little. Tensions and pulls have no stiffness of their own before all that
 /// they are coupled with is eliminated, so they come after it.
 void BlockSystem::reduce_fill(const IslandState& state) {
@@ -107,16 +114,17 @@ void BlockSystem::reduce_fill(const IslandState& state) {
   matrix_.for_each_coupling([&](int a, int b) {
     if (!is_dual(a) && !is_dual(b)) fill_order_.couple(a, b);
   });
-  append_duals_last(slots, fill_order_.find());
+  append_duals_last(slots, state.duals + state.held.size(), fill_order_.find());
+  leave_out_tied(state);
   matrix_.reorder(order_);
   filled_ = matrix_.off_diagonal_blocks();
   has_fill_order_ = true;
 }
 
-void BlockSystem::append_duals_last(std::size_t slots, std::span<const int> order) {
+void BlockSystem::append_duals_last(std::size_t slots, std::size_t duals, std::span<const int> order) {
   rows_of_.resize(order.size());
   for (std::size_t row = 0; row < order.size(); ++row) rows_of_[at(order[row])] = static_cast<int>(row);
-  late_.resize(matrix_.size() - slots);
+  late_.resize(duals);
   for (std::size_t k = 0; k < late_.size(); ++k) late_[k] = {0, static_cast<int>(slots + k)};
   matrix_.for_each_coupling([&](int a, int b) {
     if (at(a) >= slots) std::swap(a, b);

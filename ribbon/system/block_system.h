@@ -49,7 +49,8 @@ class BlockSystem {
   void order_with_bodies(const IslandState& state);
   void reduce_fill(const IslandState& state);
   void clear_constrained(const IslandState& state);
-  void append_duals_last(std::size_t slots, std::span<const int> order);
+  void leave_out_tied(const IslandState& state);
+  void append_duals_last(std::size_t slots, std::size_t duals, std::span<const int> order);
 
   BlockLdlt matrix_;
   std::vector<Vec2> right_side_;

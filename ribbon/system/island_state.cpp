@@ -1,6 +1,14 @@
 #include "ribbon/system/island_state.h"
 
+#include <algorithm>
+
 namespace ribbon {
+
+bool IslandTies::is_tied(int slot) const {
+  const auto found = std::lower_bound(slots.begin(), slots.end(), slot,
+                                      [](const TiedSlot& tied, int wanted) { return tied.slot < wanted; });
+  return found != slots.end() && found->slot == slot;
+}
 
 Stage IslandState::stage_of(const Stage& all, const Member& member) {
   Stage stage = all;

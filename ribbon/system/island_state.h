@@ -7,11 +7,13 @@
 
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
+#include "ribbon/linear/block_ldlt.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/system/cord_parts.h"
 #include "ribbon/system/held_body.h"
+#include "ribbon/system/tie_groups.h"
 
 namespace ribbon {
 
@@ -42,6 +44,19 @@ struct SolvedBody {
   bool turns;  ///< its moment of inertia is finite
 };
 
+/// The points of an island that are tied to each other.
+struct IslandTies {
+  std::vector<TiedSlot> slots;     ///< all but the first of each group, ascending, with the first
+  std::vector<TiedPoint> by_cord;  ///< all, ascending by cord and point; a group is its first slot
+
+  /// By member: the first one that ties connect it with.
+  std::vector<std::size_t> first_connected;
+
+  bool any() const { return !slots.empty(); }
+  /// Returns whether a slot is one of `slots`.
+  bool is_tied(int slot) const;
+};
+
 /// The state at the start of a substep.
 struct SubstepStart {
   double time = 0.0;  ///< s, since the step began
@@ -67,6 +82,7 @@ struct IslandState {
   std::vector<Member> members;
   std::vector<SolvedBody> bodies;
   std::vector<HeldBody> held;  ///< by member and point, ascending
+  IslandTies ties;
   std::size_t points = 0;      ///< of all cords
   std::size_t duals = 0;       ///< tensions that are unknowns of the linear system
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve

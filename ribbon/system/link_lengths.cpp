@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/system/stretch.h"
 
 namespace ribbon {
@@ -25,6 +26,9 @@ void LinkLengths::restore(IslandState& state, std::span<const double> inertia) {
   for (const HeldBody& held : state.held) {
     mobility_[held.point] = 0.0;
     if (held.along > 0.0) mobility_[held.next] = 0.0;
+  }
+  for (const TiedPoint& tied : state.ties.by_cord) {
+    mobility_[state.members[at(tied.cord)].first_point + at(tied.point)] = 0.0;
   }
   for (const Member& member : state.members) restore(state, member);
 }

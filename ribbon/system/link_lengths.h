@@ -16,7 +16,7 @@ namespace ribbon {
 ///
 /// Two links share a point only if they are neighbours, so the matrix is tridiagonal and the cost O(points). It is
 /// factorised here, and not by BandedLdlt, whose matrix has one size while the cords of an island have many. Points
-/// that are constrained or held by bodies do not move.
+/// that are constrained, tied or held by bodies do not move.
 class LinkLengths {
  public:
   void resize(std::size_t slots);

@@ -29,6 +29,8 @@ void reset(IslandState& state) {
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
+  state.ties.slots.clear();
+  state.ties.by_cord.clear();
   state.points = 0;
   state.duals = 0;
 }
@@ -119,6 +121,58 @@ double pressing_mass(const IslandState& state, const Member& member) {
   return mass + heaviest;
 }
 
+/// What one point of a group does, all do. If one is driven, the others are driven beside it.
+void load_group(IslandState& state, std::span<const TiedPoint> group) {
+  const auto slot_of = [&](const TiedPoint& tied) { return state.members[at(tied.cord)].first_point + at(tied.point); };
+  const int first = static_cast<int>(slot_of(group[0]));
+  const auto driver = std::find_if(group.begin(), group.end(),
+                                   [&](const TiedPoint& tied) { return state.constrained[slot_of(tied)] != 0; });
+  for (const TiedPoint& tied : group) {
+    const std::size_t slot = slot_of(tied);
+    if (static_cast<int>(slot) != first) state.ties.slots.push_back({static_cast<int>(slot), first});
+    state.ties.by_cord.push_back({first, tied.cord, tied.point});
+    if (driver == group.end() || state.constrained[slot] != 0) continue;
+    state.drive(slot, state.drive_velocities[slot_of(*driver)]);
+  }
+}
+
+/// Adds up the masses that press cords against something over all that ties connect: what hangs from a cord presses it.
+void join_pressing_masses(IslandState& state, std::span<const TiedPoint> tied) {
+  std::vector<std::size_t>& first = state.ties.first_connected;
+  first.resize(state.members.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  const auto root = [&first](std::size_t member) {
+    while (first[member] != member) member = first[member] = first[first[member]];
+    return member;
+  };
+  for (std::size_t k = 1; k < tied.size(); ++k) {
+    if (tied[k].group != tied[k - 1].group) continue;
+    const std::size_t a = root(at(tied[k - 1].cord));
+    const std::size_t b = root(at(tied[k].cord));
+    first[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::size_t m = 0; m < first.size(); ++m) {
+    if (const std::size_t of = root(m); of != m) state.members[of].pressing_mass += state.members[m].pressing_mass;
+  }
+  for (std::size_t m = 0; m < first.size(); ++m) state.members[m].pressing_mass = state.members[root(m)].pressing_mass;
+}
+
+void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
+  if (tied.empty()) return;
+  for (std::size_t first = 0; first < tied.size();) {
+    std::size_t end = first + 1;
+    while (end < tied.size() && tied[end].group == tied[first].group) ++end;
+    load_group(state, tied.subspan(first, end - first));
+    first = end;
+  }
+  std::sort(state.ties.slots.begin(), state.ties.slots.end(),
+            [](const TiedSlot& a, const TiedSlot& b) { return a.slot < b.slot; });
+  std::sort(state.ties.by_cord.begin(), state.ties.by_cord.end(), [](const TiedPoint& a, const TiedPoint& b) {
+    return a.cord != b.cord ? a.cord < b.cord : a.point < b.point;
+  });
+  join_pressing_masses(state, tied);
+}
+
 /// Finds where the reels take the rest lengths in this step. The speed of a reel that arrives jumps.
 void load_reel(IslandState& state, const Member& member) {
   CordParts& cord = *member.cord;
@@ -197,7 +251,7 @@ bool is_single_cord(const IslandState& state) {
 
 }  // namespace
 
-void load_cords(IslandState& state, std::span<const IslandCord> cords) {
+void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
   reset(state);
   const std::size_t tensions = add_members(state, cords);
   state.resize(state.points, tensions);
@@ -212,6 +266,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords) {
     copy_to(IslandState::tensions_of(member, state.tensions), member.cord->state.tensions);
     state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
   }
+  load_ties(state, tied);
 }
 
 void load_bodies(IslandState& state) {

@@ -18,7 +18,7 @@ void Replay::reset() {
   for (std::size_t k = 0; k < cords_.size(); ++k) cords_[k].restore(step_.cords[k].state);
 }
 
-void Replay::run() { solver_.step(island_cords_, bodies_, step_.dt, step_.gravity, reports_); }
+void Replay::run() { solver_.step(island_cords_, bodies_, step_.dt, step_.gravity, reports_, step_.ties); }
 
 bool Replay::is_as_recorded() const {
   const engine::SolverStep::Outcome& outcome = step_.outcome;

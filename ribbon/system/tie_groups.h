@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ribbon/island_cord.h"
+#include "ribbon/tie.h"
+
+namespace ribbon {
+
+/// A point that is tied to others.
+struct TiedPoint {
+  int group = 0;  ///< number of its group: points that move as one
+  int cord = 0;   ///< index of its cord
+  int point = 0;  ///< index of the point
+};
+
+/// The groups of points that ties make one.
+class TieGroups {
+ public:
+  /// Finds the groups. Throws DefinitionError as check_ties does. O(points) if there is a tie.
+  void find(std::span<const Tie> ties, std::span<const int> points);
+  /// Returns the tied points, group by group, ascending by cord within a group.
+  std::span<TiedPoint> points() { return points_; }
+
+ private:
+  void number_points(std::span<const int> points);
+  void check_groups() const;
+  std::size_t root(std::size_t point);
+  void join(std::size_t a, std::size_t b);
+
+  std::vector<std::size_t> first_points_;  // by cord: number of its first point among those of all cords
+  std::vector<std::size_t> parents_;       // disjoint sets, by that number
+  std::vector<TiedPoint> points_;
+};
+
+/// Brings tied points together before a step of dt seconds: they get one velocity, which keeps
+/// the momentum, and points that are apart move towards each other, over several steps. Returns whether points are
+/// apart. `cords` are those of an island, and `points` refer to them.
+bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points, double dt);
+
+}  // namespace ribbon
