@@ -73,9 +73,9 @@ class DirectSolver {
   std::vector<std::size_t> first_links_;    // index in link_boxes_ of each cord, and the end of the last
   std::vector<int> points_;                 // by cord
   std::unique_ptr<TieGroups> ties_;
-  std::unique_ptr<Quadtree> tree_;          // of swept_boxes_
-  std::size_t tree_capacity_ = 0;           // boxes
-  std::vector<int> first_cords_;            // by body: the first cord near it; −1: none
+  std::unique_ptr<Quadtree> tree_;  // of swept_boxes_
+  std::size_t tree_capacity_ = 0;   // boxes
+  std::vector<int> first_cords_;    // by body: the first cord near it; −1: none
   // By island, in the order of their first cords:
   std::vector<IslandCord> members_;         // cords, island by island
   std::vector<std::size_t> member_cords_;   // index of the cord of each member

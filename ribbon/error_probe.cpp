@@ -18,8 +18,8 @@ CordDef ErrorProbe::finer_def(const Cord& cord) {
   return def;
 }
 
-void ErrorProbe::foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
-                         Vec2 gravity, std::span<const Tie> ties) {
+void ErrorProbe::foresee(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity,
+                         std::span<const Tie> ties) {
   while (copies_.size() > cords.size()) copies_.pop_back();
   for (std::size_t k = 0; k < cords.size(); ++k) {
     const Cord& cord = *cords[k].cord;

@@ -38,7 +38,7 @@ struct CoupledCord {
   std::vector<RigidCircle> circles{};
   std::vector<RigidSegment> segments{};
   std::vector<Grip> grips{};
-  std::vector<GripId> grip_ids{};               // of each grip
+  std::vector<GripId> grip_ids{};  // of each grip
   bool tied = false;
   int step_index = 0;                           // among the cords of the step, of the direct solver
   std::vector<FixtureTouch> touching{};         // in the last step, by fixture number

@@ -134,7 +134,9 @@ void break_ties(CouplingParts& parts) {
   relieved.clear();
   for (const auto& [load, id] : overloaded) {
     const TieMemory& tie = parts.ties.at(id);
-    const auto is_relieved = [&](CordId cord) { return std::find(relieved.begin(), relieved.end(), cord) != relieved.end(); };
+    const auto is_relieved = [&](CordId cord) {
+      return std::find(relieved.begin(), relieved.end(), cord) != relieved.end();
+    };
     if (is_relieved(tie.place.cord) || is_relieved(tie.other.cord)) continue;
     relieved.push_back(tie.place.cord);
     relieved.push_back(tie.other.cord);

@@ -145,8 +145,8 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, carries, fixtures, next_fixture, events, ending, cuts,
-               old_cuts] = state;
+  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, carries, fixtures, next_fixture, events,
+               ending, cuts, old_cuts] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);

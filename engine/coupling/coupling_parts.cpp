@@ -108,7 +108,8 @@ void CouplingParts::detach(CordId cord) {
 
 void check_between_ticks(const CouplingParts& parts, const char* what) {
   const std::string call(what);
-  if (parts.finder.is_locked()) throw CallError("world is locked; accepted is a " + call + " that is not inside its Step");
+  if (parts.finder.is_locked())
+    throw CallError("world is locked; accepted is a " + call + " that is not inside its Step");
   if (parts.phase == TickPhase::between_ticks) return;
   throw CallError(call + " is between gather and apply; accepted is one before gather or after apply");
 }

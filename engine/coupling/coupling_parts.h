@@ -48,7 +48,7 @@ struct CouplingParts {
   DirectSolver solver;
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
-  std::vector<std::pair<CordId, int>> overloaded;      // cords and their links
+  std::vector<std::pair<CordId, int>> overloaded;         // cords and their links
   std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
   std::vector<CordId> relieved;                           // whose ties came undone in this tick
   std::optional<ErrorProbe> probe;

@@ -60,9 +60,9 @@ struct TiePlace {
 
 /// A tie of two cords.
 struct TieMemory {
-  TieId id = 0;                                                    ///< its id
-  TiePlace place;                                                  ///< the first cord
-  TiePlace other;                                                  ///< the other one
+  TieId id = 0;                                                     ///< its id
+  TiePlace place;                                                   ///< the first cord
+  TiePlace other;                                                   ///< the other one
   double breaking_force = std::numeric_limits<double>::infinity();  ///< N, see TieDef
 
   bool operator==(const TieMemory&) const = default;

@@ -150,7 +150,9 @@ bool TieView::is_valid() const { return parts_->ties.find(id_) != nullptr; }
 
 TieState TieView::state() const {
   const TieMemory& tie = parts_->ties.at(id_);
-  const auto position = [this](const TiePlace& place) { return parts_->cords.at(place.cord).position(place.point, 0.0); };
+  const auto position = [this](const TiePlace& place) {
+    return parts_->cords.at(place.cord).position(place.point, 0.0);
+  };
   return {tie.place.cord,
           tie.place.point,
           tie.other.cord,

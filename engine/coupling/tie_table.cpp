@@ -91,8 +91,8 @@ void TieTable::gather(CordTable& cords) const {
 std::span<const Tie> TieTable::of_step(const CordTable& cords) {
   of_step_.clear();
   for (const TieMemory& tie : ties_) {
-    of_step_.push_back({cords.at(tie.place.cord).step_index, tie.place.point, cords.at(tie.other.cord).step_index,
-                        tie.other.point});
+    of_step_.push_back(
+        {cords.at(tie.place.cord).step_index, tie.place.point, cords.at(tie.other.cord).step_index, tie.other.point});
   }
   return of_step_;
 }

@@ -106,9 +106,9 @@ bool are_tied(const IslandState& state, const Member& member, int k, const Membe
     const auto [first_of_other, end_of_other] = ties_of(other);
     for (auto at_other = first_of_other; at_other != end_of_other; ++at_other) {
       if (at_other->group != tied->group) continue;
-      const Separation gap = find_separation(rest_place(other.cord->def, at_other->point),
-                                             rest_position(other.cord->def, link),
-                                             rest_position(other.cord->def, link + 1));
+      const Separation gap =
+          find_separation(rest_place(other.cord->def, at_other->point), rest_position(other.cord->def, link),
+                          rest_position(other.cord->def, link + 1));
       if (gap.distance < neighbourhood * other.cord->def.radius) return true;
     }
   }

@@ -26,8 +26,8 @@ struct TiedSlot {
 /// row.
 class BlockLdlt {
  public:
-  /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once, except the
-  /// `tied` ones: each of these is one with a slot of the order, and what is added to either is added to both.
+  /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once, except
+  /// the `tied` ones: each of these is one with a slot of the order, and what is added to either is added to both.
   void begin_pattern(std::span<const int> order, std::span<const TiedSlot> tied = {});
   /// Adds the blocks (a, b) and (b, a) to the pattern. Repeated couplings count once.
   void couple(int a, int b);
@@ -62,8 +62,9 @@ class BlockLdlt {
   /// Replaces the rows and columns of the slot by those of the identity, until the next set_zero.
   void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
 
-  /// Overwrites b, by slot, with the solution of A·x = b, where b of slots that are tied is the sum of theirs, and the matrix with its factors. Returns false if a pivot in
-  /// double precision is not positive definite, or not negative definite for a dual slot; b is then undefined.
+  /// Overwrites b, by slot, with the solution of A·x = b, where b of slots that are tied is the sum of theirs, and the
+  /// matrix with its factors. Returns false if a pivot in double precision is not positive definite, or not negative
+  /// definite for a dual slot; b is then undefined.
   bool solve(std::span<Vec2> b);
   /// Solves for another right-hand side with the factors of the last solve. Entries of held slots must be 0.
   void solve_again(std::span<Vec2> b);
@@ -87,7 +88,7 @@ class BlockLdlt {
   bool eliminate(std::size_t row);
   void substitute(std::span<Vec2> b);
 
-  std::vector<int> order_;                     // slot by row
+  std::vector<int> order_;  // slot by row
   std::vector<TiedSlot> tied_;
   std::vector<int> row_of_;                    // row by slot
   std::vector<std::array<int, 2>> couplings_;  // rows a < b, in any order, some more than once

@@ -83,8 +83,8 @@ struct IslandState {
   std::vector<SolvedBody> bodies;
   std::vector<HeldBody> held;  ///< by member and point, ascending
   IslandTies ties;
-  std::size_t points = 0;      ///< of all cords
-  std::size_t duals = 0;       ///< tensions that are unknowns of the linear system
+  std::size_t points = 0;  ///< of all cords
+  std::size_t duals = 0;   ///< tensions that are unknowns of the linear system
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
   bool driven = false;     ///< drives, reels or unlocked cells change the energy: the guard pauses
   bool reeling = false;    ///< a reel changes rest lengths
