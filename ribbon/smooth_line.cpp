@@ -15,6 +15,7 @@ constexpr int max_rows = 64;
 constexpr int max_subdivisions = 1000;
 constexpr double max_rest_length = 1e9;  // m
 constexpr double max_radius = 1e6;       // m
+constexpr double same_place = 1e-150;    // m; squares of smaller distances are rounded to few digits or to 0
 // Of the distance of an edge from the line. At a bend by the angle β the full width takes a distance of
 // radius / cos(β/2): here up to 90°.
 constexpr double max_mitre = std::numbers::sqrt2;
@@ -44,46 +45,45 @@ void check_room(std::size_t room, std::size_t needed) {
   refuse("vertices.size", static_cast<double>(room), (std::to_string(needed) + " or more").c_str());
 }
 
-/// Their distance may be too small for its square.
-bool is_same_place(Vec2 a, Vec2 b) { return !(length(b - a) > 0.0); }
+bool is_same_place(Vec2 a, Vec2 b) { return !(length(b - a) > same_place); }
 
 /// Returns the unit vector from a to b, or `otherwise` if they are in the same place.
 Vec2 direction(Vec2 a, Vec2 b, Vec2 otherwise) {
   const double distance = length(b - a);
-  return distance > 0.0 ? (1.0 / distance) * (b - a) : otherwise;
+  return distance > same_place ? (1.0 / distance) * (b - a) : otherwise;
 }
 
-/// Returns the mirror image of p across the perpendicular bisector of the segment from a to b, which differ.
-Vec2 mirrored(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 u = direction(a, b, {});
-  return p - (2.0 * dot(p - 0.5 * (a + b), u)) * u;
+/// Returns the link at one end of `link` as the mirror image, across the middle, of the one at its other end. Neither
+/// has length 0.
+Vec2 mirrored(Vec2 other, Vec2 link) {
+  const Vec2 u = direction({}, link, {});
+  return (2.0 * dot(other, u)) * u - other;
 }
 
-/// The spline between b and c, of four points of which neighbours differ.
-struct Piece {
-  Vec2 b, c;
-  Vec2 slope_b, slope_c;  // m, derivatives by s
-
-  Piece(Vec2 a, Vec2 from, Vec2 to, Vec2 d) : b(from), c(to) {
-    // Centripetal knot intervals: the square roots of the distances.
-    const double t0 = std::sqrt(length(b - a));
-    const double t1 = std::sqrt(length(c - b));
-    const double t2 = std::sqrt(length(d - c));
-    const Vec2 v0 = (1.0 / t0) * (b - a);
-    const Vec2 v1 = (1.0 / t1) * (c - b);
-    const Vec2 v2 = (1.0 / t2) * (d - c);
+/// The spline along a link.
+class Piece {
+ public:
+  /// From `start`, along the second of three links. None has length 0.
+  Piece(Vec2 start, Vec2 before, Vec2 link, Vec2 after) : start_(start) {
+    // Centripetal knot intervals: the square roots of the lengths.
+    const double t0 = std::sqrt(length(before));
+    const double t1 = std::sqrt(length(link));
+    const double t2 = std::sqrt(length(after));
+    const Vec2 v0 = (1.0 / t0) * before;
+    const Vec2 v1 = (1.0 / t1) * link;
+    const Vec2 v2 = (1.0 / t2) * after;
     // The slopes of the parabolas through three points, by knots: means of v that are weighted with the other interval.
-    slope_b = (t1 / (t0 + t1)) * (t1 * v0 + t0 * v1);
-    slope_c = (t1 / (t1 + t2)) * (t2 * v1 + t1 * v2);
+    slope_ = (t1 / (t0 + t1)) * (t1 * v0 + t0 * v1);
+    const Vec2 end_slope = (t1 / (t1 + t2)) * (t2 * v1 + t1 * v2);
+    square_ = 3.0 * link - 2.0 * slope_ - end_slope;
+    cube_ = slope_ + end_slope - 2.0 * link;
   }
 
-  /// Returns the position at s, 0 at b to 1 at c.
-  Vec2 at(double s) const {
-    const Vec2 chord = c - b;
-    const Vec2 square = 3.0 * chord - 2.0 * slope_b - slope_c;
-    const Vec2 cube = slope_b + slope_c - 2.0 * chord;
-    return b + s * (slope_b + s * (square + s * cube));
-  }
+  /// Returns the position at s, 0 at its start to 1 at its end.
+  Vec2 at(double s) const { return start_ + s * (slope_ + s * (square_ + s * cube_)); }
+
+ private:
+  Vec2 start_, slope_, square_, cube_;  // m
 };
 
 /// One row of points.
@@ -112,18 +112,16 @@ class Row {
 
  private:
   Piece piece_from(int i) const {
-    const Vec2 b = at(i);
-    const Vec2 c = at(i + 1);
     int before = i - 1;
-    while (before >= 0 && is_same_place(at(before), b)) --before;
+    while (before >= 0 && is_same_place(at(before), at(i))) --before;
     int after = i + 2;
-    while (after < points_.columns() && is_same_place(at(after), c)) ++after;
+    while (after < points_.columns() && is_same_place(at(after), at(i + 1))) ++after;
     const bool begins = before < 0;
     const bool ends = after == points_.columns();
-    if (begins && ends) return {b - (c - b), b, c, c + (c - b)};
-    if (begins) return {mirrored(at(after), b, c), b, c, at(after)};
-    if (ends) return {at(before), b, c, mirrored(at(before), b, c)};
-    return {at(before), b, c, at(after)};
+    const Vec2 link = at(i + 1) - at(i);
+    const Vec2 in = begins ? link : at(i) - at(before);
+    const Vec2 out = ends ? link : at(after) - at(i + 1);
+    return {at(i), begins ? mirrored(out, link) : in, link, ends ? mirrored(in, link) : out};
   }
 
   const PointGrid& points_;
@@ -160,7 +158,7 @@ struct Normal {
   Normal(Vec2 in, Vec2 out) {
     const Vec2 sum = in + out;
     const double size = length(sum);  // 2·cos(β/2)
-    unit = perp(size > 0.0 ? (1.0 / size) * sum : perp(in));
+    unit = perp(direction({}, sum, perp(in)));
     mitre = size > 2.0 / max_mitre ? 2.0 / size : max_mitre;
   }
 };

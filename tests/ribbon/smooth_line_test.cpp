@@ -227,6 +227,7 @@ TEST(SmoothLine, DegenerateLinesHaveUnitNormals) {
       {{0.0, 0.0}, {tiny, 0.0}, {0.0, tiny}, {1.0, 0.0}},
       {{0.0, 0.0}, {1e-170, 0.0}, {1e-160, 0.0}, {1e-150, 0.0}, {1.0, 0.0}, {1.0, 1e-160}},
       {{1e9, 1e9}, {-1e9, -1e9}, {1e9, -1e9}, {1e9, -1e9}},
+      {{1000.0, 0.0}, {0.0, 0.0}, {1e-14, 0.0}},  // the last link is below the resolution of the first point
   };
   for (std::size_t n = 0; n < lines.size(); ++n) {
     SCOPED_TRACE(n);
@@ -237,9 +238,33 @@ TEST(SmoothLine, DegenerateLinesHaveUnitNormals) {
       for (std::size_t k = 0; k < strip.size(); ++k) {
         const Vec2 middle = line[k / 2].position;
         ASSERT_LE(length(strip[k].position - middle), 0.1415 + 1e-15 * length(middle)) << k;
-        ASSERT_GE(length(strip[k].position - middle), 0.099 - 1e-15 * length(middle)) << k;
+        ASSERT_GE(length(strip[k].position - middle), 0.0999 - 1e-15 * length(middle)) << k;
       }
     }
+  }
+}
+
+/// Points at all distances from 1 m down to 0, many of them twice.
+TEST(SmoothLine, AnyPointsGiveFiniteNumbers) {
+  Dice dice(5);
+  for (int trial = 0; trial < 10'000; ++trial) {
+    std::vector<Vec2> points;
+    const int count = 2 * static_cast<int>(dice(1.0, 5.0));
+    while (static_cast<int>(points.size()) < count) {
+      const double scale = dice.coin() ? std::pow(10.0, dice(-320.0, 0.0)) : 1.0;
+      points.push_back({dice.coin() ? dice(-scale, scale) : 0.0, dice(-scale, scale)});
+      if (dice(0.0, 1.0) < 0.3)
+        points.back() = points[static_cast<std::size_t>(dice(0.0, 0.99) * trial) % points.size()];
+    }
+    const auto line = line_of(points, 5);
+    const auto rope = strip_of({points}, 0.1, 5);
+    expect_sound(line);
+    for (std::size_t k = 0; k < rope.size(); ++k) {
+      const double distance = length(rope[k].position - line[k / 2].position);
+      ASSERT_TRUE(distance > 0.1 - 1e-12 && distance < 0.1 * std::numbers::sqrt2 + 1e-12) << trial << ": " << distance;
+    }
+    if (count < 4) continue;
+    for (const StripVertex& vertex : strip_of({points, 2}, 0.1, 5)) ASSERT_TRUE(is_finite(vertex.position)) << trial;
   }
 }
 
