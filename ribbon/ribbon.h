@@ -15,6 +15,7 @@
 #include "ribbon/parallel_for.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
+#include "ribbon/smooth_line.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "ribbon/tie.h"
 #include "ribbon/touch.h"

@@ -9,6 +9,7 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/coupling_types.h"
+#include "ribbon/box2d/debug_draw.h"
 #include "ribbon/box2d/handles.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"

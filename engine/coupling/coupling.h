@@ -206,6 +206,8 @@ class Coupling {
   void restore(const State& state, b2World& world);
 
  private:
+  friend void debug_draw(const Coupling& coupling, b2Draw& draw);  // see debug_draw.h
+
   std::unique_ptr<CouplingParts> parts_;
 };
 

@@ -26,6 +26,10 @@ const Cord& CordView::direct() const { return parts_->cords.at(id_).direct(); }
 const ThesisCord& CordView::thesis() const { return parts_->cords.at(id_).thesis(); }
 std::span<const Vec2> CordView::positions() const { return parts_->cords.at(id_).positions(); }
 
+PointGrid CordView::grid() const {
+  return std::visit([](const auto& of_solver) { return point_grid(of_solver); }, parts_->cords.at(id_).cord);
+}
+
 PointKind CordView::kind(int point) const {
   const CoupledCord& cord = parts_->cords.at(id_);
   check_place(cord, point, 0.0);

@@ -11,6 +11,7 @@
 #include "ribbon/box2d/coupling_types.h"
 #include "ribbon/cord.h"
 #include "ribbon/definition.h"
+#include "ribbon/smooth_line.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "ribbon/vec2.h"
 
@@ -38,6 +39,8 @@ class CordView {
   /// Returns the cord of the thesis's solver. Throws CallError for one of the direct solver.
   const ThesisCord& thesis() const;
   std::span<const Vec2> positions() const;  ///< m, by point
+  /// Returns the positions with the rest lengths, for smooth_line and smooth_strip.
+  PointGrid grid() const;
   /// Returns what determines the motion of a point. Throws DefinitionError for an unknown point.
   PointKind kind(int point) const;
   /// Returns the position of the place between a point and the one in the next column, m. Throws DefinitionError for a

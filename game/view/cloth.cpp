@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "game/view/spline.h"
-
 namespace game {
 namespace {
 
@@ -22,12 +20,9 @@ struct Rails {
 Rails rails_of(const Pen& pen, const DrawnCord& cord, int steps) {
   Rails rails;
   rails.rows.reserve(static_cast<std::size_t>(cord.shape.rows));
-  std::vector<Vec2> row;
-  row.reserve(static_cast<std::size_t>(cord.shape.columns));
   for (int j = 0; j < cord.shape.rows; ++j) {
-    row.clear();
-    for (int i = 0; i < cord.shape.columns; ++i) row.push_back(pen.canvas.to_pixels(cord.at(cord.point(i, j))));
-    smooth_curve(row, steps, rails.rows.emplace_back());
+    std::vector<Vec2>& row = rails.rows.emplace_back(smooth_row(cord, j, steps));
+    for (Vec2& x : row) x = pen.canvas.to_pixels(x);
   }
   return rails;
 }
@@ -96,8 +91,7 @@ void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const s
   Rails outer = rails;
   grow(inner, radius * pen.scale() - 0.5);
   grow(outer, radius * pen.scale() + 0.5);
-  const double spacing = direct ? cord.coupling.cord(cord.index).direct().rest_length(0)
-                                : cord.coupling.cord(cord.index).thesis().def().spacing;
+  const double spacing = cord.coupling.cord(cord.index).grid().rest_lengths[0];
   const auto color_of = [&](int i) {
     if (colors.empty()) return color;
     const auto column = static_cast<std::size_t>(i / steps);

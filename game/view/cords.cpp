@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "game/view/cloth.h"
-#include "game/view/spline.h"
+#include "ribbon/smooth_line.h"
 
 namespace game {
 namespace {
@@ -47,8 +47,7 @@ double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness
 void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
   const double width = drawn_width(cord);
   const int steps = steps_between(pen, cord);
-  std::vector<Vec2> curve;
-  smooth_curve(cord.points, steps, curve);
+  const std::vector<Vec2> curve = smooth_row(cord, 0, steps);
   const Color color = own_color(pen, cord);
   engine::StripLook look;
   look.width = width + outline;
@@ -121,10 +120,16 @@ double strain(const DrawnCord& cord, int column) {
   double sum = 0.0;
   for (int j = 0; j < cord.shape.rows; ++j)
     sum += length(cord.at(cord.point(i + 1, j)) - cord.at(cord.point(i, j))) / cord.shape.rows;
-  const bool direct = cord.coupling.cord(cord.index).solver() == ribbon::box2d::Solver::direct;
-  const double rest = direct ? cord.coupling.cord(cord.index).direct().rest_length(i)
-                             : cord.coupling.cord(cord.index).thesis().def().spacing;
-  return sum / rest - 1.0;
+  return sum / cord.coupling.cord(cord.index).grid().rest_lengths[i] - 1.0;
+}
+
+std::vector<Vec2> smooth_row(const DrawnCord& cord, int row, int steps) {
+  std::vector<ribbon::LineVertex> line(ribbon::smooth_line_size(cord.shape.columns, steps));
+  ribbon::smooth_line({cord.points, cord.shape.rows}, row, steps, line);
+  std::vector<Vec2> curve;
+  curve.reserve(line.size());
+  for (const ribbon::LineVertex& vertex : line) curve.push_back(vertex.position);
+  return curve;
 }
 
 Color strain_color(double strain) {

@@ -29,6 +29,9 @@ double strain(const DrawnCord& cord, int column);
 inline constexpr double max_strain = 0.1;
 engine::Color strain_color(double strain);
 
+/// Returns the smooth line through a row of points, m, with `steps` pieces between two columns.
+std::vector<ribbon::Vec2> smooth_row(const DrawnCord& cord, int row, int steps);
+
 /// Draws a cord as a rope if it has one row, else as cloth, with its pins and with whipping on free ends. `colors`: one
 /// per column; replaces its own colour unless empty.
 void draw_cord(Pen& pen, const DrawnCord& cord, const std::vector<engine::Color>& colors);

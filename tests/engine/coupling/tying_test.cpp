@@ -323,7 +323,10 @@ TEST(TyingCords, MakesANetThatHangsAndCatchesABall) {
       unconverged += net.coupling.tick_report().unconverged;
       ASSERT_LE(net.strain(), 1e-2) << "tick " << k;
     }
-    if (accuracy == Accuracy::balanced()) EXPECT_EQ(unconverged, 0);  // fast() truncates solves of many cords
+    // fast() truncates solves of many cords
+    if (accuracy == Accuracy::balanced()) {
+      EXPECT_EQ(unconverged, 0);
+    }
     EXPECT_GT(ball->GetPosition().y, -2.5) << "it lies in the net";
   }
 }
