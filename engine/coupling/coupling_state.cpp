@@ -200,9 +200,8 @@ void check_grips(const CouplingState& state, const std::vector<b2Body*>& bodies,
   check_range("state.next_grip", state.next_grip, 1, most_ids);
   for (const CouplingState::Grip& grip : state.grips) {
     check_body("state.grips.body", grip.body, bodies);
-    const auto held =
-        std::lower_bound(state.cords.begin(), state.cords.end(), grip.memory.cord,
-                         [](const CouplingState::Cord& cord, CordId wanted) { return cord.id < wanted; });
+    const auto held = std::lower_bound(state.cords.begin(), state.cords.end(), grip.memory.cord,
+                                       [](const CouplingState::Cord& cord, CordId wanted) { return cord.id < wanted; });
     if (held == state.cords.end() || held->id != grip.memory.cord || !held->enabled) {
       throw DefinitionError("state.grips.cord is " + std::to_string(grip.memory.cord) +
                             "; accepted is the id of an enabled cord");
