@@ -7,6 +7,8 @@
 
 #include "engine/replay/replay.h"
 #include "game/simulation/simulation.h"
+#include "tests/support/rollback.h"
+#include "tests/tradeoff/measure.h"
 #include "tests/tradeoff/scene_lists.h"
 
 namespace tradeoff {
@@ -85,6 +87,44 @@ std::vector<Variant> saved_levels() {
   return list;
 }
 
+constexpr int ticks_per_try = 8;  // between the ticks from which a run goes back
+
+/// Goes back from every eighth tick of a recorded run. Returns the number of tries, how many gave the same bits,
+/// largest distances of bodies and points of cords [m], and median and largest time [µs].
+std::vector<double> differences(test_support::Rollback& run) {
+  double same = 0.0;
+  double body = 0.0;
+  double cord = 0.0;
+  std::vector<double> times;
+  for (int tick = ticks_per_try + 1; tick <= run.size(); tick += ticks_per_try) {
+    const auto difference = run.go_back(tick);
+    if (!difference) continue;
+    same += difference->same_bits ? 1.0 : 0.0;
+    body = std::max(body, difference->body);
+    cord = std::max(cord, difference->cord);
+    times.push_back(difference->us);
+  }
+  return {static_cast<double>(times.size()), same, body, cord, quantile(times, 0.5), quantile(times, 1.0)};
+}
+
+/// The timed tick goes back and forward in the middle of the run.
+Variant back_and_forward(const std::string& name) {
+  const auto run = std::make_shared<test_support::Rollback>(name);
+  run->seek(run->size() / 2);
+  return {"WorldSnapshot",
+          name,
+          run->points(),
+          [run] { run->seek(run->size() / 2); },
+          [run] { run->back_and_forward(); },
+          [run] { return differences(*run); }};
+}
+
+std::vector<Variant> recorded_runs() {
+  std::vector<Variant> list;
+  for (const std::string& name : test_support::recorded_runs()) list.push_back(back_and_forward(name));
+  return list;
+}
+
 }  // namespace
 
 std::vector<Scene> back_scenes() {
@@ -95,7 +135,14 @@ std::vector<Scene> back_scenes() {
            {us_per_tick(),
             {"save_us", 2, [](const Row& row) { return row.timing.share_us; }},
             {"restore_us", 2, [](const Row& row) { return row.timing.rest_us; }},
-            figure("bodies", 0)}}};
+            figure("bodies", 0)}},
+          {"back",
+           "8 ticks back and forward again, with a save in each tick: the cost in the middle of each recorded run, and "
+           "what differs from the run that did not go back, from every eighth tick",
+           20,
+           recorded_runs,
+           {us_per_tick(), figure("tries", 0), figure("same_bits", 1), figure("bodies_m", 2), figure("cords_m", 3),
+            figure("median_us", 4), figure("max_us", 5)}}};
 }
 
 }  // namespace tradeoff
