@@ -40,7 +40,7 @@ class WorldSnapshot {
   /// CallError for a world that is inside its Step. O(bodies + fixtures + contacts).
   void save(const b2World& world);
   /// Puts the state back. `world` may be another one that was built in the same way, with the same bodies and fixtures
-  /// in the same order. `before` is the snapshot of the tick before, or null if there is none: the touching flags of
+  /// in the same order, and made at least one step: the first solve of a world starts without impulses. `before` is the snapshot of the tick before, or null if there is none: the touching flags of
   /// Box2D belong to the positions at the start of the last step. Without it they are those at the saved positions.
   /// No listener is called meanwhile. It calls b2World::Step with a duration of 0, so forces are cleared. Throws
   /// CallError for a world that is inside its Step, and DefinitionError for one with other numbers of bodies or
