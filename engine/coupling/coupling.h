@@ -181,8 +181,7 @@ class Coupling {
   using State = CouplingState;
   /// Returns the state between an apply and the next gather. Inside a tick it returns a usable state too, but ticks
   /// that continue from it differ from those of this coupling. `world` is the world of the coupling. Grips of destroyed
-  /// bodies are left out. The state does not contain the bodies of Box2D: restore their positions and velocities
-  /// yourself. (The contacts that Box2D stores cannot be restored.)
+  /// bodies are left out. The state does not contain the bodies of Box2D: see WorldSnapshot.
   State save(const b2World& world) const;
   /// Writes the state into an existing object. It allocates nothing if that object held a state of this coupling before
   /// with the same cords and no fewer grips, bodies, fixtures, contacts and events. O(points + bodies).

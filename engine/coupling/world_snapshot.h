@@ -8,7 +8,8 @@ namespace ribbon::box2d {
 
 /// State of a Box2D world between two steps, as far as Box2D 2.4 lets it be read and written, to go back by some ticks.
 /// Box2D has no snapshots, and a part of its state is private. So a world that went back continues with nearly the same
-/// motion, and often, but not always, with the same bits. ribbon/going_back.md says what differs and by how much.
+/// motion, and often, but not always, with the same bits. "Going back" in ribbon/guide.md says what
+/// differs and by how much.
 ///
 /// Put back are:
 /// - of each body: type, position, angle, velocities, and whether it is enabled and awake;
@@ -40,11 +41,12 @@ class WorldSnapshot {
   /// CallError for a world that is inside its Step. O(bodies + fixtures + contacts).
   void save(const b2World& world);
   /// Puts the state back. `world` may be another one that was built in the same way, with the same bodies and fixtures
-  /// in the same order, and made at least one step: the first solve of a world starts without impulses. `before` is the snapshot of the tick before, or null if there is none: the touching flags of
-  /// Box2D belong to the positions at the start of the last step. Without it they are those at the saved positions.
-  /// No listener is called meanwhile. It calls b2World::Step with a duration of 0, so forces are cleared. Throws
-  /// CallError for a world that is inside its Step, and DefinitionError for one with other numbers of bodies or
-  /// fixtures; then it changes nothing. O((bodies + fixtures + contacts)·log).
+  /// in the same order, and made at least one step: the first solve of a world starts without impulses. `before` is the
+  /// snapshot of the tick before, or null if there is none: the touching flags of Box2D belong to the positions at the
+  /// start of the last step. Without it they are those at the saved positions. No listener is called meanwhile. It
+  /// calls b2World::Step with a duration of 0, so forces are cleared. Throws CallError for a world that is inside its
+  /// Step, and DefinitionError for one with other numbers of bodies or fixtures; then it changes nothing. O((bodies +
+  /// fixtures + contacts)·log).
   void restore(b2World& world, const WorldSnapshot* before = nullptr);
 
  private:

@@ -111,26 +111,26 @@ std::vector<b2Vec2> positions(const b2World& world) {
   return all;
 }
 
-/// Figures of going back from every tenth tick, each in a new world.
+/// Figures of going back from every fourth tick, each in a new world.
 struct Tries {
   int all = 0;
-  int same_bits = 0;
+  int same_bits = 0;     // of the positions
   float largest = 0.0F;  // m
 };
 
 Tries tries(const std::function<void(World&)>& build) {
   Tries result;
-  for (int ticks = back + 1; ticks < 150; ticks += 10) {
+  for (int ticks = back + 1; ticks < 150; ticks += 4) {
     World world;
     build(world);
     world.tick(ticks);
-    const std::vector<float> expected = picture(world.world);
     const std::vector<b2Vec2> places = positions(world.world);
     world.go_back();
     world.tick(back);
     ++result.all;
-    result.same_bits += picture(world.world) == expected ? 1 : 0;
-    result.largest = std::max(result.largest, largest_distance(places, world.world));
+    const float distance = largest_distance(places, world.world);
+    result.same_bits += distance == 0.0F ? 1 : 0;
+    result.largest = std::max(result.largest, distance);
   }
   return result;
 }
@@ -373,18 +373,36 @@ TEST(WorldSnapshot, BodiesOnTheFloorContinueWithTheSameBits) {
 }
 
 /// Box2D finds several new contacts of a body in one tick in the order of its tree, which is private. In a pile the
-/// order of the contacts decides which box slips first: measured are 2.3 cm, and 25 to 29 of 30 tries with the same
-/// bits.
+/// order of the contacts decides which box slips first. Measured: 35 of 36 tries with the same places, and 1.5 mm.
 TEST(WorldSnapshot, APileContinuesNearlyTheSame) {
   const Tries result = tries([](World& world) {
     world.world.SetAllowSleeping(false);
     drop_boxes(world, 48);
   });
-  EXPECT_GE(2 * result.same_bits, result.all);
-  EXPECT_LT(result.largest, 0.05F);
+  EXPECT_GE(10 * result.same_bits, 9 * result.all);
+  EXPECT_LT(result.largest, 0.01F);
 }
 
-/// The impulses of joints are private and stay those of eight ticks later: measured are millimetres.
+/// The contacts of a body with several edges of one chain are created at once, in the order of the tree too. Measured:
+/// 35 of 36 tries, and 0.3 mm.
+TEST(WorldSnapshot, APileOnAChainContinuesNearlyTheSame) {
+  const Tries result = tries([](World& world) {
+    world.world.SetAllowSleeping(false);
+    std::vector<b2Vec2> hills;
+    for (int k = -20; k <= 20; ++k) {
+      const auto x = static_cast<float>(k);
+      hills.emplace_back(0.7F * x, 0.3F + 0.3F * std::sin(1.3F * x));
+    }
+    b2ChainShape chain;
+    chain.CreateChain(hills.data(), static_cast<int>(hills.size()), hills.front(), hills.back());
+    world.world.GetBodyList()->CreateFixture(&chain, 0.0F);
+    drop_boxes(world, 48);
+  });
+  EXPECT_GE(10 * result.same_bits, 9 * result.all);
+  EXPECT_LT(result.largest, 0.01F);
+}
+
+/// The impulses of joints are private and stay those of eight ticks later. Measured: 7.4 mm.
 TEST(WorldSnapshot, JointsContinueNearlyTheSame) {
   const Tries result = tries([](World& world) {
     b2Body* before = world.world.GetBodyList();
