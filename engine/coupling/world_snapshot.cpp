@@ -5,9 +5,10 @@
 #include <box2d/b2_fixture.h>
 
 #include <algorithm>
-#include <compare>
+#include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ribbon/box2d/address_table.h"
@@ -28,17 +29,11 @@ struct BodyState {
   int fixtures = 0;
 };
 
-/// Names a contact: its fixtures, numbered along the lists of the world, and their children.
-struct ContactKey {
-  int fixture_a = 0;
-  int child_a = 0;
-  int fixture_b = 0;
-  int child_b = 0;
-  auto operator<=>(const ContactKey&) const = default;
-};
+/// Names a contact: the number of its first fixture along the lists of the world, its child, and those of the second.
+using ContactKey = std::array<int, 4>;
 
 struct ContactState {
-  ContactKey key;
+  ContactKey key{};
   bool touching = false;
   b2Manifold manifold;
   float friction = 0.0F;
@@ -47,12 +42,8 @@ struct ContactState {
   float tangent_speed = 0.0F;
 };
 
-/// A saved contact, for lookup by its key.
-struct ContactPlace {
-  ContactKey key;
-  std::size_t place = 0;
-  auto operator<=>(const ContactPlace&) const = default;
-};
+/// A key, and the place of the saved contact.
+using ContactPlace = std::pair<ContactKey, std::size_t>;
 
 int fixture_count(const b2Body& body) {
   int count = 0;
@@ -197,14 +188,14 @@ void WorldSnapshot::Parts::check(const b2World& world) const {
 void WorldSnapshot::Parts::index_contacts(const b2World& world) {
   number_fixtures(world);
   places.clear();
-  for (std::size_t k = 0; k < contacts.size(); ++k) places.push_back({contacts[k].key, k});
+  for (std::size_t k = 0; k < contacts.size(); ++k) places.emplace_back(contacts[k].key, k);
   std::sort(places.begin(), places.end());
 }
 
 const ContactState* WorldSnapshot::Parts::find(const b2Contact& contact) const {
   const ContactKey key = key_of(contact);
   const auto found = std::lower_bound(places.begin(), places.end(), ContactPlace{key, 0});
-  return found != places.end() && found->key == key ? &contacts[found->place] : nullptr;
+  return found != places.end() && found->first == key ? &contacts[found->second] : nullptr;
 }
 
 void WorldSnapshot::Parts::put_order_back(b2World& world) {

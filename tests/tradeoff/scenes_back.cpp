@@ -36,7 +36,8 @@ class SavedLevel {
     def.awake = false;
     while (world().GetBodyCount() < bodies) {
       const int k = world().GetBodyCount();
-      def.position.Set(2000.0F + static_cast<float>(k % 100), static_cast<float>(k / 100));
+      const int row = k / 100;
+      def.position.Set(2000.0F + static_cast<float>(k % 100), static_cast<float>(row));
       world().CreateBody(&def)->CreateFixture(&circle, 10.0F);
     }
     save();

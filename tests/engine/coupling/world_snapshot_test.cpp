@@ -138,9 +138,9 @@ Tries tries(const std::function<void(World&)>& build) {
 void drop_boxes(World& world, int count) {
   for (int k = 0; k < count; ++k) {
     const auto column = static_cast<float>(k % 6);
-    const auto row = static_cast<float>(k / 6);
+    const int row = k / 6;
     const float aside = 0.1F * std::sin(7.0F * static_cast<float>(k));
-    const b2Vec2 place(1.1F * column + aside, 1.0F + 1.05F * row);
+    const b2Vec2 place(1.1F * column + aside, 1.0F + 1.05F * static_cast<float>(row));
     k % 3 == 2 ? add_ball(world.world, place) : add_box(world.world, place);
   }
 }
