@@ -260,6 +260,18 @@ TEST(WorldSnapshot, PutsTouchingFlagsOfContinuousCollisionBack) {
   EXPECT_EQ(picture(world.world), expected);
 }
 
+/// The game moved a box onto the floor, and no step has found the contact yet. In the other future it got impulses.
+TEST(WorldSnapshot, AContactThatWasNotThereStartsWithoutImpulses) {
+  World world;
+  b2Body& box = add_box(world.world, {0.0F, 9.0F});
+  world.tick(10);
+  box.SetTransform({0.0F, 0.5F}, 0.0F);
+  world.tick(back);
+  ASSERT_GT(box.GetContactList()->contact->GetManifold()->points[0].normalImpulse, 0.0F);
+  world.at(10).restore(world.world);
+  EXPECT_EQ(box.GetContactList()->contact->GetManifold()->points[0].normalImpulse, 0.0F);
+}
+
 TEST(WorldSnapshot, PutsSleepBack) {
   World world;
   b2Body& box = add_box(world.world, {0.0F, 0.5F});
