@@ -13,3 +13,4 @@
 #include "ribbon/box2d/handles.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
+#include "ribbon/box2d/world_snapshot.h"

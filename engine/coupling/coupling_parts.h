@@ -26,6 +26,12 @@ namespace ribbon::box2d {
 /// What has been done of a tick.
 enum class TickPhase : unsigned char { between_ticks, gathered, stepped };
 
+/// Memory of Coupling::restore.
+struct RestoreMemory {
+  std::vector<b2Body*> bodies;              // of the world, in the order of creation
+  std::vector<std::pair<int, int>> places;  // of fixtures: their body's, and among those of the body
+};
+
 /// What a Coupling and its handles work on.
 struct CouplingParts {
   // The state between two ticks:
@@ -51,6 +57,7 @@ struct CouplingParts {
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links
   std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
   std::vector<CordId> relieved;                           // whose ties came undone in this tick
+  RestoreMemory restore_memory;
   std::optional<ErrorProbe> probe;
   StepWatcher* watcher = nullptr;
   ContactListener* listener = nullptr;

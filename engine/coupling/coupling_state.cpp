@@ -3,8 +3,11 @@
 #include "ribbon/box2d/coupling_state.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
@@ -19,19 +22,46 @@ constexpr double most_single = 1e30;  // limit of values that become single prec
 constexpr double most_ids = 1e9;      // of cords or grips that were ever added
 constexpr double most_number = 1e12;  // limit of fixture numbers: ids of their corners must fit into 63 bits
 
-std::vector<b2Body*> bodies_of(b2Body* newest) {
-  std::vector<b2Body*> bodies;
-  for (b2Body* body = newest; body != nullptr; body = body->GetNext()) bodies.push_back(body);
-  std::reverse(bodies.begin(), bodies.end());
-  return bodies;
+/// Writes the bodies of a world in the order of creation.
+void list_bodies(b2World& world, std::vector<b2Body*>& bodies) {
+  bodies.resize(static_cast<std::size_t>(world.GetBodyCount()));
+  auto at = bodies.rbegin();
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) *at++ = body;
 }
 
-std::vector<const b2Fixture*> fixtures_of(const b2Body& body) {
-  std::vector<const b2Fixture*> fixtures;
-  for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) fixtures.push_back(f);
-  std::reverse(fixtures.begin(), fixtures.end());
-  return fixtures;
+int fixture_count(const b2Body& body) {
+  int count = 0;
+  for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) ++count;
+  return count;
 }
+
+/// Returns the fixture of a body with a place, 0 … fixture_count − 1, in the order of creation.
+const b2Fixture& fixture_at(const b2Body& body, int place) {
+  const b2Fixture* fixture = body.GetFixtureList();
+  for (int behind = fixture_count(body) - 1 - place; behind > 0; --behind) fixture = fixture->GetNext();
+  return *fixture;
+}
+
+/// The bodies that a coupling knows, with a few others: most bodies of a large world are skipped by one look.
+class LikelyBodies {
+ public:
+  explicit LikelyBodies(const CouplingParts& parts) {
+    for (const BodyGrip& grip : parts.grips.all()) add(grip.seen.body);
+    parts.carry.visit_addresses([this](const b2Body* body) { add(body); });
+    for (const FixtureIds::Known& known : parts.fixtures.all()) add(known.seen_as.owner.body);
+  }
+  bool contain(const b2Body& body) const { return ((words_[word(&body)] >> bit(&body)) & 1U) != 0; }
+
+ private:
+  static std::uint64_t mixed(const b2Body* body) {
+    return static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(body)) * 0x9e3779b97f4a7c15U;
+  }
+  static std::size_t word(const b2Body* body) { return static_cast<std::size_t>(mixed(body) >> 58U); }
+  static std::uint64_t bit(const b2Body* body) { return (mixed(body) >> 52U) & 63U; }
+  void add(const b2Body* body) { words_[word(body)] |= std::uint64_t{1} << bit(body); }
+
+  std::array<std::uint64_t, 64> words_{};
+};
 
 void check_vectors(const char* field, std::initializer_list<Vec2> vectors, double limit) {
   for (const Vec2 v : vectors) {
@@ -52,26 +82,30 @@ void check_order(const char* field, const List& list, Key key) {
   throw DefinitionError(std::string(field) + " are out of order, or some are there twice; accepted are rising numbers");
 }
 
-void check_fixtures(const CouplingState& state, const std::vector<b2Body*>& bodies) {
+void check_fixtures(const CouplingState& state, const std::vector<b2Body*>& bodies,
+                    std::vector<std::pair<int, int>>& places) {
   check_range("state.next_fixture", static_cast<double>(state.next_fixture), 1, most_number);
   check_order("state.fixtures", state.fixtures, [](const auto& known) { return known.id; });
-  std::vector<std::pair<int, int>> places;
+  places.clear();
   for (const CouplingState::Fixture& known : state.fixtures) {
     check_range("state.fixtures.id", static_cast<double>(known.id), 1, static_cast<double>(state.next_fixture) - 1.0);
     check_body("state.fixtures.body", known.body, bodies);
-    const auto count = fixtures_of(*bodies[static_cast<std::size_t>(known.body)]).size();
-    check_range("state.fixtures.place", known.place, 0, static_cast<double>(count) - 1.0);
+    const int count = fixture_count(*bodies[static_cast<std::size_t>(known.body)]);
+    check_range("state.fixtures.place", known.place, 0, count - 1);
     places.emplace_back(known.body, known.place);
   }
   std::sort(places.begin(), places.end());
   check_order("state.fixtures.place", places, [](const auto& place) { return place; });
 }
 
-void check_touch(const std::string& field, const FixtureTouch& touch, std::uint64_t next) {
-  check_range((field + ".fixture").c_str(), static_cast<double>(touch.fixture), 1, static_cast<double>(next) - 1.0);
-  check_range((field + ".impulse").c_str(), touch.impulse, -most, most);
-  check_range((field + ".most").c_str(), touch.most, -most, most);
-  check_vectors(field.c_str(), {touch.point, touch.normal}, most);
+void check_touch(const char* field, const FixtureTouch& touch, std::uint64_t next) {
+  const auto check = [field](const char* part, double value, double low, double high) {
+    if (!(value >= low && value <= high)) check_range((std::string(field) + part).c_str(), value, low, high);
+  };
+  check(".fixture", static_cast<double>(touch.fixture), 1, static_cast<double>(next) - 1.0);
+  check(".impulse", touch.impulse, -most, most);
+  check(".most", touch.most, -most, most);
+  check_vectors(field, {touch.point, touch.normal}, most);
 }
 
 void check_touches(const char* field, const std::vector<FixtureTouch>& touches, std::uint64_t next) {
@@ -162,9 +196,10 @@ void check_cords(const CouplingState& state, const CordTable& cords, const std::
 }
 
 void check_enabled(const char* field, CordId id, const CouplingState& state) {
-  const auto found = std::find_if(state.cords.begin(), state.cords.end(),
-                                  [id](const CouplingState::Cord& cord) { return cord.id == id; });
-  if (found != state.cords.end() && found->enabled) return;
+  const auto found =
+      std::lower_bound(state.cords.begin(), state.cords.end(), id,
+                       [](const CouplingState::Cord& cord, CordId wanted) { return cord.id < wanted; });
+  if (found != state.cords.end() && found->id == id && found->enabled) return;
   throw DefinitionError(std::string(field) + " is " + std::to_string(id) + "; accepted is the id of an enabled cord");
 }
 
@@ -237,13 +272,14 @@ void check_cuts(const CouplingState& state) {
   check_range("state.old_cuts", static_cast<double>(state.old_cuts), 0, static_cast<double>(state.cuts.size()));
 }
 
-void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies, const CordTable& cords,
+void check_state(const CouplingState& state, RestoreMemory& memory, const CordTable& cords,
                  const std::vector<CoupledCord>& missing) {
+  const std::vector<b2Body*>& bodies = memory.bodies;
   if (state.bodies != static_cast<int>(bodies.size())) {
     throw DefinitionError("state is of a world of " + std::to_string(state.bodies) + " bodies; accepted is one of " +
                           std::to_string(bodies.size()));
   }
-  check_fixtures(state, bodies);
+  check_fixtures(state, bodies, memory.places);
   check_cords(state, cords, missing);
   check_grips(state, bodies, cords, missing);
   check_ties(state, cords, missing);
@@ -252,10 +288,15 @@ void check_state(const CouplingState& state, const std::vector<b2Body*>& bodies,
   check_cuts(state);
 }
 
-CouplingState::Cord saved_cord(const CoupledCord& coupled) {
-  CouplingState::Cord saved;
+void save_cord(const CoupledCord& coupled, CouplingState::Cord& saved) {
   saved.id = coupled.id;
-  std::visit([&](const auto& of_solver) { saved.state = of_solver.save(); }, coupled.cord);
+  std::visit(
+      [&saved](const auto& of_solver) {
+        using State = typename std::decay_t<decltype(of_solver)>::State;
+        if (!std::holds_alternative<State>(saved.state)) saved.state.emplace<State>();
+        of_solver.save(std::get<State>(saved.state));
+      },
+      coupled.cord);
   saved.enabled = coupled.enabled;
   saved.island_report = coupled.island_report;
   saved.island_total = coupled.island_total;
@@ -263,8 +304,9 @@ CouplingState::Cord saved_cord(const CoupledCord& coupled) {
   saved.thesis_report = coupled.thesis_report;
   saved.thesis_total = coupled.thesis_total;
   saved.touching = coupled.touching;
-  saved.origin = coupled.origin();
-  return saved;
+  if (saved.origin.def != coupled.def) saved.origin.def = coupled.def;  // counts references only if it must
+  saved.origin.filter = coupled.filter;
+  saved.origin.user_data = coupled.user_data;
 }
 
 void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
@@ -299,30 +341,66 @@ void exchange_cords(const CouplingState& state, std::vector<CoupledCord> missing
   for (const CordId id : extra) cords.remove(id);
 }
 
+/// Saves the numbers of the fixtures of a body that have one.
+void save_fixtures(const b2Body& body, int body_place, const FixtureIds& fixtures, CouplingState& state) {
+  int place = fixture_count(body);
+  for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+    --place;
+    const auto* known = fixtures.find(*fixture);
+    if (known != nullptr) state.fixtures.push_back({body_place, place, known->id, known->seen});
+  }
+}
+
 /// Saves what refers to bodies: grips, carries and fixture numbers. Bodies are named by their place in the order of
 /// creation, so the newest comes first here.
 void save_by_body(const CouplingParts& parts, const b2World& world, CouplingState& state) {
-  const auto grips = parts.grips.all();
-  std::vector<int> places(grips.size(), -1);
-  int body_place = state.bodies;
+  const LikelyBodies likely(parts);
+  int place = state.bodies;
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    --body_place;
-    for (std::size_t k = 0; k < grips.size(); ++k) {
-      if (grips[k].seen.is(*body)) places[k] = body_place;
+    --place;
+    if (!likely.contain(*body)) continue;
+    for (const BodyGrip& grip : parts.grips.all()) {
+      if (grip.seen.is(*body)) state.grips.push_back({place, grip});
     }
-    if (const CarryState* const found = parts.carry.find(*body)) state.carries.push_back({body_place, *found});
-    int place = 0;
-    for (const b2Fixture* fixture : fixtures_of(*body)) {
-      const auto* known = parts.fixtures.find(*fixture);
-      if (known != nullptr) state.fixtures.push_back({body_place, place, known->id, known->seen});
-      ++place;
-    }
+    if (const CarryState* const found = parts.carry.find(*body)) state.carries.push_back({place, *found});
+    save_fixtures(*body, place, parts.fixtures, state);
   }
-  for (std::size_t k = 0; k < grips.size(); ++k) {
-    if (places[k] >= 0) state.grips.push_back({places[k], grips[k]});
-  }
+  std::sort(state.grips.begin(), state.grips.end(),
+            [](const auto& a, const auto& b) { return a.memory.id < b.memory.id; });
   std::reverse(state.carries.begin(), state.carries.end());
   std::sort(state.fixtures.begin(), state.fixtures.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+}
+
+void save_events(const CouplingParts& parts, CouplingState& state) {
+  for (const TouchEvent& event : parts.touches.events()) {
+    const bool is_saved_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
+                                              [&event](const auto& saved) { return saved.id == event.number; });
+    state.events.push_back(
+        {event.cord, event.begins, is_saved_fixture ? event.number : 0, event.impulse, event.point, event.normal});
+  }
+  const auto ending = parts.touches.ending();
+  state.ending.assign(ending.begin(), ending.end());
+  const auto cuts = parts.cuts.events();
+  state.cuts.assign(cuts.begin(), cuts.end());
+  state.old_cuts = parts.cuts.old();
+}
+
+void restore_fixtures(const CouplingState& state, const std::vector<b2Body*>& bodies, FixtureIds& fixtures) {
+  fixtures.clear(state.next_fixture);
+  for (const CouplingState::Fixture& fixture : state.fixtures) {
+    const b2Body& body = *bodies[static_cast<std::size_t>(fixture.body)];
+    fixtures.restore({SeenFixture(fixture_at(body, fixture.place)), fixture.id, fixture.seen});
+  }
+}
+
+void restore_events(const CouplingState& state, CouplingParts& parts) {
+  parts.touches.restore(state.ending);
+  for (const CouplingState::Event& event : state.events) {
+    const b2Fixture* const fixture = parts.fixtures.fixture(event.fixture);
+    parts.touches.restore({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
+                           fixture != nullptr ? event.fixture : 0});
+  }
+  parts.cuts.restore(state.cuts, state.old_cuts);
 }
 
 }  // namespace
@@ -336,35 +414,36 @@ bool CordOrigin::operator==(const CordOrigin& other) const {
 
 CouplingState Coupling::save(const b2World& world) const {
   State state;
+  save(world, state);
+  return state;
+}
+
+void Coupling::save(const b2World& world, State& state) const {
   state.bodies = world.GetBodyCount();
   state.next_cord = parts_->cords.next();
   state.next_grip = parts_->grips.next();
   state.next_fixture = parts_->fixtures.next();
-  for (const CoupledCord& cord : std::as_const(parts_->cords)) state.cords.push_back(saved_cord(cord));
+  state.cords.resize(static_cast<std::size_t>(parts_->cords.size()));
+  auto saved = state.cords.begin();
+  for (const CoupledCord& cord : std::as_const(parts_->cords)) save_cord(cord, *saved++);
+  state.grips.clear();
+  state.carries.clear();
+  state.fixtures.clear();
+  state.events.clear();
   const auto ties = std::as_const(parts_->ties).all();
   state.ties.assign(ties.begin(), ties.end());
   state.next_tie = parts_->ties.next();
   save_by_body(*parts_, world, state);
-  for (const TouchEvent& event : touch_events()) {
-    const bool is_saved_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
-                                              [&event](const auto& saved) { return saved.id == event.number; });
-    state.events.push_back(
-        {event.cord, event.begins, is_saved_fixture ? event.number : 0, event.impulse, event.point, event.normal});
-  }
-  const auto ending = parts_->touches.ending();
-  state.ending.assign(ending.begin(), ending.end());
-  const auto cuts = parts_->cuts.events();
-  state.cuts.assign(cuts.begin(), cuts.end());
-  state.old_cuts = parts_->cuts.old();
-  return state;
+  save_events(*parts_, state);
 }
 
 void Coupling::restore(const State& state, b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
-  const std::vector<b2Body*> bodies = bodies_of(world.GetBodyList());
   CouplingParts& parts = *parts_;
+  const std::vector<b2Body*>& bodies = parts.restore_memory.bodies;
+  list_bodies(world, parts.restore_memory.bodies);
   std::vector<CoupledCord> missing = missing_cords(state, parts.cords);
-  check_state(state, bodies, parts.cords, missing);
+  check_state(state, parts.restore_memory, parts.cords, missing);
   const auto body_at = [&bodies](int place) -> b2Body& { return *bodies[static_cast<std::size_t>(place)]; };
 
   parts.cords.activate_if([](const CoupledCord&) { return true; });
@@ -380,20 +459,8 @@ void Coupling::restore(const State& state, b2World& world) {
   parts.ties.restore(state.ties, state.next_tie);
   parts.carry.clear();
   for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
-  std::vector<FixtureIds::Known> known;
-  for (const State::Fixture& fixture : state.fixtures) {
-    const auto fixtures = fixtures_of(body_at(fixture.body));
-    known.push_back({SeenFixture(*fixtures[static_cast<std::size_t>(fixture.place)]), fixture.id, fixture.seen});
-  }
-  parts.fixtures.restore(std::move(known), state.next_fixture);
-  std::vector<TouchEvent> events;
-  for (const State::Event& event : state.events) {
-    const b2Fixture* const fixture = parts.fixtures.fixture(event.fixture);
-    events.push_back({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
-                      fixture != nullptr ? event.fixture : 0});
-  }
-  parts.touches.restore(std::move(events), state.ending);
-  parts.cuts.restore(state.cuts, state.old_cuts);
+  restore_fixtures(state, bodies, parts.fixtures);
+  restore_events(state, parts);
   parts.finder.enter(world);
 }
 

@@ -32,8 +32,8 @@ class CutLog {
   /// Returns how many of the events are of the last tick.
   std::size_t old() const { return old_; }
   /// Replaces the events.
-  void restore(std::vector<CutEvent> events, std::size_t old) {
-    events_ = std::move(events);
+  void restore(std::span<const CutEvent> events, std::size_t old) {
+    events_.assign(events.begin(), events.end());
     old_ = old;
   }
 

@@ -61,10 +61,14 @@ void FixtureIds::forget_all() {
   places_.clear();
 }
 
-void FixtureIds::restore(std::vector<Known> known, std::uint64_t next) {
-  known_ = std::move(known);
+void FixtureIds::clear(std::uint64_t next) {
+  forget_all();
   next_ = next;
-  list_places();
+}
+
+void FixtureIds::restore(const Known& known) {
+  places_.set(known.seen_as.fixture, static_cast<int>(known_.size()));
+  known_.push_back(known);
 }
 
 const FixtureIds::Known* FixtureIds::known(std::uint64_t id) const {

@@ -3,6 +3,7 @@
 #include <box2d/b2_fixture.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ribbon/box2d/address_table.h"
@@ -47,8 +48,13 @@ class FixtureIds {
   const Known* find(const b2Fixture& fixture) const;
   /// Returns the next new number.
   std::uint64_t next() const { return next_; }
-  /// Replaces all entries. Their fixtures exist and are different; their ids are ascending and below `next`.
-  void restore(std::vector<Known> known, std::uint64_t next);
+  /// Returns the entries, by number.
+  std::span<const Known> all() const { return known_; }
+  /// Removes all fixtures, and continues counting from `next`.
+  void clear(std::uint64_t next);
+  /// Adds an entry that was saved. Its fixture exists and has no entry; its id is above those of all entries and below
+  /// the next one.
+  void restore(const Known& known);
 
  private:
   void list_places();

@@ -82,9 +82,9 @@ void TouchTracker::forget(const b2Fixture& fixture) {
   }
 }
 
-void TouchTracker::restore(std::vector<TouchEvent> events, std::vector<EndingTouch> ending) {
-  events_ = std::move(events);
-  ending_ = std::move(ending);
+void TouchTracker::restore(std::span<const EndingTouch> ending) {
+  events_.clear();
+  ending_.assign(ending.begin(), ending.end());
 }
 
 }  // namespace ribbon::box2d

@@ -25,8 +25,10 @@ class TouchTracker {
   std::span<const TouchEvent> events() const { return events_; }
   /// Returns the contacts of removed cords that end in the next step, by cord and fixture number.
   std::span<const EndingTouch> ending() const { return ending_; }
-  /// Replaces the events and the ending contacts.
-  void restore(std::vector<TouchEvent> events, std::vector<EndingTouch> ending);
+  /// Replaces the ending contacts, and removes all events.
+  void restore(std::span<const EndingTouch> ending);
+  /// Adds an event that was saved.
+  void restore(const TouchEvent& event) { events_.push_back(event); }
 
  private:
   void report_missing(CordId cord, bool begins, std::span<const FixtureTouch> all, std::span<const FixtureTouch> in,

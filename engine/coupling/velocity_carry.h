@@ -73,6 +73,11 @@ class VelocityCarry {
 
   /// Returns what is stored for a body, or null.
   const CarryState* find(const b2Body& body) const { return entry(body); }
+  /// Calls `visit` with the address of each body for which something is stored, in any order. The body may be gone.
+  template <typename Visit>
+  void visit_addresses(Visit visit) const {
+    for (const Entry& entry : bodies_) visit(entry.body);
+  }
   /// Stores a state that find returned.
   void restore(b2Body& body, const CarryState& state);
 

@@ -8,9 +8,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ribbon/box2d/convert.h"   // conversions between vectors of cords and of Box2D
-#include "ribbon/box2d/coupling.h"  // cords in a Box2D world
-#include "ribbon/layout.h"          // initial positions
+#include "ribbon/box2d/convert.h"         // conversions between vectors of cords and of Box2D
+#include "ribbon/box2d/coupling.h"        // cords in a Box2D world
+#include "ribbon/box2d/world_snapshot.h"  // bodies and contacts, to go back
+#include "ribbon/layout.h"                // initial positions
 
 namespace {
 constexpr float dt = 1.0F / 60.0F;
@@ -22,7 +23,7 @@ struct Thuds : b2ContactListener {
 };
 
 struct Saved {
-  std::vector<b2BodyDef> bodies;
+  ribbon::box2d::WorldSnapshot world;  // bodies and contacts
   ribbon::box2d::CouplingState cords;  // the state of all cords, as plain data
 };
 
@@ -54,24 +55,12 @@ struct Game {
     for (const auto& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
   }
 
-  Saved save() const {
-    Saved saved{{}, cords.save(world)};  // Box2D cannot save a world: the game saves its bodies
-    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-      b2BodyDef& to = saved.bodies.emplace_back();
-      to.position = body->GetPosition();
-      to.angle = body->GetAngle();
-      to.linearVelocity = body->GetLinearVelocity();
-      to.angularVelocity = body->GetAngularVelocity();
-    }
-    return saved;
+  void save(Saved& saved) const {
+    saved.world.save(world);         // Box2D cannot save a world
+    cords.save(world, saved.cords);  // into the same memory each time
   }
-  void restore(const Saved& saved) {
-    auto from = saved.bodies.begin();
-    for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++from) {
-      body->SetTransform(from->position, from->angle);
-      body->SetLinearVelocity(from->linearVelocity);
-      body->SetAngularVelocity(from->angularVelocity);
-    }
+  void restore(Saved& saved) {
+    saved.world.restore(world);
     cords.restore(saved.cords, world);  // restores the grip of the ball too
   }
 
@@ -120,11 +109,12 @@ struct Game {
 /// Runs until the window is closed, or for `ticks` ticks; then it saves after half of them and restores at the end.
 void play(Game& game, SDL_Renderer* renderer, int ticks) {
   const int half = ticks > 0 ? ticks / 2 : -1;
-  Saved saved = game.save();
+  Saved saved;
+  game.save(saved);
   const Uint8* key = SDL_GetKeyboardState(nullptr);
   for (int tick = 0; tick != ticks && SDL_QuitRequested() == SDL_FALSE; ++tick) {
     if (tick == half) game.print("half way");
-    if (key[SDL_SCANCODE_S] != 0 || tick == half) saved = game.save();
+    if (key[SDL_SCANCODE_S] != 0 || tick == half) game.save(saved);
     if (key[SDL_SCANCODE_L] != 0) game.restore(saved);
     if (key[SDL_SCANCODE_SPACE] != 0) game.cords.body(*game.ball).release();  // the ball keeps its velocity
     game.tick(300.0F * static_cast<float>(key[SDL_SCANCODE_RIGHT] - key[SDL_SCANCODE_LEFT]));

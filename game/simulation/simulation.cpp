@@ -78,6 +78,27 @@ void Simulation::skip(const engine::TickInput& input) {
   check_player();
 }
 
+void Simulation::save(SavedTick& saved) const {
+  scene_->coupling().save(scene_->world(), saved.cords);
+  saved.world.save(scene_->world());
+  saved.player = *player_;
+  saved.progress = progress_of(*this);
+  saved.restarts = restarts_;
+}
+
+bool Simulation::restore(SavedTick& saved, const SavedTick* before) {
+  if (saved.restarts != restarts_) return false;
+  const bool has_before = before != nullptr && before->restarts == restarts_;
+  saved.world.restore(scene_->world(), has_before ? &before->world : nullptr);
+  scene_->coupling().restore(saved.cords, scene_->world());
+  *player_ = *saved.player;
+  progress_of(*this) = saved.progress;
+  take_snapshot(current_);
+  previous_ = current_;
+  compute_hash();
+  return true;
+}
+
 void Simulation::watch(ribbon::box2d::StepWatcher* watcher) {
   watcher_ = watcher;
   scene_->coupling().watch(watcher);
@@ -107,6 +128,7 @@ void Simulation::restart() {
   run_ticks_ = 0;
   falls_ = 0;
   goal_ticks_.reset();
+  ++restarts_;
   take_snapshot(previous_);
   take_snapshot(current_);
 }

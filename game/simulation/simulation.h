@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "engine/replay/replay.h"
@@ -10,6 +11,7 @@
 #include "game/simulation/drag.h"
 #include "game/simulation/level.h"
 #include "game/simulation/player.h"
+#include "game/simulation/saved_tick.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
 
@@ -49,6 +51,12 @@ class Simulation {
   /// tick().
   void skip(const engine::TickInput& input);
 
+  /// Saves the state. It allocates nothing if the object held a state of this level before.
+  void save(SavedTick& saved) const;
+  /// Goes back to a state, as exactly as ribbon::box2d::WorldSnapshot does. `before` is that of the tick before, or
+  /// null. Returns false, and changes nothing, if the level was restarted since then. Not for a run with a mover.
+  bool restore(SavedTick& saved, const SavedTick* before);
+
   const Level& level() const { return *level_; }
   const engine::Scene& scene() const { return *scene_; }
   /// Recordings do not include changes of the scene.
@@ -86,6 +94,13 @@ class Simulation {
   void update_foothold();
   void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
+  /// Returns references to what SavedTick::Progress has.
+  template <typename Self>
+  static auto progress_of(Self& self) {
+    return std::tie(self.drag_, self.checkpoint_, self.aimed_hook_, self.foothold_, self.next_foothold_,
+                    self.standing_ticks_, self.buttons_before_, self.ticks_, self.run_ticks_, self.falls_,
+                    self.goal_ticks_);
+  }
 
   const Level* level_;
   MakeMover make_mover_;
@@ -108,6 +123,7 @@ class Simulation {
   int run_ticks_ = 0;
   int falls_ = 0;
   std::optional<int> goal_ticks_;
+  int restarts_ = 0;
 };
 
 }  // namespace game

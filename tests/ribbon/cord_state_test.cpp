@@ -55,7 +55,9 @@ TEST(CordSameBits, AStateWithAllFieldsIsRestoredCompletely) {
   refused([](Cord::State& s) { s.rest_speeds.clear(); });
   refused([](Cord::State& s) { s.positions[3].x = nan; });
   refused([](Cord::State& s) { s.velocities[3].y = infinity; });
+  refused([](Cord::State& s) { s.accelerations.back().y = -infinity; });
   refused([](Cord::State& s) { s.masses[0] = -1.0; });
+  refused([](Cord::State& s) { s.masses.back() = nan; });
   refused([](Cord::State& s) { s.rest[2] = 0.0; });
   refused([](Cord::State& s) { s.rest_targets[2] = -1.0; });
   refused([](Cord::State& s) { s.kinds[1] = static_cast<PointKind>(77); });

@@ -13,6 +13,7 @@ std::vector<Scene> lamp_scenes();       ///< the cost of cords at rest
 std::vector<Scene> cost_scenes();       ///< the cost of long cords, ribbons and many cords
 std::vector<Scene> scale_scenes();      ///< the cost of large worlds and a thousand cords
 std::vector<Scene> guide_scenes();      ///< the cost of each term, and the effect of more links
+std::vector<Scene> back_scenes();       ///< the cost of saving, restoring and going back
 
 /// Cords that touch: the direct solver in a Box2D world against Box2D's own chains.
 Scene thesis_trade_scene();

@@ -10,6 +10,7 @@
 
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
+#include "tests/support/allocations.h"
 
 // What Coupling::restore refuses, and how it treats bodies that are created or destroyed. That a restored coupling
 // continues with the same bits is tested in tests/bits/restore_test.cpp.
@@ -269,6 +270,80 @@ TEST(CouplingState, EventsAndReportsAreRestoredToo) {
   EXPECT_EQ(scene.coupling.touch_events()[0].fixture, fixture);
   EXPECT_EQ(scene.coupling.cord(0).island_total(), total);
   EXPECT_FALSE(scene.coupling.grip(2).is_valid());
+}
+
+/// Whatever the object held before: nothing, fewer or more grips, contacts and cords, or the state of another coupling.
+TEST(CouplingState, SavedIntoAnObjectIsTheSame) {
+  State into;
+  Scene other;
+  other.coupling.hold(*other.ball, {.cord = 0, .arc = 0.5});
+  other.tick(10);
+  Scene scene;
+  const auto check = [&into](const Scene& of) {
+    of.coupling.save(of.world, into);
+    EXPECT_TRUE(into == of.coupling.save(of.world));
+  };
+  check(scene);
+  check(other);
+  for (int k = 0; k < 30; ++k) {
+    check(scene);
+    scene.tick();
+  }
+  scene.coupling.cut({0.5, -9.0}, {0.5, 9.0});
+  check(scene);
+  scene.tick();
+  check(scene);
+  scene.coupling.remove(1);
+  check(scene);
+  scene.world.DestroyBody(scene.holder);
+  check(scene);
+}
+
+TEST(CouplingState, IsSavedAndRestoredWithoutAllocations) {
+  Scene scene;
+  scene.tick(20);
+  State state;
+  scene.coupling.save(scene.world, state);
+  scene.tick(5);
+  scene.coupling.restore(state, scene.world);
+  const test_support::AllocationCount count;
+  for (int k = 0; k < 5; ++k) {
+    scene.coupling.save(scene.world, state);
+    scene.coupling.restore(state, scene.world);
+  }
+  EXPECT_EQ(count.so_far(), 0);
+}
+
+/// Places are those in the order of creation, also of bodies and fixtures among many others, and grips are by id.
+TEST(CouplingState, FindsItsBodiesAndFixturesAmongMany) {
+  Scene scene;
+  std::vector<b2Body*> many;
+  for (int k = 0; k < 500; ++k) many.push_back(&scene.add_circle({100.0F + static_cast<float>(k), 0.0F}, 0.1F));
+  b2CircleShape circle;
+  circle.m_radius = 0.05F;
+  for (int k = 0; k < 3; ++k) {
+    circle.m_p.Set(0.05F * static_cast<float>(k), 0.0F);
+    scene.ball->CreateFixture(&circle, 1.0F);
+  }
+  b2Body& late = scene.add_circle({0.3F, -0.2F}, 0.1F);
+  scene.coupling.hold(late, {.cord = 0, .arc = 0.3});
+  scene.coupling.hold(*many[7], {.cord = 0, .arc = 1.7});
+  scene.coupling.hold(late, {.cord = 0, .arc = 0.4});
+  scene.tick(10);
+  const State state = scene.coupling.save(scene.world);
+  ASSERT_EQ(state.grips.size(), 4U);
+  const std::vector<int> bodies = {state.grips[0].body, state.grips[1].body, state.grips[2].body, state.grips[3].body};
+  EXPECT_EQ(bodies, (std::vector{0, 502, 9, 502}));
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(state.grips[k].memory.id, static_cast<int>(k) + 1);
+  std::vector<const b2Fixture*> before;
+  for (const State::Fixture& fixture : state.fixtures) before.push_back(scene.coupling.fixture(fixture.id));
+  ASSERT_GT(before.size(), 4U) << "those of the ball, among others";
+  scene.tick(5);
+  scene.coupling.restore(state, scene.world);
+  EXPECT_TRUE(scene.coupling.save(scene.world) == state);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_EQ(scene.coupling.fixture(state.fixtures[k].id), before[k]) << k;
+  }
 }
 
 }  // namespace
