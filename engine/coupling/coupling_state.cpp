@@ -196,9 +196,8 @@ void check_cords(const CouplingState& state, const CordTable& cords, const std::
 }
 
 void check_enabled(const char* field, CordId id, const CouplingState& state) {
-  const auto found =
-      std::lower_bound(state.cords.begin(), state.cords.end(), id,
-                       [](const CouplingState::Cord& cord, CordId wanted) { return cord.id < wanted; });
+  const auto found = std::lower_bound(state.cords.begin(), state.cords.end(), id,
+                                      [](const CouplingState::Cord& cord, CordId wanted) { return cord.id < wanted; });
   if (found != state.cords.end() && found->id == id && found->enabled) return;
   throw DefinitionError(std::string(field) + " is " + std::to_string(id) + "; accepted is the id of an enabled cord");
 }

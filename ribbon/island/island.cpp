@@ -30,7 +30,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   state_.rigid = bodies;
   work_ = {};
   bounds_.begin_step(cords.size());
-  const bool closes_ties = bring_together(cords, tied, dt);
+  const bool closes_ties = bring_together(cords, tied);
   for (bool linearised = false;;) {
     begin_attempt(cords, tied);
     state_.driven = state_.driven || closes_ties || (state_.unlocking && !linearised && !truncates(linearised));

@@ -91,6 +91,7 @@ void LinearisedStage::begin(const StageContext& context, const StageRequest& req
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] == 0) state.positions[p] = request.from[p];
   }
+  state.place_gaps(request.time);
   context.newton.reset_penalty();
 }
 

@@ -57,6 +57,7 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
   }
   for (HeldBody& held : state.held) held.share = request.time / state.dt;
   place_driven(state, request.time);
+  state.place_gaps(request.time);
   for (const Member& member : state.members) {
     load_member(state, member, request);
     if (move_climbing_grips(state, member)) newton_.system().discard_pattern();

@@ -38,6 +38,12 @@ void IslandState::drive(std::size_t slot, Vec2 velocity) {
   velocities[slot] = velocity;
 }
 
+void IslandState::place_gaps(double time) {
+  for (const TieGap& gap : ties.gaps) {
+    positions[at(gap.of.slot)] = positions[at(gap.of.with)] + gap.start - (time / dt) * gap.closing;
+  }
+}
+
 void IslandState::resize(std::size_t slots, std::size_t tension_count) {
   for (auto* all : {&positions, &velocities, &accelerations, &free_accelerations, &drive_starts, &drive_velocities,
                     &start.positions, &start.velocities}) {

@@ -44,11 +44,19 @@ struct SolvedBody {
   bool turns;  ///< its moment of inertia is finite
 };
 
+/// A gap between tied slots, which the step closes in part.
+struct TieGap {
+  TiedSlot of;
+  Vec2 start;    ///< m, from the second slot to the first one
+  Vec2 closing;  ///< m, by which the step reduces it
+};
+
 /// The points of an island that are tied to each other.
 struct IslandTies {
   std::vector<TiedSlot> slots;     ///< all but the first of each group, ascending, with the first
   std::vector<TiedPoint> by_cord;  ///< all, ascending by cord and point; a group is its first slot
 
+  std::vector<TieGap> gaps;  ///< of slots that are apart
   /// By member: the first one that ties connect it with.
   std::vector<std::size_t> first_connected;
 
@@ -132,6 +140,8 @@ struct IslandState {
   std::size_t solved_body(int index);
   /// Moves a slot at a constant velocity [m/s] in the step.
   void drive(std::size_t slot, Vec2 velocity);
+  /// Places tied points that are apart with the gap that they have `time` [s] after the start of the step.
+  void place_gaps(double time);
   void resize(std::size_t slots, std::size_t tension_count);
   void begin_substep(double time, double substep_dt);
   void return_to_start();

@@ -31,6 +31,7 @@ void reset(IslandState& state) {
   state.held.clear();
   state.ties.slots.clear();
   state.ties.by_cord.clear();
+  state.ties.gaps.clear();
   state.points = 0;
   state.duals = 0;
 }
@@ -127,12 +128,20 @@ void load_group(IslandState& state, std::span<const TiedPoint> group) {
   const int first = static_cast<int>(slot_of(group[0]));
   const auto driver = std::find_if(group.begin(), group.end(),
                                    [&](const TiedPoint& tied) { return state.constrained[slot_of(tied)] != 0; });
+  const std::size_t reference = driver == group.end() ? at(first) : slot_of(*driver);
   for (const TiedPoint& tied : group) {
     const std::size_t slot = slot_of(tied);
-    if (static_cast<int>(slot) != first) state.ties.slots.push_back({static_cast<int>(slot), first});
+    const TiedSlot of{static_cast<int>(slot), first};
+    if (of.slot != first) state.ties.slots.push_back(of);
     state.ties.by_cord.push_back({first, tied.cord, tied.point});
-    if (driver == group.end() || state.constrained[slot] != 0) continue;
-    state.drive(slot, state.drive_velocities[slot_of(*driver)]);
+    if (slot == reference || state.constrained[slot] != 0) continue;
+    const Vec2 gap = state.positions[slot] - state.positions[reference];
+    const Vec2 closing = closing_in_step(*state.members[at(tied.cord)].cord, gap, state.dt);
+    if (driver != group.end()) {
+      state.drive(slot, state.drive_velocities[reference] - (1.0 / state.dt) * closing);
+    } else if (gap != Vec2{}) {
+      state.ties.gaps.push_back({of, gap, closing});
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "ribbon/system/tie_groups.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/stretch.h"
 
 namespace ribbon {
 namespace {
@@ -33,27 +35,20 @@ bool is_free(const CordParts& cord, int point) { return cord.state.kinds[at(poin
 struct GroupMotion {
   Vec2 position;
   Vec2 velocity;
-  double shortest_link = 0.0;  // m, of its cords
 };
 
 GroupMotion motion_of(std::span<const IslandCord> cords, std::span<const TiedPoint> group) {
   GroupMotion sum;
   double mass = 0.0;
   for (const TiedPoint& tied : group) {
-    const CordParts& cord = parts_of(cords, tied);
-    const double link = cord.def.length / (cord.def.points - 1);
-    sum.shortest_link = mass == 0.0 ? link : std::min(sum.shortest_link, link);
-    const double own = cord.state.masses[at(tied.point)];
-    mass += own;
-    sum.position += own * cord.state.positions[at(tied.point)];
-    sum.velocity += own * cord.state.velocities[at(tied.point)];
+    const Cord::State& cord = parts_of(cords, tied).state;
+    const std::size_t p = at(tied.point);
+    if (cord.kinds[p] != PointKind::free) return {cord.positions[p], cord.velocities[p]};
+    mass += cord.masses[p];
+    sum.position += cord.masses[p] * cord.positions[p];
+    sum.velocity += cord.masses[p] * cord.velocities[p];
   }
-  for (const TiedPoint& tied : group) {
-    const CordParts& cord = parts_of(cords, tied);
-    if (is_free(cord, tied.point)) continue;
-    return {cord.state.positions[at(tied.point)], cord.state.velocities[at(tied.point)], sum.shortest_link};
-  }
-  return {(1.0 / mass) * sum.position, (1.0 / mass) * sum.velocity, sum.shortest_link};
+  return {(1.0 / mass) * sum.position, (1.0 / mass) * sum.velocity};
 }
 
 /// Returns by how much the motions of a group's points differ at most, m or m/s. Free ones have equal accelerations too
@@ -72,23 +67,27 @@ double difference(std::span<const IslandCord> cords, std::span<const TiedPoint> 
   return most;
 }
 
-/// Moves a free point of a group. Returns whether it is still apart.
-bool move_to(const GroupMotion& together, CordParts& cord, int point, double dt) {
+/// Returns whether a link of an inextensible rope is stretched. What ties it holds it back from what they draw it to.
+bool is_stretched(const CordParts& cord) {
+  if (std::isfinite(cord.def.stretch_stiffness)) return false;
+  for (std::size_t link = 0; link + 1 < cord.size(); ++link) {
+    const Vec2 along = cord.state.positions[link + 1] - cord.state.positions[link];
+    if (length(along) > (1.0 + max_strain) * cord.state.rest[link]) return true;
+  }
+  return false;
+}
+
+/// Gives a free point of a group its velocity, and its position unless it is apart. Returns whether it is.
+bool join(const GroupMotion& together, CordParts& cord, int point) {
   cord.state.velocities[at(point)] = together.velocity;
   Vec2& position = cord.state.positions[at(point)];
-  const Vec2 way = together.position - position;
-  const double distance = length(way);
-  if (distance <= closed_distance) {
-    position = together.position;
-    return false;
-  }
-  const double most = std::min(closing_speed * dt, max_draw * together.shortest_link);
-  position += std::min(closing_share, most / distance) * way;
-  return true;
+  if (length(together.position - position) > closed_distance) return true;
+  position = together.position;
+  return false;
 }
 
 /// Returns whether the points of a group are still apart.
-bool bring_group_together(std::span<const IslandCord> cords, std::span<const TiedPoint> group, double dt) {
+bool bring_group_together(std::span<const IslandCord> cords, std::span<const TiedPoint> group) {
   const double different = difference(cords, group);
   if (different == 0.0) return false;
   const GroupMotion together = motion_of(cords, group);
@@ -99,7 +98,7 @@ bool bring_group_together(std::span<const IslandCord> cords, std::span<const Tie
       cord.exclude_damping();
       cord.disturb();
     }
-    if (is_free(cord, tied.point)) apart = move_to(together, cord, tied.point, dt) || apart;
+    if (is_free(cord, tied.point)) apart = join(together, cord, tied.point) || apart;
   }
   return apart;
 }
@@ -158,12 +157,19 @@ void TieGroups::join(std::size_t a, std::size_t b) {
   parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
-bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points, double dt) {
+Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt) {
+  const double distance = length(gap);
+  if (distance <= closed_distance || is_stretched(cord)) return {};
+  const double most = std::min(closing_speed * dt, max_draw * cord.def.length / (cord.def.points - 1));
+  return std::min(closing_share, most / distance) * gap;
+}
+
+bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points) {
   bool apart = false;
   for (std::size_t first = 0; first < points.size();) {
     std::size_t end = first + 1;
     while (end < points.size() && points[end].group == points[first].group) ++end;
-    apart = bring_group_together(cords, points.subspan(first, end - first), dt) || apart;
+    apart = bring_group_together(cords, points.subspan(first, end - first)) || apart;
     first = end;
   }
   return apart;

@@ -9,6 +9,8 @@
 
 namespace ribbon {
 
+struct CordParts;
+
 /// A point that is tied to others.
 struct TiedPoint {
   int group = 0;  ///< number of its group: points that move as one
@@ -35,9 +37,11 @@ class TieGroups {
   std::vector<TiedPoint> points_;
 };
 
-/// Brings tied points together before a step of dt seconds: they get one velocity, which keeps
-/// the momentum, and points that are apart move towards each other, over several steps. Returns whether points are
-/// apart. `cords` are those of an island, and `points` refer to them.
-bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points, double dt);
+/// Gives tied points one velocity before a step, which keeps the momentum, and one position unless they are apart.
+/// Returns whether some are. `cords` are those of an island, and `points` refer to them.
+bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points);
+/// Returns by how much [m] the gap between a cord's point and what it is tied to is closed in a step of dt seconds:
+/// points that were tied while apart are drawn together over several steps.
+Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt);
 
 }  // namespace ribbon

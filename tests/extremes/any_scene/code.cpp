@@ -168,6 +168,16 @@ std::string code_of(const Cut& cut, const std::string& object) {
   return lines.all();
 }
 
+std::string code_of(const Knot& knot, const std::string& object) {
+  const Knot plain;
+  Lines lines(object);
+  lines.set("tick", knot.tick, plain.tick);
+  lines.set("cord", knot.cord, plain.cord);
+  lines.set("place", knot.place, plain.place);
+  lines.set("unties", knot.unties, plain.unties);
+  return lines.all();
+}
+
 template <typename Part>
 std::string code_of_all(const std::vector<Part>& parts, const std::string& list) {
   std::string code;
@@ -189,7 +199,7 @@ std::string to_code(const Scene& scene, std::string_view name) {
   return std::string("any_scene::Scene ") + std::string(name) + "() {\n  any_scene::Scene scene;\n" + lines.all() +
          code_of_all(scene.cords, "cords") + code_of_all(scene.solids, "solids") + code_of_all(scene.holds, "holds") +
          code_of_all(scene.drags, "drags") + code_of_all(scene.reels, "reels") + code_of_all(scene.cuts, "cuts") +
-         "  return scene;\n}\n";
+         code_of_all(scene.knots, "knots") + "  return scene;\n}\n";
 }
 
 }  // namespace any_scene

@@ -50,6 +50,8 @@ Recipe recipe_of(Family family, Dice& dice) {
     case Family::ribbons_both: return {1, 3, true, true, true};
     case Family::heap: return {8, 16, false, true, true, 0, 4};
     case Family::heap_held: return {8, 16, false, true, true, 3, 6, 3, dice.coin(), dice.coin()};
+    case Family::tied:
+      return {2, 5, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
     default: break;
   }
   return {1, 4, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
@@ -202,12 +204,22 @@ void add_cuts(Dice& dice, Scene& scene) {
   }
 }
 
+/// Two ties in every tenth tick, one at the start, and every fifth of them is an untying.
+void add_knots(Dice& dice, Scene& scene) {
+  for (int tick = 0; tick < scene.ticks; tick += 10) {
+    for (int k = 0; k < 2; ++k) {
+      const double cord = 0.999 * dice();
+      scene.knots.push_back({tick, cord, 0.999 * dice(), tick > 0 && chance(dice, 0.2)});
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view name(Family family) {
   constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
                                         "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed",
-                                        "heap",         "heap_held",  "cut"};
+                                        "heap",         "heap_held",  "cut",          "tied"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -216,7 +228,7 @@ std::string_view name(Difficulty difficulty) { return difficulty == Difficulty::
 Scene generate(const SceneId& which) {
   Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.difficulty) +
             12345U);
-  const bool mixed = which.family == Family::mixed || which.family == Family::cut;
+  const bool mixed = which.family == Family::mixed || which.family == Family::cut || which.family == Family::tied;
   const Recipe recipe = recipe_of(which.family, dice);
   Scene scene;
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
@@ -248,7 +260,8 @@ Scene generate(const SceneId& which) {
   add_holders(dice, recipe, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);
   if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
-  if (which.family == Family::cut) add_cuts(dice, scene);
+  if (which.family == Family::cut || which.family == Family::tied) add_cuts(dice, scene);
+  if (which.family == Family::tied) add_knots(dice, scene);
   return scene;
 }
 

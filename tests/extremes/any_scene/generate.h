@@ -23,11 +23,12 @@ enum class Family : unsigned char {
   heap,          ///< 8 to 16 short ropes and ribbons with both contacts, and bodies, between two walls
   heap_held,     ///< the same, of whose bodies up to three hold cords
   cut,           ///< as mixed; cords are cut and break in every tenth tick
+  tied,          ///< as cut; cords are also tied and untied in every tenth tick
 };
-constexpr std::array<Family, 13> all_families = {
+constexpr std::array<Family, 14> all_families = {
     Family::rope_falls,   Family::rope_self,  Family::ropes_mutual, Family::ropes_both,   Family::hold_points,
     Family::hold_between, Family::grips_slip, Family::ribbon_falls, Family::ribbons_both, Family::mixed,
-    Family::heap,         Family::heap_held,  Family::cut};
+    Family::heap,         Family::heap_held,  Family::cut,          Family::tied};
 std::string_view name(Family family);
 
 /// The difficulty of a scene.

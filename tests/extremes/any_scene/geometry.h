@@ -51,6 +51,8 @@ struct Outline {
   ribbon::Vec2 start(int link) const { return points[static_cast<std::size_t>(link)]; }
   ribbon::Vec2 end(int link) const { return points[static_cast<std::size_t>(link + 1) % points.size()]; }
 };
+/// Returns the distance of a point from the segment from a to b, m.
+double distance(ribbon::Vec2 p, ribbon::Vec2 a, ribbon::Vec2 b);
 Outline outline(const ribbon::CordDef& def, std::span<const ribbon::Vec2> positions);
 /// Returns the outline of a straight cord at rest.
 Outline outline_at_rest(const ribbon::CordDef& def);

@@ -119,6 +119,17 @@ bool Oracles::were_close(int a, int i, int b, int j) const {
   return joined_[slot(b)][slot(i * links_[slot(b)] + j)] != 0;
 }
 
+/// Returns whether two links are near a place where cords are tied.
+bool Oracles::are_tied(int a, int i, int b, int j, const Snapshot& now) const {
+  const double reach = 3.0 * std::max(scene_.cords[slot(a)].def.radius, scene_.cords[slot(b)].def.radius);
+  const auto is_near = [reach](const Outline& line, int link, Vec2 place) {
+    return distance(place, line.start(link), line.end(link)) <= reach;
+  };
+  return std::any_of(now.ties.begin(), now.ties.end(), [&](Vec2 place) {
+    return is_near(now.cords[slot(a)], i, place) && is_near(now.cords[slot(b)], j, place);
+  });
+}
+
 /// A crossing is new if the number of crossings grew and no crossing was near it before.
 bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const {
   const Outline& a0 = before.cords[slot(a)];
@@ -127,7 +138,7 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   const Outline& b1 = after.cords[slot(b)];
   const int links = b1.links();
   const auto close = [&](int i, int j) {
-    return a == b ? near_[slot(a)][slot(i * links + j)] != 0 : were_close(a, i, b, j);
+    return a == b ? near_[slot(a)][slot(i * links + j)] != 0 : were_close(a, i, b, j) || are_tied(a, i, b, j, after);
   };
   const std::vector<Pair> was = crossing_pairs(a0, b0, a == b);
   const std::vector<Pair> is = crossing_pairs(a1, b1, a == b);

@@ -41,6 +41,7 @@ class Oracles {
   bool meet(int a, int b) const;
   bool is_held_by(int cord, int solid) const;
   bool were_close(int a, int i, int b, int j) const;
+  bool are_tied(int a, int i, int b, int j, const Snapshot& now) const;
   bool cords_crossed(int a, int b, const Snapshot& before, const Snapshot& after) const;
   bool solid_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const;
   bool edge_crossed(int cord, int solid, const Snapshot& before, const Snapshot& after) const;

@@ -49,6 +49,7 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       before = world.snapshot();
       sample.gain = balance.take(world.energy(), world.heights()).in_tick;  // by the cut
     }
+    const bool draws_together = world.draws_together();
     sample.milliseconds = world.tick();
     sample.finite = world.is_finite();
     if (sample.finite) {
@@ -60,7 +61,7 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       look(world, *oracles, before, after, sample);
       sample.energy = world.energy().total;
       const EnergyBalance::Gain gain = balance.take(world.energy(), world.heights());
-      sample.gain = driven ? 0.0 : std::max(sample.gain, gain.in_tick);
+      sample.gain = driven || draws_together ? 0.0 : std::max(sample.gain, gain.in_tick);
       if (!driven) sample.rise = gain.since_lowest;
       const int now_inside_out = inverted(world.coupling());
       sample.inverted = std::max(0, now_inside_out - inside_out);

@@ -94,6 +94,16 @@ struct Cut {
   bool operator==(const Cut&) const = default;
 };
 
+/// Ties two cords before a tick, at the nearest points of theirs, or unties one of the ties that there are.
+struct Knot {
+  int tick = 0;
+  double cord = 0.0;    ///< 0 … below 1, share of the cords that there are then, by id
+  double place = 0.5;   ///< 0 … below 1, share of its points: this one is tied to the nearest one of another cord
+  bool unties = false;  ///< instead, that share of the ties, by id, is untied
+
+  bool operator==(const Knot&) const = default;
+};
+
 /// All inputs of a run.
 struct Scene {
   ribbon::Vec2 gravity{0.0, -9.81};  ///< m/s²
@@ -106,6 +116,7 @@ struct Scene {
   std::vector<Drag> drags;
   std::vector<Reel> reels;
   std::vector<Cut> cuts;
+  std::vector<Knot> knots;
 
   bool operator==(const Scene&) const = default;
 };

@@ -81,6 +81,9 @@ bool Shrinker::drop_parts() {
   any = attempt_each([](const Scene& s) { return s.cuts.size(); },
                      [](Scene& s, int k) { s.cuts.erase(s.cuts.begin() + k); }) ||
         any;
+  any = attempt_each([](const Scene& s) { return s.knots.size(); },
+                     [](Scene& s, int k) { s.knots.erase(s.knots.begin() + k); }) ||
+        any;
   any = attempt_each([](const Scene& s) { return s.holds.size(); },
                      [](Scene& s, int k) { s.holds.erase(s.holds.begin() + k); }) ||
         any;

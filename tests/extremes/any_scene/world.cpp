@@ -17,6 +17,7 @@ using ribbon::box2d::to_float;
 namespace {
 
 constexpr double closed_gap = 1e-3;  // m
+constexpr double max_knot = 0.5;     // m, distance of what is tied
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
@@ -134,7 +135,36 @@ bool World::drive(int number) {
   }
   bool is_cut = false;
   for (const Cut& wanted : scene_.cuts) is_cut = (wanted.tick == number && cut(wanted)) || is_cut;
+  for (const Knot& knot : scene_.knots) is_cut = (knot.tick == number && tie(knot)) || is_cut;
   return is_cut;
+}
+
+/// Ties what is no more than half a metre apart. Returns whether it tied or untied something.
+bool World::tie(const Knot& knot) {
+  std::erase_if(ties_, [this](ribbon::box2d::TieId id) { return !coupling_.tie(id).is_valid(); });
+  if (knot.unties) {
+    if (ties_.empty()) return false;
+    return coupling_.tie(ties_[static_cast<std::size_t>(knot.cord * static_cast<double>(ties_.size()))]).untie();
+  }
+  const auto cords = coupling_.cords();
+  if (cords.size() < 2) return false;
+  const CordId id = cords[static_cast<std::size_t>(knot.cord * static_cast<double>(cords.size()))];
+  const auto points = coupling_.cord(id).positions();
+  const auto point = static_cast<std::size_t>(knot.place * static_cast<double>(points.size()));
+  const auto nearest = coupling_.nearest_place(points[point], max_knot, id);
+  if (!nearest) return false;
+  try {
+    ties_.push_back(coupling_.tie({id, static_cast<int>(point), nearest->cord, nearest->point}));
+  } catch (const ribbon::CallError&) {
+    return false;  // they are tied there already
+  }
+  return true;
+}
+
+bool World::draws_together() const {
+  return std::any_of(ties_.begin(), ties_.end(), [this](ribbon::box2d::TieId id) {
+    return coupling_.tie(id).is_valid() && coupling_.tie(id).state().gap > 0.0;
+  });
 }
 
 /// Returns whether a cord was cut.
@@ -210,6 +240,9 @@ Snapshot World::snapshot() const {
     now.solids.push_back(
         {to_double(body->GetPosition()), static_cast<double>(turned.c), static_cast<double>(turned.s)});
     now.pressed.push_back(is_pressed(*body) ? 1 : 0);
+  }
+  for (const ribbon::box2d::TieId id : ties_) {
+    if (coupling_.tie(id).is_valid()) now.ties.push_back(coupling_.tie(id).state().place);
   }
   return now;
 }

@@ -14,7 +14,8 @@ namespace any_scene {
 struct Snapshot {
   std::vector<Outline> cords;
   std::vector<Pose> solids;
-  std::vector<char> pressed;  ///< by solid: whether Box2D pushes it, because it touches another solid
+  std::vector<char> pressed;       ///< by solid: whether Box2D pushes it, because it touches another solid
+  std::vector<ribbon::Vec2> ties;  ///< m, where cords are tied: there they lie in each other
 };
 
 /// A scene in Box2D's world with its cords.
@@ -25,10 +26,12 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Drives what the scene drives in a tick. Returns whether a cord was cut.
+  /// Drives what the scene drives in a tick. Returns whether a cord was cut, tied or untied.
   bool drive(int number);
   /// Takes one tick; returns the milliseconds of Coupling::step.
   double tick();
+  /// Returns whether points that were tied while apart are being drawn together, which does work.
+  bool draws_together() const;
   /// Returns whether a link broke in the last tick.
   bool has_broken() const;
   /// Returns a scene with the cords that there are now, and what holds them, for the oracles.
@@ -60,6 +63,7 @@ class World {
   void add(const SceneCord& cord, Preset preset);
   void add(const Hold& hold);
   bool cut(const Cut& cut);
+  bool tie(const Knot& knot);
   bool has_slipped_off(ribbon::box2d::CordId id, double arc, const Hold& hold) const;
   double gap(std::size_t hold) const;
   void update_pushed_bodies();
@@ -76,6 +80,7 @@ class World {
   std::vector<ribbon::box2d::GripId> grips_;
   std::vector<char> pushed_;  // by hold: Box2D has pushed its solid and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
+  std::vector<ribbon::box2d::TieId> ties_;
   double box2d_work_ = 0.0;  // J
 };
 
