@@ -19,6 +19,7 @@ using ribbon::Vec2;
 constexpr std::size_t max_objects = 2000;     // far more than a level needs, few enough to run any of them
 constexpr std::int64_t max_points = 100'000;  // of all cords together: a few hundred megabytes at most
 constexpr double max_anchor_distance = 0.25;  // m, from an anchor to the cord point that it pins
+constexpr double max_tie_distance = 0.25;     // m, from a tie to the points that it ties
 constexpr double max_load_distance = 0.5;     // m, from the rim of a load to the end of the cord that it hangs from
 
 b2Vec2 gravity_of(const TiledMap& map) {
@@ -68,6 +69,7 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
   for (const MapObject& object : map.objects) {  // these refer to cords
     if (object.kind == "anchor") fix_anchor(object, map);
     if (object.kind == "load" && object.properties.has("cord")) hang_load(object, map);
+    if (object.kind == "tie") tie_cords(object, map);
   }
 }
 
@@ -80,9 +82,9 @@ void Scene::build(const MapObject& object, const std::vector<std::string>& other
     bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id});
   } else if (is_cord(object)) {
     build_cord(object, cord_filter);
-  } else if (object.kind != "anchor" &&
+  } else if (object.kind != "anchor" && object.kind != "tie" &&
              std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
-    std::string accepted = "ground, circle, cord, ribbon, anchor, load";
+    std::string accepted = "ground, circle, cord, ribbon, anchor, load, tie";
     for (const std::string& kind : other_kinds) accepted += ", " + kind;
     throw object.error("class is " + in_quotes(object.kind) + "; accepted is " + accepted);
   }
@@ -105,14 +107,14 @@ void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   cord_objects_.push_back(object.id);
 }
 
-/// Returns the cord whose id is the object's property `cord`.
-ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap& map) const {
-  const std::int64_t id = object.properties.integer("cord");
+/// Returns the cord whose id is a property of the object.
+ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap& map, const char* property) const {
+  const std::int64_t id = object.properties.integer(property);
   const auto found = std::find(cord_objects_.begin(), cord_objects_.end(), id);
   if (found != cord_objects_.end()) return static_cast<ribbon::box2d::CordId>(found - cord_objects_.begin());
   const MapObject* other = map.find(static_cast<int>(id));
   throw object.error(
-      "property \"cord\" is " + std::to_string(id) + ", " +
+      "property \"" + std::string(property) + "\" is " + std::to_string(id) + ", " +
       (other == nullptr ? "and there is no such object" : "an object of class " + in_quotes(other->kind)) +
       "; accepted is the id of a cord or ribbon");
 }
@@ -159,6 +161,44 @@ void Scene::hang_load(const MapObject& object, const TiledMap& map) {
                                  [&object](const SceneBody& body) { return body.object == object.id; });
   const b2Vec2 anchor = made->body->GetLocalPoint(ribbon::box2d::to_float(end));
   coupling_.hold(cord, first ? 0 : static_cast<int>(x.size()) - 1, *made->body, anchor);
+}
+
+/// Ties the nearest points of two cords.
+void Scene::tie_cords(const MapObject& object, const TiledMap& map) {
+  object.properties.check_known_properties({"cord", "other_cord", "breaking_force"});
+  if (object.shape != MapShape::point) {
+    throw object.error("the shape of a tie is " + std::string(shape_name(object.shape)) + "; accepted is point");
+  }
+  const ribbon::box2d::CordPoint first = end_of_tie(object, map, "cord", {});
+  const ribbon::box2d::CordPoint other = end_of_tie(object, map, "other_cord", first.cord);
+  ribbon::box2d::TieDef def{first.cord, first.point, other.cord, other.point};
+  const double breaking_force = object.properties.number_or("breaking_force", 0.0, {0.0, 1e12});
+  if (breaking_force > 0.0) def.breaking_force = breaking_force;
+  try {
+    coupling_.tie(def);
+  } catch (const ribbon::CallError& error) {
+    throw object.error(error.what());
+  }
+}
+
+/// Returns the nearest point of the cord that a property names, or of any cord but one.
+ribbon::box2d::CordPoint Scene::end_of_tie(const MapObject& object, const TiledMap& map, const char* property,
+                                           std::optional<ribbon::box2d::CordId> except) const {
+  std::optional<ribbon::box2d::CordPoint> nearest;
+  const auto look_at = [&](ribbon::box2d::CordId cord) {
+    const auto found = nearest_of(cord, object.position, nearest ? nearest->distance : max_tie_distance);
+    if (found && (!nearest || found->distance < nearest->distance)) nearest = found;
+  };
+  if (object.properties.has(property)) {
+    look_at(named_cord(object, map, property));
+  } else {
+    for (const ribbon::box2d::CordId cord : coupling_.cords()) {
+      if (cord != except && coupling_.cord(cord).solver() == ribbon::box2d::Solver::direct) look_at(cord);
+    }
+  }
+  if (nearest) return *nearest;
+  throw object.error("is further from a cord than a tie reaches; accepted is one within " +
+                     number_in_words(max_tie_distance) + " m of points of two cords");
 }
 
 int Scene::cord_object(ribbon::box2d::CordId cord) const {

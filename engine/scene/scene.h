@@ -28,6 +28,8 @@ struct SceneBody {
 /// - `load`: rectangle, or ellipse with equal axes, dynamic; mass [kg], friction, restitution, angular_damping [1/s],
 ///   cord (optional: the cord or ribbon whose nearer end it holds, within 0.5 m of its rim).
 /// - `anchor`: point; pins the nearest cord point within 0.25 m; cord (optional: only points of this cord).
+/// - `tie`: point; ties the nearest point within 0.25 m to that of another cord, both of the direct solver; cord,
+///   other_cord (optional: only points of these cords), breaking_force [N; 0, the default, for a tie that holds].
 /// - `cord`: polyline of its middle line; solver ("direct", the default, or "thesis"); columns (number of points along
 ///   it), rows, mass [kg, total], drag [1/s], substeps, pin_first, pin_last (pin the points of the first or last
 ///   column), solid (collides with all fixtures, also those that the cord filter excludes).
@@ -84,7 +86,10 @@ class Scene {
   void build_cord(const MapObject& object, const b2Filter& filter);
   void fix_anchor(const MapObject& object, const TiledMap& map);
   void hang_load(const MapObject& object, const TiledMap& map);
-  ribbon::box2d::CordId named_cord(const MapObject& object, const TiledMap& map) const;
+  void tie_cords(const MapObject& object, const TiledMap& map);
+  ribbon::box2d::CordPoint end_of_tie(const MapObject& object, const TiledMap& map, const char* property,
+                                      std::optional<ribbon::box2d::CordId> except) const;
+  ribbon::box2d::CordId named_cord(const MapObject& object, const TiledMap& map, const char* property = "cord") const;
   std::optional<ribbon::box2d::CordPoint> nearest_of(ribbon::box2d::CordId cord, ribbon::Vec2 position,
                                                      double max_distance) const;
 

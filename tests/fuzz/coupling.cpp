@@ -54,6 +54,7 @@ class Fuzzed {
   void query();
   void drive_a_cord();
   void cut();
+  void tie();
   void save_or_restore();
   Observed observe() const;
   bool box2d_keeps_bodies_finite() const;
@@ -142,6 +143,7 @@ void Fuzzed::call() {
     case 7:
     case 8: cut(); break;
     case 9: save_or_restore(); break;
+    case 10: tie(); break;
     case 6: require(!accepts([&] { coupling_.apply(); }), "apply without step is refused"); break;
     default: tick();
   }
@@ -240,6 +242,18 @@ void Fuzzed::cut() {
   for (const ribbon::box2d::CutEvent& event : coupling_.cut_events()) {
     require(!event.first || event.first != event.second, "the pieces of a cord have ids of their own");
   }
+}
+
+void Fuzzed::tie() {
+  if (bytes_.boolean()) {
+    accepts([&] { coupling_.tie(static_cast<ribbon::box2d::TieId>(bytes_.integer(0, 6))).untie(); });
+    return;
+  }
+  const ribbon::box2d::TieDef def{cord(), bytes_.integer(-1, 12), cord(), bytes_.integer(-1, 12),
+                                  bytes_.number(0.0, 1e3)};
+  ribbon::box2d::TieId made = 0;
+  if (!accepts([&] { made = coupling_.tie(def); })) return;
+  require(coupling_.tie(made).state().other_point == def.other_point, "a tie is where it was made");
 }
 
 /// A state is restored although cords were cut, added and removed since, unless bodies were.

@@ -6,6 +6,7 @@
 #include "engine/tick/workers.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/allocations.h"
+#include "tests/support/net.h"
 #include "tests/support/refusal.h"
 
 namespace engine {
@@ -264,60 +265,17 @@ TEST(TyingCords, HasTheSameBitsWithWorkersAndEstimatesAndAllocatesNothing) {
   EXPECT_EQ(run(1, true), alone);
 }
 
-/// A net of n × n cords, tied at n² places, that is pinned at its upper corners.
-struct Net : GripWorld {
-  explicit Net(const Accuracy& accuracy) {
-    CordDef def;
-    def.points = n;
-    def.length = mesh * (n - 1);
-    def.radius = 0.01;
-    def.accuracy = accuracy;
-    for (int k = 0; k < 2 * n; ++k) {
-      def.positions = k < n ? test_support::equally_spaced(n, {0.0, -mesh * k}, {mesh, 0.0})
-                            : test_support::equally_spaced(n, {mesh * (k - n), 0.0}, {0.0, -mesh});
-      def.pins.clear();
-      if (k == 0) def.pins = {0, n - 1};
-      coupling.add(Cord(def));
-    }
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) coupling.tie({i, j, n + j, i});
-    }
-  }
-  /// Moves both corners inwards by a step [m].
-  void narrow(double step) {
-    inwards += step;
-    coupling.cord(0).drag(0, {inwards, 0.0});
-    coupling.cord(0).drag(n - 1, {mesh * (n - 1) - inwards, 0.0});
-    tick();
-  }
-  double strain() const {
-    double largest = 0.0;
-    for (const CordId cord : coupling.cords()) {
-      const auto x = coupling.cord(cord).positions();
-      for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, length(x[i] - x[i - 1]) / mesh - 1.0);
-    }
-    return largest;
-  }
-
-  static constexpr int n = 20;
-  static constexpr double mesh = 0.2;  // m
-  double inwards = 0.0;
-};
-
 TEST(TyingCords, MakesANetThatHangsAndCatchesABall) {
   for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced()}) {
-    Net net(accuracy);
-    for (int k = 0; k < 60; ++k) net.narrow(0.005);
-    int unconverged = 0;
-    double worst = 0.0;
-    for (int k = 0; k < 60; ++k) {
+    test_support::Net net(accuracy);
+    double hanging_strain = 0.0;
+    for (int k = 0; k < 120; ++k) {
       net.tick();
-      worst = std::max(worst, net.strain());
+      hanging_strain = std::max(hanging_strain, net.strain());
     }
-    EXPECT_LE(worst, 1e-3) << "while it hangs";
-    b2Body* ball = net.add_body({0.5 * Net::mesh * (Net::n - 1), 1.0}, 100.0);
-    b2Filter all;
-    ball->GetFixtureList()->SetFilterData(all);
+    EXPECT_LE(hanging_strain, 1e-3);
+    net.drop_ball(100.0);
+    int unconverged = 0;
     for (int k = 0; k < 120; ++k) {
       net.tick();
       unconverged += net.coupling.tick_report().unconverged;
@@ -327,7 +285,7 @@ TEST(TyingCords, MakesANetThatHangsAndCatchesABall) {
     if (accuracy == Accuracy::balanced()) {
       EXPECT_EQ(unconverged, 0);
     }
-    EXPECT_GT(ball->GetPosition().y, -2.5) << "it lies in the net";
+    EXPECT_GT(net.ball->GetPosition().y, -2.5) << "it lies in the net";
   }
 }
 

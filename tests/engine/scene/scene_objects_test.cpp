@@ -133,6 +133,50 @@ TEST(SceneAnchor, ConstrainsTheCordThatItNames) {
   EXPECT_EQ(scene.coupling().cord(1).kind(0), ribbon::PointKind::constrained);
 }
 
+/// A cord that begins 0.1 m beside the end of cord 7.
+MapObject next_cord(int id) {
+  MapObject object = cord(id, false);
+  object.points = {{5.1, 7.0}, {5.1, 5.0}};
+  return object;
+}
+
+TEST(SceneTie, TiesTheNearestPointsOfTwoCords) {
+  MapObject tie = thing(9, "tie", MapShape::point, {5.05, 7.0});
+  tie.properties.insert("breaking_force", 77.0);
+  Scene scene(map_of({tie, cord(7), next_cord(8)}));
+  const ribbon::box2d::TieState state = scene.coupling().tie(1).state();
+  EXPECT_EQ(state.cord + state.other_cord, 1);
+  EXPECT_EQ(state.point + state.other_point, 20);
+  EXPECT_NEAR(state.gap, 0.1, 1e-12);
+  for (int k = 0; k < 120; ++k) scene.tick(1.0 / 60.0);
+  EXPECT_EQ(scene.coupling().tie(1).state().gap, 0.0);
+  EXPECT_EQ(scene.coupling().save(scene.world()).ties[0].breaking_force, 77.0);
+}
+
+TEST(SceneTie, TiesTheCordsThatItNames) {
+  MapObject tie = thing(9, "tie", MapShape::point, {5.0, 7.0});
+  tie.properties.insert("cord", std::int64_t{6});
+  tie.properties.insert("other_cord", std::int64_t{8});
+  MapObject named = cord(6);
+  for (Vec2& point : named.points) point.x += 0.02;
+  const Scene scene(map_of({cord(7), named, next_cord(8), tie}));
+  EXPECT_EQ(scene.coupling().tie(1).state().cord, 1);
+  EXPECT_EQ(scene.coupling().tie(1).state().other_cord, 2);
+}
+
+TEST(SceneTie, IsRefusedWhereItCannotBe) {
+  const MapObject far = thing(9, "tie", MapShape::point, {5.0, 7.0});
+  EXPECT_NE(refusal(map_of({cord(7), far})).find("within 0.25 m of points of two cords"), std::string::npos);
+  const MapObject box = thing(9, "tie", MapShape::ellipse, {5.0, 7.0});
+  EXPECT_NE(refusal(map_of({cord(7), next_cord(8), box})).find("the shape of a tie is ellipse"), std::string::npos);
+  MapObject itself = far;
+  itself.properties.insert("cord", std::int64_t{7});
+  itself.properties.insert("other_cord", std::int64_t{7});
+  EXPECT_NE(refusal(map_of({cord(7), itself})).find("to itself"), std::string::npos);
+  const MapObject twice = thing(10, "tie", MapShape::point, {5.0, 7.0});
+  EXPECT_NE(refusal(map_of({cord(7), next_cord(8), far, twice})).find("already"), std::string::npos);
+}
+
 TEST(SceneAnchor, IsRefusedWithoutACordNearIt) {
   const MapObject anchor = thing(9, "anchor", MapShape::point, {2.0, 9.0});
   EXPECT_NE(refusal(map_of({cord(7), anchor})).find("within 0.25 m"), std::string::npos);

@@ -88,15 +88,17 @@ json one_of(const std::string& kind) {
   return made;
 }
 
-/// Returns a level with a cord from (5, 2) downwards and that object, in place of a required one of the same class.
+/// Returns a level with cords from (5, 2) and (5.1, 2) downwards and that object, in place of a required one of the same class.
 Level level_with(const json& added) {
   json objects = json::array();
   for (const json& own : {object(1, "player", 2.0, 9.0), object(2, "goal", 18.0, 8.0, 1.0, 1.0)}) {
     if (own["type"] != added["type"]) objects.push_back(own);
   }
-  json cord = line(3, "cord", 5.0);
-  set_required(cord);
-  objects.push_back(cord);
+  for (const auto& [id, x] : {std::pair{3, 5.0}, std::pair{4, 5.1}}) {
+    json cord = line(id, "cord", x);
+    set_required(cord);
+    objects.push_back(cord);
+  }
   objects.push_back(added);
   const json map = {{"type", "map"},
                     {"orientation", "orthogonal"},
