@@ -57,7 +57,10 @@ void move_grips(CouplingParts& parts, const CutCord& cut, const CoupledCord& who
 /// Ties go to their piece, or end with the dust.
 void move_ties(CouplingParts& parts, const CutCord& cut, const CoupledCord& whole) {
   const int rows = whole.shape().rows;
-  const auto side_of = [&](const TiePlace& place) { return cut.where.side_of(place.point / rows); };
+  const auto side_of = [&](const TiePlace& place) {
+    const int column = place.point / rows;
+    return cut.where.side_of(column);
+  };
   const auto is_dust = [&](const TiePlace& place) { return place.cord == cut.id && !cut.pieces[side_of(place)]; };
   for (std::size_t k = 0; k < parts.ties.all().size();) {
     TieMemory& tie = parts.ties.all()[k];

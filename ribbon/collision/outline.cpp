@@ -30,7 +30,8 @@ Vec2 rest_position(const CordDef& def, int i) {
 /// m, where a point of the cord, by its index, is in the straight cord.
 Vec2 rest_place(const CordDef& def, int point) {
   const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
-  return {def.length / (def.points - 1) * (point / def.rows), across * (point % def.rows)};
+  const int column = point / def.rows;
+  return {def.length / (def.points - 1) * column, across * (point % def.rows)};
 }
 
 }  // namespace

@@ -306,7 +306,7 @@ TEST(TiedCords, AllocateNothingInASteadyTick) {
 
 TEST(TiedCords, OfSeveralIslandsAreSolvedApart) {
   TiedCords tied;
-  for (int k = 0; k < 6; ++k) tied.cords.emplace_back(level_rope({5.0 * (k % 3) + 1.0 * (k / 3), 0.0}));
+  for (const double x : {0.0, 5.0, 10.0, 1.0, 6.0, 11.0}) tied.cords.emplace_back(level_rope({x, 0.0}));
   for (int k = 0; k < 3; ++k) tied.ties.push_back({5 - k, 0, 2 - k, 10});
   tied.step(20);
   EXPECT_EQ(tied.solver.islands(), 3);

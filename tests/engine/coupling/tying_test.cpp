@@ -227,7 +227,7 @@ TEST(TyingCords, AStateWithWrongTiesIsRefused) {
   const auto refused = [&](auto change) {
     Coupling::State state = good;
     change(state);
-    const std::string message = refusal<DefinitionError>([&] { scene.coupling.restore(state, scene.world); });
+    std::string message = refusal<DefinitionError>([&] { scene.coupling.restore(state, scene.world); });
     EXPECT_EQ(scene.coupling.save(scene.world), good);
     return message;
   };

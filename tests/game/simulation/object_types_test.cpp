@@ -170,7 +170,7 @@ bool has_no_default(const std::string& kind, const std::string& name) {
                                                  "bending_stiffness", "width",         "spring_stiffness",
                                                  "bar_damping",       "self_collision"};
   if (kind == "cord" || kind == "ribbon") return of_cords.contains(name);
-  return (kind == "load" && name == "mass") || kind == "text" || name == "cord";
+  return (kind == "load" && name == "mass") || kind == "text" || name == "cord" || name == "other_cord";
 }
 
 TEST(ObjectTypes, ShowTheDefaultsThatTheLoaderHas) {
