@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ribbon/island/island.h"
 #include "ribbon/system/cord_parts.h"
@@ -38,6 +39,8 @@ Cord::Cord(const CordDef& def)
   reserve(initial_grips);
 }
 
+Cord::Cord(std::unique_ptr<CordParts> parts) : parts_(std::move(parts)) {}
+
 Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
@@ -66,6 +69,10 @@ IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surrounding
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
   check_surroundings(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
+  if (!island_) {
+    island_ = std::make_unique<Island>();
+    reserve(initial_grips);
+  }
   const IslandCord alone{this, surroundings};
   CordReport report;
   return island_->step({&alone, 1}, {}, surroundings.bodies, dt, gravity, {&report, 1});
@@ -180,7 +187,7 @@ void Cord::reel(int first, int last, double length, double speed) {
 
 void Cord::reserve(std::size_t grips) {
   parts_->state.holders.reserve(grips);
-  island_->reserve(*parts_, grips);
+  if (island_) island_->reserve(*parts_, grips);
 }
 
 }  // namespace ribbon

@@ -28,6 +28,8 @@ class Cord {
  public:
   /// Creates a cord at rest. Throws DefinitionError if check(def) does.
   explicit Cord(const CordDef& def);
+  /// Creates a cord of what it consists of, whose type is internal. Its first step by itself allocates memory.
+  explicit Cord(std::unique_ptr<CordParts> parts);
   Cord(Cord&& other) noexcept;
   Cord& operator=(Cord&& other) noexcept;
   ~Cord();
@@ -201,7 +203,8 @@ class Cord {
 
  private:
   std::unique_ptr<CordParts> parts_;
-  std::unique_ptr<Island> island_;  // for steps by itself
+  std::unique_ptr<Island>
+      island_;  // for steps by itself; null until the first one of a cord that was made of its parts
 };
 
 }  // namespace ribbon

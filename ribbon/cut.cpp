@@ -112,7 +112,7 @@ void take_touches(const CordParts& whole, const CutPlace& where, int side, CordP
 std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side) {
   const Columns columns = columns_of(cord.def(), where, side);
   if (columns.size() < 2) return std::nullopt;
-  std::optional<Cord> made(std::in_place, definition_of(cord, columns));
+  std::optional<Cord> made(std::in_place, std::make_unique<CordParts>(definition_of(cord, columns)));
   const CordParts& whole = cord.parts();
   CordParts& piece = made->parts();
   const Cord::State& from = whole.state;

@@ -34,8 +34,8 @@ struct CutPieces {
 /// Returns the pieces of a cord. Momentum is conserved to round-off. The energy falls by that of the bending at the
 /// cut; a ribbon of bars (Elements::bars) gains the energy of the bars across it at the cut. If one piece is dust, the
 /// other one has all points, without the pins, loads and masses on the side of the dust. Contacts of a rope keep their
-/// forces and their sticking friction; those of a ribbon are found anew. The pieces are awake. The cord itself does not
-/// change. O(points).
+/// forces and their sticking friction; those of a ribbon are found anew. The pieces are awake, and the first step of
+/// a piece by itself allocates memory. The cord itself does not change. O(points).
 CutPieces cut(const Cord& cord, const CutPlace& where);
 
 /// Returns the place [columns] of something at `at` on its piece, within the piece. `columns` is the number of columns
