@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "ribbon/cut.h"
@@ -273,6 +274,45 @@ TEST(TiedCords, ThatCollideDoNotTouchAtTheTie) {
   for (Cord& cord : tied.cords) cord.wake();
   tied.step();
   EXPECT_FALSE(tied.cords[0].touches().empty() && tied.cords[1].touches().empty()) << "the test would see contacts";
+}
+
+/// The stiffness of contacts follows from the masses that press: here those of loads on other cords.
+TEST(TiedCords, PressAgainstAPegWithAllThatHangsOnThem) {
+  constexpr double reach = 0.3;  // m, from the middle of the peg to that of the cord
+  TiedCords tied;
+  CordDef over;
+  over.points = 13;
+  over.radius = 0.01;
+  over.mass_per_length = 0.05;
+  over.length = 0.0;
+  for (int i = 0; i < over.points; ++i) {
+    const double angle = std::numbers::pi * (1.0 - i / 12.0);
+    over.positions.push_back({reach * std::cos(angle), reach * std::sin(angle)});
+    if (i > 0) over.length += length(over.positions[at(i)] - over.positions[at(i - 1)]);
+  }
+  tied.cords.emplace_back(over);
+  for (const double x : {-reach, reach}) {
+    CordDef def = hanging(6, 1.0);
+    def.pins = {};
+    def.mass_per_length = 0.05;
+    for (Vec2& p : def.positions) p.x += x;
+    tied.cords.emplace_back(def);
+    tied.cords.back().attach_mass(5, 500.0);
+  }
+  tied.ties = {{0, 0, 1, 0}, {0, 12, 2, 0}};
+  std::vector<RigidBody> bodies(1);
+  RigidCircle peg;
+  peg.radius = reach - over.radius;
+  std::vector<IslandCord> list;
+  for (std::size_t k = 0; k < 3; ++k) list.push_back({&tied.cords[k], {bodies, {&peg, 1}}, k + 1});
+  tied.reports.resize(3);
+  double nearest = reach;
+  for (int k = 0; k < 120; ++k) {
+    tied.solver.step(list, bodies, dt, gravity, tied.reports, tied.ties);
+    for (const Vec2 x : tied.cords[0].positions()) nearest = std::min(nearest, length(x));
+  }
+  EXPECT_GT(nearest, reach * std::cos(std::numbers::pi / 24.0) - 1e-3);
+  EXPECT_LT(tied.strain(), 1e-3);
 }
 
 TEST(TiedCords, SleepAndWakeTogether) {
