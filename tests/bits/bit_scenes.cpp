@@ -331,7 +331,39 @@ void drive_asleep(BitWorld& scene, int tick) {
   if (tick == 190) scene.coupling.cord(0).direct().reel(0, 20, 1.5, 1.0);
 }
 
-constexpr std::array<BitScene, 9> scenes = {{
+/// A net of 5 × 5 ropes catches a ball, and other ropes are tied while apart, untied, and torn from each other.
+void build_ties(BitWorld& scene) {
+  constexpr int n = 5;
+  for (int k = 0; k < 2 * n; ++k) {
+    CordDef rope = k < n ? line({0.0, -0.3 * k}, {0.15, 0.0}, 9) : line({0.3 * (k - n), 0.0}, {0.0, -0.15}, 9);
+    rope.radius = 0.02;
+    rope.friction = 0.4;
+    rope.cord_contact = true;
+    if (k == 0) rope.pins = {0, 8};
+    scene.coupling.add(Cord(rope));
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) scene.coupling.tie({i, 2 * j, n + j, 2 * i});
+  }
+  add_circle(scene, {0.5, 0.5}, 0.2);
+  CordDef left = line({3.0, 0.0}, {0.0, -0.1}, 16);
+  left.pins = {0};
+  left.bending_stiffness = 0.01;
+  CordDef right = line({3.6, 0.0}, {0.0, -0.1}, 16);
+  right.pins = {0};
+  right.stretch_stiffness = 1e4;
+  for (const CordDef& def : {left, right}) scene.coupling.add(Cord(def));
+  scene.coupling.tie({10, 15, 11, 15});
+  scene.coupling.hold(11, 8, add_holder(scene, {3.6, -0.8}, 2.0), {0.0F, 0.0F});
+}
+
+void drive_ties(BitWorld& scene, int tick) {
+  if (tick < 30) scene.coupling.cord(0).drag(8, {1.2 - 0.01 * tick, 0.0});
+  if (tick == 60) scene.coupling.tie(26).untie();
+  if (tick == 80) scene.coupling.tie({10, 15, 11, 10, 12.0});
+}
+
+constexpr std::array<BitScene, 10> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -341,6 +373,7 @@ constexpr std::array<BitScene, 9> scenes = {{
     {"thesis", build_thesis, drive_thesis, 180, 0xf745b06e8dd5b555},
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
+    {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
 }};
 
 }  // namespace
