@@ -93,8 +93,7 @@ void DirectSolver::find_swept_boxes(std::span<const IslandCord> cords, std::span
 }
 
 void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies) {
-  parents_.resize(cords.size());
-  for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = k;
+  islands_of_cords_.begin(cords.size());
   first_cords_.assign(bodies.size(), -1);
   for (std::size_t k = 0; k < cords.size(); ++k) {
     for (const Grip& grip : cords[k].surroundings.grips) join_by_body(k, grip.body, bodies);
@@ -103,10 +102,9 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
   }
   const auto tied = ties_->points();
   for (std::size_t k = 1; k < tied.size(); ++k) {
-    if (tied[k].group == tied[k - 1].group) join(at(tied[k].cord), at(tied[k - 1].cord));
+    if (tied[k].group == tied[k - 1].group) islands_of_cords_.join(at(tied[k].cord), at(tied[k - 1].cord));
   }
   join_near_cords(cords);
-  for (std::size_t k = 0; k < cords.size(); ++k) parents_[k] = root(k);
 }
 
 /// Joins cords with links that may come near each other.
@@ -120,10 +118,10 @@ void DirectSolver::join_near_cords(std::span<const IslandCord> cords) {
   for (std::size_t b = 0; b < contact_cords_.size(); ++b) {
     tree_->query(swept_boxes_[b], [&](int other) {
       const auto a = at(other);
-      if (a >= b || root(contact_cords_[a]) == root(contact_cords_[b])) return;
+      if (a >= b || islands_of_cords_.root(contact_cords_[a]) == islands_of_cords_.root(contact_cords_[b])) return;
       const CordParts& cord = cords[contact_cords_[a]].cord->parts();
       if (cord.meets(cords[contact_cords_[b]].cord->parts()) && links_overlap(a, b))
-        join(contact_cords_[a], contact_cords_[b]);
+        islands_of_cords_.join(contact_cords_[a], contact_cords_[b]);
     });
   }
 }
@@ -131,11 +129,11 @@ void DirectSolver::join_near_cords(std::span<const IslandCord> cords) {
 /// Lists the cords by island: a counting sort in O(cords).
 void DirectSolver::list_members(std::span<const IslandCord> cords) {
   next_members_.assign(cords.size(), 0);
-  for (std::size_t k = 0; k < cords.size(); ++k) ++next_members_[parents_[k]];
+  for (std::size_t k = 0; k < cords.size(); ++k) ++next_members_[islands_of_cords_.root(k)];
   first_members_.clear();
   std::size_t members = 0;
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    if (parents_[k] != k) continue;
+    if (islands_of_cords_.root(k) != k) continue;
     first_members_.push_back(members);
     members += std::exchange(next_members_[k], members);
   }
@@ -143,7 +141,7 @@ void DirectSolver::list_members(std::span<const IslandCord> cords) {
   members_.resize(cords.size());
   member_cords_.resize(cords.size());
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    const std::size_t index = next_members_[parents_[k]]++;
+    const std::size_t index = next_members_[islands_of_cords_.root(k)]++;
     members_[index] = cords[k];
     member_cords_[index] = k;
   }
@@ -240,20 +238,8 @@ void DirectSolver::join_by_body(std::size_t cord, int body, std::span<const Rigi
   if (first < 0) {
     first = static_cast<int>(cord);
   } else {
-    join(at(first), cord);
+    islands_of_cords_.join(at(first), cord);
   }
-}
-
-/// Returns the first cord of an island.
-std::size_t DirectSolver::root(std::size_t cord) {
-  while (parents_[cord] != cord) cord = parents_[cord] = parents_[parents_[cord]];
-  return cord;
-}
-
-void DirectSolver::join(std::size_t a, std::size_t b) {
-  const std::size_t root_a = root(a);
-  const std::size_t root_b = root(b);
-  parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
 }  // namespace ribbon

@@ -8,6 +8,7 @@
 #include "ribbon/box.h"
 #include "ribbon/cord.h"
 #include "ribbon/island_cord.h"
+#include "ribbon/linear/disjoint_sets.h"
 #include "ribbon/parallel_for.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
@@ -57,15 +58,13 @@ class DirectSolver {
   Box add_swept_boxes(const IslandCord& cord, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
   void join_near_cords(std::span<const IslandCord> cords);
   bool links_overlap(std::size_t a, std::size_t b) const;
-  std::size_t root(std::size_t cord);
-  void join(std::size_t a, std::size_t b);
   void list_members(std::span<const IslandCord> cords);
   void list_tied_points();
   std::span<const TiedPoint> tied_points(std::size_t island) const;
   int divide_into_parts();
 
   ParallelFor parallel_for_;
-  std::vector<std::size_t> parents_;  // disjoint sets, by cord; after find_islands the first cord of its island
+  DisjointSets islands_of_cords_;  // the root is the first cord of an island
   // Of the cords that meet others, in their order:
   std::vector<std::size_t> contact_cords_;  // indices of the cords
   std::vector<Box> swept_boxes_;            // m, which a cord does not leave in the step without an impact

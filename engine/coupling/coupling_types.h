@@ -95,7 +95,8 @@ struct TieState {
   Vec2 place;             ///< m, position of the first cord's point
   double gap = 0.0;       ///< m, distance of the other one, until points that were tied while apart have met
   /// N, force of the other cord on the first one in the last tick, without contacts at the points. It is 0 if both
-  /// points are pinned or held by bodies too. If more cords are tied there, it is that of the other cord on all.
+  /// points are pinned or held by bodies too. If more cords are tied there, it is that of the other cord on all. It is
+  /// right again after restore from the next tick on.
   Vec2 pull;
 };
 

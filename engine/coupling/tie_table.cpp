@@ -2,46 +2,28 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "ribbon/definition.h"
+#include "ribbon/linear/disjoint_sets.h"
 
 namespace ribbon::box2d {
 namespace {
 
-/// Adds what ties connect with the first of some places.
-void complete_group(std::span<const TieMemory> ties, std::vector<TiePlace>& places) {
-  const auto add = [&](const TiePlace& place) {
-    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
-  };
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const TiePlace from = places[k];
-    for (const TieMemory& tie : ties) {
-      if (tie.place == from) add(tie.other);
-      if (tie.other == from) add(tie.place);
-    }
-  }
+bool comes_before(const TiePlace& a, const TiePlace& b) {
+  return std::pair(a.cord, a.point) < std::pair(b.cord, b.point);
 }
 
-/// Throws CallError if a new tie would make two points of a cord one, or connect what is connected.
-void check_loop(std::span<const TieMemory> ties, const TieMemory& tie) {
-  if (tie.place.cord == tie.other.cord) {
-    throw CallError("tie is of cord " + std::to_string(tie.place.cord) + " to itself; accepted is a tie of two cords");
-  }
-  std::vector<TiePlace> group{tie.place};
-  complete_group(ties, group);
-  if (std::find(group.begin(), group.end(), tie.other) != group.end()) {
-    throw CallError("point " + std::to_string(tie.place.point) + " of cord " + std::to_string(tie.place.cord) +
-                    " is tied to point " + std::to_string(tie.other.point) + " of cord " +
-                    std::to_string(tie.other.cord) + " already; accepted are points that no ties connect");
-  }
-  std::vector<TiePlace> others{tie.other};
-  complete_group(ties, others);
-  for (const TiePlace& place : group) {
-    const auto of_same_cord = [&](const TiePlace& other) { return other.cord == place.cord; };
-    if (std::none_of(others.begin(), others.end(), of_same_cord)) continue;
-    throw CallError("tie connects two points of cord " + std::to_string(place.cord) +
-                    " through other cords; accepted is one that does not tie a cord to itself");
-  }
+[[noreturn]] void refuse_itself(const TieMemory& tie) {
+  throw CallError("tie is of cord " + std::to_string(tie.place.cord) + " to itself; accepted is a tie of two cords");
+}
+
+[[noreturn]] void refuse_tied(const TieMemory& tie) {
+  const auto name = [](const TiePlace& place) {
+    return "point " + std::to_string(place.point) + " of cord " + std::to_string(place.cord);
+  };
+  throw CallError(name(tie.place) + " is tied to " + name(tie.other) +
+                  " already; accepted are points that no ties connect");
 }
 
 /// Returns whether something else than ties and the cord itself pulls at one of its points.
@@ -59,8 +41,10 @@ TieId TieTable::add(const TieDef& def, const CordTable& cords) {
   check_range("other_point", def.other_point, 0, cords.at(def.other_cord).direct().size() - 1.0);
   if (!(def.breaking_force > 0.0)) refuse("breaking_force", def.breaking_force, "above 0");
   const TieMemory tie{next_, {def.cord, def.point}, {def.other_cord, def.other_point}, def.breaking_force};
-  check_loop(ties_, tie);
-  ties_.push_back(tie);
+  std::vector<TieMemory> all = ties_;
+  all.push_back(tie);
+  check_connections(all);
+  ties_ = std::move(all);
   of_step_.reserve(ties_.capacity());
   return next_++;
 }
@@ -103,8 +87,32 @@ void TieTable::restore(std::span<const TieMemory> ties, TieId next) {
   next_ = next;
 }
 
-void check_loops(std::span<const TieMemory> ties) {
-  for (std::size_t k = 0; k < ties.size(); ++k) check_loop(ties.first(k), ties[k]);
+void check_connections(std::span<const TieMemory> ties) {
+  std::vector<TiePlace> places;
+  for (const TieMemory& tie : ties) {
+    places.push_back(tie.place);
+    places.push_back(tie.other);
+  }
+  std::sort(places.begin(), places.end(), comes_before);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const auto number = [&places](const TiePlace& place) {
+    return static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), place, comes_before) -
+                                    places.begin());
+  };
+  DisjointSets groups;
+  groups.begin(places.size());
+  for (const TieMemory& tie : ties) {
+    if (tie.place.cord == tie.other.cord) refuse_itself(tie);
+    if (groups.root(number(tie.place)) == groups.root(number(tie.other))) refuse_tied(tie);
+    groups.join(number(tie.place), number(tie.other));
+  }
+  std::vector<std::pair<std::size_t, CordId>> members;
+  for (std::size_t k = 0; k < places.size(); ++k) members.emplace_back(groups.root(k), places[k].cord);
+  std::sort(members.begin(), members.end());
+  const auto twice = std::adjacent_find(members.begin(), members.end());
+  if (twice == members.end()) return;
+  throw CallError("tie connects two points of cord " + std::to_string(twice->second) +
+                  " through other cords; accepted is one that does not tie a cord to itself");
 }
 
 Vec2 tie_force(const TieMemory& tie, const CordTable& cords, Vec2 gravity) {

@@ -42,8 +42,8 @@ class TieTable {
   TieId next_ = 1;
 };
 
-/// Throws CallError if ties connect two points of a cord, or two points in two ways. O(ties²).
-void check_loops(std::span<const TieMemory> ties);
+/// Throws CallError if ties connect two points of a cord, or two points in two ways.
+void check_connections(std::span<const TieMemory> ties);
 
 /// Returns the force [N] of the other cord on the first one where they are tied, under `gravity` [m/s²].
 Vec2 tie_force(const TieMemory& tie, const CordTable& cords, Vec2 gravity);

@@ -8,6 +8,7 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/block_ldlt.h"
+#include "ribbon/linear/disjoint_sets.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
@@ -55,10 +56,8 @@ struct TieGap {
 struct IslandTies {
   std::vector<TiedSlot> slots;     ///< all but the first of each group, ascending, with the first
   std::vector<TiedPoint> by_cord;  ///< all, ascending by cord and point; a group is its first slot
-
-  std::vector<TieGap> gaps;  ///< of slots that are apart
-  /// By member: the first one that ties connect it with.
-  std::vector<std::size_t> first_connected;
+  std::vector<TieGap> gaps;        ///< of slots that are apart
+  DisjointSets connected;          ///< members that ties connect
 
   bool any() const { return !slots.empty(); }
   /// Returns whether a slot is one of `slots`.

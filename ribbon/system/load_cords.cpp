@@ -147,23 +147,16 @@ void load_group(IslandState& state, std::span<const TiedPoint> group) {
 
 /// Adds up the masses that press cords against something over all that ties connect: what hangs from a cord presses it.
 void join_pressing_masses(IslandState& state, std::span<const TiedPoint> tied) {
-  std::vector<std::size_t>& first = state.ties.first_connected;
-  first.resize(state.members.size());
-  std::iota(first.begin(), first.end(), std::size_t{0});
-  const auto root = [&first](std::size_t member) {
-    while (first[member] != member) member = first[member] = first[first[member]];
-    return member;
-  };
+  DisjointSets& connected = state.ties.connected;
+  connected.begin(state.members.size());
   for (std::size_t k = 1; k < tied.size(); ++k) {
-    if (tied[k].group != tied[k - 1].group) continue;
-    const std::size_t a = root(at(tied[k - 1].cord));
-    const std::size_t b = root(at(tied[k].cord));
-    first[std::max(a, b)] = std::min(a, b);
+    if (tied[k].group == tied[k - 1].group) connected.join(at(tied[k - 1].cord), at(tied[k].cord));
   }
-  for (std::size_t m = 0; m < first.size(); ++m) {
-    if (const std::size_t of = root(m); of != m) state.members[of].pressing_mass += state.members[m].pressing_mass;
+  std::vector<Member>& members = state.members;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    if (const std::size_t of = connected.root(m); of != m) members[of].pressing_mass += members[m].pressing_mass;
   }
-  for (std::size_t m = 0; m < first.size(); ++m) state.members[m].pressing_mass = state.members[root(m)].pressing_mass;
+  for (std::size_t m = 0; m < members.size(); ++m) members[m].pressing_mass = members[connected.root(m)].pressing_mass;
 }
 
 void load_ties(IslandState& state, std::span<const TiedPoint> tied) {

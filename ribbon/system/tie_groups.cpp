@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -113,11 +112,11 @@ void TieGroups::find(std::span<const Tie> ties, std::span<const int> points) {
   for (const Tie& tie : ties) {
     check_end("tie.cord", "tie.point", tie.cord, tie.point, points);
     check_end("tie.other_cord", "tie.other_point", tie.other_cord, tie.other_point, points);
-    join(number(tie.cord, tie.point), number(tie.other_cord, tie.other_point));
+    joined_.join(number(tie.cord, tie.point), number(tie.other_cord, tie.other_point));
     points_.push_back({0, tie.cord, tie.point});
     points_.push_back({0, tie.other_cord, tie.other_point});
   }
-  for (TiedPoint& tied : points_) tied.group = static_cast<int>(root(number(tied.cord, tied.point)));
+  for (TiedPoint& tied : points_) tied.group = static_cast<int>(joined_.root(number(tied.cord, tied.point)));
   const auto key = [](const TiedPoint& tied) { return std::tuple(tied.group, tied.cord, tied.point); };
   std::sort(points_.begin(), points_.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
@@ -142,19 +141,7 @@ void TieGroups::number_points(std::span<const int> points) {
     first_points_.push_back(count);
     count += at(of_cord);
   }
-  parents_.resize(count);
-  std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-}
-
-std::size_t TieGroups::root(std::size_t point) {
-  while (parents_[point] != point) point = parents_[point] = parents_[parents_[point]];
-  return point;
-}
-
-void TieGroups::join(std::size_t a, std::size_t b) {
-  const std::size_t root_a = root(a);
-  const std::size_t root_b = root(b);
-  parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+  joined_.begin(count);
 }
 
 Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt) {

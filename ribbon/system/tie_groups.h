@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ribbon/island_cord.h"
+#include "ribbon/linear/disjoint_sets.h"
 #include "ribbon/tie.h"
 
 namespace ribbon {
@@ -29,11 +30,9 @@ class TieGroups {
  private:
   void number_points(std::span<const int> points);
   void check_groups() const;
-  std::size_t root(std::size_t point);
-  void join(std::size_t a, std::size_t b);
 
   std::vector<std::size_t> first_points_;  // by cord: number of its first point among those of all cords
-  std::vector<std::size_t> parents_;       // disjoint sets, by that number
+  DisjointSets joined_;                    // of these numbers
   std::vector<TiedPoint> points_;
 };
 

@@ -223,6 +223,7 @@ TEST(TyingCords, AStateRestoresTheTies) {
 
 TEST(TyingCords, AStateWithWrongTiesIsRefused) {
   Rung scene;
+  const CordId thesis = scene.coupling.add(ribbon::ThesisCord({}));
   const Coupling::State good = scene.coupling.save(scene.world);
   const auto refused = [&](auto change) {
     Coupling::State state = good;
@@ -232,6 +233,7 @@ TEST(TyingCords, AStateWithWrongTiesIsRefused) {
     return message;
   };
   EXPECT_TRUE(says(refused([](auto& state) { state.ties[0].place.cord = 7; }), "state.ties.cord is 7"));
+  EXPECT_TRUE(says(refused([=](auto& state) { state.ties[0].place.cord = thesis; }), "of the thesis solver"));
   EXPECT_TRUE(says(refused([](auto& state) { state.ties[0].other.point = 11; }), "state.ties.point is 11"));
   EXPECT_TRUE(says(refused([](auto& state) { state.ties[1].id = 1; }), "state.ties.id"));
   EXPECT_TRUE(says(refused([](auto& state) { state.next_tie = 2; }), "state.ties.id"));
