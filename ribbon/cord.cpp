@@ -7,6 +7,7 @@
 
 #include "ribbon/island/island.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/wheel_points.h"
 
 namespace ribbon {
 namespace {
@@ -22,6 +23,11 @@ std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 void check_point(const CordParts& cord, int point) {
   check_range("point", point, 0, static_cast<double>(cord.size()) - 1.0);
+}
+
+void check_pulley(const CordParts& cord, int pulley) {
+  if (cord.state.pulleys.empty()) throw DefinitionError("pulley is " + std::to_string(pulley) + "; the cord has none");
+  check_range("pulley", pulley, 0, static_cast<double>(cord.state.pulleys.size()) - 1.0);
 }
 
 void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
@@ -65,10 +71,17 @@ std::optional<int> Cord::overloaded_link() const {
   return overloaded;
 }
 
+void check_axles(const Cord& cord, const Surroundings& surroundings) {
+  if (surroundings.axles.size() == cord.pulleys().size()) return;
+  throw DefinitionError("axles are " + std::to_string(surroundings.axles.size()) + "; accepted is one for each of the " +
+                        std::to_string(cord.pulleys().size()) + " pulleys of the cord");
+}
+
 IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
   check_surroundings(surroundings, surroundings.bodies.size(), size(), parts_->def.rows);
+  check_axles(*this, surroundings);
   if (!island_) {
     island_ = std::make_unique<Island>();
     reserve(initial_grips);
@@ -184,6 +197,37 @@ void Cord::reel(int first, int last, double length, double speed) {
   }
   parts_->disturb();
 }
+
+int Cord::add_pulley(const PulleyDef& def) {
+  std::vector<Pulley>& pulleys = parts_->state.pulleys;
+  const auto behind = std::find_if(pulleys.begin(), pulleys.end(),
+                                   [&](const Pulley& other) { return other.def.before >= def.after; });
+  const auto added = pulleys.insert(behind, make_pulley(*parts_, def));
+  parts_->leave_out_links_on_wheels();
+  parts_->disturb();
+  return static_cast<int>(added - pulleys.begin());
+}
+
+void Cord::remove_pulley(int pulley) {
+  check_pulley(*parts_, pulley);
+  parts_->state.pulleys.erase(parts_->state.pulleys.begin() + pulley);
+  parts_->leave_out_links_on_wheels();
+  parts_->disturb();
+}
+
+void Cord::set_motor(int pulley, double speed, double torque) {
+  check_pulley(*parts_, pulley);
+  PulleyDef def = parts_->state.pulleys[slot(pulley)].def;
+  def.motor_speed = speed;
+  def.motor_torque = torque;
+  check(def, parts_->def.points);
+  Pulley& changed = parts_->state.pulleys[slot(pulley)];
+  changed.at_speed = changed.at_speed && changed.def == def;
+  changed.def = def;
+  parts_->disturb();
+}
+
+std::span<const Pulley> Cord::pulleys() const { return parts_->state.pulleys; }
 
 void Cord::reserve(std::size_t grips) {
   parts_->state.holders.reserve(grips);

@@ -135,6 +135,21 @@ class Cord {
   /// velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
+  /// Lays the cord around a wheel, which each step then has an axle for (Surroundings::axles). The points between
+  /// `before` and `after` are placed on the wheel. Returns its index: pulleys are ordered along the cord. Throws
+  /// DefinitionError for a value out of range, or unless the cord runs past the wheel there with a length that differs
+  /// from the definition's by less than a tenth of the part between these points. Throws CallError for a ribbon, for a
+  /// cord with bending stiffness, and where a point is fixed or on another wheel. Such a cord does not sleep, and the
+  /// part on a wheel is not stretched and touches nothing.
+  int add_pulley(const PulleyDef& def);
+  /// Takes the cord off a wheel. Throws DefinitionError for an unknown pulley.
+  void remove_pulley(int pulley);
+  /// Sets speed [rad/s, −1e6 … 1e6] and largest torque [N·m, 0 … infinity] of a motor. Throws DefinitionError for an
+  /// unknown pulley or a value out of range.
+  void set_motor(int pulley, double speed, double torque);
+  /// Returns the pulleys, ordered along the cord.
+  std::span<const Pulley> pulleys() const;
+
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
 
@@ -172,6 +187,7 @@ class Cord {
     std::vector<double> rest_targets;     ///< m, by link, goal of the reel; empty until reel is first called
     std::vector<double> rest_speeds;      ///< m/s, by link, speed of the reel; the same
     std::vector<double> breaking_forces;  ///< N, by link; empty until set_breaking_force is first called
+    std::vector<Pulley> pulleys;          ///< ordered along the cord
     std::vector<char> unlocked;           ///< by cell, if area stiffness is declared: 1 while it is turned back
     std::uint64_t family = 0;        ///< id of the cord that it is a piece of, however often that was cut; 0 for none
     std::uint64_t joined_first = 0;  ///< id of the cord that it was cut from at its first column; 0 for none

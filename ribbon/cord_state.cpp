@@ -54,6 +54,25 @@ void check_sizes(const Cord::State& state, const CordParts& cord) {
   }
 }
 
+void check_pulleys(const Cord::State& state, const CordParts& cord) {
+  if (state.pulleys.empty()) return;
+  if (cord.def.rows > 1 || cord.def.bending_stiffness > 0.0) {
+    throw DefinitionError("state.pulleys are of another cord; accepted are ones of a rope without bending stiffness");
+  }
+  int first = 0;
+  for (const Pulley& pulley : state.pulleys) {
+    check(pulley.def, cord.def.points);
+    check_range("state.pulleys.before", pulley.def.before, first, cord.def.points - 2);
+    first = pulley.def.after;
+    check_vectors("state.pulleys", std::array{pulley.arrival, pulley.departure});
+    check_all("state.pulleys",
+              std::array{pulley.lead, pulley.arc, pulley.speed, pulley.acceleration, pulley.angle, pulley.turning,
+                         pulley.tension_before, pulley.tension_after},
+              -largest, largest);
+    check_all("state.pulleys", std::array{pulley.slip_sign, pulley.blocked}, -1.0, 1.0);
+  }
+}
+
 }  // namespace
 
 Cord::State Cord::save() const {
@@ -86,6 +105,7 @@ void Cord::check_state(const State& state) const {
   check_range("state.energy_drift", state.energy_drift, -largest, largest);
   check_range("state.rest_time", state.rest_time, state.asleep ? time_to_sleep : 0.0,
               parts_->def.allow_sleep ? time_to_sleep : 0.0);
+  check_pulleys(state, *parts_);
   for (const PointKind kind : state.kinds) {
     if (kind > PointKind::constrained) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   }
@@ -108,6 +128,7 @@ void Cord::restore(const State& state) {
   parts.state.unlocked.clear();
   parts.rest_start = state.rest_targets;
   parts.rest_end = state.rest_targets;
+  parts.leave_out_links_on_wheels();
   std::copy(state.unlocked.begin(), state.unlocked.end(), parts.elasticity->unlocked().begin());
   parts.elasticity->set_rest_lengths(state.rest);
 }

@@ -37,8 +37,10 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
                         std::span<CordReport> reports, std::span<const Tie> ties) {
   check_step(dt, gravity);
   check_bodies(bodies);
-  for (const IslandCord& cord : cords)
+  for (const IslandCord& cord : cords) {
     check_surroundings(cord.surroundings, bodies.size(), cord.cord->size(), cord.cord->def().rows);
+    check_axles(*cord.cord, cord.surroundings);
+  }
   find_ties(cords, ties);
   total_ = {};
   island_reports_.clear();
@@ -97,6 +99,7 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
   first_cords_.assign(bodies.size(), -1);
   for (std::size_t k = 0; k < cords.size(); ++k) {
     for (const Grip& grip : cords[k].surroundings.grips) join_by_body(k, grip.body, bodies);
+    for (const Axle& axle : cords[k].surroundings.axles) join_by_body(k, axle.body, bodies);
     for (const RigidCircle& circle : cords[k].surroundings.circles) join_by_body(k, circle.body, bodies);
     for (const RigidSegment& segment : cords[k].surroundings.segments) join_by_body(k, segment.body, bodies);
   }

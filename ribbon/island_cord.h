@@ -15,4 +15,7 @@ struct IslandCord {
   std::uint64_t id = 0;       ///< identifies the cord from step to step; differs from the ids of circles and segments
 };
 
+/// Throws DefinitionError unless the surroundings have as many axles as the cord has pulleys.
+void check_axles(const Cord& cord, const Surroundings& surroundings);
+
 }  // namespace ribbon

@@ -13,6 +13,7 @@
 #include "ribbon/island_cord.h"
 #include "ribbon/layout.h"
 #include "ribbon/parallel_for.h"
+#include "ribbon/pulley.h"
 #include "ribbon/reports.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/smooth_line.h"

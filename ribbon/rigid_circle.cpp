@@ -93,6 +93,11 @@ void check_surroundings(const Surroundings& surroundings, std::size_t bodies, in
     check_grip(entry, grip);
     if (rows > 0 && grip.point >= points - rows) entry.check("along", grip.along, 0.0, 0.0);
   }
+  for (std::size_t k = 0; k < surroundings.axles.size(); ++k) {
+    const Entry entry("axles", k);
+    entry.check_index("body", surroundings.axles[k].body, bodies);
+    entry.check("offset", surroundings.axles[k].offset);
+  }
 }
 
 void check_step(double dt, Vec2 gravity) {

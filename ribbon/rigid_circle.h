@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "ribbon/pulley.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -74,6 +75,7 @@ struct Surroundings {
   std::span<const RigidCircle> circles = {};    ///< circles that the cord may touch
   std::span<const Grip> grips = {};             ///< grips of bodies that hold the cord
   std::span<const RigidSegment> segments = {};  ///< edges that the cord may touch; the thesis's solver ignores them
+  std::span<const Axle> axles = {};             ///< of its pulleys, in their order
 };
 
 /// Throws DefinitionError unless all values of the bodies are in range: lengths and velocities within ±1e10,

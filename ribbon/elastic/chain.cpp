@@ -21,14 +21,14 @@ void Chain::set_rest_lengths(std::span<const double> lengths) {
 
 void Chain::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
-    tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_lengths_[e], compliance(e)}, tension_only_);
+    if (!is_left_out(e)) tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_lengths_[e], compliance(e)}, tension_only_);
   }
 }
 
 void Chain::add_damping(const Motion& motion, double sign, std::span<double> tensions) const {
   if (damping_ == 0.0) return;
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
-    if (tension_only_ && tensions[e] == 0.0) continue;
+    if (is_left_out(e) || (tension_only_ && tensions[e] == 0.0)) continue;
     tensions[e] += sign * damping_ * extension_rate(motion, e, e + 1) / compliance(e);
   }
 }
@@ -38,7 +38,7 @@ void Chain::add_rotational_damping(const Stage& stage, std::span<const Vec2> x, 
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
-    if (size == 0.0 || (tension_only_ && tensions[e] == 0.0)) continue;
+    if (size == 0.0 || is_left_out(e) || (tension_only_ && tensions[e] == 0.0)) continue;
     tensions[e] += damping_ * rotation_rate(stage, e, (1.0 / size) * ab) / compliance(e);
   }
 }
@@ -172,7 +172,7 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     const MixedBar mixed = bar(stage, x, e, size, -d);
     blocks.make_dual(dual);
     right_side[at(dual)] = {};
-    if (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size)) {
+    if (is_left_out(e) || (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size))) {
       blocks.add(dual, -1.0, 0.0, -1.0);
       continue;
     }
@@ -187,15 +187,15 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
   }
 }
 
-void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> /*tensions*/,
+void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> tensions,
                    std::span<const Vec2> /*direction*/, std::span<const Vec2> duals, std::span<double> next) {
-  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) next[e] = duals[e].x;
+  for (std::size_t e = 0; e < rest_lengths_.size(); ++e) next[e] = is_left_out(e) ? tensions[e] : duals[e].x;
 }
 
 double Chain::active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
   double largest = 0.0;
   for (std::size_t e = 0; tension_only_ && e < rest_lengths_.size(); ++e) {
-    if (tensions[e] > 0.0) continue;  // under tension, as assumed
+    if (is_left_out(e) || tensions[e] > 0.0) continue;  // under tension, as assumed
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
     const MixedBar mixed = bar(stage, x, e, size, unit_or(ab, size, {}));
@@ -210,7 +210,7 @@ double Chain::potential(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Vec2 ab = x[e] - x[e + 1];
     const double size = length(ab);
     const MixedBar mixed = bar(stage, x, e, size, unit_or(ab, size, {}));
-    if (!(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, max_tensions[e]);
+    if (!is_left_out(e) && !(tension_only_ && mixed.elongation <= 0.0)) sum += exact_penalty(mixed, max_tensions[e]);
   }
   return sum;
 }
@@ -219,6 +219,7 @@ double Chain::energy(const Motion& motion, std::span<const double> tensions) con
   if (inverse_stiffness_ == 0.0) return 0.0;
   double sum = 0.0;
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
+    if (is_left_out(e)) continue;
     double rate = 0.0;
     if (damping_ > 0.0 && tensions[e] != 0.0) rate = extension_rate(motion, e, e + 1);
     sum += elastic_energy(tensions[e], compliance(e), damping_, rate);

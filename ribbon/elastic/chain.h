@@ -18,6 +18,7 @@ class Chain final : public Elasticity {
   void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const override;
   void add_damping(const Motion& motion, double sign, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
+  void leave_out(std::span<const char> links) override { left_out_.assign(links.begin(), links.end()); }
   void add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                    std::span<Vec2> direction, std::span<double> next) override;
@@ -45,6 +46,7 @@ class Chain final : public Elasticity {
     Vec2 matrix_y;  // second row
   };
 
+  bool is_left_out(std::size_t link) const { return !left_out_.empty() && left_out_[link] != 0; }
   double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }
   double rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const;
   double geometric(const Stage& stage, std::size_t link, double size, double tension) const;
@@ -55,6 +57,7 @@ class Chain final : public Elasticity {
   double damping_;            // s
   bool tension_only_;
   std::vector<double> rest_lengths_;  // m
+  std::vector<char> left_out_;        // by link; empty: none
   std::vector<Eliminated> eliminated_;
 };
 

@@ -31,6 +31,10 @@ class Elasticity {
   /// Sets the rest length [m] of each link along the cord: columns − 1 values.
   virtual void set_rest_lengths(std::span<const double> lengths) = 0;
 
+  /// Leaves out the links [by link] for which 1 is given: they exert no force, and keep the tensions that they have. An
+  /// empty list leaves out none.
+  virtual void leave_out(std::span<const char> /*links*/) {}
+
   /// Writes the static tensions [N, of cells J] at positions x [m]; 0 for inextensible bars.
   virtual void find_tensions(std::span<const Vec2> x, std::span<double> tensions) const = 0;
 

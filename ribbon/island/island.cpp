@@ -7,6 +7,7 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
+#include "ribbon/system/wheel_points.h"
 
 namespace ribbon {
 namespace {
@@ -31,6 +32,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   work_ = {};
   bounds_.begin_step(cords.size());
   const bool closes_ties = bring_together(cords, tied);
+  move_points_over_wheels(cords, bodies, dt);
   for (bool linearised = false;;) {
     begin_attempt(cords, tied);
     state_.driven = state_.driven || closes_ties || (state_.unlocking && !linearised && !truncates(linearised));
@@ -55,7 +57,8 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   candidates_.find(state_, bounds_, contacts_);
   // First without the slots of bodies and grips, so that these are zero in all arrays, whatever was solved before.
   resize(state_.points, state_.tensions.size());
-  resize(state_.points + 2 * state_.bodies.size(), state_.tensions.size() + 2 * state_.held.size());
+  resize(state_.points + 2 * state_.bodies.size() + state_.wheels.size(),
+         state_.tensions.size() + 2 * state_.wheels.size() + 2 * state_.held.size());
   load_bodies(state_);
   if (bounds_.enabled()) bounds_.store_start(state_);
   if (bounds_.enabled() || state_.coupled) stages_.reserve_linearised(state_, contacts_);

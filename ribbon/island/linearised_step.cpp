@@ -38,7 +38,7 @@ double impact_time(const StepContext& context, double max) {
   const IslandState& state = context.state;
   double highest = 0.0;
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (!state.is_angle(p)) highest = std::max(highest, length(state.velocities[p]));
+    if (!state.is_scalar(p)) highest = std::max(highest, length(state.velocities[p]));
   }
   const double distance = impact_share * context.contacts.scene.pairs.min_contact_distance();
   return highest * max > distance ? distance / highest : max;

@@ -17,6 +17,7 @@ struct Spin {
 
 /// Returns whether nothing but the same gravity for all acts on the island from outside.
 bool is_free(const IslandState& state) {
+  if (!state.wheels.empty()) return false;
   const auto is_zero = [](char constrained) { return constrained == 0; };
   const Vec2 fall = state.free_accelerations[0];
   const auto falls = [&](Vec2 acceleration) { return acceleration == fall; };
@@ -40,7 +41,7 @@ Vec2 mean(const IslandState& state, std::span<const Vec2> by_slot) {
   Vec2 sum;
   double mass = 0.0;
   for (std::size_t p = 0; p < by_slot.size(); ++p) {
-    if (state.is_angle(p)) continue;
+    if (state.is_scalar(p)) continue;
     sum += state.masses[p] * by_slot[p];
     mass += state.masses[p];
   }
@@ -51,7 +52,7 @@ Spin spin(const IslandState& state, std::span<const Vec2> x, std::span<const Vec
   const Vec2 middle = mean(state, x);
   Spin sum;
   for (std::size_t p = 0; p < x.size(); ++p) {
-    if (state.is_angle(p)) {
+    if (state.is_scalar(p)) {
       if (state.constrained[p] != 0) continue;
       sum.momentum += state.masses[p] * v[p].x;
       sum.inertia += state.masses[p];
@@ -76,7 +77,7 @@ void slow_down(IslandState& state, double excess) {
     mean_velocity = mean(state, state.velocities);
   }
   const auto rigid = [&](std::size_t p) {
-    if (state.is_angle(p)) return Vec2{turning, 0.0};
+    if (state.is_scalar(p)) return Vec2{turning, 0.0};
     return mean_velocity + turning * perp(state.positions[p] - middle);
   };
   double kinetic = 0.0;
@@ -103,7 +104,7 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
   const Vec2 lost =
       mean(state, start.velocities) + start.dt * state.free_accelerations[0] - mean(state, state.velocities);
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (!state.is_angle(p)) {
+    if (!state.is_scalar(p)) {
       state.velocities[p] += lost + turning * perp(state.positions[p] - middle);
     } else if (state.constrained[p] == 0) {
       state.velocities[p].x += turning;
@@ -118,7 +119,7 @@ bool limit_speeds(IslandState& state) {
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (state.is_angle(p) || state.constrained[p] != 0) continue;
+    if (state.is_scalar(p) || state.constrained[p] != 0) continue;
     const double speed = length(state.velocities[p]);
     if (!(speed > max)) continue;
     state.velocities[p] = (max / speed) * state.velocities[p];

@@ -83,7 +83,7 @@ void wake(std::span<const IslandCord> cords) {
 bool may_sleep(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, Vec2 gravity) {
   const auto state_of = [](const IslandCord& cord) -> const Cord::State& { return cord.cord->parts().state; };
   for (const IslandCord& cord : cords) {
-    if (state_of(cord).rest_time < Cord::time_to_sleep) return false;
+    if (state_of(cord).rest_time < Cord::time_to_sleep || !state_of(cord).pulleys.empty()) return false;
   }
   const bool asleep =
       std::all_of(cords.begin(), cords.end(), [&](const IslandCord& cord) { return state_of(cord).asleep; });

@@ -34,11 +34,13 @@ void MotionGroups::find_groups(const IslandState& state) {
     groups_[std::max(a, b)] = static_cast<int>(std::min(a, b));
   };
   for (const HeldBody& held : state.held) join(held.point, state.center(held.solved_index));
+  for (const Wheel& wheel : state.wheels) join(wheel.before, state.center(wheel.solved_index));
   for (const TiedSlot& tied : state.ties.slots) join(at(tied.slot), at(tied.with));
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (groups_[p] >= 0) groups_[p] = static_cast<int>(root(p));
   }
   for (std::size_t k = 0; k < state.bodies.size(); ++k) groups_[state.angle(k)] = groups_[state.center(k)];
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) groups_[state.groove(k)] = groups_[state.wheels[k].before];
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] != 0) groups_[p] = -1;
   }

@@ -5,6 +5,7 @@
 
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
@@ -99,6 +100,7 @@ double NewtonSolver::largest_displacement(const IslandState& state) const {
   }
   if (state.coupled) {
     for (std::size_t k = 0; k < state.bodies.size(); ++k) include(direction_[state.center(k)]);
+    for (std::size_t k = 0; k < state.wheels.size(); ++k) include(direction_[state.groove(k)]);
   }
   return std::isfinite(all2) ? std::sqrt(max2) : all2;
 }
@@ -151,8 +153,8 @@ double NewtonSolver::potential(IslandState& state, const Stage& stage, std::span
     const Vec2 moved = x[p] - stage.predicted[p];
     sum += 0.5 * stage.inertia[p] * dot(moved, moved) - dot(stage.force[p], moved);
   }
-  if (with_grips) sum += grip_potential(state, penalty_, x);
-  return sum;
+  if (!with_grips) return sum;
+  return sum + grip_potential(state, penalty_, x) + wheel_potential(state, penalty_, x);
 }
 
 void FreeStage::resize(std::size_t slots, std::size_t tensions) {

@@ -1,6 +1,7 @@
 #include "ribbon/stage/stage_solver.h"
 
 #include "ribbon/system/grips.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 
@@ -62,6 +63,7 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
     load_member(state, member, request);
     if (move_climbing_grips(state, member)) newton_.system().discard_pattern();
   }
+  load_wheel_forces(state, force_);
 }
 
 /// What is driven moves at constant velocity from where the step found it to its target.

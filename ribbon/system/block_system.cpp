@@ -4,11 +4,13 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
 
 constexpr std::size_t many_cords = 8;   // from which on the natural order of what touches certainly fills much
+constexpr double min_divisor = 1e-6;  // of a response to the friction of a wheel
 constexpr std::size_t much_filled = 6;  // blocks a row, above which an order that fills less is looked for
 
 void couple(const Contacts& contacts, BlockLdlt& matrix) { contacts.active.couple(contacts.scene, matrix); }
@@ -23,7 +25,7 @@ void for_each_body_and_point(const IslandState& /*state*/, const Contacts& conta
 template <typename Visit>
 void for_each_body_and_point(const IslandState& state, const LimitedRows& rows, Visit&& visit) {
   rows.for_each_pair([&](int a, int b) {
-    if (at(a) >= state.points && !state.is_angle(at(a)) && at(b) < state.points) visit(a, b);
+    if (at(a) >= state.points && !state.is_scalar(at(a)) && at(b) < state.points) visit(a, b);
   });
 }
 
@@ -57,6 +59,14 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
   for (std::size_t grip = 0; grip < state.held.size(); ++grip) {
     for (const int slot : grip_slots(state, state.held[grip])) matrix_.couple(slot, state.grip_dual(grip));
   }
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const std::array<int, 5> slots = wheel_slots(state, state.wheels[k]);
+    for (const int slot : slots) {
+      matrix_.couple(slot, state.wheel_dual(k));
+      if (slot != slots[3]) matrix_.couple(slot, slots[3]);
+      if (slot != slots[4] && slot != slots[3]) matrix_.couple(slot, slots[4]);
+    }
+  }
   couple(terms, matrix_);
   const bool is_heap = !has_fill_order_ && state.members.size() >= many_cords;
   if (!is_heap) matrix_.end_pattern();
@@ -74,6 +84,9 @@ void BlockSystem::find_natural_order(const IslandState& state, const Terms& term
   };
   for (const HeldBody& held : state.held)
     couple(static_cast<int>(state.center(held.solved_index)), static_cast<int>(held.next));
+  for (const Wheel& wheel : state.wheels) {
+    couple(static_cast<int>(state.center(wheel.solved_index)), static_cast<int>(wheel.after));
+  }
   for_each_body_and_point(state, terms, couple);
   order_with_bodies(state);
 }
@@ -89,6 +102,11 @@ void BlockSystem::order_with_bodies(const IslandState& state) {
       order_.push_back(static_cast<int>(state.angle(k)));
       for (std::size_t grip = 0; grip < state.held.size(); ++grip) {
         if (state.held[grip].solved_index == k) order_.push_back(state.grip_dual(grip));
+      }
+      for (std::size_t wheel = 0; wheel < state.wheels.size(); ++wheel) {
+        if (state.wheels[wheel].solved_index != k) continue;
+        order_.push_back(static_cast<int>(state.groove(wheel)));
+        order_.push_back(state.wheel_dual(wheel));
       }
     }
   };
@@ -114,7 +132,7 @@ void BlockSystem::reduce_fill(const IslandState& state) {
   matrix_.for_each_coupling([&](int a, int b) {
     if (!is_dual(a) && !is_dual(b)) fill_order_.couple(a, b);
   });
-  append_duals_last(slots, state.duals + state.held.size(), fill_order_.find());
+  append_duals_last(slots, state.all_duals(), fill_order_.find());
   leave_out_tied(state);
   matrix_.reorder(order_);
   filled_ = matrix_.off_diagonal_blocks();
@@ -143,7 +161,7 @@ void BlockSystem::append_duals_last(std::size_t slots, std::size_t duals, std::s
 
 void BlockSystem::load(const IslandState& state, const Stage& stage) {
   matrix_.set_zero();
-  right_side_.resize(state.slots() + state.duals + state.held.size());
+  right_side_.resize(state.slots() + state.all_duals());
   for (const Member& member : state.members) {
     member.cord->elasticity->load(IslandState::stage_of(stage, member), IslandState::points_of(member, state.positions),
                                   IslandState::tensions_of(member, state.tensions), matrix_,
@@ -155,6 +173,7 @@ void BlockSystem::load(const IslandState& state, const Stage& stage) {
   }
   for (std::size_t k = 0; k < state.bodies.size(); ++k) right_side_[state.angle(k)].y = 0.0;
   load_grips(state, stage.inertia, matrix_, right_side_);
+  load_wheel_rows(state, stage, matrix_, right_side_);
 }
 
 void BlockSystem::clear_constrained(const IslandState& state) {
@@ -168,12 +187,54 @@ bool BlockSystem::solve(const IslandState& state) {
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] != 0) matrix_.hold(static_cast<int>(p));
   }
-  return matrix_.solve(right_side_);
+  if (!matrix_.solve(right_side_)) return false;
+  find_friction_of_wheels(state);
+  add_friction_of_wheels(right_side_);
+  return true;
 }
 
 void BlockSystem::solve_again(const IslandState& state) {
   clear_constrained(state);
   matrix_.solve_again(right_side_);
+  add_friction_of_wheels(right_side_);
+}
+
+/// The friction of a cord that slips in a groove is F = s·(e^(μ·α) − 1)·λ, along it, with its sign s and the smaller of
+/// the tensions, λ. Without it the system is A·z = b. With w = A⁻¹·e, the response to a unit force along the groove,
+///
+///     z ← z + F·w,     F = s·(e^(μ·α) − 1)·λ(z)/(1 − s·(e^(μ·α) − 1)·λ(w)).
+///
+/// The response to the friction of a second wheel includes that of the first.
+void BlockSystem::find_friction_of_wheels(const IslandState& state) {
+  responses_.clear();
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    if (wheel.slip_sign == 0.0 || state.constrained[state.groove(k)] != 0) continue;
+    const std::size_t n = right_side_.size();
+    unit_.assign(n, Vec2{});
+    unit_[state.groove(k)] = {1.0, 0.0};
+    matrix_.solve_again(unit_);
+    add_friction_of_wheels(unit_);
+    WheelResponse response;
+    response.dual = at(state.wheel_dual(k));
+    response.before = wheel.slip_sign < 0.0;
+    response.factor = wheel.slip_sign * (wheel.ratio - 1.0);
+    response.first = responses_.size() * n;
+    response.divisor = 1.0 - response.factor * response.tension(unit_);
+    if (response.divisor < min_divisor) continue;  // no slip at any speed could end what would jam
+    motions_.resize(response.first + n);
+    std::copy(unit_.begin(), unit_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(response.first));
+    responses_.push_back(response);
+  }
+}
+
+void BlockSystem::add_friction_of_wheels(std::span<Vec2> solution) const {
+  for (const WheelResponse& response : responses_) {
+    const double friction = response.factor * response.tension(solution) / response.divisor;
+    // A slack cord does not rub.
+    if (!(friction * response.factor > 0.0)) continue;
+    for (std::size_t p = 0; p < solution.size(); ++p) solution[p] += friction * motions_[response.first + p];
+  }
 }
 
 void BlockSystem::copy_direction(std::span<Vec2> direction) const {
@@ -191,6 +252,7 @@ bool BlockSystem::update(IslandState& state, const Stage& stage, std::vector<Vec
         IslandState::tensions_of(member, state.tensions), IslandState::points_of(member, direction), duals,
         IslandState::tensions_of(member, next));
   }
+  update_wheels(state, right_side_, next);
   return update_grips(state, right_side_, next);
 }
 

@@ -50,7 +50,20 @@ class BlockSystem {
   void reduce_fill(const IslandState& state);
   void clear_constrained(const IslandState& state);
   void leave_out_tied(const IslandState& state);
+  void find_friction_of_wheels(const IslandState& state);
+  void add_friction_of_wheels(std::span<Vec2> solution) const;
   void append_duals_last(std::size_t slots, std::size_t duals, std::span<const int> order);
+
+  /// The response of the system to a unit of friction of a wheel where the cord slips.
+  struct WheelResponse {
+    std::size_t dual = 0;   // slot of the tensions
+    std::size_t first = 0;  // index in motions_
+    bool before = false;    // the tension before the wheel is the smaller one
+    double factor = 0.0;    // s·(e^(μ·α) − 1)
+    double divisor = 1.0;
+
+    double tension(std::span<const Vec2> solution) const { return before ? solution[dual].x : solution[dual].y; }
+  };
 
   BlockLdlt matrix_;
   std::vector<Vec2> right_side_;
@@ -61,6 +74,9 @@ class BlockSystem {
   FillOrder fill_order_;
   std::vector<int> rows_of_;              // row in that order, by slot of points and bodies
   std::vector<std::array<int, 2>> late_;  // tensions and pulls: the row after which it is eliminated, and its slot
+  std::vector<WheelResponse> responses_;
+  std::vector<Vec2> motions_;  // of the responses, by slot
+  std::vector<Vec2> unit_;
   std::vector<int> last_points_;          // by body: the last point that it is coupled with
 };
 

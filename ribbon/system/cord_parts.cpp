@@ -68,6 +68,16 @@ CordParts::CordParts(const CordDef& cord_def)
   elasticity->find_tensions(state.positions, state.tensions);
 }
 
+void CordParts::leave_out_links_on_wheels() {
+  on_wheels.clear();
+  if (!state.pulleys.empty()) on_wheels.assign(state.rest.size(), 0);
+  for (const Pulley& pulley : state.pulleys) {
+    const auto first = on_wheels.begin();
+    std::fill(first + pulley.def.before, first + pulley.def.after, char{1});
+  }
+  elasticity->leave_out(on_wheels);
+}
+
 Motion CordParts::motion_of_tensions() const {
   return {state.positions, state.damping_excluded ? std::span<const Vec2>{} : std::span<const Vec2>(state.velocities)};
 }

@@ -47,6 +47,10 @@ struct CordParts {
   void exclude_damping();
   /// Adds the damping part of the current velocities again.
   void include_damping();
+  /// Leaves the links at and on the wheels of pulleys to these. Call it when points have moved over a wheel.
+  void leave_out_links_on_wheels();
+  /// Returns whether a link is left to a wheel.
+  bool is_on_wheel(std::size_t link) const { return !on_wheels.empty() && on_wheels[link] != 0; }
 
   std::optional<Cord::Sweep> sweep;  // of this state, if it is known; first, because resting cords are asked for it
   CordDef def;
@@ -55,6 +59,7 @@ struct CordParts {
   std::vector<double> own_masses;  // kg, by point, without attached masses
   // m, rest lengths by link at the start and at the end of the step; empty until something is reeled.
   std::vector<double> rest_start, rest_end;
+  std::vector<char> on_wheels;  // by link: 1 if it is left to a wheel; empty without pulleys
   std::vector<int> outline;  // the points around which the cord can be touched, in order
 };
 

@@ -30,6 +30,8 @@ struct Member {
   std::size_t first_dual = 0;  ///< of the tensions that are unknowns of the linear system
   std::size_t first_grip = 0;
   std::size_t end_grip = 0;
+  std::size_t first_wheel = 0;
+  std::size_t end_wheel = 0;
   CordReport report;             ///< of the step; see Island::end_step
   double last_correction = 0.0;  ///< m, the largest of its points by the last linear solve of a linearised stage
   bool stopped = false;          ///< that stage stopped it to prevent penetration
@@ -43,6 +45,28 @@ struct Member {
 struct SolvedBody {
   int index;   ///< into the step's bodies
   bool turns;  ///< its moment of inertia is finite
+};
+
+/// The wheel of a pulley; see system/wheels.h.
+struct Wheel {
+  std::size_t member = 0;
+  std::size_t pulley = 0;        ///< index into the pulleys of the cord
+  std::size_t before = 0;        ///< slot of the last point before the wheel
+  std::size_t after = 0;         ///< slot of the first point behind it
+  std::size_t solved_index = 0;  ///< index of its body among those that are solved with the cords
+  Vec2 arm;                      ///< m, from the body's centre of mass to the axle, at the start of the step
+  double radius = 0.0;           ///< m
+  double sense = 1.0;            ///< 1 if the cord runs counterclockwise around it, −1 if clockwise
+  double lead = 0.0;             ///< m, length at rest from the point before to the wheel, at the start of the step
+  double trail = 0.0;            ///< m, from the wheel to the point behind it
+  Vec2 arrival;                  ///< unit vector from the centre to where the cord arrives, at the start of the step
+  Vec2 departure;                ///< to where it leaves
+  double cord_mass = 0.0;        ///< kg, of the points on the wheel
+  double wheel_mass = 0.0;       ///< kg, moment of inertia by the square of the radius
+  double torque_force = 0.0;     ///< N, of the motor along the cord
+  double slip_sign = 0.0;        ///< sign of the friction on the cord along it while it slips; 0 while it does not
+  double ratio = 1.0;            ///< e^(μ·α), of the tensions while it slips
+  bool driven = false;           ///< the motor holds its speed
 };
 
 /// A gap between tied slots, which the step closes in part.
@@ -74,8 +98,9 @@ struct SubstepStart {
 };
 
 /// The cords and bodies of an island during a step, as arrays. The slots are the points of all cords and, behind them,
-/// two for each body: its centre of mass [m], and (φ, 0) of the angle by which it has turned in the step [rad]. The
-/// integrators treat all slots alike.
+/// two for each body: its centre of mass [m], and (φ, 0) of the angle by which it has turned in the step [rad]. Behind
+/// them is one for each wheel: (ρ, 0) of the cord that has run through its groove in the step [m]. The integrators treat
+/// all slots alike.
 struct IslandState {
   // Of the step:
   double dt = 0.0;  ///< s
@@ -90,6 +115,7 @@ struct IslandState {
   std::vector<SolvedBody> bodies;
   std::vector<HeldBody> held;  ///< by member and point, ascending
   IslandTies ties;
+  std::vector<Wheel> wheels;       ///< by member
   std::size_t points = 0;  ///< of all cords
   std::size_t duals = 0;   ///< tensions that are unknowns of the linear system
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
@@ -108,17 +134,29 @@ struct IslandState {
   std::vector<char> constrained;
   // Of constrained slots: where the step found them, and their constant velocity in it.
   std::vector<Vec2> drive_starts, drive_velocities;
-  /// Tensions of all cords and, behind them, two for each grip: the components of its pull on the body [N].
+  /// Tensions of all cords and, behind them, two for each wheel, before and behind it, and two for each grip: the
+  /// components of its pull on the body [N].
   std::vector<double> tensions;
   SubstepStart start;  ///< of the current substep
 
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
-  bool is_angle(std::size_t slot) const { return slot >= points && (slot - points) % 2 == 1; }
+  std::size_t groove(std::size_t wheel) const { return points + 2 * bodies.size() + wheel; }
+  /// Returns whether a slot holds one number: an angle, or what has run through a groove.
+  bool is_scalar(std::size_t slot) const {
+    return slot >= points && ((slot - points) % 2 == 1 || slot >= points + 2 * bodies.size());
+  }
   std::size_t slots() const { return positions.size(); }
   /// The slots of unknown tensions follow those of points and bodies; those of grips follow them.
   int first_dual(const Member& member) const { return static_cast<int>(slots() + member.first_dual); }
   int grip_dual(std::size_t grip) const { return static_cast<int>(slots() + duals + grip); }
+  int wheel_dual(std::size_t wheel) const { return static_cast<int>(slots() + duals + held.size() + wheel); }
+  /// The number of unknowns of the linear system that are no slots.
+  std::size_t all_duals() const { return duals + held.size() + wheels.size(); }
+  /// Index into the tensions of the one before a wheel. That behind it follows.
+  std::size_t wheel_tension(std::size_t wheel) const {
+    return tensions.size() - 2 * held.size() - 2 * (wheels.size() - wheel);
+  }
   const RigidBody& rigid_of(const SolvedBody& body) const { return rigid[at(body.index)]; }
 
   /// Return a cord's part of an array by slot or by tension.

@@ -27,6 +27,7 @@ void LinkLengths::restore(IslandState& state, std::span<const double> inertia) {
     mobility_[held.point] = 0.0;
     if (held.along > 0.0) mobility_[held.next] = 0.0;
   }
+  for (const Wheel& wheel : state.wheels) mobility_[wheel.before] = mobility_[wheel.after] = 0.0;
   for (const TiedPoint& tied : state.ties.by_cord) {
     mobility_[state.members[at(tied.cord)].first_point + at(tied.point)] = 0.0;
   }
@@ -56,7 +57,7 @@ void LinkLengths::load(const IslandState& state, const Member& member) {
     const double size = length(along);
     const double rest = member.cord->state.rest[link];
     const double mobility = mobility_[p] + mobility_[p + 1];
-    if (!(size > 0.0 && mobility > 0.0) || (member.cord->def.tension_only && size < rest)) continue;
+    if (!(size > 0.0 && mobility > 0.0) || member.cord->is_on_wheel(link) || (member.cord->def.tension_only && size < rest)) continue;
     Row& row = rows_[link];
     row.normal = (1.0 / size) * along;
     row.diagonal = (1.0 + softening) * mobility;

@@ -7,12 +7,14 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
 
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share: what single precision explains
 constexpr double max_tolerance = 0.2;     // of a link, above which a tolerance would not hold it
+constexpr double wheel_tolerance = 1e-3;   // the same, of a cord on a wheel: a line that is not tangent pulls it round
 constexpr double resolved_digits = 16.0;  // min. tolerance, in roundings of the largest coordinate
 
 Accuracy higher(const Accuracy& a, const Accuracy& b) {
@@ -29,6 +31,7 @@ void reset(IslandState& state) {
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
+  state.wheels.clear();
   state.ties.slots.clear();
   state.ties.by_cord.clear();
   state.ties.gaps.clear();
@@ -90,7 +93,7 @@ void find_tolerance(IslandState& state) {
     for (std::size_t e = 0; e < cord.state.rest_targets.size(); ++e) {
       shortest = std::min({shortest, cord.state.rest[e], cord.state.rest_targets[e]});
     }
-    state.tolerance = std::min(state.tolerance, max_tolerance * shortest);
+    state.tolerance = std::min(state.tolerance, (cord.state.pulleys.empty() ? max_tolerance : wheel_tolerance) * shortest);
   }
   state.tolerance = std::max(state.tolerance, state.min_tolerance);
 }
@@ -241,7 +244,7 @@ void load_body_accelerations(IslandState& state, const Member& member) {
 /// Returns whether the island is a single cord of which each body holds another point, so that the cord's own solver
 /// can solve it.
 bool is_single_cord(const IslandState& state) {
-  if (state.members.size() != 1 || state.held.size() != state.bodies.size()) return false;
+  if (state.members.size() != 1 || !state.wheels.empty() || state.held.size() != state.bodies.size()) return false;
   for (std::size_t k = 0; k < state.held.size(); ++k) {
     const HeldBody& held = state.held[k];
     if (held.solved_index != k || !held.is_fixed_at_point() || state.rigid[at(held.rigid_index)].inverse_mass == 0.0)
@@ -262,6 +265,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
   for (Member& member : state.members) {
     drive_points(state, member);
     add_grips(state, member);
+    add_wheels(state, member);
     member.pressing_mass = pressing_mass(state, member);
     load_reel(state, member);
     member.cord->include_damping();
@@ -273,6 +277,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
 
 void load_bodies(IslandState& state) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) load_body(state, k);
+  load_wheels(state);
   for (const Member& member : state.members) load_body_accelerations(state, member);
   state.coupled = !is_single_cord(state);
 }

@@ -5,6 +5,7 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
@@ -86,6 +87,7 @@ void store_cord(IslandState& state, const Member& member) {
   cord.sweep.reset();
   store_reel(cord);
   store_holders(state, member);
+  store_wheels(state, member);
   if (!state.unlocking) return;
   cord.exclude_damping();
   damp_deformation(state, member);

@@ -25,6 +25,7 @@ double largest_strain(const Member& member, std::span<const Vec2> x) {
   if (std::isfinite(def.stretch_stiffness)) return 0.0;
   double max = 0.0;
   for (std::size_t link = 0; link + 1 < member.points; ++link) {
+    if (member.cord->is_on_wheel(link)) continue;
     const std::size_t p = member.first_point + link;
     const double strain = length(x[p + 1] - x[p]) / member.cord->state.rest[link] - 1.0;
     max = std::max(max, def.tension_only ? strain : std::abs(strain));
@@ -56,7 +57,7 @@ bool is_stretched(const IslandState& state) {
 double highest_start_speed(const IslandState& state) {
   double highest = 0.0;
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (!state.is_angle(p)) highest = std::max(highest, length(state.start.velocities[p]));
+    if (!state.is_scalar(p)) highest = std::max(highest, length(state.start.velocities[p]));
     if (p < state.points && state.constrained[p] != 0) highest = std::max(highest, length(state.drive_velocities[p]));
   }
   return highest;

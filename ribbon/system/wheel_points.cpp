@@ -1,0 +1,269 @@
+#include "ribbon/system/wheel_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "ribbon/geometry/rotation.h"
+#include "ribbon/linear/index.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double accepted_misfit = 0.1;
+constexpr double least_arc = -0.1;  // rad, from which on a cord that barely touches a wheel counts as beside it
+
+double sum_of_rest(const CordParts& cord, const PulleyDef& def) {
+  double sum = 0.0;
+  for (int link = def.before; link < def.after; ++link) sum += cord.state.rest[at(link)];
+  return sum;
+}
+
+}  // namespace
+
+PathPlace place_on_path(const WheelPath& path, double distance) {
+  const TangentLine& in = path.before;
+  const TangentLine& out = path.after;
+  if (distance < path.lead) {
+    const double left = (path.lead - distance) / path.lead * in.length;
+    return {path.center + path.radius * in.normal - left * in.along, in.along};
+  }
+  const double on_wheel = distance - path.lead;
+  const double arc = path.radius * path.arc;
+  if (on_wheel < arc) {
+    const Vec2 normal = times(rotation(path.sense * on_wheel / path.radius), in.normal);
+    return {path.center + path.radius * normal, path.sense * perp(normal)};
+  }
+  const double behind = path.trail > 0.0 ? (on_wheel - arc) / path.trail * out.length : 0.0;
+  return {path.center + path.radius * out.normal + behind * out.along, out.along};
+}
+
+double trail_of(const CordParts& cord, const Pulley& pulley) {
+  return sum_of_rest(cord, pulley.def) - pulley.lead - pulley.def.radius * pulley.arc;
+}
+
+double mass_on_wheel(const CordParts& cord, const PulleyDef& def) {
+  double sum = 0.0;
+  for (int p = def.before + 1; p < def.after; ++p) sum += cord.state.masses[at(p)];
+  return sum;
+}
+
+double wheel_mass(const PulleyDef& def) { return def.inertia / (def.radius * def.radius); }
+
+/// The part of the cord between its points fits the path around the wheel, but for a few percent: the definition's
+/// lengths and what is laid by hand need not agree to the last digit.
+Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
+  check(def, cord.def.points);
+  if (cord.def.rows > 1 || cord.def.bending_stiffness > 0.0) {
+    throw CallError("a pulley is for a rope without bending stiffness");
+  }
+  for (int p = def.before + 1; p < def.after; ++p) {
+    if (cord.state.kinds[at(p)] == PointKind::free) continue;
+    throw CallError("point " + std::to_string(p) + " is fixed; accepted are free points on a wheel");
+  }
+  for (const Pulley& other : cord.state.pulleys) {
+    if (def.after <= other.def.before || def.before >= other.def.after) continue;
+    throw CallError("points " + std::to_string(def.before) + " to " + std::to_string(def.after) +
+                    " are on another wheel; accepted are ones before or behind it");
+  }
+  const double sense = def.counterclockwise ? 1.0 : -1.0;
+  const TangentLine in = arriving_line(cord.state.positions[at(def.before)] - def.center, def.radius, sense);
+  const TangentLine out = leaving_line(cord.state.positions[at(def.after)] - def.center, def.radius, sense);
+  const double angle = sense * angle_between(in.normal, out.normal);
+  Pulley pulley;
+  pulley.def = def;
+  pulley.lead = in.length;
+  pulley.arc = (angle < least_arc ? angle + turn : angle) + def.turns * turn;
+  pulley.arrival = in.normal;
+  pulley.departure = out.normal;
+  const double trail = trail_of(cord, pulley);
+  const double part = sum_of_rest(cord, def);
+  const double off = std::abs(trail - out.length);
+  if (!(off < accepted_misfit * part) || !(trail > 0.0)) {
+    throw DefinitionError("a cord of " + std::to_string(part) + " m between points " + std::to_string(def.before) + " and " +
+                          std::to_string(def.after) + " does not fit a path of " +
+                          std::to_string(part - trail + out.length) + " m around the wheel; accepted is a tenth more or less");
+  }
+  const WheelPath path{def.center, def.radius, sense, in, out, pulley.lead, pulley.arc, trail};
+  double distance = 0.0;
+  for (int p = def.before + 1; p < def.after; ++p) {
+    distance += cord.state.rest[at(p - 1)];
+    cord.state.positions[at(p)] = place_on_path(path, distance).position;
+    cord.state.velocities[at(p)] = {};
+  }
+  return pulley;
+}
+
+namespace {
+
+// Of a link, beside the way of one and a half steps: how near to a wheel a point is taken up, and how far from it a
+// point is let go.
+constexpr double taken_up = 0.5;
+constexpr double let_go = 0.7;
+constexpr double steps_ahead = 1.5;
+
+/// A pulley of a cord, at the start of a step.
+class PointMover {
+ public:
+  PointMover(CordParts& cord, std::size_t index, const Surroundings& surroundings, std::span<const RigidBody> bodies,
+             double dt)
+      : cord_(cord), pulley_(cord.state.pulleys[index]), surroundings_(surroundings), dt_(dt) {
+    const Axle& axle = surroundings.axles[index];
+    const RigidBody& body = bodies[at(axle.body)];
+    center_ = body.position + axle.offset;
+    velocity_ = body.velocity + body.angular_velocity * perp(axle.offset);
+    sense_ = pulley_.def.counterclockwise ? 1.0 : -1.0;
+    if (index > 0) first_ = cord.state.pulleys[index - 1].def.after;
+    last_ = index + 1 < cord.state.pulleys.size() ? cord.state.pulleys[index + 1].def.before : cord.def.points - 1;
+  }
+
+  void move() {
+    follow_lines();
+    pulley_.blocked = 0.0;
+    while (let_go_before()) {
+    }
+    while (let_go_after()) {
+    }
+    while (take_up_before()) {
+    }
+    while (take_up_after()) {
+    }
+  }
+
+ private:
+  Vec2& x(int point) { return cord_.state.positions[at(point)]; }
+  Vec2& v(int point) { return cord_.state.velocities[at(point)]; }
+  double rest(int link) const { return cord_.state.rest[at(link)]; }
+  TangentLine in() { return arriving_line(x(pulley_.def.before) - center_, pulley_.def.radius, sense_); }
+  TangentLine out() { return leaving_line(x(pulley_.def.after) - center_, pulley_.def.radius, sense_); }
+  double trail() const { return trail_of(cord_, pulley_); }
+
+  /// The centre, or a point, may have been moved between the steps: the cord in the groove stays.
+  void follow_lines() {
+    const Vec2 arrival = in().normal;
+    const Vec2 departure = out().normal;
+    const double arriving = sense_ * angle_between(pulley_.arrival, arrival);
+    const double leaving = sense_ * angle_between(pulley_.departure, departure);
+    pulley_.lead += pulley_.def.radius * arriving;
+    pulley_.arc += leaving - arriving;
+    pulley_.arrival = arrival;
+    pulley_.departure = departure;
+  }
+
+  /// m, within which a point that nears the wheel at this speed is taken up, or beyond which one is let go.
+  double margin(double share, double link, double nearing) const {
+    return share * link + steps_ahead * dt_ * std::max(0.0, nearing);
+  }
+  double nearing_before(const TangentLine& line) { return dot(line.along, v(pulley_.def.before) - velocity_); }
+  double nearing_after(const TangentLine& line) { return -dot(line.along, v(pulley_.def.after) - velocity_); }
+
+  bool is_free(int point) const {
+    if (cord_.state.kinds[at(point)] != PointKind::free) return false;
+    return std::none_of(surroundings_.grips.begin(), surroundings_.grips.end(), [point](const Grip& grip) {
+      return grip.point == point || ((grip.along > 0.0 || std::isfinite(grip.strength)) && grip.point + 1 == point);
+    });
+  }
+
+  bool take_up_before() {
+    const int point = pulley_.def.before;
+    const TangentLine line = in();
+    const double link = rest(point);
+    if (!(line.length < margin(taken_up, link, nearing_before(line)))) return false;
+    if (point - 1 < first_ || !is_free(point)) return block(1.0);
+    share_momentum(point, line.along);
+    pulley_.lead += rest(point - 1);
+    pulley_.def.before = point - 1;
+    pulley_.arc += sense_ * angle_between(in().normal, pulley_.arrival);
+    pulley_.lead += pulley_.def.radius * sense_ * angle_between(pulley_.arrival, in().normal);
+    pulley_.arrival = in().normal;
+    cord_.state.restart = true;
+    return true;
+  }
+
+  bool take_up_after() {
+    const int point = pulley_.def.after;
+    const TangentLine line = out();
+    const double link = rest(point - 1);
+    if (!(line.length < margin(taken_up, link, nearing_after(line)))) return false;
+    if (point + 1 > last_ || !is_free(point)) return block(-1.0);
+    share_momentum(point, line.along);
+    pulley_.def.after = point + 1;
+    pulley_.arc += sense_ * angle_between(pulley_.departure, out().normal);
+    pulley_.departure = out().normal;
+    cord_.state.restart = true;
+    return true;
+  }
+
+  bool let_go_before() {
+    const int point = pulley_.def.before + 1;
+    const TangentLine line = in();
+    const double link = rest(point - 1);
+    const double ahead = pulley_.lead - link;
+    if (point >= pulley_.def.after || !(ahead > margin(let_go, link, nearing_before(line)))) return false;
+    place(point, pulley_.def.before, line, -ahead / pulley_.lead);
+    pulley_.lead = ahead;
+    pulley_.def.before = point;
+    cord_.state.restart = true;
+    return true;
+  }
+
+  bool let_go_after() {
+    const int point = pulley_.def.after - 1;
+    const TangentLine line = out();
+    const double link = rest(point);
+    const double behind = trail() - link;
+    if (point <= pulley_.def.before || !(behind > margin(let_go, link, nearing_after(line)))) return false;
+    place(point, pulley_.def.after, line, behind / trail());
+    pulley_.def.after = point;
+    cord_.state.restart = true;
+    return true;
+  }
+
+  /// Places a point on a line, at a signed share of its length from the wheel, with a velocity between those of the
+  /// groove and of the point at its end.
+  void place(int point, int end, const TangentLine& line, double share) {
+    x(point) = center_ + pulley_.def.radius * line.normal + share * line.length * line.along;
+    const Vec2 across = perp(line.along);
+    v(point) = velocity_ + pulley_.speed * line.along + std::abs(share) * dot(across, v(end) - velocity_) * across;
+  }
+
+  /// The groove takes over the momentum of a point along the cord.
+  void share_momentum(int point, Vec2 along) {
+    const double mass = cord_.state.masses[at(point)];
+    const double own = mass_on_wheel(cord_, pulley_.def) + (pulley_.slip_sign == 0.0 ? wheel_mass(pulley_.def) : 0.0);
+    const double speed = dot(along, v(point) - velocity_);
+    pulley_.speed = (own * pulley_.speed + mass * speed) / (own + mass);
+  }
+
+  /// The cord cannot run further, because of what is at the point or because it ends there.
+  bool block(double direction) {
+    pulley_.blocked = direction;
+    return false;
+  }
+
+  CordParts& cord_;
+  Pulley& pulley_;
+  const Surroundings& surroundings_;
+  double dt_;
+  Vec2 center_;
+  Vec2 velocity_;
+  double sense_ = 1.0;
+  int first_ = 0;  // the first and the last point that may be the one before or behind the wheel
+  int last_ = 0;
+};
+
+}  // namespace
+
+void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt) {
+  for (const IslandCord& cord : cords) {
+    CordParts& parts = cord.cord->parts();
+    for (std::size_t k = 0; k < parts.state.pulleys.size(); ++k) {
+      PointMover(parts, k, cord.surroundings, bodies, dt).move();
+    }
+    if (!parts.state.pulleys.empty()) parts.leave_out_links_on_wheels();
+  }
+}
+
+}  // namespace ribbon

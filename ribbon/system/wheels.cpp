@@ -1,0 +1,319 @@
+#include "ribbon/system/wheels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ribbon/elastic/link.h"
+#include "ribbon/geometry/rotation.h"
+#include "ribbon/geometry/tangent.h"
+#include "ribbon/linear/index.h"
+#include "ribbon/system/wheel_points.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double min_mass = 1e-3;  // of a cord in a groove, as a share of a point's
+
+/// The straight part before or behind a wheel.
+struct Side {
+  TangentLine line;
+  double elongation;  // m
+};
+
+/// The two sides of a wheel.
+struct Sides {
+  Side before;
+  Side after;
+};
+
+Vec2 arm_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
+  return times(rotation(x[state.angle(wheel.solved_index)].x), wheel.arm);
+}
+
+Vec2 center_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
+  return x[state.center(wheel.solved_index)] + arm_of(state, wheel, x);
+}
+
+std::size_t index_of(const IslandState& state, const Wheel& wheel) {
+  return static_cast<std::size_t>(&wheel - state.wheels.data());
+}
+
+/// m, by which a line that turns lets cord off the wheel, since the start of the step.
+double let_off(const Wheel& wheel, Vec2 from, Vec2 to) { return wheel.sense * wheel.radius * angle_between(from, to); }
+
+Sides sides_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
+  const Vec2 center = center_of(state, wheel, x);
+  const double run = x[state.groove(index_of(state, wheel))].x;
+  const TangentLine in = arriving_line(x[wheel.before] - center, wheel.radius, wheel.sense);
+  const TangentLine out = leaving_line(x[wheel.after] - center, wheel.radius, wheel.sense);
+  return {{in, in.length - (wheel.lead - run + let_off(wheel, wheel.arrival, in.normal))},
+          {out, out.length - (wheel.trail + run - let_off(wheel, wheel.departure, out.normal))}};
+}
+
+double compliance_of(const CordDef& def, double rest) { return std::max(0.0, rest) / def.stretch_stiffness; }
+
+const CordDef& def_of(const IslandState& state, const Wheel& wheel) { return state.members[wheel.member].cord->def; }
+
+}  // namespace
+
+void add_wheels(IslandState& state, Member& member) {
+  member.first_wheel = state.wheels.size();
+  const CordParts& cord = *member.cord;
+  for (std::size_t k = 0; k < cord.state.pulleys.size(); ++k) {
+    const Pulley& pulley = cord.state.pulleys[k];
+    const Axle& axle = member.surroundings.axles[k];
+    Wheel wheel;
+    wheel.member = static_cast<std::size_t>(&member - state.members.data());
+    wheel.pulley = k;
+    wheel.before = member.first_point + at(pulley.def.before);
+    wheel.after = member.first_point + at(pulley.def.after);
+    wheel.solved_index = state.solved_body(axle.body);
+    wheel.arm = axle.offset;
+    wheel.radius = pulley.def.radius;
+    wheel.sense = pulley.def.counterclockwise ? 1.0 : -1.0;
+    wheel.lead = pulley.lead;
+    wheel.trail = trail_of(cord, pulley);
+    wheel.arrival = pulley.arrival;
+    wheel.departure = pulley.departure;
+    wheel.cord_mass = mass_on_wheel(cord, pulley.def);
+    wheel.wheel_mass = wheel_mass(pulley.def);
+    wheel.slip_sign = pulley.slip_sign;
+    if (wheel.slip_sign != 0.0) wheel.ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
+    wheel.driven = pulley.at_speed && pulley.slip_sign == 0.0;
+    for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
+      state.constrained[p] = 1;
+      state.drive_starts[p] = state.positions[p];
+      state.drive_velocities[p] = state.velocities[p];
+    }
+    state.wheels.push_back(wheel);
+  }
+  member.end_wheel = state.wheels.size();
+}
+
+void load_wheels(IslandState& state) {
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    Wheel& wheel = state.wheels[k];
+    const CordParts& cord = *state.members[wheel.member].cord;
+    const Pulley& pulley = cord.state.pulleys[wheel.pulley];
+    const std::size_t groove = state.groove(k);
+    const std::size_t center = state.center(wheel.solved_index);
+    const bool blocked = pulley.blocked * pulley.speed > 0.0 ||
+                         (pulley.blocked != 0.0 &&
+                          pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
+    const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
+    state.positions[groove] = {};
+    state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : pulley.speed, 0.0};
+    state.accelerations[groove] = {pulley.acceleration, 0.0};
+    state.free_accelerations[groove] = {};
+    state.masses[groove] = std::max(wheel.cord_mass, min_mass * cord.own_masses[0]) +
+                           (wheel.slip_sign == 0.0 ? wheel.wheel_mass : 0.0);
+    state.constrained[groove] = blocked || wheel.driven ? 1 : 0;
+    state.drive_starts[groove] = {};
+    state.drive_velocities[groove] = state.velocities[groove];
+    if (pulley.def.motor_torque > 0.0 && wheel.slip_sign == 0.0 && !wheel.driven) {
+      wheel.torque_force =
+          std::copysign(pulley.def.motor_torque / wheel.radius, full_speed - state.velocities[groove].x);
+    }
+    if (state.constrained[center] == 0) {
+      state.masses[center] += wheel.cord_mass;
+      state.restart = true;  // the acceleration of the body is not known
+    }
+    state.driven = true;
+  }
+}
+
+/// What acts on a point of the wheel acts on the groove, along it, and on the centre.
+void load_wheel_forces(const IslandState& state, std::span<Vec2> force) {
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const CordParts& cord = *state.members[wheel.member].cord;
+    const Pulley& pulley = cord.state.pulleys[wheel.pulley];
+    const Sides sides = sides_of(state, wheel, state.positions);
+    const WheelPath path{center_of(state, wheel, state.positions), wheel.radius, wheel.sense, sides.before.line,
+                         sides.after.line, wheel.lead, pulley.arc, wheel.trail};
+    const std::size_t groove = state.groove(k);
+    double distance = 0.0;
+    for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
+      distance += cord.state.rest[p - 1 - state.members[wheel.member].first_point];
+      const PathPlace place = place_on_path(path, distance);
+      force[groove].x += dot(force[p], place.along);
+    }
+    force[groove].x += wheel.torque_force;
+  }
+}
+
+std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel) {
+  return {static_cast<int>(wheel.before), static_cast<int>(wheel.after),
+          static_cast<int>(state.groove(index_of(state, wheel))), static_cast<int>(state.center(wheel.solved_index)),
+          static_cast<int>(state.angle(wheel.solved_index))};
+}
+
+void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& blocks, std::span<Vec2> right_side) {
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const CordDef& def = def_of(state, wheel);
+    const auto [before, after, groove, center, angle] = wheel_slots(state, wheel);
+    const int dual = state.wheel_dual(k);
+    const Sides sides = sides_of(state, wheel, state.positions);
+    const Vec2 turning = perp(arm_of(state, wheel, state.positions));
+    blocks.make_dual(dual);
+    right_side[at(dual)] = {};
+    right_side[at(groove)].y = 0.0;
+    // sign: of the tension's force on the point, along the cord, less that on the centre
+    const auto load_side = [&](const Side& side, int point, double rest, double tension, Vec2 component, double sign) {
+      const MixedBar bar{side.elongation, compliance_of(def, rest)};
+      const double inertia = stage.inertia[at(point)];
+      if (def.tension_only && is_slack(bar, tension, 1.0 / inertia, side.line.length)) {
+        blocks.add(dual, -component.x, 0.0, -component.y);
+        return;
+      }
+      const Vec2 t = side.line.along;
+      const auto couple = [&](int slot, Vec2 by) {
+        blocks.add(slot, dual, by.x * component.x, by.x * component.y, by.y * component.x, by.y * component.y);
+      };
+      couple(point, sign * t);
+      couple(center, -sign * t);
+      couple(angle, {-sign * dot(turning, t), 0.0});
+      couple(groove, {-sign, 0.0});
+      const double compliance = std::max(bar.compliance, min_dual_compliance / inertia);
+      blocks.add(dual, -compliance * component.x, 0.0, -compliance * component.y);
+      right_side[at(dual)] -= side.elongation * component;
+      const Vec2 u = perp(t);
+      blocks.add_outer(std::max(0.0, tension) / side.line.length, std::array{point, center, angle},
+                       std::array{u, -u, Vec2{-dot(u, turning), 0.0}});
+    };
+    const std::size_t tension = state.wheel_tension(k);
+    load_side(sides.before, before, wheel.lead, state.tensions[tension], {1.0, 0.0}, -1.0);
+    load_side(sides.after, after, wheel.trail, state.tensions[tension + 1], {0.0, 1.0}, 1.0);
+  }
+}
+
+void update_wheels(const IslandState& state, std::span<const Vec2> solution, std::span<double> next) {
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Vec2 tensions = solution[at(state.wheel_dual(k))];
+    next[state.wheel_tension(k)] = tensions.x;
+    next[state.wheel_tension(k) + 1] = tensions.y;
+  }
+}
+
+double wheel_potential(const IslandState& state, std::span<const double> max_tensions, std::span<const Vec2> x) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const CordDef& def = def_of(state, wheel);
+    const Sides sides = sides_of(state, wheel, x);
+    const std::size_t tension = state.wheel_tension(k);
+    const auto add = [&](const Side& side, double rest, double max_tension) {
+      if (def.tension_only && side.elongation <= 0.0) return;
+      sum += exact_penalty({side.elongation, compliance_of(def, rest)}, max_tension);
+    };
+    add(sides.before, wheel.lead, max_tensions[tension]);
+    add(sides.after, wheel.trail, max_tensions[tension + 1]);
+  }
+  return sum;
+}
+
+namespace {
+
+constexpr double same_speed = 1e-9;  // m/s, of what slips no more
+
+/// The friction on the cord along it, N: what its inertia and its tensions leave.
+double friction_on_cord(const IslandState& state, const Wheel& wheel, std::size_t k, double weight) {
+  const std::size_t tension = state.wheel_tension(k);
+  const double change = (state.velocities[state.groove(k)].x - state.start.velocities[state.groove(k)].x) / state.start.dt;
+  return wheel.cord_mass * change + state.tensions[tension] - state.tensions[tension + 1] - weight;
+}
+
+/// Decides for the next step whether the cord slips. It begins to where the friction exceeds its limit, and ends when
+/// the speeds of cord and groove cross.
+void update_slip(Pulley& pulley, const Wheel& wheel, double friction) {
+  const bool turns_at_will = pulley.def.inertia == 0.0 && pulley.def.motor_torque == 0.0;
+  if (std::isinf(pulley.def.friction) || turns_at_will) return;
+  const double sense = wheel.sense;
+  const double relative = pulley.speed - sense * wheel.radius * pulley.turning;
+  if (pulley.slip_sign != 0.0) {
+    if (pulley.slip_sign * relative > -same_speed) pulley.slip_sign = 0.0;
+    return;
+  }
+  const double least = std::max(0.0, std::min(pulley.tension_before, pulley.tension_after));
+  const double limit = (exponential(pulley.def.friction * std::max(0.0, pulley.arc)) - 1.0) * least;
+  if (std::abs(friction) > limit) pulley.slip_sign = std::copysign(1.0, friction);
+}
+
+/// Turns the wheel on its own while the cord slips, and decides whether the motor holds its speed in the next step: it
+/// does from when it reaches it, until that takes more than its largest torque.
+void update_wheel(Pulley& pulley, const Wheel& wheel, double run, double friction, double dt) {
+  const PulleyDef& def = pulley.def;
+  const double sense = wheel.sense;
+  const double before = pulley.turning;
+  const double left = def.motor_speed - before;
+  if (pulley.slip_sign == 0.0) {
+    pulley.angle += sense * run / wheel.radius;
+    pulley.turning = sense * pulley.speed / wheel.radius;
+  } else {
+    const double load = -sense * wheel.radius * friction;
+    if (pulley.at_speed || def.inertia == 0.0) {
+      pulley.turning = def.motor_torque > 0.0 ? def.motor_speed : before;
+    } else {
+      const double motor = def.motor_torque > 0.0 ? std::copysign(def.motor_torque, left) : 0.0;
+      pulley.turning += dt * (motor + load) / def.inertia;
+    }
+    pulley.angle += dt * 0.5 * (before + pulley.turning);
+  }
+  if (def.motor_torque == 0.0) return;
+  const double needed = sense * wheel.radius * friction + def.inertia * (pulley.turning - before) / dt;
+  if (pulley.at_speed) {
+    pulley.at_speed = std::abs(needed) <= def.motor_torque;
+  } else {
+    const double now = def.motor_speed - pulley.turning;
+    pulley.at_speed = now == 0.0 || (now > 0.0) != (left > 0.0);
+  }
+}
+
+}  // namespace
+
+void store_wheels(const IslandState& state, const Member& member) {
+  CordParts& cord = *member.cord;
+  for (std::size_t k = member.first_wheel; k < member.end_wheel; ++k) {
+    const Wheel& wheel = state.wheels[k];
+    Pulley& pulley = cord.state.pulleys[wheel.pulley];
+    const std::size_t groove = state.groove(k);
+    const Sides sides = sides_of(state, wheel, state.positions);
+    const double run = state.positions[groove].x;
+    const double arriving = let_off(wheel, wheel.arrival, sides.before.line.normal);
+    const double leaving = let_off(wheel, wheel.departure, sides.after.line.normal);
+    pulley.lead = wheel.lead - run + arriving;
+    pulley.arc += (leaving - arriving) / wheel.radius;
+    pulley.arrival = sides.before.line.normal;
+    pulley.departure = sides.after.line.normal;
+    pulley.speed = state.velocities[groove].x;
+    pulley.acceleration = state.accelerations[groove].x;
+    pulley.tension_before = state.tensions[state.wheel_tension(k)];
+    pulley.tension_after = state.tensions[state.wheel_tension(k) + 1];
+
+    const WheelPath path{center_of(state, wheel, state.positions), wheel.radius, wheel.sense, sides.before.line,
+                         sides.after.line, pulley.lead, pulley.arc, trail_of(cord, pulley)};
+    const Vec2 arm = arm_of(state, wheel, state.positions);
+    const Vec2 carried = state.velocities[state.center(wheel.solved_index)] +
+                         state.velocities[state.angle(wheel.solved_index)].x * perp(arm);
+    double weight = 0.0;
+    double distance = 0.0;
+    const int links = pulley.def.after - pulley.def.before;
+    for (int p = pulley.def.before; p < pulley.def.after; ++p) {
+      const double share = links > 1 ? static_cast<double>(p - pulley.def.before) / (links - 1) : 0.0;
+      cord.state.tensions[at(p)] = (1.0 - share) * pulley.tension_before + share * pulley.tension_after;
+      if (p == pulley.def.before) continue;
+      distance += cord.state.rest[at(p - 1)];
+      const PathPlace place = place_on_path(path, distance);
+      cord.state.positions[at(p)] = place.position;
+      cord.state.velocities[at(p)] = carried + pulley.speed * place.along;
+      cord.state.accelerations[at(p)] = pulley.acceleration * place.along;
+      weight += cord.state.masses[at(p)] * dot(state.free_accelerations[member.first_point + at(p)], place.along);
+    }
+    const double friction = friction_on_cord(state, wheel, k, weight);
+    update_wheel(pulley, wheel, run, friction, state.dt);
+    update_slip(pulley, wheel, friction);
+  }
+}
+
+}  // namespace ribbon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "ribbon/system/island_state.h"
+
+// The wheels of pulleys, IslandState::wheels: a cord runs around each in a groove, without contacts. Its points on the
+// wheel, and the wheel if the cord does not slip, are one unknown: ρ [m], by which the cord has run through the groove
+// in the step. With s the length of the straight part to the point before the wheel, φ the direction from the centre to
+// where the cord arrives, and m the length at rest from that point to the wheel at the start of the step, its
+// elongation is
+//
+//     c = s − (m − ρ + sense·R·(φ − φ₀)),
+//
+// and that of the part behind the wheel s − (m + ρ − sense·R·(φ − φ₀)). Along the cord, t, the gradient of s −
+// sense·R·φ is −t at the point before and t at the centre: the tension acts along the line, and the normal forces of
+// the arc at the centre. Its Hessian is that of a link of length s.
+
+namespace ribbon {
+
+/// Adds the wheels of a member. Its points on them are driven.
+void add_wheels(IslandState& state, Member& member);
+/// Reads the motion of the wheels, after that of the bodies.
+void load_wheels(IslandState& state);
+/// Adds the forces on the points of a wheel to those on its groove and its centre. `force` is by slot, N.
+void load_wheel_forces(const IslandState& state, std::span<Vec2> force);
+
+/// Returns the slots that a wheel couples: the points before and behind it, its groove, and its body's centre and angle.
+std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel);
+/// Adds the wheels to the coupled system. The tensions before and behind a wheel are one slot of unknowns.
+void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& blocks, std::span<Vec2> right_side);
+/// Writes the tensions of a solution to `next`.
+void update_wheels(const IslandState& state, std::span<const Vec2> solution, std::span<double> next);
+/// Returns the part of the wheels in what a stage minimises, J. `max_tensions` are the slopes of the exact penalty.
+double wheel_potential(const IslandState& state, std::span<const double> max_tensions, std::span<const Vec2> x);
+
+/// Writes the end of the step to the pulleys of a member, and places its points on them.
+void store_wheels(const IslandState& state, const Member& member);
+
+}  // namespace ribbon
