@@ -221,9 +221,8 @@ void Cord::set_motor(int pulley, double speed, double torque) {
   def.motor_speed = speed;
   def.motor_torque = torque;
   check(def, parts_->def.points);
-  Pulley& changed = parts_->state.pulleys[slot(pulley)];
-  changed.at_speed = changed.at_speed && changed.def == def;
-  changed.def = def;
+  parts_->state.pulleys[slot(pulley)].def = def;
+  parts_->state.pulleys[slot(pulley)].motor_sign = 0.0;
   parts_->disturb();
 }
 

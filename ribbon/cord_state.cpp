@@ -69,7 +69,7 @@ void check_pulleys(const Cord::State& state, const CordParts& cord) {
               std::array{pulley.lead, pulley.arc, pulley.speed, pulley.acceleration, pulley.angle, pulley.turning,
                          pulley.tension_before, pulley.tension_after},
               -largest, largest);
-    check_all("state.pulleys", std::array{pulley.slip_sign, pulley.blocked}, -1.0, 1.0);
+    check_all("state.pulleys", std::array{pulley.slip_sign, pulley.motor_sign, pulley.blocked}, -1.0, 1.0);
   }
 }
 

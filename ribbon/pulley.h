@@ -43,7 +43,7 @@ struct Pulley {
   double tension_after = 0.0;   ///< N, of the cord behind the wheel
   double slip_sign = 0.0;       ///< sign of the friction along the cord while it slips; 0 while it does not
   double blocked = 0.0;          ///< direction in which the cord cannot run, 1 or −1: it ends there, or something holds it
-  bool at_speed = false;        ///< the motor holds its speed, with less than its largest torque
+  double motor_sign = 0.0;       ///< sign of the torque of a motor that gives its largest; 0 while it holds its speed
 
   bool operator==(const Pulley&) const = default;
 };

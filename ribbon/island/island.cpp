@@ -8,11 +8,13 @@
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
 #include "ribbon/system/wheel_points.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
 
 constexpr std::size_t heap_cords = 8;      // that touch each other, or more, are a heap
+constexpr int max_settled = 6;              // times that a step finds out which cords slip in their grooves
 constexpr std::size_t usual_touches = 16;  // of a cord that may touch something: it has memory for so many
 
 }  // namespace
@@ -33,13 +35,14 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   bounds_.begin_step(cords.size());
   const bool closes_ties = bring_together(cords, tied);
   move_points_over_wheels(cords, bodies, dt);
+  int settled = 0;
   for (bool linearised = false;;) {
     begin_attempt(cords, tied);
     state_.driven = state_.driven || closes_ties || (state_.unlocking && !linearised && !truncates(linearised));
     if (!take_substeps(linearised)) {
       linearised = true;
       bounds_.enlarge_for_linearised();
-    } else if (linearised || !bounds_.enlarge(state_)) {
+    } else if ((linearised || !bounds_.enlarge(state_)) && (++settled == max_settled || settle_wheels(state_))) {
       break;
     }
     reset_reels(state_);

@@ -80,6 +80,7 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
+  if (state.jolted && time == 0.0) return false;  // one tension for all of the jolt, by which a cord slips or does not
   const bool in_contact = !contacts.empty() && contacts.active.any();
   const bool free = !in_contact && (contacts.empty() || !will_touch(context, time, dt));
   const bool returns =

@@ -64,6 +64,7 @@ struct Wheel {
   double cord_mass = 0.0;        ///< kg, of the points on the wheel
   double wheel_mass = 0.0;       ///< kg, moment of inertia by the square of the radius
   double torque_force = 0.0;     ///< N, of the motor along the cord
+  double weight = 0.0;           ///< N, of the points on the wheel, along the cord
   double slip_sign = 0.0;        ///< sign of the friction on the cord along it while it slips; 0 while it does not
   double ratio = 1.0;            ///< e^(μ·α), of the tensions while it slips
   bool driven = false;           ///< the motor holds its speed
@@ -123,6 +124,7 @@ struct IslandState {
   bool reeling = false;    ///< a reel changes rest lengths
   bool unlocking = false;  ///< inverted cells are turned back in this step
   bool restart = false;    ///< the accelerations are out of date
+  bool jolted = false;         ///< a cord that runs through a groove changes its speed at once
   bool touch_changed = false;  ///< a contact began or ended in the last substep
 
   // By slot:

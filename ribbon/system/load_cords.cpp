@@ -27,7 +27,7 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 }
 
 void reset(IslandState& state) {
-  state.coupled = state.driven = state.reeling = state.unlocking = state.restart = false;
+  state.coupled = state.driven = state.reeling = state.unlocking = state.restart = state.jolted = false;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();

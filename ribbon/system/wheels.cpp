@@ -12,6 +12,7 @@
 namespace ribbon {
 namespace {
 
+constexpr double least_jolt = 1e-6;  // m/s
 constexpr double min_mass = 1e-3;  // of a cord in a groove, as a share of a point's
 
 /// The straight part before or behind a wheel.
@@ -79,7 +80,7 @@ void add_wheels(IslandState& state, Member& member) {
     wheel.wheel_mass = wheel_mass(pulley.def);
     wheel.slip_sign = pulley.slip_sign;
     if (wheel.slip_sign != 0.0) wheel.ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
-    wheel.driven = pulley.at_speed && pulley.slip_sign == 0.0;
+    wheel.driven = pulley.def.motor_torque > 0.0 && pulley.motor_sign == 0.0 && pulley.slip_sign == 0.0;
     for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
       state.constrained[p] = 1;
       state.drive_starts[p] = state.positions[p];
@@ -89,6 +90,17 @@ void add_wheels(IslandState& state, Member& member) {
   }
   member.end_wheel = state.wheels.size();
 }
+
+namespace {
+
+/// The speed of a cord that sticks, and of its wheel, m/s: where they differ, momentum is kept.
+double common_speed(const Wheel& wheel, const Pulley& pulley) {
+  if (wheel.slip_sign != 0.0 || wheel.wheel_mass == 0.0) return pulley.speed;
+  const double rim = wheel.sense * wheel.radius * pulley.turning;
+  return pulley.speed + wheel.wheel_mass / (wheel.cord_mass + wheel.wheel_mass) * (rim - pulley.speed);
+}
+
+}  // namespace
 
 void load_wheels(IslandState& state) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
@@ -102,7 +114,7 @@ void load_wheels(IslandState& state) {
                           pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
     const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
     state.positions[groove] = {};
-    state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : pulley.speed, 0.0};
+    state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : common_speed(wheel, pulley), 0.0};
     state.accelerations[groove] = {pulley.acceleration, 0.0};
     state.free_accelerations[groove] = {};
     state.masses[groove] = std::max(wheel.cord_mass, min_mass * cord.own_masses[0]) +
@@ -110,9 +122,9 @@ void load_wheels(IslandState& state) {
     state.constrained[groove] = blocked || wheel.driven ? 1 : 0;
     state.drive_starts[groove] = {};
     state.drive_velocities[groove] = state.velocities[groove];
-    if (pulley.def.motor_torque > 0.0 && wheel.slip_sign == 0.0 && !wheel.driven) {
-      wheel.torque_force =
-          std::copysign(pulley.def.motor_torque / wheel.radius, full_speed - state.velocities[groove].x);
+    state.jolted = state.jolted || std::abs(state.velocities[groove].x - pulley.speed) > least_jolt;
+    if (wheel.slip_sign == 0.0 && pulley.motor_sign != 0.0) {
+      wheel.torque_force = wheel.sense * pulley.motor_sign * pulley.def.motor_torque / wheel.radius;
     }
     if (state.constrained[center] == 0) {
       state.masses[center] += wheel.cord_mass;
@@ -123,9 +135,9 @@ void load_wheels(IslandState& state) {
 }
 
 /// What acts on a point of the wheel acts on the groove, along it, and on the centre.
-void load_wheel_forces(const IslandState& state, std::span<Vec2> force) {
+void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
-    const Wheel& wheel = state.wheels[k];
+    Wheel& wheel = state.wheels[k];
     const CordParts& cord = *state.members[wheel.member].cord;
     const Pulley& pulley = cord.state.pulleys[wheel.pulley];
     const Sides sides = sides_of(state, wheel, state.positions);
@@ -133,12 +145,13 @@ void load_wheel_forces(const IslandState& state, std::span<Vec2> force) {
                          sides.after.line, wheel.lead, pulley.arc, wheel.trail};
     const std::size_t groove = state.groove(k);
     double distance = 0.0;
+    wheel.weight = 0.0;
     for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
       distance += cord.state.rest[p - 1 - state.members[wheel.member].first_point];
       const PathPlace place = place_on_path(path, distance);
-      force[groove].x += dot(force[p], place.along);
+      wheel.weight += dot(force[p], place.along);
     }
-    force[groove].x += wheel.torque_force;
+    force[groove].x += wheel.weight + wheel.torque_force;
   }
 }
 
@@ -215,62 +228,89 @@ double wheel_potential(const IslandState& state, std::span<const double> max_ten
 
 namespace {
 
-constexpr double same_speed = 1e-9;  // m/s, of what slips no more
+constexpr double least_inertia = 1e-9;  // kg·m², of a wheel that turns on its own
 
-/// The friction on the cord along it, N: what its inertia and its tensions leave.
-double friction_on_cord(const IslandState& state, const Wheel& wheel, std::size_t k, double weight) {
+double limit_of_friction(const Pulley& pulley, double before, double after) {
+  const double ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
+  return (ratio - 1.0) * std::max(0.0, std::min(before, after));
+}
+
+/// A wheel can slip under its cord unless it turns at will.
+bool may_slip(const PulleyDef& def) {
+  return std::isfinite(def.friction) && (def.inertia > 0.0 || def.motor_torque > 0.0);
+}
+
+/// The end of a step at a wheel.
+struct WheelEnd {
+  double speed;     // m/s, of the cord
+  double friction;  // N, on the cord along it: what its inertia, its weight and its tensions leave
+  double turning;   // rad/s, of the wheel
+};
+
+/// While the cord slips, the friction is at its limit, and the wheel turns on its own under the friction and the motor.
+WheelEnd end_of(const IslandState& state, std::size_t k) {
+  const Wheel& wheel = state.wheels[k];
+  const Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
   const std::size_t tension = state.wheel_tension(k);
-  const double change = (state.velocities[state.groove(k)].x - state.start.velocities[state.groove(k)].x) / state.start.dt;
-  return wheel.cord_mass * change + state.tensions[tension] - state.tensions[tension + 1] - weight;
+  WheelEnd end{};
+  end.speed = state.velocities[state.groove(k)].x;
+  end.friction = wheel.cord_mass * (end.speed - pulley.speed) / state.dt + state.tensions[tension] -
+                 state.tensions[tension + 1] - wheel.weight;
+  end.turning = wheel.sense * end.speed / wheel.radius;
+  if (wheel.slip_sign == 0.0) return end;
+  end.friction = wheel.slip_sign * limit_of_friction(pulley, state.tensions[tension], state.tensions[tension + 1]);
+  const double inertia = std::max(pulley.def.inertia, least_inertia);
+  const double free = pulley.turning - state.dt * wheel.sense * wheel.radius * end.friction / inertia;
+  const double change = state.dt * pulley.def.motor_torque / inertia;
+  end.turning = pulley.def.motor_torque > 0.0 ? std::clamp(pulley.def.motor_speed, free - change, free + change) : free;
+  return end;
 }
 
-/// Decides for the next step whether the cord slips. It begins to where the friction exceeds its limit, and ends when
-/// the speeds of cord and groove cross.
-void update_slip(Pulley& pulley, const Wheel& wheel, double friction) {
-  const bool turns_at_will = pulley.def.inertia == 0.0 && pulley.def.motor_torque == 0.0;
-  if (std::isinf(pulley.def.friction) || turns_at_will) return;
-  const double sense = wheel.sense;
-  const double relative = pulley.speed - sense * wheel.radius * pulley.turning;
-  if (pulley.slip_sign != 0.0) {
-    if (pulley.slip_sign * relative > -same_speed) pulley.slip_sign = 0.0;
-    return;
+/// Returns whether the cord sticks or slips as it was assumed to, and corrects the assumption otherwise.
+bool settle_friction(const IslandState& state, std::size_t k, const WheelEnd& end, Pulley& pulley) {
+  const Wheel& wheel = state.wheels[k];
+  if (!may_slip(pulley.def)) return true;
+  if (wheel.slip_sign != 0.0) {
+    const double relative = end.speed - wheel.sense * wheel.radius * end.turning;
+    if (wheel.slip_sign * relative <= 0.0) return true;
+    pulley.slip_sign = 0.0;
+    return false;
   }
-  const double least = std::max(0.0, std::min(pulley.tension_before, pulley.tension_after));
-  const double limit = (exponential(pulley.def.friction * std::max(0.0, pulley.arc)) - 1.0) * least;
-  if (std::abs(friction) > limit) pulley.slip_sign = std::copysign(1.0, friction);
+  const std::size_t tension = state.wheel_tension(k);
+  const double limit = limit_of_friction(pulley, state.tensions[tension], state.tensions[tension + 1]);
+  if (std::abs(end.friction) <= limit) return true;
+  pulley.slip_sign = std::copysign(1.0, end.friction);
+  return false;
 }
 
-/// Turns the wheel on its own while the cord slips, and decides whether the motor holds its speed in the next step: it
-/// does from when it reaches it, until that takes more than its largest torque.
-void update_wheel(Pulley& pulley, const Wheel& wheel, double run, double friction, double dt) {
+/// Returns whether the motor holds its speed, or gives its largest torque, as it was assumed to.
+bool settle_motor(const IslandState& state, const Wheel& wheel, const WheelEnd& end, Pulley& pulley) {
   const PulleyDef& def = pulley.def;
-  const double sense = wheel.sense;
-  const double before = pulley.turning;
-  const double left = def.motor_speed - before;
-  if (pulley.slip_sign == 0.0) {
-    pulley.angle += sense * run / wheel.radius;
-    pulley.turning = sense * pulley.speed / wheel.radius;
-  } else {
-    const double load = -sense * wheel.radius * friction;
-    if (pulley.at_speed || def.inertia == 0.0) {
-      pulley.turning = def.motor_torque > 0.0 ? def.motor_speed : before;
-    } else {
-      const double motor = def.motor_torque > 0.0 ? std::copysign(def.motor_torque, left) : 0.0;
-      pulley.turning += dt * (motor + load) / def.inertia;
-    }
-    pulley.angle += dt * 0.5 * (before + pulley.turning);
+  if (wheel.slip_sign != 0.0 || def.motor_torque == 0.0) return true;
+  if (pulley.motor_sign != 0.0) {
+    if (pulley.motor_sign * (def.motor_speed - end.turning) >= 0.0) return true;
+    pulley.motor_sign = 0.0;
+    return false;
   }
-  if (def.motor_torque == 0.0) return;
-  const double needed = sense * wheel.radius * friction + def.inertia * (pulley.turning - before) / dt;
-  if (pulley.at_speed) {
-    pulley.at_speed = std::abs(needed) <= def.motor_torque;
-  } else {
-    const double now = def.motor_speed - pulley.turning;
-    pulley.at_speed = now == 0.0 || (now > 0.0) != (left > 0.0);
-  }
+  const double torque =
+      wheel.sense * wheel.radius * end.friction + def.inertia * (end.turning - pulley.turning) / state.dt;
+  if (std::abs(torque) <= def.motor_torque) return true;
+  pulley.motor_sign = std::copysign(1.0, torque);
+  return false;
 }
 
 }  // namespace
+
+bool settle_wheels(const IslandState& state) {
+  bool settled = true;
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
+    const WheelEnd end = end_of(state, k);
+    settled = settle_friction(state, k, end, pulley) && settle_motor(state, wheel, end, pulley) && settled;
+  }
+  return settled;
+}
 
 void store_wheels(const IslandState& state, const Member& member) {
   CordParts& cord = *member.cord;
@@ -286,7 +326,11 @@ void store_wheels(const IslandState& state, const Member& member) {
     pulley.arc += (leaving - arriving) / wheel.radius;
     pulley.arrival = sides.before.line.normal;
     pulley.departure = sides.after.line.normal;
-    pulley.speed = state.velocities[groove].x;
+    const WheelEnd end = end_of(state, k);
+    pulley.angle += wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius
+                                           : 0.5 * state.dt * (pulley.turning + end.turning);
+    pulley.turning = end.turning;
+    pulley.speed = end.speed;
     pulley.acceleration = state.accelerations[groove].x;
     pulley.tension_before = state.tensions[state.wheel_tension(k)];
     pulley.tension_after = state.tensions[state.wheel_tension(k) + 1];
@@ -296,7 +340,6 @@ void store_wheels(const IslandState& state, const Member& member) {
     const Vec2 arm = arm_of(state, wheel, state.positions);
     const Vec2 carried = state.velocities[state.center(wheel.solved_index)] +
                          state.velocities[state.angle(wheel.solved_index)].x * perp(arm);
-    double weight = 0.0;
     double distance = 0.0;
     const int links = pulley.def.after - pulley.def.before;
     for (int p = pulley.def.before; p < pulley.def.after; ++p) {
@@ -308,11 +351,7 @@ void store_wheels(const IslandState& state, const Member& member) {
       cord.state.positions[at(p)] = place.position;
       cord.state.velocities[at(p)] = carried + pulley.speed * place.along;
       cord.state.accelerations[at(p)] = pulley.acceleration * place.along;
-      weight += cord.state.masses[at(p)] * dot(state.free_accelerations[member.first_point + at(p)], place.along);
     }
-    const double friction = friction_on_cord(state, wheel, k, weight);
-    update_wheel(pulley, wheel, run, friction, state.dt);
-    update_slip(pulley, wheel, friction);
   }
 }
 

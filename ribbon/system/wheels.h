@@ -24,7 +24,7 @@ void add_wheels(IslandState& state, Member& member);
 /// Reads the motion of the wheels, after that of the bodies.
 void load_wheels(IslandState& state);
 /// Adds the forces on the points of a wheel to those on its groove and its centre. `force` is by slot, N.
-void load_wheel_forces(const IslandState& state, std::span<Vec2> force);
+void load_wheel_forces(IslandState& state, std::span<Vec2> force);
 
 /// Returns the slots that a wheel couples: the points before and behind it, its groove, and its body's centre and angle.
 std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel);
@@ -35,6 +35,9 @@ void update_wheels(const IslandState& state, std::span<const Vec2> solution, std
 /// Returns the part of the wheels in what a stage minimises, J. `max_tensions` are the slopes of the exact penalty.
 double wheel_potential(const IslandState& state, std::span<const double> max_tensions, std::span<const Vec2> x);
 
+/// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise it
+/// corrects the assumptions of its pulley, and the step is to be redone.
+bool settle_wheels(const IslandState& state);
 /// Writes the end of the step to the pulleys of a member, and places its points on them.
 void store_wheels(const IslandState& state, const Member& member);
 
