@@ -80,6 +80,17 @@ void take_tensions(const CordParts& whole, const Columns& columns, CordParts& pi
   }
 }
 
+/// The pulleys of which all points are in the piece. A cut at a wheel takes the cord off it.
+void take_pulleys(const CordParts& whole, const Columns& columns, CordParts& piece) {
+  for (Pulley pulley : whole.state.pulleys) {
+    if (pulley.def.before < columns.first || pulley.def.after > columns.last) continue;
+    pulley.def.before -= columns.first;
+    pulley.def.after -= columns.first;
+    piece.state.pulleys.push_back(pulley);
+  }
+  piece.leave_out_links_on_wheels();
+}
+
 /// At the cut only one piece keeps what was attached.
 void take_attachments(const CordParts& whole, const CutPlace& where, int side, const Columns& columns,
                       CordParts& piece) {
@@ -136,6 +147,7 @@ std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side) 
   take_tensions(whole, columns, piece);
   take_attachments(whole, where, side, columns, piece);
   take_touches(whole, where, side, piece);
+  take_pulleys(whole, columns, piece);
   const double share = static_cast<double>(columns.links()) / (columns.all - 1);
   to.regainable_energy = std::min(0.0, share * from.regainable_energy);  // what follows a cut is not smooth
   to.energy_drift = share * from.energy_drift;

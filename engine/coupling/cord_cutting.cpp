@@ -78,6 +78,16 @@ void move_ties(CouplingParts& parts, const CutCord& cut, const CoupledCord& whol
   }
 }
 
+/// Pulleys go to the piece that has all points at their wheel.
+void move_pulleys(CouplingParts& parts, const CutCord& cut, CoupledCord& whole) {
+  if (whole.direct().pulleys().empty()) return;
+  parts.pulleys.follow_cut(whole, [&](const Pulley& pulley) -> CoupledCord* {
+    const int side = pulley.def.before >= cut.where.column ? 1 : 0;
+    const bool is_cut = side == 0 && pulley.def.after > cut.where.column;
+    return is_cut || !cut.pieces[side] ? nullptr : &parts.cords.at(*cut.pieces[side]);
+  });
+}
+
 Vec2 middle(const CoupledCord& cord, const CordShape& shape, int column) {
   const auto x = cord.positions();
   const auto rows = static_cast<std::size_t>(shape.rows);
@@ -133,6 +143,7 @@ CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   cut.pieces[1] = add_piece(parts, whole, std::move(pieces.second));
   move_grips(parts, cut, whole);
   move_ties(parts, cut, whole);
+  move_pulleys(parts, cut, whole);
   for (CoupledCord& other : parts.cords) {
     if (other.is_direct() && other.id != id) follow_cut(other.direct(), neighbour);
   }

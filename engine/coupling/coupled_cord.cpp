@@ -105,6 +105,7 @@ void CoupledCord::clear_surroundings() {
   segments.clear();
   grips.clear();
   grip_ids.clear();
+  axles.clear();
   tied = false;
 }
 

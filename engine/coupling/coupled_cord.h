@@ -39,6 +39,7 @@ struct CoupledCord {
   std::vector<RigidSegment> segments{};
   std::vector<Grip> grips{};
   std::vector<GripId> grip_ids{};  // of each grip
+  std::vector<Axle> axles{};       // of its pulleys
   bool tied = false;
   int step_index = 0;                           // among the cords of the step, of the direct solver
   std::vector<FixtureTouch> touching{};         // in the last step, by fixture number

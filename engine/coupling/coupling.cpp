@@ -75,7 +75,7 @@ void step_direct(CouplingParts& parts) {
   parts.island_cords.clear();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments};
+    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, cord.axles};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id)});
   }
@@ -151,7 +151,11 @@ Coupling::Coupling(Coupling&& other) noexcept = default;
 Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
 Coupling::~Coupling() = default;
 
-CordId Coupling::add(Cord cord, const b2Filter& filter) { return parts_->add(CoupledCord(std::move(cord), filter)); }
+CordId Coupling::add(Cord cord, const b2Filter& filter) {
+  CoupledCord coupled(std::move(cord), filter);
+  check_without_pulleys(coupled);
+  return parts_->add(std::move(coupled));
+}
 
 CordId Coupling::add(ThesisCord cord, const b2Filter& filter) {
   return parts_->add(CoupledCord(std::move(cord), filter));
@@ -199,6 +203,18 @@ TieId Coupling::tie(const TieDef& def) {
   return id;
 }
 
+PulleyId Coupling::add_pulley(CordId cord, b2Body& body, const PulleyDef& def) {
+  CoupledCord& coupled = parts_->cords.enabled(cord);
+  (void)coupled.direct();  // refuses the other solver
+  check_unlocked(*body.GetWorld());
+  check_between_ticks(*parts_, "add_pulley");
+  parts_->cords.activate(coupled);
+  const PulleyId id = parts_->pulleys.add(coupled, body, def);
+  parts_->enter(*body.GetWorld());
+  parts_->forget_predecessor(body);
+  return id;
+}
+
 void Coupling::tick(b2World& world, double dt, int velocity_iterations, int position_iterations) {
   gather(world, dt);
   step();
@@ -218,6 +234,7 @@ void Coupling::gather(b2World& world, double dt) {
   parts.enter(world);
   if (!parts.finder.trusts_forget()) parts.grips.forget_gone(parts.finder);
   parts.grips.drop_unable();
+  parts.pulleys.drop_unable(parts.finder, parts.finder.trusts_forget(), parts.cords);
   parts.gatherer.find_fixtures(world, parts.conditions, parts.cords, parts.fixtures, parts.parallel_for);
   wake_what_touched_cords_that_are_gone(parts);
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
@@ -230,6 +247,7 @@ void Coupling::gather(b2World& world, double dt) {
     parts.bodies.entries[static_cast<std::size_t>(index)].holds = true;
     return index;
   });
+  parts.pulleys.gather(parts.cords, index_of);
   parts.ties.gather(parts.cords);
   const auto is_gathered = [&parts](const SeenBody& seen) {
     const b2Body* const body = parts.bodies.find(seen.body);
@@ -323,6 +341,7 @@ const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) c
 
 void Coupling::forget(const b2Body& body) {
   parts_->grips.forget(body);
+  parts_->pulleys.forget(body, parts_->cords);
   parts_->carry.forget(body);
   parts_->bodies.forget(body);
   for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) forget(*f);

@@ -111,6 +111,12 @@ void add(Hasher& hasher, const CutEvent& event) {
   hasher.add(tension);
 }
 
+void add(Hasher& hasher, const PulleyMemory& pulley) {
+  const auto& [id, cord, index, local_anchor] = pulley;
+  for (const int number : {id, cord, index}) hasher.add(number);
+  add(hasher, local_anchor);
+}
+
 void add(Hasher& hasher, const TieMemory& tie) {
   const auto& [id, place, other, breaking_force] = tie;
   for (const int number : {id, place.cord, place.point, other.cord, other.point}) hasher.add(number);
@@ -145,7 +151,7 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, carries, fixtures, next_fixture, events,
+  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, pulleys, next_pulley, carries, fixtures, next_fixture, events,
                ending, cuts, old_cuts] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
@@ -158,7 +164,15 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
-  // Golden hashes are without ties and cuts:
+  // Golden hashes are without pulleys, ties and cuts:
+  if (next_pulley > 1) {
+    hasher.add(pulleys.size());
+    for (const CouplingState::Pulley& pulley : pulleys) {
+      hasher.add(pulley.body);
+      add(hasher, pulley.memory);
+    }
+    hasher.add(next_pulley);
+  }
   if (next_tie > 1) {
     add_all(hasher, ties);
     hasher.add(next_tie);
@@ -174,9 +188,33 @@ void add_to(Hasher& hasher, const ThesisCord::State& state) {
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
 }
 
+namespace {
+
+void add(Hasher& hasher, const PulleyDef& def) {
+  const auto& [center, radius, counterclockwise, turns, before, after, inertia, friction, motor_speed, motor_torque] =
+      def;
+  hasher.add(center);
+  for (const double number : {radius, inertia, friction, motor_speed, motor_torque}) hasher.add(number);
+  for (const int number : {static_cast<int>(counterclockwise), turns, before, after}) hasher.add(number);
+}
+
+void add(Hasher& hasher, const Pulley& pulley) {
+  const auto& [def, lead, arc, arrival, departure, speed, acceleration, angle, turning, tension_before, tension_after,
+               slip_sign, blocked, kept, motor_sign] = pulley;
+  add(hasher, def);
+  for (const Vec2 vector : {arrival, departure}) hasher.add(vector);
+  for (const double number : {lead, arc, speed, acceleration, angle, turning, tension_before, tension_after, slip_sign,
+                              blocked, motor_sign}) {
+    hasher.add(number);
+  }
+  hasher.add(static_cast<int>(kept));
+}
+
+}  // namespace
+
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, breaking_forces, unlocked, family, joined_first, joined_last, holders, touches,
+               rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, holders, touches,
                touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
                surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
@@ -184,6 +222,7 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   add_all(hasher, unlocked);
   // Only where they are used, so that golden hashes stay:
   if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
+  for (const Pulley& pulley : pulleys) add(hasher, pulley);
   for (const std::uint64_t joined : {family, joined_first, joined_last}) {
     if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
   }

@@ -40,6 +40,7 @@ void CouplingParts::enter(const b2World& world) {
 void CouplingParts::forget_predecessor(const b2Body& body) {
   if (!grips.has_predecessor(body) && !carry.has_predecessor(body)) return;
   grips.forget(body);
+  pulleys.forget(body, cords);
   carry.forget(body);
 }
 
@@ -80,6 +81,16 @@ bool CouplingParts::untie(TieId tie) {
   return true;
 }
 
+bool CouplingParts::remove_pulley(PulleyId pulley) {
+  const BodyPulley* const found = pulleys.find(pulley);
+  if (found == nullptr) return false;
+  b2Body* const body = found->body;
+  const bool exists = finder.exists(found->seen);
+  pulleys.remove(pulley, cords);
+  if (exists) body->SetAwake(true);
+  return true;
+}
+
 void CouplingParts::detach(CordId cord) {
   may_have_left_bodies = true;
   for (std::size_t k = 0; k < grips.all().size();) {
@@ -97,6 +108,7 @@ void CouplingParts::detach(CordId cord) {
       ++k;
     }
   }
+  pulleys.remove_all(cords.at(cord));
   for (CoupledCord& other : cords) {
     if (!other.is_direct() || other.id == cord) continue;
     const auto contacts = other.direct().touches();
@@ -104,6 +116,11 @@ void CouplingParts::detach(CordId cord) {
                                              [cord](const Touch& touch) { return touch.other == solver_id(cord); });
     if (touches_removed) other.direct().wake();
   }
+}
+
+void check_without_pulleys(const CoupledCord& cord) {
+  if (!cord.is_direct() || cord.direct().pulleys().empty()) return;
+  throw CallError("the cord has pulleys; accepted is one without, to which Coupling::add_pulley adds them");
 }
 
 void check_between_ticks(const CouplingParts& parts, const char* what) {

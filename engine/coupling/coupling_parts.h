@@ -14,6 +14,7 @@
 #include "ribbon/box2d/grip_table.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/box2d/tick_bodies.h"
+#include "ribbon/box2d/pulley_table.h"
 #include "ribbon/box2d/tie_table.h"
 #include "ribbon/box2d/touch_tracker.h"
 #include "ribbon/box2d/velocity_carry.h"
@@ -38,6 +39,7 @@ struct CouplingParts {
   CordTable cords;
   GripTable grips;
   TieTable ties;
+  PulleyTable pulleys;
   VelocityCarry carry;
   FixtureIds fixtures;
   TouchTracker touches;
@@ -77,11 +79,15 @@ struct CouplingParts {
   bool release(GripId grip);
   /// Unties a tie. Returns false if there is none with that id.
   bool untie(TieId tie);
+  /// Takes a cord off a wheel. Returns false if there is no pulley with that id.
+  bool remove_pulley(PulleyId pulley);
   /// Releases all grips and ties of a cord that is about to be disabled, replaced or removed, and wakes the cords that
   /// touch it.
   void detach(CordId cord);
 };
 
+/// Throws CallError for a cord that has pulleys already.
+void check_without_pulleys(const CoupledCord& cord);
 /// Throws CallError inside world.Step and between gather and apply, for a call named `what`.
 void check_between_ticks(const CouplingParts& parts, const char* what);
 

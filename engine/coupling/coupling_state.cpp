@@ -36,6 +36,7 @@ class LikelyBodies {
  public:
   explicit LikelyBodies(const CouplingParts& parts) {
     for (const BodyGrip& grip : parts.grips.all()) add(grip.seen.body);
+    for (const BodyPulley& pulley : parts.pulleys.all()) add(pulley.seen.body);
     parts.carry.visit_addresses([this](const b2Body* body) { add(body); });
     for (const FixtureIds::Known& known : parts.fixtures.all()) add(known.seen_as.owner.body);
   }
@@ -154,10 +155,15 @@ void save_by_body(const CouplingParts& parts, const b2World& world, CouplingStat
     for (const BodyGrip& grip : parts.grips.all()) {
       if (grip.seen.is(*body)) state.grips.push_back({place, grip});
     }
+    for (const BodyPulley& pulley : parts.pulleys.all()) {
+      if (pulley.seen.is(*body)) state.pulleys.push_back({place, pulley});
+    }
     if (const CarryState* const found = parts.carry.find(*body)) state.carries.push_back({place, *found});
     save_fixtures(*body, place, parts.fixtures, state);
   }
   std::sort(state.grips.begin(), state.grips.end(),
+            [](const auto& a, const auto& b) { return a.memory.id < b.memory.id; });
+  std::sort(state.pulleys.begin(), state.pulleys.end(),
             [](const auto& a, const auto& b) { return a.memory.id < b.memory.id; });
   std::reverse(state.carries.begin(), state.carries.end());
   std::sort(state.fixtures.begin(), state.fixtures.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
@@ -225,6 +231,8 @@ void Coupling::save(const b2World& world, State& state) const {
   const auto ties = std::as_const(parts_->ties).all();
   state.ties.assign(ties.begin(), ties.end());
   state.next_tie = parts_->ties.next();
+  state.pulleys.clear();
+  state.next_pulley = parts_->pulleys.next();
   save_by_body(*parts_, world, state);
   save_events(*parts_, state);
 }
@@ -249,6 +257,8 @@ void Coupling::restore(const State& state, b2World& world) {
   parts.grips.clear(state.next_grip);
   for (const State::Grip& grip : state.grips) parts.grips.restore(grip.memory, body_at(grip.body));
   parts.ties.restore(state.ties, state.next_tie);
+  parts.pulleys.clear(state.next_pulley);
+  for (const State::Pulley& pulley : state.pulleys) parts.pulleys.restore(pulley.memory, body_at(pulley.body));
   parts.carry.clear();
   for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
   restore_fixtures(state, bodies, parts.fixtures);

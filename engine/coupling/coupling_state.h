@@ -68,6 +68,16 @@ struct TieMemory {
   bool operator==(const TieMemory&) const = default;
 };
 
+/// A pulley, except its body.
+struct PulleyMemory {
+  PulleyId id = 0;                  ///< its id
+  CordId cord = 0;                  ///< the cord
+  int index = 0;                    ///< index into the pulleys of the cord
+  b2Vec2 local_anchor{0.0F, 0.0F};  ///< m, of the axle, in the frame of the body
+
+  bool operator==(const PulleyMemory&) const = default;
+};
+
 /// What is carried from tick to tick for a body that the direct solver moves: see VelocityCarry.
 struct CarryState {
   static constexpr double max_carry = 1e9;  ///< m/s or rad/s, limit of the carry
@@ -127,6 +137,12 @@ struct CouplingState {
     GripMemory memory;  ///< the rest
     bool operator==(const Grip&) const = default;
   };
+  /// A pulley and its body.
+  struct Pulley {
+    int body = 0;         ///< place of the body
+    PulleyMemory memory;  ///< the rest
+    bool operator==(const Pulley&) const = default;
+  };
   /// A body that the direct solver moved.
   struct Carry {
     int body = 0;       ///< place of the body
@@ -159,6 +175,8 @@ struct CouplingState {
   GripId next_grip = 1;             ///< id of the next grip
   std::vector<TieMemory> ties;      ///< by id
   TieId next_tie = 1;               ///< id of the next tie
+  std::vector<Pulley> pulleys;      ///< by id
+  PulleyId next_pulley = 1;         ///< id of the next pulley
   std::vector<Carry> carries;       ///< by body
   std::vector<Fixture> fixtures;    ///< by number
   std::uint64_t next_fixture = 1;   ///< number of the next fixture

@@ -163,6 +163,30 @@ void check_ties(const CouplingState& state, const CordTable& cords, const std::v
   }
 }
 
+/// The pulleys of each cord are those of its state, each once.
+void check_pulleys(const CouplingState& state, const std::vector<b2Body*>& bodies) {
+  check_range("state.next_pulley", state.next_pulley, 1, most_ids);
+  check_order("state.pulleys.id", state.pulleys, [](const CouplingState::Pulley& pulley) { return pulley.memory.id; });
+  std::vector<std::pair<CordId, int>> listed;
+  for (const CouplingState::Pulley& pulley : state.pulleys) {
+    check_body("state.pulleys.body", pulley.body, bodies);
+    check_range("state.pulleys.id", pulley.memory.id, 1, state.next_pulley - 1);
+    check_enabled("state.pulleys.cord", pulley.memory.cord, state);
+    check_coordinates("state.pulleys.local_anchor", to_double(pulley.memory.local_anchor));
+    listed.emplace_back(pulley.memory.cord, pulley.memory.index);
+  }
+  std::vector<std::pair<CordId, int>> wanted;
+  for (const CouplingState::Cord& cord : state.cords) {
+    const auto* const direct = std::get_if<Cord::State>(&cord.state);
+    const int count = direct == nullptr ? 0 : static_cast<int>(direct->pulleys.size());
+    for (int index = 0; index < count; ++index) wanted.emplace_back(cord.id, index);
+  }
+  std::sort(listed.begin(), listed.end());
+  if (listed != wanted) {
+    throw DefinitionError("state.pulleys are not those of its cords; accepted is one for each pulley of a cord");
+  }
+}
+
 void check_carries(const CouplingState& state, const std::vector<b2Body*>& bodies) {
   check_order("state.carries.body", state.carries, [](const CouplingState::Carry& carry) { return carry.body; });
   for (const CouplingState::Carry& carry : state.carries) {
@@ -218,6 +242,7 @@ void check_state(const CouplingState& state, RestoreMemory& memory, const CordTa
   check_cords(state, cords, missing);
   check_grips(state, bodies, cords, missing);
   check_ties(state, cords, missing);
+  check_pulleys(state, bodies);
   check_carries(state, bodies);
   check_events(state);
   check_cuts(state);

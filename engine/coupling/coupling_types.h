@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "ribbon/pulley.h"
 #include "ribbon/vec2.h"
 
 // Parameters and results of Coupling.
@@ -98,6 +99,23 @@ struct TieState {
   /// points are pinned or held by bodies too. If more cords are tied there, it is that of the other cord on all. It is
   /// right again after restore from the next tick on.
   Vec2 pull;
+};
+
+/// Id of a pulley in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
+using PulleyId = int;
+
+/// State of a pulley.
+struct PulleyState {
+  CordId cord = 0;              ///< the cord; after a cut its piece
+  Vec2 center;                  ///< m, of the wheel
+  double angle = 0.0;           ///< rad, by which the wheel has turned in the frame of its body's centre, counterclockwise
+  double turning = 0.0;         ///< rad/s, of the wheel
+  double speed = 0.0;           ///< m/s, of the cord in the groove, towards its last point
+  double arc = 0.0;             ///< rad, angle of contact
+  double tension_before = 0.0;  ///< N, of the cord before the wheel
+  double tension_after = 0.0;   ///< N, of the cord behind it
+  bool slips = false;           ///< the cord slipped in the last tick
+  PulleyDef def;                ///< as it was defined, with the points that are before and behind the wheel now
 };
 
 /// A cut through a cord. Its pieces are new cords with ids of their own, and the id of the cord is gone.

@@ -107,9 +107,10 @@ void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).
 void CordRef::replace(Cord cord, const b2Filter& filter) const {
   CoupledCord& old = parts_->cords.at(id());
   (void)old.direct();  // refuses the other solver
+  CoupledCord coupled(std::move(cord), filter);
+  check_without_pulleys(coupled);
   parts_->cords.activate(old);
   parts_->detach(id());
-  CoupledCord coupled(std::move(cord), filter);
   coupled.id = id();
   coupled.user_data = old.user_data;
   coupled.reserve();
@@ -149,6 +150,33 @@ void GripRef::move_anchor(b2Vec2 local_anchor) const {
 }
 
 bool GripRef::release() const { return parts_->release(id()); }
+
+bool PulleyView::is_valid() const { return parts_->pulleys.find(id_) != nullptr; }
+
+PulleyState PulleyView::state() const {
+  const BodyPulley& pulley = parts_->pulleys.at(id_);
+  const Pulley& of_cord = parts_->cords.at(pulley.cord).direct().pulleys()[static_cast<std::size_t>(pulley.index)];
+  return {pulley.cord,
+          to_double(pulley.body->GetWorldPoint(pulley.local_anchor)),
+          of_cord.angle,
+          of_cord.turning,
+          of_cord.speed,
+          of_cord.arc,
+          of_cord.tension_before,
+          of_cord.tension_after,
+          of_cord.slip_sign != 0.0,
+          of_cord.def};
+}
+
+void PulleyRef::set_motor(double speed, double torque) const {
+  const BodyPulley& pulley = parts_->pulleys.at(id());
+  parts_->cords.at(pulley.cord).direct().set_motor(pulley.index, speed, torque);
+}
+
+bool PulleyRef::remove() const {
+  check_between_ticks(*parts_, "remove");
+  return parts_->remove_pulley(id());
+}
 
 bool TieView::is_valid() const { return parts_->ties.find(id_) != nullptr; }
 

@@ -169,6 +169,39 @@ class TieView {
   TieId id_;
 };
 
+/// A pulley of a coupling, for reading: a small handle like CordView. A pulley ends when it is removed, when a cut goes
+/// through the cord on its wheel, and when its body or its cord is gone. Then `state` throws CallError.
+class PulleyView {
+ public:
+  /// Returns the handle of a pulley; Coupling::pulley calls this.
+  PulleyView(const CouplingParts& parts, PulleyId id) : parts_(&parts), id_(id) {}
+
+  PulleyId id() const { return id_; }  ///< of the pulley
+  bool is_valid() const;               ///< the pulley exists
+  PulleyState state() const;           ///< of the pulley; right between ticks
+
+ private:
+  const CouplingParts* parts_;
+  PulleyId id_;
+};
+
+/// A pulley of a coupling, for reading and writing.
+class PulleyRef : public PulleyView {
+ public:
+  /// Returns the handle of a pulley; Coupling::pulley calls this.
+  PulleyRef(CouplingParts& parts, PulleyId id) : PulleyView(parts, id), parts_(&parts) {}
+
+  /// Sets the speed [rad/s, counterclockwise, −1e6 … 1e6] and the largest torque [N·m, 0 … infinity] of the motor of the
+  /// wheel; see PulleyDef. Throws DefinitionError for a value out of range.
+  void set_motor(double speed, double torque) const;
+  /// Takes the cord off the wheel. Returns false if the pulley did not exist. Its body may be destroyed already. Throws
+  /// CallError inside world.Step and between gather and apply.
+  bool remove() const;
+
+ private:
+  CouplingParts* parts_;
+};
+
 /// A tie of a coupling, for reading and writing.
 class TieRef : public TieView {
  public:

@@ -52,6 +52,7 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
     to.circles.assign(from.surroundings.circles.begin(), from.surroundings.circles.end());
     to.segments.assign(from.surroundings.segments.begin(), from.surroundings.segments.end());
     to.grips.assign(from.surroundings.grips.begin(), from.surroundings.grips.end());
+    to.axles.assign(from.surroundings.axles.begin(), from.surroundings.axles.end());
     to.id = from.id;
   }
 }
@@ -79,7 +80,7 @@ void check(const SolverStep& step) {
       check_points(cord);
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
-      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments}, step.bodies.size(), made.size(),
+      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles}, step.bodies.size(), made.size(),
                                  cord.def.rows);
     });
     points.push_back(static_cast<int>(step.cords[k].state.positions.size()));

@@ -31,6 +31,7 @@ struct SolverStep {
     std::vector<ribbon::RigidCircle> circles;
     std::vector<ribbon::RigidSegment> segments;
     std::vector<ribbon::Grip> grips;
+    std::vector<ribbon::Axle> axles;
     std::uint64_t id = 0;  ///< IslandCord::id
   };
   /// The outcome when the step was recorded, to compare with a repetition.

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 7;
+inline constexpr int solver_step_version = 8;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -96,10 +96,53 @@ void fields(Archive& archive, T& touch) {
   archive("normal", normal);
 }
 
+template <typename Archive, Is<ribbon::PulleyDef> T>
+void fields(Archive& archive, T& def) {
+  auto& [center, radius, counterclockwise, turns, before, after, inertia, friction, motor_speed, motor_torque] = def;
+  archive("center", center);
+  archive("radius", radius);
+  archive("counterclockwise", counterclockwise);
+  archive("turns", turns);
+  archive("before", before);
+  archive("after", after);
+  archive("inertia", inertia);
+  archive("friction", friction);
+  archive("motor_speed", motor_speed);
+  archive("motor_torque", motor_torque);
+}
+
+template <typename Archive, Is<ribbon::Pulley> T>
+void fields(Archive& archive, T& pulley) {
+  auto& [def, lead, arc, arrival, departure, speed, acceleration, angle, turning, tension_before, tension_after,
+         slip_sign, blocked, kept, motor_sign] = pulley;
+  archive("def", def);
+  archive("lead", lead);
+  archive("arc", arc);
+  archive("arrival", arrival);
+  archive("departure", departure);
+  archive("speed", speed);
+  archive("acceleration", acceleration);
+  archive("angle", angle);
+  archive("turning", turning);
+  archive("tension_before", tension_before);
+  archive("tension_after", tension_after);
+  archive("slip_sign", slip_sign);
+  archive("blocked", blocked);
+  archive("kept", kept);
+  archive("motor_sign", motor_sign);
+}
+
+template <typename Archive, Is<ribbon::Axle> T>
+void fields(Archive& archive, T& axle) {
+  auto& [body, offset] = axle;
+  archive("body", body);
+  archive("offset", offset);
+}
+
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
+         breaking_forces, pulleys, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
          regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
@@ -113,6 +156,7 @@ void fields(Archive& archive, T& state) {
   archive("rest_targets", rest_targets);
   archive("rest_speeds", rest_speeds);
   archive("breaking_forces", breaking_forces);
+  archive("pulleys", pulleys);
   archive("unlocked", unlocked);
   archive("family", family);
   archive("joined_first", joined_first);
@@ -188,13 +232,14 @@ void fields(Archive& archive, T& grip) {
 
 template <typename Archive, Is<SolverStep::Cord> T>
 void fields(Archive& archive, T& cord) {
-  auto& [def, state, circles, segments, grips, id] = cord;
+  auto& [def, state, circles, segments, grips, axles, id] = cord;
   archive("id", id);
   archive("def", def);
   archive("state", state);
   archive("circles", circles);
   archive("segments", segments);
   archive("grips", grips);
+  archive("axles", axles);
 }
 
 template <typename Archive, Is<ribbon::Tie> T>

@@ -133,7 +133,7 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
   for (int k = 0; k < count; ++k) {
     const Box& start = outline_boxes_[at(k)];
     const Box& end = outline_boxes_[at(by_points ? k : k + 1 < points ? k + 1 : 0)];
-    if (!overlap(joined(start, end), near)) continue;
+    if (!overlap(joined(start, end), near) || is_on_wheel(*member.cord, k, by_points)) continue;
     ContactPair pair = by_points ? pair_with_point(member, k) : pair_with_link(member, k);
     if (body.inverse_mass == 0.0 && is_fixed_in(state, pair, body.position + circle.offset, contact_distance)) continue;
     if (disc < 0) disc = add_anchor(state, search.contacts, circle.body, circle.offset);
@@ -161,7 +161,7 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
   int a = -1;
   int b = -1;
   for (int k = 0; k < static_cast<int>(cord.outline.size()); ++k) {
-    if (!overlap(outline_boxes_[at(k)], near)) continue;
+    if (!overlap(outline_boxes_[at(k)], near) || is_on_wheel(cord, k, true)) continue;
     const std::size_t point = outline_slot(member, k);
     if (body.inverse_mass == 0.0 && state.constrained[point] != 0) continue;
     if (a < 0) {
@@ -258,6 +258,7 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const Member& member = search.member;
   const Member& other = state.members[link.member];
   const bool itself = &other == &member;
+  if (is_on_wheel(*member.cord, k, true) || is_on_wheel(*other.cord, link.link, false)) return;
   const CordDef& def = member.cord->def;
   if (itself ? !def.self_contact : !member.cord->meets(*other.cord)) return;
   const std::size_t disc = outline_slot(member, k);

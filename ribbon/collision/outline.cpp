@@ -75,6 +75,12 @@ bool are_close(const CordParts& cord, int k, int link) {
   return std::min(apart, n + 1 - apart) <= close_links;
 }
 
+bool is_on_wheel(const CordParts& cord, int k, bool is_point) {
+  if (cord.on_wheels.empty()) return false;
+  if (!is_point) return cord.is_on_wheel(at(k));
+  return k > 0 && at(k) < cord.on_wheels.size() && cord.is_on_wheel(at(k) - 1) && cord.is_on_wheel(at(k));
+}
+
 bool were_neighbours(const Member& member, int k, const Member& other, int link) {
   const Cord::State& state = member.cord->state;
   const Cord::State& others = other.cord->state;

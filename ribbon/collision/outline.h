@@ -25,7 +25,10 @@ bool are_close(const CordParts& cord, int k, int link);
 /// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
 bool are_neighbours(const CordDef& def, int k, int link);
 
-/// Returns the same for point k of a cord and a link of the cord that it was cut from, or a piece of it that begins or
+/// Returns whether a point or a link of a rope is on the wheel of a pulley, where it touches nothing.
+bool is_on_wheel(const CordParts& cord, int k, bool is_point);
+
+/// Returns the same as are_neighbours for point k of a cord and a link of the cord that it was cut from, or a piece of it that begins or
 /// ends there.
 bool were_neighbours(const Member& member, int k, const Member& other, int link);
 /// Returns the same for point k of a cord and a link of another one, near a tie of the two.

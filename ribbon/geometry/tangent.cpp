@@ -28,6 +28,22 @@ TangentLine line(Vec2 r, double radius, double sense, double side) {
 TangentLine arriving_line(Vec2 r, double radius, double sense) { return line(r, radius, sense, 1.0); }
 TangentLine leaving_line(Vec2 r, double radius, double sense) { return line(r, radius, sense, -1.0); }
 
+namespace {
+
+TangentLine straight_line(Vec2 from_keeper, double radius, Vec2 normal, double side) {
+  const double size = std::max(length(from_keeper), min_length * radius);
+  return {normal, (side / size) * from_keeper, size};
+}
+
+}  // namespace
+
+TangentLine arriving_at(Vec2 r, double radius, Vec2 normal) {
+  return straight_line(r - radius * normal, radius, normal, -1.0);
+}
+TangentLine leaving_from(Vec2 r, double radius, Vec2 normal) {
+  return straight_line(r - radius * normal, radius, normal, 1.0);
+}
+
 /// Within a right angle, half of it has the tangent sin/(1 + cos). It is halved three times more, to at most a 16th of a
 /// right angle, where the series of the arctangent converges fast.
 double angle_between(Vec2 a, Vec2 b) {

@@ -18,6 +18,11 @@ TangentLine arriving_line(Vec2 r, double radius, double sense);
 /// Returns the line on which it leaves the wheel to such a point.
 TangentLine leaving_line(Vec2 r, double radius, double sense);
 
+/// Returns the lines on which a cord arrives at and leaves a place of the groove where a keeper holds it, a normal times
+/// the radius from the centre.
+TangentLine arriving_at(Vec2 r, double radius, Vec2 normal);
+TangentLine leaving_from(Vec2 r, double radius, Vec2 normal);
+
 /// Returns the angle from a to b, −π … π [rad], both unit vectors. It uses only + − × ÷ √. Error: 1e-14.
 double angle_between(Vec2 a, Vec2 b);
 /// Returns eˣ for x ≥ 0, from 40 on as for 40. It uses only + − × ÷. Relative error: 1e-13.

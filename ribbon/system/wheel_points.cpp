@@ -121,7 +121,8 @@ class PointMover {
 
   void move() {
     follow_lines();
-    pulley_.blocked = 0.0;
+    meet_keeper();
+    if (pulley_.blocked * (pulley_.tension_after - pulley_.tension_before) < 0.0) pulley_.blocked = 0.0;
     while (let_go_before()) {
     }
     while (let_go_after()) {
@@ -136,8 +137,16 @@ class PointMover {
   Vec2& x(int point) { return cord_.state.positions[at(point)]; }
   Vec2& v(int point) { return cord_.state.velocities[at(point)]; }
   double rest(int link) const { return cord_.state.rest[at(link)]; }
-  TangentLine in() { return arriving_line(x(pulley_.def.before) - center_, pulley_.def.radius, sense_); }
-  TangentLine out() { return leaving_line(x(pulley_.def.after) - center_, pulley_.def.radius, sense_); }
+  TangentLine in() {
+    const Vec2 r = x(pulley_.def.before) - center_;
+    return pulley_.kept ? arriving_at(r, pulley_.def.radius, pulley_.arrival)
+                        : arriving_line(r, pulley_.def.radius, sense_);
+  }
+  TangentLine out() {
+    const Vec2 r = x(pulley_.def.after) - center_;
+    return pulley_.kept ? leaving_from(r, pulley_.def.radius, pulley_.departure)
+                        : leaving_line(r, pulley_.def.radius, sense_);
+  }
   double trail() const { return trail_of(cord_, pulley_); }
 
   /// The centre, or a point, may have been moved between the steps: the cord in the groove stays.
@@ -150,6 +159,26 @@ class PointMover {
     pulley_.arc += leaving - arriving;
     pulley_.arrival = arrival;
     pulley_.departure = departure;
+  }
+
+  /// The cord is kept from where its angle of contact has become negative until it bends towards the wheel again. Both
+  /// lines meet the groove at one place then.
+  void meet_keeper() {
+    if (!pulley_.kept && pulley_.arc < 0.0) {
+      const Vec2 middle = pulley_.arrival + pulley_.departure;
+      pulley_.lead += 0.5 * pulley_.def.radius * pulley_.arc;
+      pulley_.arrival = pulley_.departure = (1.0 / length(middle)) * middle;
+      pulley_.arc = 0.0;
+      pulley_.kept = true;
+    } else if (pulley_.kept && sense_ * cross(in().along, out().along) > 0.0) {
+      pulley_.kept = false;
+      const Vec2 arrival = in().normal;
+      const Vec2 departure = out().normal;
+      pulley_.lead += pulley_.def.radius * sense_ * angle_between(pulley_.arrival, arrival);
+      pulley_.arc = sense_ * angle_between(arrival, departure);
+      pulley_.arrival = arrival;
+      pulley_.departure = departure;
+    }
   }
 
   /// m, within which a point that nears the wheel at this speed is taken up, or beyond which one is let go.

@@ -45,8 +45,12 @@ double let_off(const Wheel& wheel, Vec2 from, Vec2 to) { return wheel.sense * wh
 Sides sides_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
   const Vec2 center = center_of(state, wheel, x);
   const double run = x[state.groove(index_of(state, wheel))].x;
-  const TangentLine in = arriving_line(x[wheel.before] - center, wheel.radius, wheel.sense);
-  const TangentLine out = leaving_line(x[wheel.after] - center, wheel.radius, wheel.sense);
+  const Vec2 before = x[wheel.before] - center;
+  const Vec2 after = x[wheel.after] - center;
+  const TangentLine in = wheel.kept ? arriving_at(before, wheel.radius, wheel.arrival)
+                                    : arriving_line(before, wheel.radius, wheel.sense);
+  const TangentLine out = wheel.kept ? leaving_from(after, wheel.radius, wheel.departure)
+                                     : leaving_line(after, wheel.radius, wheel.sense);
   return {{in, in.length - (wheel.lead - run + let_off(wheel, wheel.arrival, in.normal))},
           {out, out.length - (wheel.trail + run - let_off(wheel, wheel.departure, out.normal))}};
 }
@@ -78,6 +82,7 @@ void add_wheels(IslandState& state, Member& member) {
     wheel.departure = pulley.departure;
     wheel.cord_mass = mass_on_wheel(cord, pulley.def);
     wheel.wheel_mass = wheel_mass(pulley.def);
+    wheel.kept = pulley.kept;
     wheel.slip_sign = pulley.slip_sign;
     if (wheel.slip_sign != 0.0) wheel.ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
     wheel.driven = pulley.def.motor_torque > 0.0 && pulley.motor_sign == 0.0 && pulley.slip_sign == 0.0;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "ribbon/cord.h"
+#include "ribbon/pulley.h"
+
+// Cords around wheels, whose motion is known.
+
+namespace test_support {
+
+/// A cord with a mass at each end over one wheel, at rest: Atwood's machine, or with friction and a motor a capstan.
+struct Atwood {
+  double left = 10.0;               ///< kg, at the first point
+  double right = 12.0;              ///< kg, at the last point
+  double mass_per_length = 1e-4;    ///< kg/m
+  int points = 61;                  ///< of the cord
+  double depth = 3.5;               ///< m, of the masses below the axle
+  ribbon::PulleyDef wheel{.center = {0.0, 5.0}, .radius = 0.2, .counterclockwise = false, .inertia = 0.5};
+  ribbon::Accuracy accuracy{};
+
+  ribbon::Cord cord() const;
+};
+
+/// A tackle with two wheels at a fixed block, at y = 6 m, and two at a block that moves, at y = 2 m: the load hangs on
+/// four parts of the cord. Its first point is the hand's, and its last one is pinned.
+ribbon::ReevedCord reeve_tackle(int points);
+/// Returns the places of its axles, m from the middle of their blocks, in their order. The blocks are 0 and 1.
+std::vector<ribbon::Axle> axles_of_tackle();
+inline constexpr ribbon::Vec2 moving_block{0.4, 2.0};  ///< m, middle of the block that moves
+inline constexpr ribbon::Vec2 fixed_block{0.2, 6.0};   ///< m, middle of the other one
+
+}  // namespace test_support
