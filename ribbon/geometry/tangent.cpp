@@ -30,17 +30,17 @@ TangentLine leaving_line(Vec2 r, double radius, double sense) { return line(r, r
 
 namespace {
 
-TangentLine straight_line(Vec2 from_keeper, double radius, Vec2 normal, double side) {
-  const double size = std::max(length(from_keeper), min_length * radius);
-  return {normal, (side / size) * from_keeper, size};
+TangentLine straight_line(Vec2 from_groove, double radius, Vec2 normal, double side) {
+  const double size = std::max(length(from_groove), min_length * radius);
+  return {normal, (side / size) * from_groove, size};
 }
 
 }  // namespace
 
-TangentLine arriving_at(Vec2 r, double radius, Vec2 normal) {
+TangentLine line_to_groove(Vec2 r, double radius, Vec2 normal) {
   return straight_line(r - radius * normal, radius, normal, -1.0);
 }
-TangentLine leaving_from(Vec2 r, double radius, Vec2 normal) {
+TangentLine line_from_groove(Vec2 r, double radius, Vec2 normal) {
   return straight_line(r - radius * normal, radius, normal, 1.0);
 }
 

@@ -18,10 +18,10 @@ TangentLine arriving_line(Vec2 r, double radius, double sense);
 /// Returns the line on which it leaves the wheel to such a point.
 TangentLine leaving_line(Vec2 r, double radius, double sense);
 
-/// Returns the lines on which a cord arrives at and leaves a place of the groove where a keeper holds it, a normal times
-/// the radius from the centre.
-TangentLine arriving_at(Vec2 r, double radius, Vec2 normal);
-TangentLine leaving_from(Vec2 r, double radius, Vec2 normal);
+/// Return the lines from a point at r [m] to a place in the groove, and from that place to the point. The place is at
+/// `normal` times the radius from the centre.
+TangentLine line_to_groove(Vec2 r, double radius, Vec2 normal);
+TangentLine line_from_groove(Vec2 r, double radius, Vec2 normal);
 
 /// Returns the angle from a to b, −π … π [rad], both unit vectors. It uses only + − × ÷ √. Error: 1e-14.
 double angle_between(Vec2 a, Vec2 b);

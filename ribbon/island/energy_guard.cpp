@@ -5,6 +5,7 @@
 
 #include "ribbon/island/momentum.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {
@@ -55,6 +56,7 @@ void EnergyGuard::store(const IslandState& state) const {
 
 Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   Energy sum;
+  sum.elastic = wheel_energy(state);
   const std::vector<Vec2>& x = state.positions;
   for (const Member& member : state.members) {
     const CordParts& cord = *member.cord;

@@ -10,6 +10,13 @@
 
 namespace ribbon {
 
+/// How far a cord runs through a groove in the step, if its points there would not be enough.
+struct WheelReach {
+  double before = 0.0;  ///< m, towards its last point
+  double after = 0.0;   ///< m, towards its first one
+  bool blocks = false;  ///< it cannot run so far
+};
+
 /// What a Cord consists of: the solver works on it directly. Whatever else changes a cord goes through Cord, which
 /// checks values.
 struct CordParts {
@@ -60,6 +67,7 @@ struct CordParts {
   // m, rest lengths by link at the start and at the end of the step; empty until something is reeled.
   std::vector<double> rest_start, rest_end;
   std::vector<char> on_wheels;  // by link: 1 if it is left to a wheel; empty without pulleys
+  std::vector<WheelReach> reaches;  // by pulley, in a step
   std::vector<int> outline;  // the points around which the cord can be touched, in order
 };
 

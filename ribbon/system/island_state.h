@@ -67,7 +67,6 @@ struct Wheel {
   double weight = 0.0;           ///< N, of the points on the wheel, along the cord
   double slip_sign = 0.0;        ///< sign of the friction on the cord along it while it slips; 0 while it does not
   double ratio = 1.0;            ///< e^(μ·α), of the tensions while it slips
-  bool kept = false;             ///< a keeper holds the cord
   bool driven = false;           ///< the motor holds its speed
 };
 

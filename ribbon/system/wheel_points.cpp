@@ -103,13 +103,14 @@ namespace {
 constexpr double taken_up = 0.5;
 constexpr double let_go = 0.7;
 constexpr double steps_ahead = 1.5;
+constexpr double most_turned = 0.3;  // rad
 
 /// A pulley of a cord, at the start of a step.
 class PointMover {
  public:
   PointMover(CordParts& cord, std::size_t index, const Surroundings& surroundings, std::span<const RigidBody> bodies,
              double dt)
-      : cord_(cord), pulley_(cord.state.pulleys[index]), surroundings_(surroundings), dt_(dt) {
+      : cord_(cord), pulley_(cord.state.pulleys[index]), reach_(cord.reaches[index]), surroundings_(surroundings), dt_(dt) {
     const Axle& axle = surroundings.axles[index];
     const RigidBody& body = bodies[at(axle.body)];
     center_ = body.position + axle.offset;
@@ -131,34 +132,38 @@ class PointMover {
     }
     while (take_up_after()) {
     }
+    const bool stays = pulley_.blocked > 0.0 ? !can_take_up_before() : !can_take_up_after();
+    if (!stays) pulley_.blocked = 0.0;
   }
 
  private:
   Vec2& x(int point) { return cord_.state.positions[at(point)]; }
   Vec2& v(int point) { return cord_.state.velocities[at(point)]; }
   double rest(int link) const { return cord_.state.rest[at(link)]; }
-  TangentLine in() {
-    const Vec2 r = x(pulley_.def.before) - center_;
-    return pulley_.kept ? arriving_at(r, pulley_.def.radius, pulley_.arrival)
-                        : arriving_line(r, pulley_.def.radius, sense_);
-  }
-  TangentLine out() {
-    const Vec2 r = x(pulley_.def.after) - center_;
-    return pulley_.kept ? leaving_from(r, pulley_.def.radius, pulley_.departure)
-                        : leaving_line(r, pulley_.def.radius, sense_);
-  }
+  double radius() const { return pulley_.def.radius; }
   double trail() const { return trail_of(cord_, pulley_); }
+  TangentLine in() { return line_to_groove(x(pulley_.def.before) - center_, radius(), pulley_.arrival); }
+  TangentLine out() { return line_from_groove(x(pulley_.def.after) - center_, radius(), pulley_.departure); }
+  /// m, from the centre to where a point will be at the end of the step, as it moves now.
+  Vec2 coming(int point) { return x(point) - center_ + dt_ * (v(point) - velocity_); }
 
-  /// The centre, or a point, may have been moved between the steps: the cord in the groove stays.
+  /// Moves the places where the cord arrives and leaves to where the lines will be tangent. The cord in the groove
+  /// stays. In a step they turn by no more than an angle at which the lengths hardly change.
   void follow_lines() {
-    const Vec2 arrival = in().normal;
-    const Vec2 departure = out().normal;
-    const double arriving = sense_ * angle_between(pulley_.arrival, arrival);
-    const double leaving = sense_ * angle_between(pulley_.departure, departure);
-    pulley_.lead += pulley_.def.radius * arriving;
+    if (pulley_.kept) return;
+    const auto turn_to = [this](Vec2 coming, Vec2& normal, const TangentLine& line) {
+      if (dot(coming, coming) <= radius() * radius()) return 0.0;  // a slack cord may lie across the wheel
+      const double angle = angle_between(normal, line.normal);
+      const double turned = std::clamp(angle, -most_turned, most_turned);
+      normal = turned == angle ? line.normal : times(rotation(turned), normal);
+      return sense_ * turned;
+    };
+    const Vec2 before = coming(pulley_.def.before);
+    const Vec2 after = coming(pulley_.def.after);
+    const double arriving = turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_));
+    const double leaving = turn_to(after, pulley_.departure, leaving_line(after, radius(), sense_));
+    pulley_.lead += radius() * arriving;
     pulley_.arc += leaving - arriving;
-    pulley_.arrival = arrival;
-    pulley_.departure = departure;
   }
 
   /// The cord is kept from where its angle of contact has become negative until it bends towards the wheel again. Both
@@ -166,27 +171,26 @@ class PointMover {
   void meet_keeper() {
     if (!pulley_.kept && pulley_.arc < 0.0) {
       const Vec2 middle = pulley_.arrival + pulley_.departure;
-      pulley_.lead += 0.5 * pulley_.def.radius * pulley_.arc;
+      pulley_.lead += 0.5 * radius() * pulley_.arc;
       pulley_.arrival = pulley_.departure = (1.0 / length(middle)) * middle;
       pulley_.arc = 0.0;
       pulley_.kept = true;
     } else if (pulley_.kept && sense_ * cross(in().along, out().along) > 0.0) {
       pulley_.kept = false;
-      const Vec2 arrival = in().normal;
-      const Vec2 departure = out().normal;
-      pulley_.lead += pulley_.def.radius * sense_ * angle_between(pulley_.arrival, arrival);
-      pulley_.arc = sense_ * angle_between(arrival, departure);
-      pulley_.arrival = arrival;
-      pulley_.departure = departure;
     }
   }
 
-  /// m, within which a point that nears the wheel at this speed is taken up, or beyond which one is let go.
-  double margin(double share, double link, double nearing) const {
-    return share * link + steps_ahead * dt_ * std::max(0.0, nearing);
+  /// m, within which a point that nears the wheel at this speed is taken up, or beyond which one is let go. `reach` is
+  /// how far the cord runs as the last attempt at the step showed.
+  double margin(double share, double link, double nearing, double reach) const {
+    return share * link + std::max(steps_ahead * dt_ * std::max(0.0, nearing), reach);
   }
-  double nearing_before(const TangentLine& line) { return dot(line.along, v(pulley_.def.before) - velocity_); }
-  double nearing_after(const TangentLine& line) { return -dot(line.along, v(pulley_.def.after) - velocity_); }
+  double margin_before(double share, double link, const TangentLine& line) {
+    return margin(share, link, dot(line.along, v(pulley_.def.before) - velocity_), reach_.before);
+  }
+  double margin_after(double share, double link, const TangentLine& line) {
+    return margin(share, link, -dot(line.along, v(pulley_.def.after) - velocity_), reach_.after);
+  }
 
   bool is_free(int point) const {
     if (cord_.state.kinds[at(point)] != PointKind::free) return false;
@@ -195,18 +199,18 @@ class PointMover {
     });
   }
 
+  bool can_take_up_before() const { return pulley_.def.before - 1 >= first_ && is_free(pulley_.def.before); }
+  bool can_take_up_after() const { return pulley_.def.after + 1 <= last_ && is_free(pulley_.def.after); }
+
   bool take_up_before() {
     const int point = pulley_.def.before;
     const TangentLine line = in();
     const double link = rest(point);
-    if (!(line.length < margin(taken_up, link, nearing_before(line)))) return false;
-    if (point - 1 < first_ || !is_free(point)) return block(1.0);
+    if (!(pulley_.lead < margin_before(taken_up, link, line))) return false;
+    if (!can_take_up_before()) return block(1.0, reach_.before);
     share_momentum(point, line.along);
     pulley_.lead += rest(point - 1);
     pulley_.def.before = point - 1;
-    pulley_.arc += sense_ * angle_between(in().normal, pulley_.arrival);
-    pulley_.lead += pulley_.def.radius * sense_ * angle_between(pulley_.arrival, in().normal);
-    pulley_.arrival = in().normal;
     cord_.state.restart = true;
     return true;
   }
@@ -215,12 +219,10 @@ class PointMover {
     const int point = pulley_.def.after;
     const TangentLine line = out();
     const double link = rest(point - 1);
-    if (!(line.length < margin(taken_up, link, nearing_after(line)))) return false;
-    if (point + 1 > last_ || !is_free(point)) return block(-1.0);
+    if (!(trail() < margin_after(taken_up, link, line))) return false;
+    if (!can_take_up_after()) return block(-1.0, reach_.after);
     share_momentum(point, line.along);
     pulley_.def.after = point + 1;
-    pulley_.arc += sense_ * angle_between(pulley_.departure, out().normal);
-    pulley_.departure = out().normal;
     cord_.state.restart = true;
     return true;
   }
@@ -230,7 +232,7 @@ class PointMover {
     const TangentLine line = in();
     const double link = rest(point - 1);
     const double ahead = pulley_.lead - link;
-    if (point >= pulley_.def.after || !(ahead > margin(let_go, link, nearing_before(line)))) return false;
+    if (point >= pulley_.def.after || !(ahead > margin_before(let_go, link, line))) return false;
     place(point, pulley_.def.before, line, -ahead / pulley_.lead);
     pulley_.lead = ahead;
     pulley_.def.before = point;
@@ -243,7 +245,7 @@ class PointMover {
     const TangentLine line = out();
     const double link = rest(point);
     const double behind = trail() - link;
-    if (point <= pulley_.def.before || !(behind > margin(let_go, link, nearing_after(line)))) return false;
+    if (point <= pulley_.def.before || !(behind > margin_after(let_go, link, line))) return false;
     place(point, pulley_.def.after, line, behind / trail());
     pulley_.def.after = point;
     cord_.state.restart = true;
@@ -267,13 +269,15 @@ class PointMover {
   }
 
   /// The cord cannot run further, because of what is at the point or because it ends there.
-  bool block(double direction) {
+  bool block(double direction, double reach) {
     pulley_.blocked = direction;
+    reach_.blocks = reach > 0.0;
     return false;
   }
 
   CordParts& cord_;
   Pulley& pulley_;
+  WheelReach& reach_;
   const Surroundings& surroundings_;
   double dt_;
   Vec2 center_;
@@ -285,9 +289,11 @@ class PointMover {
 
 }  // namespace
 
-void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt) {
+void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
+                             bool first) {
   for (const IslandCord& cord : cords) {
     CordParts& parts = cord.cord->parts();
+    if (first) parts.reaches.assign(parts.state.pulleys.size(), {});
     for (std::size_t k = 0; k < parts.state.pulleys.size(); ++k) {
       PointMover(parts, k, cord.surroundings, bodies, dt).move();
     }

@@ -39,20 +39,12 @@ std::size_t index_of(const IslandState& state, const Wheel& wheel) {
   return static_cast<std::size_t>(&wheel - state.wheels.data());
 }
 
-/// m, by which a line that turns lets cord off the wheel, since the start of the step.
-double let_off(const Wheel& wheel, Vec2 from, Vec2 to) { return wheel.sense * wheel.radius * angle_between(from, to); }
-
 Sides sides_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
   const Vec2 center = center_of(state, wheel, x);
   const double run = x[state.groove(index_of(state, wheel))].x;
-  const Vec2 before = x[wheel.before] - center;
-  const Vec2 after = x[wheel.after] - center;
-  const TangentLine in = wheel.kept ? arriving_at(before, wheel.radius, wheel.arrival)
-                                    : arriving_line(before, wheel.radius, wheel.sense);
-  const TangentLine out = wheel.kept ? leaving_from(after, wheel.radius, wheel.departure)
-                                     : leaving_line(after, wheel.radius, wheel.sense);
-  return {{in, in.length - (wheel.lead - run + let_off(wheel, wheel.arrival, in.normal))},
-          {out, out.length - (wheel.trail + run - let_off(wheel, wheel.departure, out.normal))}};
+  const TangentLine in = line_to_groove(x[wheel.before] - center, wheel.radius, wheel.arrival);
+  const TangentLine out = line_from_groove(x[wheel.after] - center, wheel.radius, wheel.departure);
+  return {{in, in.length - (wheel.lead - run)}, {out, out.length - (wheel.trail + run)}};
 }
 
 double compliance_of(const CordDef& def, double rest) { return std::max(0.0, rest) / def.stretch_stiffness; }
@@ -82,7 +74,6 @@ void add_wheels(IslandState& state, Member& member) {
     wheel.departure = pulley.departure;
     wheel.cord_mass = mass_on_wheel(cord, pulley.def);
     wheel.wheel_mass = wheel_mass(pulley.def);
-    wheel.kept = pulley.kept;
     wheel.slip_sign = pulley.slip_sign;
     if (wheel.slip_sign != 0.0) wheel.ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
     wheel.driven = pulley.def.motor_torque > 0.0 && pulley.motor_sign == 0.0 && pulley.slip_sign == 0.0;
@@ -114,7 +105,7 @@ void load_wheels(IslandState& state) {
     const Pulley& pulley = cord.state.pulleys[wheel.pulley];
     const std::size_t groove = state.groove(k);
     const std::size_t center = state.center(wheel.solved_index);
-    const bool blocked = pulley.blocked * pulley.speed > 0.0 ||
+    const bool blocked = pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
                          (pulley.blocked != 0.0 &&
                           pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
     const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
@@ -135,7 +126,7 @@ void load_wheels(IslandState& state) {
       state.masses[center] += wheel.cord_mass;
       state.restart = true;  // the acceleration of the body is not known
     }
-    state.driven = true;
+    state.driven = state.driven || pulley.def.motor_torque > 0.0;
   }
 }
 
@@ -231,8 +222,23 @@ double wheel_potential(const IslandState& state, std::span<const double> max_ten
   return sum;
 }
 
+double wheel_energy(const IslandState& state) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const CordDef& def = def_of(state, wheel);
+    const double run = state.positions[state.groove(k)].x;
+    const std::size_t tension = state.wheel_tension(k);
+    sum += elastic_energy(state.tensions[tension], compliance_of(def, wheel.lead - run), 0.0, 0.0) +
+           elastic_energy(state.tensions[tension + 1], compliance_of(def, wheel.trail + run), 0.0, 0.0);
+  }
+  return sum;
+}
+
 namespace {
 
+constexpr double least_part = 0.1;      // of a link, that is left before or behind a wheel
+constexpr double overrun_margin = 1.2;  // of how far a cord ran that ran too far
 constexpr double least_inertia = 1e-9;  // kg·m², of a wheel that turns on its own
 
 double limit_of_friction(const Pulley& pulley, double before, double after) {
@@ -306,13 +312,36 @@ bool settle_motor(const IslandState& state, const Wheel& wheel, const WheelEnd& 
 
 }  // namespace
 
+namespace {
+
+/// Returns whether the points that the wheel has taken up are enough for how far the cord ran, and tells how many more
+/// it needs otherwise.
+bool settle_reach(const IslandState& state, std::size_t k, WheelReach& reach) {
+  const Wheel& wheel = state.wheels[k];
+  const Member& member = state.members[wheel.member];
+  const auto rest = [&](std::size_t slot) { return member.cord->state.rest[slot - member.first_point]; };
+  const double run = state.positions[state.groove(k)].x;
+  if (wheel.lead - run < least_part * rest(wheel.before)) {
+    reach.before = std::max(reach.before, overrun_margin * run);
+    return false;
+  }
+  if (wheel.trail + run < least_part * rest(wheel.after - 1)) {
+    reach.after = std::max(reach.after, -overrun_margin * run);
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool settle_wheels(const IslandState& state) {
   bool settled = true;
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     const Wheel& wheel = state.wheels[k];
     Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
     const WheelEnd end = end_of(state, k);
-    settled = settle_friction(state, k, end, pulley) && settle_motor(state, wheel, end, pulley) && settled;
+    WheelReach& reach = state.members[wheel.member].cord->reaches[wheel.pulley];
+    settled = settle_reach(state, k, reach) && settle_friction(state, k, end, pulley) && settle_motor(state, wheel, end, pulley) && settled;
   }
   return settled;
 }
@@ -325,12 +354,7 @@ void store_wheels(const IslandState& state, const Member& member) {
     const std::size_t groove = state.groove(k);
     const Sides sides = sides_of(state, wheel, state.positions);
     const double run = state.positions[groove].x;
-    const double arriving = let_off(wheel, wheel.arrival, sides.before.line.normal);
-    const double leaving = let_off(wheel, wheel.departure, sides.after.line.normal);
-    pulley.lead = wheel.lead - run + arriving;
-    pulley.arc += (leaving - arriving) / wheel.radius;
-    pulley.arrival = sides.before.line.normal;
-    pulley.departure = sides.after.line.normal;
+    pulley.lead = wheel.lead - run;
     const WheelEnd end = end_of(state, k);
     pulley.angle += wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius
                                            : 0.5 * state.dt * (pulley.turning + end.turning);

@@ -7,15 +7,13 @@
 
 // The wheels of pulleys, IslandState::wheels: a cord runs around each in a groove, without contacts. Its points on the
 // wheel, and the wheel if the cord does not slip, are one unknown: ρ [m], by which the cord has run through the groove
-// in the step. With s the length of the straight part to the point before the wheel, φ the direction from the centre to
-// where the cord arrives, and m the length at rest from that point to the wheel at the start of the step, its
-// elongation is
+// in the step. The straight part before the wheel is a link from the point there to where the cord touches the wheel. If
+// that place is s away, and m is the length at rest between the two at the start of the step, its elongation is
 //
-//     c = s − (m − ρ + sense·R·(φ − φ₀)),
+//     c = s − (m − ρ),
 //
-// and that of the part behind the wheel s − (m + ρ − sense·R·(φ − φ₀)). Along the cord, t, the gradient of s −
-// sense·R·φ is −t at the point before and t at the centre: the tension acts along the line, and the normal forces of
-// the arc at the centre. Its Hessian is that of a link of length s.
+// and that of the part behind the wheel s − (m + ρ). The place does not move round the wheel in the step: it is where
+// the line to the point will be tangent at its end. If it is wrong by an angle δ, the length is by R·δ³/8 or so.
 
 namespace ribbon {
 
@@ -34,6 +32,9 @@ void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& bl
 void update_wheels(const IslandState& state, std::span<const Vec2> solution, std::span<double> next);
 /// Returns the part of the wheels in what a stage minimises, J. `max_tensions` are the slopes of the exact penalty.
 double wheel_potential(const IslandState& state, std::span<const double> max_tensions, std::span<const Vec2> x);
+
+/// Returns the elastic energy of the parts before and behind the wheels, J.
+double wheel_energy(const IslandState& state);
 
 /// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise it
 /// corrects the assumptions of its pulley, and the step is to be redone.
