@@ -103,6 +103,7 @@ namespace {
 constexpr double taken_up = 0.5;
 constexpr double let_go = 0.7;
 constexpr double steps_ahead = 1.5;
+constexpr double stop = 0.5;  // radii that the end of a cord, and what holds it, keeps from a wheel
 constexpr double most_turned = 0.3;  // rad
 
 /// A pulley of a cord, at the start of a step.
@@ -206,8 +207,9 @@ class PointMover {
     const int point = pulley_.def.before;
     const TangentLine line = in();
     const double link = rest(point);
-    if (!(pulley_.lead < margin_before(taken_up, link, line))) return false;
-    if (!can_take_up_before()) return block(1.0, reach_.before);
+    const bool ends = !can_take_up_before();
+    if (!(pulley_.lead < margin_before(taken_up, link, line) + (ends ? stop * radius() : 0.0))) return false;
+    if (ends) return block(1.0, reach_.before);
     share_momentum(point, line.along);
     pulley_.lead += rest(point - 1);
     pulley_.def.before = point - 1;
@@ -219,8 +221,9 @@ class PointMover {
     const int point = pulley_.def.after;
     const TangentLine line = out();
     const double link = rest(point - 1);
-    if (!(trail() < margin_after(taken_up, link, line))) return false;
-    if (!can_take_up_after()) return block(-1.0, reach_.after);
+    const bool ends = !can_take_up_after();
+    if (!(trail() < margin_after(taken_up, link, line) + (ends ? stop * radius() : 0.0))) return false;
+    if (ends) return block(-1.0, reach_.after);
     share_momentum(point, line.along);
     pulley_.def.after = point + 1;
     cord_.state.restart = true;
