@@ -93,7 +93,7 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
   if (!contacts.empty() && regainable_ > 0.0) {
     allowed = std::max(std::min(regainable_, max_regainable_touching * scale(before)), share);
   }
-  return !(after_.total() - before.total() <= grip_work(state) + allowed);
+  return !(after_.total() - before.total() <= (grip_work(state) + wheel_work(state)) + allowed);
 }
 
 void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
@@ -111,7 +111,7 @@ void EnergyGuard::account(IslandState& state, const Contacts& contacts, const En
   const double kept = regainable_ > 0.0 ? regainable_decay * regainable_ : regainable_;
   const double scene = scale(before);
   const double lost = before.total() - after_.total();
-  const double unexplained = lost < 0.0 ? std::min(0.0, lost + grip_work(state)) : lost;
+  const double unexplained = lost < 0.0 ? std::min(0.0, lost + (grip_work(state) + wheel_work(state))) : lost;
   const double most = contacts.empty() ? max_regainable : max_regainable_touching;
   regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, most * scene);
   if (contacts.impacts.any() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain

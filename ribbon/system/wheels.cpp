@@ -126,7 +126,6 @@ void load_wheels(IslandState& state) {
       state.masses[center] += wheel.cord_mass;
       state.restart = true;  // the acceleration of the body is not known
     }
-    state.driven = state.driven || pulley.def.motor_torque > 0.0;
   }
 }
 
@@ -187,6 +186,7 @@ void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& bl
       const double compliance = std::max(bar.compliance, min_dual_compliance / inertia);
       blocks.add(dual, -compliance * component.x, 0.0, -compliance * component.y);
       right_side[at(dual)] -= side.elongation * component;
+      right_side[at(groove)].x += sign * tension * tension / (2.0 * def.stretch_stiffness);
       const Vec2 u = perp(t);
       blocks.add_outer(std::max(0.0, tension) / side.line.length, std::array{point, center, angle},
                        std::array{u, -u, Vec2{-dot(u, turning), 0.0}});
@@ -235,6 +235,21 @@ double wheel_energy(const IslandState& state) {
   return sum;
 }
 
+double wheel_work(const IslandState& state) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const PulleyDef& def = state.members[wheel.member].cord->state.pulleys[wheel.pulley].def;
+    if (def.motor_torque == 0.0) continue;
+    const std::size_t groove = state.groove(k);
+    const std::size_t tension = state.wheel_tension(k);
+    const double force = std::min(def.motor_torque / wheel.radius,
+                                  std::abs(state.tensions[tension]) + std::abs(state.tensions[tension + 1]));
+    sum += 2.0 * force * std::abs(state.positions[groove].x - state.start.positions[groove].x);
+  }
+  return sum;
+}
+
 namespace {
 
 constexpr double least_part = 0.1;      // of a link, that is left before or behind a wheel
@@ -256,6 +271,7 @@ struct WheelEnd {
   double speed;     // m/s, of the cord
   double friction;  // N, on the cord along it: what its inertia, its weight and its tensions leave
   double turning;   // rad/s, of the wheel
+  double motor_sign;  // of a motor that gives its largest torque while the cord slips
 };
 
 /// While the cord slips, the friction is at its limit, and the wheel turns on its own under the friction and the motor.
@@ -274,6 +290,7 @@ WheelEnd end_of(const IslandState& state, std::size_t k) {
   const double free = pulley.turning - state.dt * wheel.sense * wheel.radius * end.friction / inertia;
   const double change = state.dt * pulley.def.motor_torque / inertia;
   end.turning = pulley.def.motor_torque > 0.0 ? std::clamp(pulley.def.motor_speed, free - change, free + change) : free;
+  end.motor_sign = end.turning == pulley.def.motor_speed || change == 0.0 ? 0.0 : std::copysign(1.0, end.turning - free);
   return end;
 }
 
@@ -285,6 +302,7 @@ bool settle_friction(const IslandState& state, std::size_t k, const WheelEnd& en
     const double relative = end.speed - wheel.sense * wheel.radius * end.turning;
     if (wheel.slip_sign * relative <= 0.0) return true;
     pulley.slip_sign = 0.0;
+    pulley.motor_sign = end.motor_sign;
     return false;
   }
   const std::size_t tension = state.wheel_tension(k);
@@ -355,7 +373,9 @@ void store_wheels(const IslandState& state, const Member& member) {
     const Sides sides = sides_of(state, wheel, state.positions);
     const double run = state.positions[groove].x;
     pulley.lead = wheel.lead - run;
-    const WheelEnd end = end_of(state, k);
+    WheelEnd end = end_of(state, k);
+    const double rim = wheel.sense * end.speed / wheel.radius;  // the friction takes the wheel no further than that
+    if ((pulley.turning - rim) * (end.turning - rim) < 0.0) end.turning = rim;
     pulley.angle += wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius
                                            : 0.5 * state.dt * (pulley.turning + end.turning);
     pulley.turning = end.turning;

@@ -13,7 +13,8 @@
 //     c = s − (m − ρ),
 //
 // and that of the part behind the wheel s − (m + ρ). The place does not move round the wheel in the step: it is where
-// the line to the point will be tangent at its end. If it is wrong by an angle δ, the length is by R·δ³/8 or so.
+// the line to the point will be tangent at its end. On the wheel the cord is not stretched, so what runs onto it gives
+// its elastic energy ½·λ²/EA a metre to the groove. If it is wrong by an angle δ, the length is by R·δ³/8 or so.
 
 namespace ribbon {
 
@@ -35,6 +36,10 @@ double wheel_potential(const IslandState& state, std::span<const double> max_ten
 
 /// Returns the elastic energy of the parts before and behind the wheels, J.
 double wheel_energy(const IslandState& state);
+
+/// Returns the largest work, J, that the motors can have done in the substep: twice the force along the cord times how
+/// far it ran.
+double wheel_work(const IslandState& state);
 
 /// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise it
 /// corrects the assumptions of its pulley, and the step is to be redone.
