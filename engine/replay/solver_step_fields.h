@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 7;
+inline constexpr int solver_step_version = 8;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -41,7 +41,7 @@ void fields(Archive& archive, T& accuracy) {
 
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
-  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
+  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, cell_stiffness, poisson_ratio,
          area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction, restitution,
          self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
   archive("points", points);
@@ -52,6 +52,7 @@ void fields(Archive& archive, T& def) {
   archive("mass_per_length", mass_per_length);
   archive("stretch_stiffness", stretch_stiffness);
   archive("bending_stiffness", bending_stiffness);
+  archive("cell_stiffness", cell_stiffness);
   archive("poisson_ratio", poisson_ratio);
   archive("area_stiffness", area_stiffness);
   archive("damping", damping);
@@ -99,7 +100,7 @@ void fields(Archive& archive, T& touch) {
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
+         breaking_forces, unlocked, family, joined_first, joined_last, split, holders, touches, touch_changed,
          regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
@@ -117,6 +118,7 @@ void fields(Archive& archive, T& state) {
   archive("family", family);
   archive("joined_first", joined_first);
   archive("joined_last", joined_last);
+  archive("split", split);
   archive("holders", holders);
   archive("touches", touches);
   archive("touch_changed", touch_changed);

@@ -52,6 +52,25 @@ Lengths lengths(const ribbon::box2d::Coupling& coupling) {
   return worst;
 }
 
+Inertia inertia(const ribbon::box2d::Coupling& coupling) {
+  Inertia sum;
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    const ribbon::Cord& cord = coupling.cord(id).direct();
+    for (int p = 0; p < cord.size(); ++p) {
+      sum.mass += cord.mass(p);
+      sum.momentum += cord.mass(p) * cord.velocities()[static_cast<std::size_t>(p)];
+    }
+  }
+  return sum;
+}
+
+double difference(const Inertia& before, const Inertia& after, double speed) {
+  if (!(before.mass > 0.0)) return after.mass;
+  const double mass = std::abs(after.mass - before.mass) / before.mass;
+  const double moved = length(after.momentum - before.momentum);
+  return std::max(mass, speed > 0.0 ? moved / (before.mass * speed) : moved);
+}
+
 int inverted(const ribbon::box2d::Coupling& coupling) {
   int count = 0;
   for (const ribbon::box2d::CordId c : coupling.cords()) {

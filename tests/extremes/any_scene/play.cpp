@@ -44,8 +44,10 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       oracles.emplace(present);
       inside_out = inverted(world.coupling());
     };
+    const Inertia uncut = scene.cuts.empty() ? Inertia{} : inertia(world.coupling());
     if (world.drive(k)) {
       look_at_pieces();
+      if (!scene.cuts.empty()) sample.imbalance = difference(uncut, inertia(world.coupling()), world.fastest());
       before = world.snapshot();
       sample.gain = balance.take(world.energy(), world.heights()).in_tick;  // by the cut
     }
