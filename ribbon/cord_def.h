@@ -62,8 +62,9 @@ struct CordDef {
   /// EI [N·m²]: moment per unit of curvature, 0 … 1e18, independent of EA. A ribbon of cells with three or more rows
   /// needs a value above 0 and at most EA·width²/12, the stiffness of a solid strip; see `solid`.
   double bending_stiffness = 0.0;
-  /// EA of the cells [N] of a ribbon of two rows, 1e-12·EA … EA; bars along its middle line have the rest. 0, the default, is
-  /// all of EA. It sets how a ribbon resists shear. A cut along a row gives its pieces the cells that they had.
+  /// EA of the cells [N] of a ribbon of two rows, 1e-12·EA … EA; bars along its middle line have the rest. 0, the
+  /// default, is all of EA. It sets how a ribbon resists shear. A cut along a row gives its pieces the cells that they
+  /// had.
   double cell_stiffness = 0.0;
   double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: lateral contraction when stretched
   /// Resistance of cells to collapse and inversion, 0 … 1e3, as a multiple of their modulus. It acts on corners that

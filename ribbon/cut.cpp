@@ -92,7 +92,8 @@ void take_tensions(const CordParts& whole, const Columns& columns, CordParts& pi
   }
 }
 
-/// At the cut only one piece keeps what was attached.
+/// At the cut only one piece keeps what was attached. Its own masses are those of its definition to the last bit, by
+/// which it is made again when a state is restored.
 void take_attachments(const CordParts& whole, const CutPlace& where, int side, const Columns& columns,
                       CordParts& piece) {
   const bool keeps = where.side_of(where.column) == side;
@@ -101,9 +102,7 @@ void take_attachments(const CordParts& whole, const CutPlace& where, int side, c
   for (int p = 0; p < static_cast<int>(piece.size()); ++p) {
     const std::size_t old = slot(p + shift);
     const bool is_cut = p + shift >= cut && p + shift < cut + columns.rows;
-    const bool is_doubled = is_cut && !columns.is_whole();
     const double attached = is_cut && !keeps ? 0.0 : whole.state.masses[old] - whole.own_masses[old];
-    if (!is_doubled) piece.own_masses[slot(p)] = whole.own_masses[old];
     piece.state.masses[slot(p)] = piece.own_masses[slot(p)] + attached;
     piece.state.kinds[slot(p)] = is_cut && !keeps ? PointKind::free : whole.state.kinds[old];
     piece.state.targets[slot(p)] = whole.state.targets[old];
@@ -187,8 +186,8 @@ CutPlace cut_through(const Cord& cord, int link) {
 CutPlace cut_along(const Cord& cord, int row) {
   const int rows = cord.def().rows;
   if (rows < 3) {
-    throw CallError("cut along a row is of a cord with " + std::to_string(rows) +
-                    (rows == 1 ? " row" : " rows") + "; accepted is a ribbon of three or more rows");
+    throw CallError("cut along a row is of a cord with " + std::to_string(rows) + (rows == 1 ? " row" : " rows") +
+                    "; accepted is a ribbon of three or more rows");
   }
   check_range("row", row, 1, rows - 2);
   return {0, 0.0, row};

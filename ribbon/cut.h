@@ -14,7 +14,7 @@ namespace ribbon {
 struct CutPlace {
   int column = 0;  ///< of the points that are doubled, 0 … columns − 1; −1 for a broken cord of one link, all dust
   double place = 0.0;  ///< columns from the first one
-  int row = 0;  ///< of the points that are doubled by a cut along it, 1 … rows − 2; 0 for a cut across
+  int row = 0;         ///< of the points that are doubled by a cut along it, 1 … rows − 2; 0 for a cut across
 
   bool is_along() const { return row > 0; }  ///< it is along a row
   /// Returns the side of something attached at a place [columns] of a cord that is cut across; at the cut itself it
@@ -49,10 +49,10 @@ struct CutPieces {
 ///
 /// Of a cut along a row, each piece has the part of the mass, of EA and of the breaking forces that its width is of the
 /// ribbon's, and of EI the cube of that part. A pin in the row holds both pieces. A solid strip (see `solid`) keeps its
-/// energy to round-off, and both pieces are solid strips. A ribbon with a smaller EI has bars along its middle line, and
-/// each piece along its own. So that a bent ribbon does not snap apart, each link of a piece gets the rest length at
-/// which its middle line is strained as that of the ribbon was, and the energy falls. In a ribbon of bars, those along
-/// the cut are doubled, and all are softer.
+/// energy to round-off, and both pieces are solid strips. A ribbon with a smaller EI has bars along its middle line,
+/// and each piece along its own. So that a bent ribbon does not snap apart, each link of a piece gets the rest length
+/// at which its middle line is strained as that of the ribbon was; then the energy falls, unless the ribbon is folded
+/// by about a right angle in a link. In a ribbon of bars, those along the cut are doubled, and all are softer.
 CutPieces cut(const Cord& cord, const CutPlace& where);
 /// Does the same in the memory of other cords, which become the pieces. It allocates nothing for a rope without bending
 /// stiffness and two cords of memory_for_piece with as many points.
@@ -76,8 +76,8 @@ struct CutNeighbour {
 
 /// Tells the pieces of a cord by which ids they are known. They collide with each other if the cord has self_contact,
 /// but not where they were joined, because the ends lie in each other: parts that were neighbours in the cord, nearer
-/// than three radii at rest, never touch. Pieces of a cord that was cut along a row, whose whole edges lie in each other,
-/// never touch at all. A body that holds one piece touches none of them.
+/// than three radii at rest, never touch. Pieces of a cord that was cut along a row, whose whole edges lie in each
+/// other, never touch at all. A body that holds one piece touches none of them.
 void join_pieces(CutPieces& pieces, const CutNeighbour& cord);
 
 /// Makes contacts of a cord with a rope that was cut contacts with its pieces, and ends those with a ribbon, which are

@@ -20,6 +20,8 @@ CordId CouplingParts::add(std::unique_ptr<CoupledCord> cord) {
   touches.reserve(usual_events);
   cuts.reserve(usual_events);
   overloaded.reserve(usual_events);
+  overloaded_ties.reserve(usual_events);
+  relieved.reserve(2 * usual_events);
   gatherer.reserve(usual_bodies, cords.ids().size());
   return id;
 }

@@ -41,9 +41,9 @@ void fields(Archive& archive, T& accuracy) {
 
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
-  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, cell_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction, restitution,
-         self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
+  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, cell_stiffness,
+         poisson_ratio, area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction,
+         restitution, self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);

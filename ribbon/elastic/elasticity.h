@@ -81,8 +81,8 @@ class Elasticity {
   /// their damping part, if `motion` has velocities. O(tensions).
   virtual Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const = 0;
 
-  /// Returns the force with which all elements of a ribbon between column `link` and the next one pull at the former, N,
-  /// with the damping force as in force_on; 0 for a rope, whose links have tensions. O(rows).
+  /// Returns the force with which all elements of a ribbon between column `link` and the next one pull at the former,
+  /// N, with the damping force as in force_on; 0 for a rope, whose links have tensions. O(rows).
   virtual Vec2 section_force(std::size_t /*link*/, const Motion& /*motion*/,
                              std::span<const double> /*tensions*/) const {
     return {};

@@ -130,8 +130,7 @@ double CordParts::tension(std::size_t link) const {
     return 0.5 * (state.positions[column * rows + (rows - 1) / 2] + state.positions[column * rows + rows / 2]);
   };
   const Vec2 along = middle(link + 1) - middle(link);
-  return dot(elasticity->section_force(link, motion_of_tensions(), state.tensions),
-             unit_or(along, length(along), {}));
+  return dot(elasticity->section_force(link, motion_of_tensions(), state.tensions), unit_or(along, length(along), {}));
 }
 
 /// The point moves at constant velocity, so the forces on it are in balance.

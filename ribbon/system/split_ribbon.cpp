@@ -9,8 +9,8 @@ namespace ribbon {
 namespace {
 
 // Limits of the change of a rest length, where the columns of a crushed ribbon lie in each other.
-constexpr double min_ratio = 0.5;
-constexpr double max_ratio = 2.0;
+constexpr double min_ratio = 0.1;
+constexpr double max_ratio = 10.0;
 
 /// The rows of a piece in the uncut ribbon.
 struct Rows {
@@ -62,7 +62,6 @@ void take_points(const CordParts& whole, const Rows& rows, int row, bool keeps_r
     to.velocities[p] = from.velocities[old];
     to.accelerations[p] = from.accelerations[old];
     to.targets[p] = from.targets[old];
-    if (!is_cut) piece.own_masses[p] = whole.own_masses[old];
     to.masses[p] = piece.own_masses[p] + (keeps ? from.masses[old] - whole.own_masses[old] : 0.0);
     to.kinds[p] = keeps || from.kinds[old] == PointKind::constrained ? from.kinds[old] : PointKind::free;
     if (keeps && !from.loads.empty()) to.loads[p] = from.loads[old];

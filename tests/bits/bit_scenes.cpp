@@ -417,7 +417,7 @@ constexpr std::array<BitScene, 11> scenes = {{
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
-    {"cuts", build_cuts, drive_cuts, 100, 0},
+    {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
 }};
 
 }  // namespace

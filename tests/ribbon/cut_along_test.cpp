@@ -136,7 +136,8 @@ TEST(CutAlong, APieceOfTwoRowsHasASpineToo) {
   Cord strip(stretched);
   for (int j = 0; j < 2; ++j) {
     strip.constrain(strip.index(0, j), strip.positions()[static_cast<std::size_t>(strip.index(0, j))]);
-    strip.constrain(strip.index(12, j), strip.positions()[static_cast<std::size_t>(strip.index(12, j))] + Vec2{0.012, 0});
+    strip.constrain(strip.index(12, j),
+                    strip.positions()[static_cast<std::size_t>(strip.index(12, j))] + Vec2{0.012, 0});
   }
   for (int k = 0; k < 100; ++k) strip.step(dt, {});
   EXPECT_NEAR(strip.tension(6), 0.01 * half.stretch_stiffness, 1e-3);

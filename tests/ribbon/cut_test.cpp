@@ -13,10 +13,10 @@ namespace ribbon {
 namespace {
 
 using test_support::hanging;
-using test_support::sums_of;
-using test_support::Sums;
 using test_support::refusal;
 using test_support::says;
+using test_support::Sums;
+using test_support::sums_of;
 
 constexpr Vec2 gravity{0.0, -9.81};
 constexpr double dt = 1.0 / 60.0;

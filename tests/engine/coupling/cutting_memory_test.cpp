@@ -67,6 +67,18 @@ TEST(ReservingCords, MakesBreaksFreeOfAllocation) {
   EXPECT_EQ(scene.coupling.size(), 4) << "both broke";
 }
 
+/// Two ropes of an island are one island each after their tie has come undone.
+TEST(ReservingCords, MakesBreaksOfTiesFreeOfAllocation) {
+  LoadedRopes scene(2);
+  const ribbon::box2d::TieId tie = scene.coupling.tie({0, 30, 1, 30, 1e3});
+  scene.tick(60);
+  scene.coupling.tie(tie).untie();
+  const ribbon::box2d::TieId weak = scene.coupling.tie({0, 30, 1, 30, 1e-3});
+  scene.coupling.reserve(0, 51);
+  EXPECT_EQ(allocations_of([&] { scene.tick(30); }), 0);
+  EXPECT_FALSE(scene.coupling.tie(weak).is_valid());
+}
+
 TEST(ReservingCords, ChangesNoBit) {
   const auto run = [](int reserved) {
     LoadedRopes scene(2);
@@ -97,7 +109,7 @@ TEST(ReservingCords, PiecesInReservedMemoryAreRestored) {
   EXPECT_EQ(scene.coupling.save(scene.world), state);
 }
 
-TEST(ReservingCords, RibbonsUseUpNone) {
+TEST(ReservingCords, IsForRopesNotForRibbons) {
   GripWorld scene;
   CordDef strip;
   strip.points = 11;
@@ -107,7 +119,7 @@ TEST(ReservingCords, RibbonsUseUpNone) {
   const CordId ribbon = scene.coupling.add(Cord(strip));
   const CordId rope = scene.coupling.add(Cord(hanging(20.0)));
   scene.tick(5);
-  scene.coupling.reserve(2, 51);
+  scene.coupling.reserve(3, 51);
   EXPECT_GT(allocations_of([&] { scene.coupling.cord(ribbon).cut(5.0); }), 0);
   EXPECT_EQ(allocations_of([&] { scene.coupling.cord(rope).cut(5.0); }), 0);
 }

@@ -22,6 +22,12 @@ int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.tick_
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
     : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
 
+void EnergyBalance::leave_out(const World::Energy& now) {
+  const double own = now.total - now.box2d;
+  lowest_ += own - before_;
+  before_ = own;
+}
+
 EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) {
   heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
   kinetic_ = std::max(kinetic_, now.kinetic);

@@ -17,6 +17,8 @@ class EnergyBalance {
     double in_tick = 0.0;
     double since_lowest = 0.0;  ///< since the lowest energy so far
   };
+  /// Leaves out what has happened to the energy since the last call: things are gone.
+  void leave_out(const World::Energy& now);
   /// Updates the balance after a tick, and returns the gains.
   Gain take(const World::Energy& now, ribbon::Vec2 heights);
 

@@ -58,6 +58,7 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       if (world.has_broken()) {
         look_at_pieces();
         before = world.snapshot();  // crossings of the tick are not looked for
+        if (world.has_lost_a_cord()) balance.leave_out(world.energy());
       }
       Snapshot after = world.snapshot();
       look(world, *oracles, before, after, sample);

@@ -205,6 +205,12 @@ bool World::has_broken() const {
   return std::any_of(events.begin(), events.end(), [](const auto& event) { return event.broke; });
 }
 
+bool World::has_lost_a_cord() const {
+  const auto events = coupling_.cut_events();
+  return std::any_of(events.begin(), events.end(),
+                     [](const auto& event) { return event.broke && !event.first && !event.second; });
+}
+
 Scene World::present_scene() const {
   Scene scene = scene_;
   scene.cords.clear();
