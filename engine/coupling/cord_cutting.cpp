@@ -16,7 +16,10 @@ struct CutCord {
   std::optional<CordId> pieces[2];
 
   /// Returns the side of a point.
-  int side_of(int point) const { return where.side_of(point / shape.rows, point % shape.rows); }
+  int side_of(int point) const {
+    const int column = point / shape.rows;
+    return where.side_of(column, point % shape.rows);
+  }
   /// Returns the index on its piece of the point of a column and a row of the uncut cord.
   int point_on_piece(int side, int column, int row) const {
     if (!where.is_along()) return (column - first_column(side)) * shape.rows + row;
@@ -114,13 +117,13 @@ std::optional<double> crossing(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
 std::optional<int> row_along(const CoupledCord& cord, const CordShape& shape, Vec2 a, Vec2 b) {
   if (shape.rows < 3) return std::nullopt;
   const auto x = cord.positions();
+  const auto rows = static_cast<std::size_t>(shape.rows);
   double sum = 0.0;
-  for (int i = 0; i < shape.columns; ++i) {
+  for (std::size_t first = 0; first < x.size(); first += rows) {
     std::optional<double> at;
-    for (int j = 0; j + 1 < shape.rows && !at; ++j) {
-      const auto p = static_cast<std::size_t>(i * shape.rows + j);
-      at = crossing(x[p], x[p + 1], a, b);
-      if (at) sum += j + *at;
+    for (std::size_t j = 0; j + 1 < rows && !at; ++j) {
+      at = crossing(x[first + j], x[first + j + 1], a, b);
+      if (at) sum += static_cast<double>(j) + *at;
     }
     if (!at) return std::nullopt;
   }
