@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "ribbon/island/island.h"
@@ -51,6 +50,11 @@ Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
 
+double Cord::tension(int link) const {
+  check_range("link", link, 0, parts_->def.points - 2);
+  return parts_->tension(slot(link));
+}
+
 double Cord::breaking_force(int link) const {
   check_range("link", link, 0, parts_->def.points - 2);
   const std::vector<double>& forces = parts_->state.breaking_forces;
@@ -63,7 +67,7 @@ std::optional<int> Cord::overloaded_link() const {
   double highest = 1.0;
   for (int link = 0; link + 1 < parts_->def.points; ++link) {
     // A link without any strength breaks under any tension.
-    const double load = std::max(0.0, parts_->state.tensions[slot(link)]) / breaking_force(link);
+    const double load = std::max(0.0, parts_->tension(slot(link))) / breaking_force(link);
     if (!(load > highest)) continue;
     highest = load;
     overloaded = link;
@@ -159,9 +163,6 @@ void Cord::set_accuracy(const Accuracy& accuracy) {
 }
 
 void Cord::set_breaking_force(int link, double force) {
-  if (parts_->def.rows > 1) {
-    throw CallError("set_breaking_force is for a rope; the cord has " + std::to_string(parts_->def.rows) + " rows");
-  }
   check_range("link", link, 0, parts_->def.points - 2);
   if (!(force >= 0.0)) refuse("breaking force", force, "0 up to infinity");
   parts_->state.breaking_forces.resize(parts_->state.rest.size(), parts_->def.breaking_force);

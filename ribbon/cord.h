@@ -66,10 +66,14 @@ class Cord {
   /// Returns the energies under `gravity` [m/s²].
   Energy energy(Vec2 gravity) const;
 
+  /// Returns the tension of the link from column `link` to the next one, N; negative under compression. That of a
+  /// ribbon is the force of all elements between the two columns, in the direction of the middle line. Throws
+  /// DefinitionError for an unknown link. O(rows).
+  double tension(int link) const;
   /// Returns the tension above which a link breaks, N. Throws DefinitionError for an unknown link.
   double breaking_force(int link) const;
   /// Returns the link whose tension exceeds its breaking force by the largest factor, the first of equal ones; nothing
-  /// if none does. O(1) if no link can break.
+  /// if none does. O(1) if no link can break, otherwise O(points).
   std::optional<int> overloaded_link() const;
 
   /// Returns the force [N] that keeps a constrained or operated point on its path, under `gravity` [m/s²]: the reaction
@@ -123,7 +127,7 @@ class Cord {
   /// Sets the accuracy from the next step on. An island uses the highest accuracy of its cords.
   void set_accuracy(const Accuracy& accuracy);
   /// Sets the tension above which the link from column `link` to the next one breaks, N, 0 … infinity: see
-  /// CordDef::breaking_force. Not for a ribbon.
+  /// CordDef::breaking_force.
   void set_breaking_force(int link, double force);
   /// Changes the rest lengths of the links from column `first` to column `last`, as a winch does, until their sum is
   /// `length` [m], 1e-3 … 1e3 times the sum in the definition. The sum changes at `speed` [m/s, above 0, at most 1e6],
@@ -192,6 +196,7 @@ class Cord {
     std::uint64_t family = 0;        ///< id of the cord that it is a piece of, however often that was cut; 0 for none
     std::uint64_t joined_first = 0;  ///< id of the cord that it was cut from at its first column; 0 for none
     std::uint64_t joined_last = 0;   ///< the same at its last column; see follow_cut
+    bool split = false;              ///< it was cut along a row, and touches no other piece of its cord
     std::vector<Holder> holders;     ///< see Cord::holders
     std::vector<Touch> touches;      ///< see Cord::touches
     bool touch_changed = false;      ///< a contact began or ended in the last step

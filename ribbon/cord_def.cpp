@@ -7,6 +7,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+void check_cells(const CordDef& def) {
+  if (def.rows != 2 || def.elements == Elements::bars) {
+    if (def.cell_stiffness != 0.0) refuse("cell_stiffness", def.cell_stiffness, "0 unless two rows have cells");
+  } else if (!(def.cell_stiffness == 0.0)) {
+    check_range("cell_stiffness", def.cell_stiffness, 1e-12 * def.stretch_stiffness, def.stretch_stiffness);
+  }
+}
+
 void check_rope(const CordDef& def) {
   if (def.width != 0.0) refuse("width", def.width, "0 for a rope (rows is 1); its thickness is radius");
   if (def.poisson_ratio != 0.0) refuse("poisson_ratio", def.poisson_ratio, "0 for a rope (rows is 1)");
@@ -23,9 +31,6 @@ void check_ribbon(const CordDef& def) {
     refuse("stretch_stiffness", def.stretch_stiffness, "1e-06 to 1e+18 for a ribbon (rows is above 1)");
   }
   if (def.tension_only) refuse("tension_only", 1, "0 (false) for a ribbon (rows is above 1)");
-  if (def.breaking_force != infinity) {
-    refuse("breaking_force", def.breaking_force, "infinity for a ribbon (rows is above 1)");
-  }
   if (def.elements == Elements::bars) {
     if (def.bending_stiffness != 0.0)
       refuse("bending_stiffness", def.bending_stiffness, "0 with bars, which bend as they do");
@@ -71,6 +76,7 @@ void check(const CordDef& def) {
   check_range("restitution", def.restitution, 0.0, 1.0);
   check(def.accuracy);
   def.rows == 1 ? check_rope(def) : check_ribbon(def);
+  check_cells(def);
   check_points(def.points * def.rows, def.positions, def.pins);
 }
 

@@ -62,6 +62,10 @@ struct CordDef {
   /// EI [N·m²]: moment per unit of curvature, 0 … 1e18, independent of EA. A ribbon of cells with three or more rows
   /// needs a value above 0 and at most EA·width²/12, the stiffness of a solid strip; see `solid`.
   double bending_stiffness = 0.0;
+  /// EA of the cells [N] of a ribbon of two rows, 1e-12·EA … EA; bars along its middle line have the rest. 0, the
+  /// default, is all of EA. It sets how a ribbon resists shear. A cut along a row gives its pieces the cells that they
+  /// had.
+  double cell_stiffness = 0.0;
   double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: lateral contraction when stretched
   /// Resistance of cells to collapse and inversion, 0 … 1e3, as a multiple of their modulus. It acts on corners that
   /// are compressed below a fifth of their area. Use 1 where a ribbon may be crushed.
@@ -70,8 +74,9 @@ struct CordDef {
   double drag = 0.0;           ///< 1/s, 0 … 1e6: decay rate of the cord's velocity, not of attached masses
   double gravity_scale = 1.0;  ///< factor of gravity for the cord and attached masses, −1e3 … 1e3
   bool tension_only = false;   ///< of a rope: links resist tension but not compression
-  /// N, above 0: tension above which a link of a rope breaks. Infinity, the default, makes it unbreakable. The cord
-  /// only reports an overloaded link (Cord::overloaded_link); a coupling cuts it there.
+  /// N, above 0: tension above which a link breaks; of a ribbon, which breaks across, see Cord::tension. Infinity, the
+  /// default, makes it unbreakable. The cord only reports an overloaded link (Cord::overloaded_link); a coupling cuts
+  /// it there.
   double breaking_force = std::numeric_limits<double>::infinity();
   double friction = 0.0;      ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D
   double restitution = 0.0;   ///< coefficient, 0 … 1; two surfaces combine to the larger one, as in Box2D

@@ -47,7 +47,7 @@ void check_sizes(const Cord::State& state, const CordParts& cord) {
       !is_optional(state.loads.size(), n) || state.tensions.size() != own.tensions.size() ||
       state.rest.size() != own.rest.size() || !is_optional(state.rest_targets.size(), own.rest.size()) ||
       state.rest_speeds.size() != state.rest_targets.size() ||
-      !is_optional(state.breaking_forces.size(), cord.def.rows == 1 ? own.rest.size() : 0) ||
+      !is_optional(state.breaking_forces.size(), own.rest.size()) ||
       state.unlocked.size() != cord.elasticity->unlocked().size()) {
     throw DefinitionError("state is of another cord; accepted is one of " + std::to_string(cord.def.points) + " x " +
                           std::to_string(cord.def.rows) + " points with the same terms");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/split_ribbon.h"
 
 namespace ribbon {
 namespace {
@@ -54,15 +55,26 @@ PieceFeature feature_after(const CutPlace& where, int feature, int columns) {
   return {side, side == 0 ? feature : feature - 2 * where.column};
 }
 
-CordDef definition_of(const Cord& cord, const Columns& columns) {
-  CordDef def = cord.def();
+void define(const Cord& cord, const Columns& columns, CordDef& def) {
+  def = cord.def();
   def.points = columns.size();
   if (!columns.is_whole()) def.length *= static_cast<double>(columns.links()) / (columns.all - 1);
   if (def.points == 2 && def.rows == 1) def.bending_stiffness = 0.0;
   const auto positions = cord.positions().subspan(slot(columns.first * columns.rows), slot(def.points * def.rows));
   def.positions.assign(positions.begin(), positions.end());
   def.pins.clear();
-  return def;
+}
+
+/// Returns a new cord with these columns, in the memory of another one if there is one.
+std::optional<Cord> made_of(const Cord& cord, const Columns& columns, std::optional<Cord> memory) {
+  if (memory) {
+    define(cord, columns, memory->parts().def);
+    memory->parts().renew();
+    return memory;
+  }
+  CordDef def;
+  define(cord, columns, def);
+  return std::optional<Cord>(std::in_place, std::make_unique<CordParts>(def));
 }
 
 void take_tensions(const CordParts& whole, const Columns& columns, CordParts& piece) {
@@ -91,7 +103,8 @@ void take_pulleys(const CordParts& whole, const Columns& columns, CordParts& pie
   piece.leave_out_links_on_wheels();
 }
 
-/// At the cut only one piece keeps what was attached.
+/// At the cut only one piece keeps what was attached. Its own masses are those of its definition to the last bit, by
+/// which it is made again when a state is restored.
 void take_attachments(const CordParts& whole, const CutPlace& where, int side, const Columns& columns,
                       CordParts& piece) {
   const bool keeps = where.side_of(where.column) == side;
@@ -100,9 +113,7 @@ void take_attachments(const CordParts& whole, const CutPlace& where, int side, c
   for (int p = 0; p < static_cast<int>(piece.size()); ++p) {
     const std::size_t old = slot(p + shift);
     const bool is_cut = p + shift >= cut && p + shift < cut + columns.rows;
-    const bool is_doubled = is_cut && !columns.is_whole();
     const double attached = is_cut && !keeps ? 0.0 : whole.state.masses[old] - whole.own_masses[old];
-    if (!is_doubled) piece.own_masses[slot(p)] = whole.own_masses[old];
     piece.state.masses[slot(p)] = piece.own_masses[slot(p)] + attached;
     piece.state.kinds[slot(p)] = is_cut && !keeps ? PointKind::free : whole.state.kinds[old];
     piece.state.targets[slot(p)] = whole.state.targets[old];
@@ -120,10 +131,11 @@ void take_touches(const CordParts& whole, const CutPlace& where, int side, CordP
   }
 }
 
-std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side) {
+std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side, std::optional<Cord> memory) {
+  if (where.is_along()) return std::optional<Cord>(std::in_place, split_piece(cord.parts(), where.row, side));
   const Columns columns = columns_of(cord.def(), where, side);
   if (columns.size() < 2) return std::nullopt;
-  std::optional<Cord> made(std::in_place, std::make_unique<CordParts>(definition_of(cord, columns)));
+  std::optional<Cord> made = made_of(cord, columns, std::move(memory));
   const CordParts& whole = cord.parts();
   CordParts& piece = made->parts();
   const Cord::State& from = whole.state;
@@ -153,6 +165,7 @@ std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side) 
   to.energy_drift = share * from.energy_drift;
   to.damping_excluded = from.damping_excluded;
   to.family = from.family;
+  to.split = from.split;
   if (columns.first == 0) to.joined_first = from.joined_first;
   if (columns.last == columns.all - 1) to.joined_last = from.joined_last;
   piece.elasticity->set_rest_lengths(to.rest);
@@ -182,10 +195,32 @@ CutPlace cut_through(const Cord& cord, int link) {
   return {link + 1 < links ? link + 1 : link, link + 0.5};
 }
 
-CutPieces cut(const Cord& cord, const CutPlace& where) {
+CutPlace cut_along(const Cord& cord, int row) {
+  const int rows = cord.def().rows;
+  if (rows < 3) {
+    throw CallError("cut along a row is of a cord with " + std::to_string(rows) + (rows == 1 ? " row" : " rows") +
+                    "; accepted is a ribbon of three or more rows");
+  }
+  check_range("row", row, 1, rows - 2);
+  return {0, 0.0, row};
+}
+
+CutPieces cut(const Cord& cord, const CutPlace& where) { return cut(cord, where, {}); }
+
+CutPieces cut(const Cord& cord, const CutPlace& where, CutPieces memory) {
   check_range("column of a cut", where.column, -1, cord.def().points - 1);
+  if (where.is_along()) (void)cut_along(cord, where.row);
   if (where.column < 0) return {};
-  return {piece_of(cord, where, 0), piece_of(cord, where, 1)};
+  return {piece_of(cord, where, 0, std::move(memory.first)), piece_of(cord, where, 1, std::move(memory.second))};
+}
+
+Cord memory_for_piece(int points) {
+  CordDef def;
+  def.points = points;
+  check(def);
+  auto parts = std::make_unique<CordParts>(def);
+  parts->reserve();
+  return Cord(std::move(parts));
 }
 
 double place_on_piece(const CutPlace& where, double at, int columns) {
@@ -197,8 +232,10 @@ void join_pieces(CutPieces& pieces, const CutNeighbour& cord) {
   if (!pieces.first || !pieces.second) return;
   Cord::State& first = pieces.first->parts().state;
   Cord::State& second = pieces.second->parts().state;
-  first.joined_last = cord.pieces[1];
-  second.joined_first = cord.pieces[0];
+  if (!cord.where.is_along()) {
+    first.joined_last = cord.pieces[1];
+    second.joined_first = cord.pieces[0];
+  }
   if (first.family == 0) first.family = second.family = cord.id;
 }
 

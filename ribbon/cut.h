@@ -7,15 +7,21 @@
 
 namespace ribbon {
 
-/// Where a cord is cut. The points of one column become two columns, each with the mass of its own side; so a cut
-/// halves the mass of a rope's point and moves nothing. What is attached to the cord goes to its side of the place.
-/// The sides are numbered from 0, at the first column.
+/// Where a cord is cut: across at a column, or a ribbon along a row from its first column to its last one. The points
+/// of this column or row become two, each with the mass of its own side; so a cut halves the mass of a rope's point and
+/// moves nothing. What is attached to the cord goes to its side of the place. The sides are numbered from 0, at the
+/// first column or row.
 struct CutPlace {
   int column = 0;  ///< of the points that are doubled, 0 … columns − 1; −1 for a broken cord of one link, all dust
   double place = 0.0;  ///< columns from the first one
+  int row = 0;         ///< of the points that are doubled by a cut along it, 1 … rows − 2; 0 for a cut across
 
-  /// Returns the side of something attached at a place [columns]; at the cut itself it belongs to side 0.
+  bool is_along() const { return row > 0; }  ///< it is along a row
+  /// Returns the side of something attached at a place [columns] of a cord that is cut across; at the cut itself it
+  /// belongs to side 0.
   int side_of(double at) const { return at <= place ? 0 : 1; }
+  /// Returns the side of something attached at a place [columns] of a row; at the cut itself it belongs to side 0.
+  int side_of(double at, int at_row) const { return is_along() ? (at_row <= row ? 0 : 1) : side_of(at); }
 };
 
 /// Returns the cut at `arc` [m of rest length from the first column]: its column is the nearest one. Throws
@@ -24,6 +30,10 @@ CutPlace cut_at(const Cord& cord, double arc);
 /// Returns the cut of a cord whose link from column `link` to the next one breaks in the middle. Its column is an inner
 /// one; a cord of one link becomes dust. Throws DefinitionError for an unknown link.
 CutPlace cut_through(const Cord& cord, int link);
+
+/// Returns the cut of a ribbon along a row, over its whole length. Throws CallError for a cord of less than three rows,
+/// which has no row of points between two rows of cells, and DefinitionError for a row that is not 1 … rows − 2.
+CutPlace cut_along(const Cord& cord, int row);
 
 /// The pieces of a cord. One of less than two columns is dust and does not exist.
 struct CutPieces {
@@ -36,7 +46,20 @@ struct CutPieces {
 /// other one has all points, without the pins, loads and masses on the side of the dust. Contacts of a rope keep their
 /// forces and their sticking friction; those of a ribbon are found anew. The pieces are awake, and the first step of
 /// a piece by itself allocates memory. The cord itself does not change. O(points).
+///
+/// Of a cut along a row, each piece has the part of the mass, of EA and of the breaking forces that its width is of the
+/// ribbon's, and of EI the cube of that part. A pin in the row holds both pieces. A solid strip (see `solid`) keeps its
+/// energy to round-off, and both pieces are solid strips. A ribbon with a smaller EI has bars along its middle line,
+/// and each piece along its own. So that a bent ribbon does not snap apart, each link of a piece gets the rest length
+/// at which its middle line is strained as that of the ribbon was; then the energy falls, unless the ribbon is folded
+/// by about a right angle in a link. In a ribbon of bars, those along the cut are doubled, and all are softer.
 CutPieces cut(const Cord& cord, const CutPlace& where);
+/// Does the same in the memory of other cords, which become the pieces. It allocates nothing for a rope without bending
+/// stiffness and two cords of memory_for_piece with as many points.
+CutPieces cut(const Cord& cord, const CutPlace& where, CutPieces memory);
+/// Returns a cord as memory for a piece of a rope with up to `points` points, 2 … 1,000,000. Throws DefinitionError for
+/// another number.
+Cord memory_for_piece(int points);
 
 /// Returns the place [columns] of something at `at` on its piece, within the piece. `columns` is the number of columns
 /// of the uncut cord.
@@ -53,7 +76,8 @@ struct CutNeighbour {
 
 /// Tells the pieces of a cord by which ids they are known. They collide with each other if the cord has self_contact,
 /// but not where they were joined, because the ends lie in each other: parts that were neighbours in the cord, nearer
-/// than three radii at rest, never touch. A body that holds one piece touches none of them.
+/// than three radii at rest, never touch. Pieces of a cord that was cut along a row, whose whole edges lie in each
+/// other, never touch at all. A body that holds one piece touches none of them.
 void join_pieces(CutPieces& pieces, const CutNeighbour& cord);
 
 /// Makes contacts of a cord with a rope that was cut contacts with its pieces, and ends those with a ribbon, which are

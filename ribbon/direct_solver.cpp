@@ -33,6 +33,21 @@ void DirectSolver::use(const ParallelFor& parallel_for) {
   parallel_for_ = parallel_for;
 }
 
+void DirectSolver::reserve(std::size_t cords) {
+  islands_of_cords_.begin(cords);
+  contact_cords_.reserve(cords);
+  swept_boxes_.reserve(cords);
+  first_links_.reserve(cords + 1);
+  points_.reserve(cords);
+  members_.reserve(cords);
+  member_cords_.reserve(cords);
+  first_members_.reserve(cords + 1);
+  next_members_.reserve(cords);
+  first_of_part_.reserve(cords + 1);
+  island_reports_.reserve(cords);
+  member_reports_.reserve(cords);
+}
+
 void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> bodies, double dt, Vec2 gravity,
                         std::span<CordReport> reports, std::span<const Tie> ties) {
   check_step(dt, gravity);

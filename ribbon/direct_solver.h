@@ -43,6 +43,9 @@ class DirectSolver {
   /// worker.
   void use(const ParallelFor& parallel_for);
 
+  /// Reserves memory for steps of up to this many cords, each of which is an island.
+  void reserve(std::size_t cords);
+
   /// Returns the number of islands in the last step.
   int islands() const { return static_cast<int>(first_members_.size()) - 1; }
   /// Returns the reports of all islands in the last step; see CordReport::island.

@@ -11,28 +11,36 @@ namespace {
 /// A cord that is being cut.
 struct CutCord {
   CordId id;
-  int columns;
+  CordShape shape;
   CutPlace where;
   std::optional<CordId> pieces[2];
+
+  /// Returns the side of a point.
+  int side_of(int point) const {
+    const int column = point / shape.rows;
+    return where.side_of(column, point % shape.rows);
+  }
+  /// Returns the index on its piece of the point of a column and a row of the uncut cord.
+  int point_on_piece(int side, int column, int row) const {
+    if (!where.is_along()) return (column - first_column(side)) * shape.rows + row;
+    const int rows = side == 0 ? where.row + 1 : shape.rows - where.row;
+    return column * rows + row - (side == 0 ? 0 : where.row);
+  }
+  int first_column(int side) const { return side == 0 || where.is_along() ? 0 : where.column; }
 };
 
 std::optional<CordId> add_piece(CouplingParts& parts, const CoupledCord& whole, std::optional<Cord> piece) {
   if (!piece) return std::nullopt;
-  CoupledCord added(std::move(*piece), whole.filter);
-  added.user_data = whole.user_data;
-  return parts.add(std::move(added));
+  return parts.add(parts.spares.complete(std::move(*piece), whole));
 }
 
 /// A grip beyond the end of its piece, because the cut is at the nearest point, moves to the end without a jerk.
-void move_grip(BodyGrip& grip, const CutCord& cut, const CoupledCord& whole) {
-  const int rows = whole.shape().rows;
-  const double at = column_of(grip, whole);
-  const int side = cut.where.side_of(at);
-  const int columns = side == 0 ? cut.where.column + 1 : cut.columns - cut.where.column;
-  const double place = place_on_piece(cut.where, at, cut.columns);
-  const double before = side == 0 ? 0.0 : cut.where.column;
+void move_along(BodyGrip& grip, const CutCord& cut, double at, int side) {
+  const int rows = cut.shape.rows;
+  const int columns = side == 0 ? cut.where.column + 1 : cut.shape.columns - cut.where.column;
+  const double place = place_on_piece(cut.where, at, cut.shape.columns);
+  const double before = cut.first_column(side);
   grip.blocked = grip.blocked || place + before != at;
-  grip.cord = *cut.pieces[side];
   grip.point = grip.point % rows;
   if (grip.climb_to >= 0.0) grip.climb_to = std::clamp(grip.climb_to - before, 0.0, columns - 1.0);
   set_column(grip, place, columns, rows);
@@ -40,28 +48,37 @@ void move_grip(BodyGrip& grip, const CutCord& cut, const CoupledCord& whole) {
 
 /// Grips go to their piece, or are released with the dust.
 void move_grips(CouplingParts& parts, const CutCord& cut, const CoupledCord& whole) {
+  const int rows = cut.shape.rows;
   for (std::size_t k = 0; k < parts.grips.all().size();) {
-    const BodyGrip& grip = parts.grips.all()[k];
-    if (grip.cord != cut.id) {
+    const BodyGrip& old = parts.grips.all()[k];
+    if (old.cord != cut.id) {
       ++k;
-    } else if (!cut.pieces[cut.where.side_of(column_of(grip, whole))]) {
-      parts.release(grip.id);
-    } else {
-      if (parts.finder.exists(grip.seen)) grip.body->SetAwake(true);
-      move_grip(parts.grips.at(grip.id), cut, whole);
-      ++k;
+      continue;
     }
+    const double at = column_of(old, whole);
+    const int side = cut.where.side_of(at, old.point % rows);
+    if (!cut.pieces[side]) {
+      parts.release(old.id);
+      continue;
+    }
+    if (parts.finder.exists(old.seen)) old.body->SetAwake(true);
+    BodyGrip& grip = parts.grips.at(old.id);
+    grip.cord = *cut.pieces[side];
+    if (cut.where.is_along()) {
+      grip.point = cut.point_on_piece(side, grip.point / rows, grip.point % rows);
+    } else {
+      move_along(grip, cut, at, side);
+    }
+    ++k;
   }
 }
 
 /// Ties go to their piece, or end with the dust.
-void move_ties(CouplingParts& parts, const CutCord& cut, const CoupledCord& whole) {
-  const int rows = whole.shape().rows;
-  const auto side_of = [&](const TiePlace& place) {
-    const int column = place.point / rows;
-    return cut.where.side_of(column);
+void move_ties(CouplingParts& parts, const CutCord& cut) {
+  const int rows = cut.shape.rows;
+  const auto is_dust = [&](const TiePlace& place) {
+    return place.cord == cut.id && !cut.pieces[cut.side_of(place.point)];
   };
-  const auto is_dust = [&](const TiePlace& place) { return place.cord == cut.id && !cut.pieces[side_of(place)]; };
   for (std::size_t k = 0; k < parts.ties.all().size();) {
     TieMemory& tie = parts.ties.all()[k];
     if (is_dust(tie.place) || is_dust(tie.other)) {
@@ -70,9 +87,9 @@ void move_ties(CouplingParts& parts, const CutCord& cut, const CoupledCord& whol
     }
     for (TiePlace* const place : {&tie.place, &tie.other}) {
       if (place->cord != cut.id) continue;
-      const int side = side_of(*place);
+      const int side = cut.side_of(place->point);
       place->cord = *cut.pieces[side];
-      if (side == 1) place->point -= cut.where.column * rows;
+      place->point = cut.point_on_piece(side, place->point / rows, place->point % rows);
     }
     ++k;
   }
@@ -95,34 +112,47 @@ Vec2 middle(const CoupledCord& cord, const CordShape& shape, int column) {
   return 0.5 * (x[first] + x[first + rows - 1]);
 }
 
-/// Adds the places [columns] where the middle line of a cord crosses a segment, ascending. A crossing at a point counts
-/// once.
-void find_crossings(const CoupledCord& cord, Vec2 a, Vec2 b, std::vector<double>& places) {
-  const CordShape shape = cord.shape();
-  for (int i = 0; i + 1 < shape.columns; ++i) {
-    const Vec2 p = middle(cord, shape, i);
-    const Vec2 q = middle(cord, shape, i + 1);
-    const double side_p = cross(b - a, p - a);
-    const double side_q = cross(b - a, q - a);
-    if ((side_p < 0.0) == (side_q < 0.0)) continue;
-    const double share = side_p / (side_p - side_q);
-    const Vec2 at = p + share * (q - p);
-    const double along = dot(at - a, b - a);
-    if (along < 0.0 || along > dot(b - a, b - a)) continue;
-    places.push_back(i + share);
-  }
+/// Returns the place, 0 … 1 from p to q, where the line from p to q crosses the segment from a to b.
+std::optional<double> crossing(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
+  const double side_p = cross(b - a, p - a);
+  const double side_q = cross(b - a, q - a);
+  if ((side_p < 0.0) == (side_q < 0.0)) return std::nullopt;
+  const double share = side_p / (side_p - side_q);
+  const double along = dot(p + share * (q - p) - a, b - a);
+  if (along < 0.0 || along > dot(b - a, b - a)) return std::nullopt;
+  return share;
 }
 
-/// Cuts from the last place to the first one, so that what is left has the places before.
-void cut_at_places(CouplingParts& parts, CordId id, const std::vector<double>& places) {
-  int last = -1;
-  for (auto place = places.rbegin(); place != places.rend(); ++place) {
-    const CutPlace where{static_cast<int>(std::floor(*place + 0.5)), *place};
-    if (where.column == last) continue;  // the piece between the two is dust
-    last = where.column;
-    const CutEvent event = cut_cord(parts, id, where);
-    if (!event.first) return;  // nothing is left before it
-    id = *event.first;
+/// Returns the inner row of a ribbon that is nearest to a segment on average, if the segment crosses all columns.
+std::optional<int> row_along(const CoupledCord& cord, const CordShape& shape, Vec2 a, Vec2 b) {
+  if (shape.rows < 3) return std::nullopt;
+  const auto x = cord.positions();
+  const auto rows = static_cast<std::size_t>(shape.rows);
+  double sum = 0.0;
+  for (std::size_t first = 0; first < x.size(); first += rows) {
+    std::optional<double> at;
+    for (std::size_t j = 0; j + 1 < rows && !at; ++j) {
+      at = crossing(x[first + j], x[first + j + 1], a, b);
+      if (at) sum += static_cast<double>(j) + *at;
+    }
+    if (!at) return std::nullopt;
+  }
+  return std::clamp(static_cast<int>(std::floor(sum / shape.columns + 0.5)), 1, shape.rows - 2);
+}
+
+/// Adds the cuts of a cord by a blade: along a row, or where the middle line crosses the segment, from the last place
+/// to the first one. A crossing at a point counts once.
+void find_cuts(const CoupledCord& cord, Vec2 a, Vec2 b, std::vector<BladeCut>& cuts) {
+  const CordShape shape = cord.shape();
+  if (const auto row = row_along(cord, shape, a, b)) {
+    cuts.push_back({cord.id, ribbon::cut_along(cord.direct(), *row)});
+    return;
+  }
+  for (int i = shape.columns - 2; i >= 0; --i) {
+    const auto share = crossing(middle(cord, shape, i), middle(cord, shape, i + 1), a, b);
+    if (!share) continue;
+    const double place = i + *share;
+    cuts.push_back({cord.id, {static_cast<int>(std::floor(place + 0.5)), place}});
   }
 }
 
@@ -131,8 +161,8 @@ void cut_at_places(CouplingParts& parts, CordId id, const std::vector<double>& p
 CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   CoupledCord& whole = parts.cords.enabled(id);
   const CordShape shape = whole.shape();
-  CutPieces pieces = ribbon::cut(whole.direct(), where);
-  CutCord cut{id, shape.columns, where, {}};
+  CutPieces pieces = parts.spares.cut(whole.direct(), where);
+  CutCord cut{id, shape, where, {}};
   parts.cords.activate(whole);
   const std::uint64_t next = solver_id(parts.cords.next());
   CutNeighbour neighbour{solver_id(id), where, shape.columns, shape.rows, {}};
@@ -142,27 +172,37 @@ CutEvent cut_cord(CouplingParts& parts, CordId id, const CutPlace& where) {
   cut.pieces[0] = add_piece(parts, whole, std::move(pieces.first));
   cut.pieces[1] = add_piece(parts, whole, std::move(pieces.second));
   move_grips(parts, cut, whole);
-  move_ties(parts, cut, whole);
+  move_ties(parts, cut);
   move_pulleys(parts, cut, whole);
   for (CoupledCord& other : parts.cords) {
     if (other.is_direct() && other.id != id) follow_cut(other.direct(), neighbour);
   }
-  const CutEvent event{id, whole.arc_at(where.place), cut.pieces[0], cut.pieces[1]};
+  const CutEvent event{id, whole.arc_at(where.place), cut.pieces[0], cut.pieces[1], false, 0.0, where.row};
   parts.cuts.add(event);
   parts.remove(id);
   return event;
 }
 
+/// A cord is cut from its last place to its first one, so that what is left has the places before.
 void cut_along(CouplingParts& parts, Vec2 a, Vec2 b) {
   const Box box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-  std::vector<std::pair<CordId, std::vector<double>>> cuts;
+  std::vector<BladeCut>& cuts = parts.blade_cuts;
+  cuts.clear();
   for (const CoupledCord& cord : std::as_const(parts.cords)) {
     if (!cord.enabled || !cord.is_direct() || !overlap(cord.direct().sweep().box, box)) continue;
-    std::vector<double> places;
-    find_crossings(cord, a, b, places);
-    if (!places.empty()) cuts.emplace_back(cord.id, std::move(places));
+    find_cuts(cord, a, b, cuts);
   }
-  for (const auto& [id, places] : cuts) cut_at_places(parts, id, places);
+  for (std::size_t k = 0; k < cuts.size();) {
+    const CordId whole = cuts[k].cord;
+    std::optional<CordId> left = whole;
+    int last = -1;
+    for (; k < cuts.size() && cuts[k].cord == whole; ++k) {
+      const CutPlace where = cuts[k].where;
+      if (!left || where.column == last) continue;  // nothing is left before it, or the piece between is dust
+      last = where.column;
+      left = cut_cord(parts, *left, where).first;
+    }
+  }
 }
 
 void break_overloaded(CouplingParts& parts) {
@@ -174,7 +214,7 @@ void break_overloaded(CouplingParts& parts) {
   }
   for (const auto& [id, link] : broken) {
     const Cord& cord = parts.cords.at(id).direct();
-    const double tension = cord.tensions()[static_cast<std::size_t>(link)];
+    const double tension = cord.tension(link);
     cut_cord(parts, id, cut_through(cord, link));
     parts.cuts.last_broke(tension);
   }

@@ -109,15 +109,22 @@ void CoupledCord::clear_surroundings() {
   tied = false;
 }
 
-CordId CordTable::add(CoupledCord cord) {
-  cord.id = next_;
-  cord.reserve();
-  cords_.push_back(std::make_unique<CoupledCord>(std::move(cord)));
+CordId CordTable::add(std::unique_ptr<CoupledCord> cord) {
+  cord->id = next_;
+  cord->reserve();
+  cords_.push_back(std::move(cord));
   ids_.push_back(next_);
   active_.reserve(cords_.capacity());
   active_.push_back(cords_.back().get());
   resting_.reserve(cords_.capacity());
   return next_++;
+}
+
+void CordTable::reserve(std::size_t cords) {
+  cords_.reserve(cords);
+  ids_.reserve(cords);
+  active_.reserve(cords_.capacity());
+  resting_.reserve(cords_.capacity());
 }
 
 void CordTable::put(CoupledCord cord) {

@@ -116,7 +116,9 @@ auto cord_range(Pointers& cords) {
 class CordTable {
  public:
   /// Adds a cord and assigns its id.
-  CordId add(CoupledCord cord);
+  CordId add(std::unique_ptr<CoupledCord> cord);
+  /// Reserves memory for so many cords in all.
+  void reserve(std::size_t cords);
   /// Adds a cord that has an id, in place of the one with that id if there is one.
   void put(CoupledCord cord);
   /// Removes the cord with that id, which exists.

@@ -11,6 +11,8 @@
 namespace ribbon::box2d {
 namespace {
 
+constexpr double max_reserved_cords = 1e6;
+
 void check_unlocked(const b2World& world) {
   if (world.IsLocked()) throw CallError("world is locked; accepted is one that is not inside its Step");
 }
@@ -152,13 +154,19 @@ Coupling& Coupling::operator=(Coupling&& other) noexcept = default;
 Coupling::~Coupling() = default;
 
 CordId Coupling::add(Cord cord, const b2Filter& filter) {
-  CoupledCord coupled(std::move(cord), filter);
-  check_without_pulleys(coupled);
+  auto coupled = std::make_unique<CoupledCord>(std::move(cord), filter);
+  check_without_pulleys(*coupled);
   return parts_->add(std::move(coupled));
 }
 
 CordId Coupling::add(ThesisCord cord, const b2Filter& filter) {
-  return parts_->add(CoupledCord(std::move(cord), filter));
+  return parts_->add(std::make_unique<CoupledCord>(std::move(cord), filter));
+}
+
+void Coupling::reserve(int cords, int points) {
+  check_range("cords", cords, 0, max_reserved_cords);
+  check_range("points", points, 2, 1e6);
+  parts_->reserve(static_cast<std::size_t>(cords), points);
 }
 
 void Coupling::remove(CordId cord) { parts_->remove(cord); }

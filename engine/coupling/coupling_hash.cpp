@@ -103,12 +103,13 @@ void add(Hasher& hasher, const EndingTouch& ending) {
 }
 
 void add(Hasher& hasher, const CutEvent& event) {
-  const auto& [cord, arc, first, second, broke, tension] = event;
+  const auto& [cord, arc, first, second, broke, tension, row] = event;
   hasher.add(cord);
   hasher.add(arc);
   for (const auto& piece : {first, second}) hasher.add(piece.value_or(-1));
   hasher.add(broke ? 1 : 0);
   hasher.add(tension);
+  if (row > 0) hasher.add(row);
 }
 
 void add(Hasher& hasher, const PulleyMemory& pulley) {
@@ -214,7 +215,7 @@ void add(Hasher& hasher, const Pulley& pulley) {
 
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, holders, touches,
+               rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split, holders, touches,
                touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
                surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
@@ -226,6 +227,7 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   for (const std::uint64_t joined : {family, joined_first, joined_last}) {
     if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
   }
+  if (split) hasher.add(1);
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
   for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {

@@ -12,7 +12,7 @@ constexpr std::size_t usual_events = 16;
 
 }  // namespace
 
-CordId CouplingParts::add(CoupledCord cord) {
+CordId CouplingParts::add(std::unique_ptr<CoupledCord> cord) {
   const CordId id = cords.add(std::move(cord));
   bodies.reserve(usual_bodies);
   fixtures.reserve(usual_bodies);
@@ -20,8 +20,23 @@ CordId CouplingParts::add(CoupledCord cord) {
   touches.reserve(usual_events);
   cuts.reserve(usual_events);
   overloaded.reserve(usual_events);
+  overloaded_ties.reserve(usual_events);
+  relieved.reserve(2 * usual_events);
   gatherer.reserve(usual_bodies, cords.ids().size());
   return id;
+}
+
+void CouplingParts::reserve(std::size_t new_cords, int points) {
+  spares.reserve(new_cords, points);
+  const std::size_t all = cords.ids().size() + new_cords;
+  cords.reserve(all);
+  cuts.reserve(cuts.events().size() + all);
+  blade_cuts.reserve(all);
+  overloaded.reserve(all);
+  island_cords.reserve(all);
+  reports.reserve(all);
+  gatherer.reserve(usual_bodies, all);
+  solver.reserve(all);
 }
 
 void CouplingParts::remove(CordId cord) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,12 +14,14 @@
 #include "ribbon/box2d/fixture_ids.h"
 #include "ribbon/box2d/gatherer.h"
 #include "ribbon/box2d/grip_table.h"
+#include "ribbon/box2d/spare_cords.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/box2d/tick_bodies.h"
 #include "ribbon/box2d/pulley_table.h"
 #include "ribbon/box2d/tie_table.h"
 #include "ribbon/box2d/touch_tracker.h"
 #include "ribbon/box2d/velocity_carry.h"
+#include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"
 #include "ribbon/parallel_for.h"
@@ -31,6 +35,12 @@ enum class TickPhase : unsigned char { between_ticks, gathered, stepped };
 struct RestoreMemory {
   std::vector<b2Body*> bodies;              // of the world, in the order of creation
   std::vector<std::pair<int, int>> places;  // of fixtures: their body's, and among those of the body
+};
+
+/// Where the path of a blade cuts a cord.
+struct BladeCut {
+  CordId cord = 0;
+  CutPlace where;
 };
 
 /// What a Coupling and its handles work on.
@@ -56,6 +66,8 @@ struct CouplingParts {
   DirectSolver solver;
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
+  SpareCords spares;
+  std::vector<BladeCut> blade_cuts;                       // by cord, of each the last place first
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links
   std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
   std::vector<CordId> relieved;                           // whose ties came undone in this tick
@@ -66,7 +78,9 @@ struct CouplingParts {
   ParallelFor parallel_for;
 
   /// Adds a cord and reserves memory for its bodies.
-  CordId add(CoupledCord cord);
+  CordId add(std::unique_ptr<CoupledCord> cord);
+  /// Reserves memory for so many more cords of that many points.
+  void reserve(std::size_t new_cords, int points);
   /// Removes the cord with that id, which exists. What it holds or touches is released.
   void remove(CordId cord);
   /// Sets the world of the coupling. In another world than before, only the bodies that hold cords are known.

@@ -121,11 +121,12 @@ struct PulleyState {
 /// A cut through a cord. Its pieces are new cords with ids of their own, and the id of the cord is gone.
 struct CutEvent {
   CordId cord = 0;                 ///< the cord that was cut
-  double arc = 0.0;                ///< m of rest length from its first point
+  double arc = 0.0;                ///< m of rest length from its first point; 0 for a cut along a row
   std::optional<CordId> first{};   ///< piece from its first point on; nothing if less than two columns were left
   std::optional<CordId> second{};  ///< piece up to its last point; the same
   bool broke = false;              ///< a link broke under its tension; else the cord was cut by a call
   double tension = 0.0;            ///< N, of the link that broke; 0 otherwise
+  int row = 0;                     ///< of a ribbon, along which it was cut; 0 for a cut across
 
   bool operator==(const CutEvent&) const = default;
 };

@@ -102,6 +102,13 @@ CutEvent CordRef::cut(double arc) const {
   return cut_cord(*parts_, id(), where);
 }
 
+CutEvent CordRef::cut_along(int row) const {
+  const CoupledCord& cord = parts_->cords.enabled(id());
+  const CutPlace where = ribbon::cut_along(cord.direct(), row);
+  check_between_ticks(*parts_, "cut");
+  return cut_cord(*parts_, id(), where);
+}
+
 void CordRef::set_user_data(std::uintptr_t data) const { parts_->cords.at(id()).user_data = data; }
 
 void CordRef::replace(Cord cord, const b2Filter& filter) const {

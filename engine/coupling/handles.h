@@ -104,6 +104,13 @@ class CordRef : public CordView {
   /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, inside world.Step and
   /// between gather and apply; DefinitionError unless 0 < arc < length.
   CutEvent cut(double arc) const;
+  /// Cuts a ribbon of the direct solver along a row of points, 1 … rows − 2, over its whole length. The row becomes an
+  /// edge of both pieces, which have the rows up to it and from it on, and their parts of mass and stiffness; see
+  /// ribbon::cut. What is attached to the row itself stays with the first piece, but a pin in it holds
+  /// both. The pieces never touch each other.
+  /// Otherwise as `cut`. Throws as `cut` does, CallError also for a cord of less than three rows, and DefinitionError
+  /// for another row.
+  CutEvent cut_along(int row) const;
   /// Stores a number of yours, such as an index or a pointer. Coupling::restore does not
   /// change it, but gives it back to a cord that it adds again.
   void set_user_data(std::uintptr_t data) const;

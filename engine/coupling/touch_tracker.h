@@ -13,7 +13,10 @@ namespace ribbon::box2d {
 /// Finds out which contacts between cords of the direct solver and fixtures began or ended in a step.
 class TouchTracker {
  public:
-  void reserve(std::size_t events) { events_.reserve(events); }
+  void reserve(std::size_t events) {
+    events_.reserve(events);
+    ending_.reserve(events);
+  }
   /// Compares the contacts of each cord after a step with those before it.
   void find_events(CordTable& cords, const FixtureIds& fixtures);
   /// Makes the contacts of a cord that is removed end in the next step.

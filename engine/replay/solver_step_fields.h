@@ -41,9 +41,9 @@ void fields(Archive& archive, T& accuracy) {
 
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
-  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction, restitution,
-         self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
+  auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, cell_stiffness,
+         poisson_ratio, area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction,
+         restitution, self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);
@@ -52,6 +52,7 @@ void fields(Archive& archive, T& def) {
   archive("mass_per_length", mass_per_length);
   archive("stretch_stiffness", stretch_stiffness);
   archive("bending_stiffness", bending_stiffness);
+  archive("cell_stiffness", cell_stiffness);
   archive("poisson_ratio", poisson_ratio);
   archive("area_stiffness", area_stiffness);
   archive("damping", damping);
@@ -142,7 +143,7 @@ void fields(Archive& archive, T& axle) {
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, pulleys, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
+         breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split, holders, touches, touch_changed,
          regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
@@ -161,6 +162,7 @@ void fields(Archive& archive, T& state) {
   archive("family", family);
   archive("joined_first", joined_first);
   archive("joined_last", joined_last);
+  archive("split", split);
   archive("holders", holders);
   archive("touches", touches);
   archive("touch_changed", touch_changed);

@@ -38,7 +38,7 @@ struct SceneBody {
 ///   - "direct" (ribbon/cord_def.h), by default 1 row: stretch_stiffness [N; a rope without it is inextensible, a
 ///     ribbon requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], gravity_scale (1 by
 ///     default), tension_only, breaking_force [N; 0, the
-///     default, for a rope that does not break], radius [m], width [m, by default that of square cells], friction,
+///     default, for a cord that does not break], radius [m], width [m, by default that of square cells], friction,
 ///     restitution, self_contact, cord_contact (with other cords that declare it), allow_sleep, accuracy ("fast",
 ///     "balanced", the default, or "accurate"), and overrides of it: integrator ("tr_bdf2", "implicit_euler"),
 ///     substeps, tolerance [m], max_work, max_iterations (Newton steps per solve), soft_contacts (by default true for

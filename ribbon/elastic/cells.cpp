@@ -286,6 +286,15 @@ Vec2 Cells::force_on(std::size_t p, const Motion& motion, std::span<const double
   return sum;
 }
 
+Vec2 Cells::section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 sum{};
+  for (std::size_t j = 0; j < rows_; ++j) {
+    const Corners push = cell_forces(link, j, motion, tensions);
+    sum += push[0] + push[1];
+  }
+  return sum;
+}
+
 /// Returns the elastic and damping forces of a cell on its corners, N.
 Corners Cells::cell_forces(std::size_t column, std::size_t row, const Motion& motion,
                            std::span<const double> tensions) const {

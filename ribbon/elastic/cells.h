@@ -31,6 +31,7 @@ class Cells final : public Term {
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override { return unlocked_; }
 

@@ -8,12 +8,20 @@
 
 namespace ribbon {
 
-Chain::Chain(const CordDef& def)
-    : inverse_stiffness_(1.0 / def.stretch_stiffness),
-      damping_(inverse_stiffness_ > 0.0 ? def.damping : 0.0),
-      tension_only_(def.tension_only),
-      rest_lengths_(at(def.points) - 1),
-      eliminated_(rest_lengths_.size()) {}
+Chain::Chain(const CordDef& def) { define(def); }
+
+bool Chain::become(const CordDef& def) {
+  define(def);
+  return true;
+}
+
+void Chain::define(const CordDef& def) {
+  inverse_stiffness_ = 1.0 / def.stretch_stiffness;
+  damping_ = inverse_stiffness_ > 0.0 ? def.damping : 0.0;
+  tension_only_ = def.tension_only;
+  rest_lengths_.assign(at(def.points) - 1, 0.0);
+  eliminated_.assign(rest_lengths_.size(), {});
+}
 
 void Chain::set_rest_lengths(std::span<const double> lengths) {
   std::copy(lengths.begin(), lengths.end(), rest_lengths_.begin());

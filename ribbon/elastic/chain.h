@@ -33,6 +33,7 @@ class Chain final : public Elasticity {
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  bool become(const CordDef& def) override;
 
  private:
   /// An eliminated link: its tension and the step δa of its far end follow from the step δb of its near end,
@@ -47,15 +48,16 @@ class Chain final : public Elasticity {
   };
 
   bool is_left_out(std::size_t link) const { return !left_out_.empty() && left_out_[link] != 0; }
+  void define(const CordDef& def);
   double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }
   double rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const;
   double geometric(const Stage& stage, std::size_t link, double size, double tension) const;
   /// Returns a link in this stage: `size` [m] is its length, d its direction from point link + 1 to point link.
   MixedBar bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const;
 
-  double inverse_stiffness_;  // 1/EA, 1/N
-  double damping_;            // s
-  bool tension_only_;
+  double inverse_stiffness_ = 0.0;  // 1/EA, 1/N
+  double damping_ = 0.0;            // s
+  bool tension_only_ = false;
   std::vector<double> rest_lengths_;  // m
   std::vector<char> left_out_;        // by link; empty: none
   std::vector<Eliminated> eliminated_;

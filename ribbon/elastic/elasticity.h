@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "ribbon/cord_def.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/block_ldlt.h"
 
@@ -83,6 +84,15 @@ class Elasticity {
   /// Returns the elastic force on a point with the damping force at the velocities of `motion`, N. The tensions include
   /// their damping part, if `motion` has velocities. O(tensions).
   virtual Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const = 0;
+
+  /// Returns the force with which all elements of a ribbon between column `link` and the next one pull at the former,
+  /// N, with the damping force as in force_on; 0 for a rope, whose links have tensions. O(rows).
+  virtual Vec2 section_force(std::size_t /*link*/, const Motion& /*motion*/,
+                             std::span<const double> /*tensions*/) const {
+    return {};
+  }
+  /// Becomes the elastic energy of another cord in the same memory, if it can. Returns whether it has.
+  virtual bool become(const CordDef& /*def*/) { return false; }
 
   /// Finds inverted cells at the start of a step, and gives them an energy that turns them back during this step.
   /// Returns whether there are any.

@@ -17,16 +17,18 @@ using Terms = std::vector<std::unique_ptr<Term>>;
 constexpr double min_spine_share = 1e-9;
 
 /// Adds the cells of a ribbon. One row of cells bends only by its hourglass mode, so E follows from EA, and EI is
-/// independent. Several rows of cells also bend by stretching, so E follows from EI, E = 12·EI/width³, and a spine adds
-/// the missing EA.
+/// independent. Several rows of cells also bend by stretching, so E follows from EI, E = 12·EI/width³. In both cases a
+/// spine adds the missing EA.
 void add_cells(const CordDef& def, Terms& terms) {
-  if (def.rows == 2) {
-    terms.push_back(std::make_unique<Cells>(def, def.stretch_stiffness / def.width, def.bending_stiffness));
-    return;
+  double modulus = (def.cell_stiffness > 0.0 ? def.cell_stiffness : def.stretch_stiffness) / def.width;
+  double row_bending = def.bending_stiffness;
+  if (def.rows > 2) {
+    modulus = 12.0 * def.bending_stiffness / (def.width * def.width * def.width);
+    const double height = def.width / (def.rows - 1);
+    row_bending = modulus * height * height * height / 12.0;
   }
-  const double modulus = 12.0 * def.bending_stiffness / (def.width * def.width * def.width);
-  const double height = def.width / (def.rows - 1);
-  terms.push_back(std::make_unique<Cells>(def, modulus, modulus * height * height * height / 12.0));
+  terms.push_back(std::make_unique<Cells>(def, modulus, row_bending));
+  if (def.rows == 2 && def.cell_stiffness == 0.0) return;
   const double missing = def.stretch_stiffness - modulus * def.width;
   if (missing > min_spine_share * def.stretch_stiffness) terms.push_back(std::make_unique<Spine>(def, missing));
 }
@@ -218,6 +220,14 @@ Vec2 Lattice::force_on(std::size_t point, const Motion& motion, std::span<const 
   Vec2 sum{};
   for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
     sum += term.force_on(point, motion, tensions.subspan(first, count));
+  });
+  return sum;
+}
+
+Vec2 Lattice::section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 sum{};
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    sum += term.section_force(link, motion, tensions.subspan(first, count));
   });
   return sum;
 }

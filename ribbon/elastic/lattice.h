@@ -36,6 +36,7 @@ class Lattice final : public Elasticity {
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override;
 

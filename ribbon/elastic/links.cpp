@@ -5,7 +5,10 @@
 namespace ribbon {
 
 Links::Links(const CordDef& def)
-    : inverse_stiffness_(def.rows / def.stretch_stiffness), damping_(def.damping), tension_only_(def.tension_only) {
+    : inverse_stiffness_(def.rows / def.stretch_stiffness),
+      damping_(def.damping),
+      tension_only_(def.tension_only),
+      column_links_(4 * at(def.rows) - 3) {
   const double row_distance = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
   for (int i = 0; i < def.points; ++i) {
     for (int j = 0; j < def.rows; ++j) {
@@ -174,6 +177,16 @@ double Links::energy(const Motion& motion, std::span<const double> tensions) con
     sum += elastic_energy(tensions[e], compliance(link), damping_, rate);
   }
   return sum;
+}
+
+Vec2 Links::section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const {
+  Vec2 force{};
+  for (std::size_t e = link * column_links_; e < (link + 1) * column_links_; ++e) {
+    if (!links_[e].along) continue;
+    const Vec2 ab = vector(motion.x, links_[e]);
+    force += tensions[e] * unit_or(ab, length(ab), {});
+  }
+  return force;
 }
 
 Vec2 Links::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {

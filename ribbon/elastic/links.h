@@ -27,6 +27,7 @@ class Links final : public Term {
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   struct Link {
@@ -54,6 +55,7 @@ class Links final : public Term {
   double inverse_stiffness_;  // 1/N, 0 if inextensible
   double damping_;            // s
   bool tension_only_;
+  std::size_t column_links_;  // across a column and from it to the next one; as many for each column but the last
   std::vector<Link> links_;
   std::vector<Linearised> linearised_;  // of the last load
 };

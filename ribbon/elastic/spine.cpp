@@ -118,6 +118,11 @@ double Spine::energy(const Motion& motion, std::span<const double> tensions) con
   return sum;
 }
 
+Vec2 Spine::section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const {
+  const Vec2 ab = bar_vector(motion.x, link);
+  return tensions[link] * unit_or(ab, length(ab), {});
+}
+
 Vec2 Spine::force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const {
   const std::size_t column = point / rows_;
   const std::size_t row = point % rows_;

@@ -7,9 +7,9 @@
 
 namespace ribbon {
 
-/// Bars along the middle line of a ribbon of three or more rows. A bar connects the middles of neighbouring columns:
+/// Bars along the middle line of a ribbon. A bar connects the middles of neighbouring columns:
 /// the mean of the two middle points, or the middle point if the number of rows is odd. The cells get their stiffness
-/// from EI; the spine adds the missing EA.
+/// from EI, or from the definition if there are two rows; the spine adds the missing EA.
 class Spine final : public Term {
  public:
   /// Creates the spine of a ribbon. `stiffness` is EA of the spine, N.
@@ -26,6 +26,7 @@ class Spine final : public Term {
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
 
  private:
   double rotational_extension(const Stage& stage, std::size_t e, Vec2 d) const;

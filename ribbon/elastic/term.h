@@ -92,6 +92,10 @@ class Term {
   virtual double potential(const Shape& shape, std::span<const double> max_tensions) const = 0;
   virtual double energy(const Motion& motion, std::span<const double> tensions) const = 0;
   virtual Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const = 0;
+  virtual Vec2 section_force(std::size_t /*link*/, const Motion& /*motion*/,
+                             std::span<const double> /*tensions*/) const {
+    return {};
+  }
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
   virtual std::span<char> unlocked() { return {}; }
 };

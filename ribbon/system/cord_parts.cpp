@@ -1,6 +1,7 @@
 #include "ribbon/system/cord_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ribbon/elastic/chain.h"
 #include "ribbon/elastic/lattice.h"
@@ -13,30 +14,50 @@ std::unique_ptr<Elasticity> make_elasticity(const CordDef& def) {
   return std::make_unique<Lattice>(def);
 }
 
-std::vector<Vec2> initial_positions(const CordDef& def) {
-  if (!def.positions.empty()) return def.positions;
-  std::vector<Vec2> straight;
+void write_initial_positions(const CordDef& def, std::vector<Vec2>& positions) {
+  positions = def.positions;
+  if (!positions.empty()) return;
   for (int i = 0; i < def.points; ++i) {
     for (int j = 0; j < def.rows; ++j) {
       const double across = def.rows > 1 ? def.width * j / (def.rows - 1) : 0.0;
-      straight.push_back({def.length * i / (def.points - 1), across});
+      positions.push_back({def.length * i / (def.points - 1), across});
     }
   }
-  return straight;
 }
 
 /// The outline of a rope goes from end to end, that of a ribbon around it: along the lowest row and back along the
 /// highest.
-std::vector<int> outline_of(const CordDef& def) {
-  std::vector<int> outline;
+void write_outline(const CordDef& def, std::vector<int>& outline) {
+  outline.clear();
   const int n = def.points;
   const int rows = def.rows;
   for (int i = 0; i < n; ++i) outline.push_back(i * rows);
-  if (rows == 1) return outline;
+  if (rows == 1) return;
   for (int j = 1; j < rows; ++j) outline.push_back((n - 1) * rows + j);
   for (int i = n - 2; i >= 0; --i) outline.push_back(i * rows + rows - 1);
   for (int j = rows - 2; j > 0; --j) outline.push_back(j);
-  return outline;
+}
+
+/// Moves the memory of the lists of a state, empty, into another state.
+void keep_memory(Cord::State& from, Cord::State& to) {
+  const auto keep = [](auto& old, auto& list) {
+    old.clear();
+    list = std::move(old);
+  };
+  keep(from.positions, to.positions);
+  keep(from.velocities, to.velocities);
+  keep(from.accelerations, to.accelerations);
+  keep(from.targets, to.targets);
+  keep(from.kinds, to.kinds);
+  keep(from.masses, to.masses);
+  keep(from.loads, to.loads);
+  keep(from.tensions, to.tensions);
+  keep(from.rest, to.rest);
+  keep(from.rest_targets, to.rest_targets);
+  keep(from.rest_speeds, to.rest_speeds);
+  keep(from.breaking_forces, to.breaking_forces);
+  keep(from.holders, to.holders);
+  keep(from.touches, to.touches);
 }
 
 /// kg: an equal share of each link or cell around the point.
@@ -51,9 +72,39 @@ double own_mass(const CordDef& def, std::size_t point) {
 
 }  // namespace
 
-CordParts::CordParts(const CordDef& cord_def)
-    : def(cord_def), elasticity(make_elasticity(cord_def)), outline(outline_of(cord_def)) {
-  state.positions = initial_positions(def);
+CordParts::CordParts(const CordDef& cord_def) : def(cord_def), elasticity(make_elasticity(cord_def)) { start(); }
+
+void CordParts::renew() {
+  const bool is_chain = def.rows == 1 && def.bending_stiffness == 0.0;
+  if (!(is_chain && elasticity->become(def))) elasticity = make_elasticity(def);
+  start();
+}
+
+void CordParts::reserve() {
+  const std::size_t points = size();
+  def.positions.reserve(points);
+  def.pins.reserve(points);
+  own_masses.reserve(points);
+  outline.reserve(points);
+  rest_start.reserve(points);
+  rest_end.reserve(points);
+  state.loads.reserve(points);
+  state.rest_targets.reserve(points);
+  state.rest_speeds.reserve(points);
+  state.breaking_forces.reserve(points);
+  state.touches.reserve(points);
+}
+
+/// Sets everything but the definition and the elasticity.
+void CordParts::start() {
+  Cord::State old = std::exchange(state, {});
+  keep_memory(old, state);
+  sweep.reset();
+  rest_start.clear();
+  rest_end.clear();
+  own_masses.clear();
+  write_outline(def, outline);
+  write_initial_positions(def, state.positions);
   const std::size_t n = state.positions.size();
   state.velocities.resize(n);
   state.accelerations.resize(n);
@@ -65,6 +116,7 @@ CordParts::CordParts(const CordDef& cord_def)
   state.rest.assign(static_cast<std::size_t>(def.points) - 1, def.length / (def.points - 1));
   state.tensions.resize(elasticity->tension_count());
   elasticity->set_rest_lengths(state.rest);
+  leave_out_links_on_wheels();
   elasticity->find_tensions(state.positions, state.tensions);
 }
 
@@ -80,6 +132,16 @@ void CordParts::leave_out_links_on_wheels() {
 
 Motion CordParts::motion_of_tensions() const {
   return {state.positions, state.damping_excluded ? std::span<const Vec2>{} : std::span<const Vec2>(state.velocities)};
+}
+
+double CordParts::tension(std::size_t link) const {
+  if (def.rows == 1) return state.tensions[link];
+  const auto rows = static_cast<std::size_t>(def.rows);
+  const auto middle = [&](std::size_t column) {
+    return 0.5 * (state.positions[column * rows + (rows - 1) / 2] + state.positions[column * rows + rows / 2]);
+  };
+  const Vec2 along = middle(link + 1) - middle(link);
+  return dot(elasticity->section_force(link, motion_of_tensions(), state.tensions), unit_or(along, length(along), {}));
 }
 
 /// The point moves at constant velocity, so the forces on it are in balance.

@@ -21,6 +21,11 @@ struct WheelReach {
 /// checks values.
 struct CordParts {
   explicit CordParts(const CordDef& cord_def);
+  /// Becomes a new cord of its definition, which was changed, in the same memory. A rope without bending stiffness
+  /// allocates nothing if it had as many points at any time since `reserve`.
+  void renew();
+  /// Reserves memory for everything that a cord with its number of points may have.
+  void reserve();
 
   std::size_t size() const { return state.positions.size(); }
   bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
@@ -28,15 +33,18 @@ struct CordParts {
   bool meets_cords() const { return def.cord_contact || (def.self_contact && state.family != 0); }
   /// Returns whether it is a piece of the same cord as another.
   bool is_piece_with(const CordParts& other) const { return state.family != 0 && state.family == other.state.family; }
-  /// Returns whether it collides with that other cord. Pieces of one cord do so if the cord collided with itself.
+  /// Returns whether it collides with that other cord. Pieces of one cord do so if the cord collided with itself, but
+  /// not those of a cut along a row, whose edges lie in each other.
   bool meets(const CordParts& other) const {
-    if (is_piece_with(other)) return def.self_contact;
+    if (is_piece_with(other)) return def.self_contact && !state.split && !other.state.split;
     return def.cord_contact && other.def.cord_contact;
   }
   /// Returns the positions, and the velocities whose damping the tensions include.
   Motion motion_of_tensions() const;
   /// Returns the energies under `gravity` [m/s²].
   Cord::Energy energy(Vec2 gravity) const;
+  /// Returns the tension of a link, N; see Cord::tension.
+  double tension(std::size_t link) const;
   /// Returns the force that moves a driven point as it moves; see Cord::reaction.
   Vec2 holding_force(std::size_t point, Vec2 gravity) const;
   /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
@@ -69,6 +77,9 @@ struct CordParts {
   std::vector<char> on_wheels;  // by link: 1 if it is left to a wheel; empty without pulleys
   std::vector<WheelReach> reaches;  // by pulley, in a step
   std::vector<int> outline;  // the points around which the cord can be touched, in order
+
+ private:
+  void start();
 };
 
 }  // namespace ribbon

@@ -363,7 +363,50 @@ void drive_ties(BitWorld& scene, int tick) {
   if (tick == 80) scene.coupling.tie({10, 15, 11, 10, 12.0});
 }
 
-constexpr std::array<BitScene, 10> scenes = {{
+/// Ropes and ribbons of all elements, with weak links, that are cut across, along rows and by a blade.
+void build_cuts(BitWorld& scene) {
+  CordDef rope = line({0.0, 0.0}, {0.0, -0.1}, 21);
+  rope.pins = {0};
+  rope.radius = 0.02;
+  rope.self_contact = true;
+  scene.coupling.add(Cord(rope));
+  scene.coupling.hold(0, 20, add_holder(scene, {0.0, -2.0}, 0.2), {0.0F, 0.0F});
+  CordDef solid = strip({0.5, 0.0}, {0.0, -0.1}, 16, 5, 0.4);
+  CordDef soft = strip({1.5, 0.0}, {0.0, -0.1}, 16, 4, 0.3);
+  soft.bending_stiffness *= 0.05;
+  soft.damping = 0.01;
+  soft.self_contact = true;
+  CordDef bars = line({2.5, 0.0}, {0.0, -0.1}, 16, 3, 0.2);
+  bars.elements = ribbon::Elements::bars;
+  bars.stretch_stiffness = 2e3;
+  bars.breaking_force = 50.0;
+  for (CordDef* def : {&solid, &soft, &bars}) {
+    for (int j = 0; j < def->rows; ++j) def->pins.push_back(j);
+    def->radius = 0.01;
+    def->friction = 0.3;
+    def->cord_contact = true;
+    scene.coupling.add(Cord(*def));
+  }
+  scene.coupling.hold(1, 15 * 5 + 4, add_holder(scene, {0.9, -1.5}, 0.2), {0.0F, 0.0F});
+  scene.coupling.hold(2, 15 * 4, add_holder(scene, {1.5, -1.5}, 0.2), {0.0F, 0.0F});
+  scene.coupling.hold(3, 15 * 3 + 1, add_holder(scene, {2.6, -1.5}, 0.3), {0.0F, 0.0F});
+  scene.coupling.tie({0, 10, 1, 7 * 5});
+  add_box(scene, {1.0, -3.0}, 4.0F, 0.2F, b2_staticBody);
+}
+
+void drive_cuts(BitWorld& scene, int tick) {
+  const auto cut = [&](ribbon::box2d::CordId id, auto&& how) {
+    if (scene.coupling.cord(id).is_valid()) how(scene.coupling.cord(id));
+  };
+  if (tick == 10) cut(1, [](auto cord) { cord.cut_along(2); });
+  if (tick == 20) cut(2, [](auto cord) { cord.cut_along(1); });
+  if (tick == 30) scene.world.SetGravity({0.0F, -40.0F});
+  if (tick == 32) scene.world.SetGravity({0.0F, -9.81F});
+  if (tick == 40) scene.coupling.cut({-1.0, -1.0}, {4.0, -1.3});
+  if (tick == 60) cut(0, [](auto cord) { cord.cut(0.5); });
+}
+
+constexpr std::array<BitScene, 11> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -374,6 +417,7 @@ constexpr std::array<BitScene, 10> scenes = {{
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
+    {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
 }};
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,13 +53,15 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
   std::size_t slept = 0;
   std::size_t woken = 0;
   std::size_t off = 0;
+  std::size_t cuts = 0;
   for (const BitScene& scene : bit_scenes()) {
     BitWorld world;
     scene.build(world);
-    std::vector<bool> was_asleep(static_cast<std::size_t>(world.coupling.size()));
+    std::vector<bool> was_asleep;
     for (int k = 0; k < scene.ticks; ++k) {
       tick(scene, world, k);
-      for (int c = 0; c < world.coupling.size(); ++c) {
+      for (const ribbon::box2d::CordId c : world.coupling.cords()) {
+        was_asleep.resize(std::max(was_asleep.size(), static_cast<std::size_t>(c) + 1));
         off += world.coupling.cord(c).is_enabled() ? 0U : 1U;
         if (world.coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
         const bool is_asleep = world.coupling.cord(c).direct().is_asleep();
@@ -67,12 +70,13 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
         was_asleep[static_cast<std::size_t>(c)] = is_asleep;
       }
       begun += world.coupling.touch_events().size();
+      cuts += world.coupling.cut_events().size();
       for (int grip = 1; grip < 20; ++grip) {
         const auto held = world.coupling.grip(grip);
         slipped += held.is_valid() && held.state().slips ? 1U : 0U;
       }
     }
-    for (int c = 0; c < world.coupling.size(); ++c) {
+    for (const ribbon::box2d::CordId c : world.coupling.cords()) {
       direct += world.coupling.cord(c).island_total();
       thesis += world.coupling.cord(c).thesis_total();
     }
@@ -91,6 +95,7 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
   EXPECT_GT(slept, 60U);
   EXPECT_GT(woken, 1U);
   EXPECT_GT(off, 0U);
+  EXPECT_GT(cuts, 5U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/generate.h"
 #include "tests/extremes/any_scene/oracles.h"
+#include "tests/extremes/any_scene/play.h"
 #include "tests/extremes/any_scene/runs.h"
 #include "tests/extremes/any_scene/shrink.h"
 #include "tests/extremes/any_scene/world.h"
@@ -64,6 +65,20 @@ TEST_P(AnyFamily, EveryWildSceneIsAccepted) {
 INSTANTIATE_TEST_SUITE_P(All, AnyFamily, testing::ValuesIn(all_families),
                          [](const auto& family) { return std::string(name(family.param)); });
 
+/// Cuts across and along keep mass and momentum of the cords, and all pieces move on.
+TEST(AnySceneOfCuts, KeepsMassAndMomentumAtCuts) {
+  int along = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    Scene scene = generate({seed, Family::cut, Difficulty::gentle, Preset::fast});
+    scene.ticks = 100;
+    for (const SceneCord& cord : scene.cords) along += cord.def.rows > 2 ? 1 : 0;
+    const Outcome outcome = play(scene, 20.0);
+    EXPECT_EQ(outcome.end, End::completed) << seed;
+    for (const Sample& tick : outcome.ticks) EXPECT_LE(tick.imbalance, 1e-13) << seed;
+  }
+  EXPECT_GT(along, 3) << "ribbons to cut along";
+}
+
 /// Returns a scene in which every field differs from its default.
 Scene full_scene() {
   Scene scene;
@@ -83,6 +98,7 @@ Scene full_scene() {
   def.stretch_stiffness = 1234.5;
   def.bending_stiffness = 0.2;
   def.poisson_ratio = 0.3;
+  def.cell_stiffness = 0.5;
   def.area_stiffness = 0.9;
   def.damping = 0.01;
   def.drag = 0.7;
@@ -101,7 +117,7 @@ Scene full_scene() {
   scene.holds = {{2, 3, 0.5, 1, {0.1, 0.2}, 44.0, true, 0.75, 3.0}};
   scene.drags = {{1, 4, 6, 2.5, {{1.0, 2.0}, {3.0, 4.0}}}};
   scene.reels = {{4, 3, 5, 6, 0.25, 0.125}};
-  scene.cuts = {{19, 0.25, 0.75, true}};
+  scene.cuts = {{19, 0.25, 0.75, true, true}};
   return scene;
 }
 
@@ -124,6 +140,7 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            ".def.stretch_stiffness = 1234.5;",
            ".def.bending_stiffness = 0.2;",
            ".def.poisson_ratio = 0.3;",
+           ".def.cell_stiffness = 0.5;",
            ".def.area_stiffness = 0.9;",
            ".def.damping = 0.01;",
            ".def.drag = 0.7;",
@@ -165,6 +182,7 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            "cuts[0].cord = 0.25;",
            "cuts[0].place = 0.75;",
            "cuts[0].weakens = true;",
+           "cuts[0].along = true;",
            "reels[0].cord = 4;",
            "reels[0].first = 3;",
            "reels[0].last = 5;",

@@ -74,6 +74,7 @@ ribbon::CordDef arbitrary_cord(Bytes& bytes) {
   if ((flags & 32) != 0) def.accuracy = arbitrary_accuracy(bytes);
   def.positions = arbitrary_positions(bytes, count(def.points, def.rows));
   def.pins = arbitrary_pins(bytes, count(def.points, def.rows));
+  if (def.rows == 2) may_be(bytes, def.cell_stiffness, 0.0, 1e3);
   return def;
 }
 

@@ -232,7 +232,9 @@ void Fuzzed::drive_a_cord() {
 
 void Fuzzed::cut() {
   const ribbon::box2d::CordId c = cord();
-  switch (bytes_.below(3)) {
+  switch (bytes_.below(5)) {
+    case 3: accepts([&] { coupling_.cord(c).cut_along(bytes_.integer(-1, 4)); }); break;
+    case 4: accepts([&] { coupling_.reserve(bytes_.integer(-1, 4), bytes_.integer(1, 20)); }); break;
     case 0: accepts([&] { coupling_.cord(c).cut(bytes_.number(0.0, 2.0)); }); break;
     case 1: accepts([&] { coupling_.cut(bytes_.vector(-2.0, 2.0), bytes_.vector(-2.0, 2.0)); }); break;
     default:

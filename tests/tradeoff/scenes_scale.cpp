@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "engine/tick/workers.h"
@@ -356,32 +357,37 @@ Variant rays(int cords) {
           number(cords) + " cords"};
 }
 
-/// A rope of 51 points that falls from level with a load at its end: a tick of it, and a cut in its middle. What makes
-/// the rope anew is not timed.
-Variant cut_or_tick(bool cut) {
+/// What is done to a cord that falls.
+enum class Done : unsigned char { tick, cut, cut_along };
+
+/// A cord that falls from level with a load at its end: a tick of it, or a cut. What makes the cord anew is not timed.
+Variant cut_or_tick(const ribbon::CordDef& def, Done done) {
   struct Falling {
     b2World world{{0.0F, -9.81F}};
     ribbon::box2d::Coupling coupling;
-    ribbon::box2d::CordId rope = -1;
+    ribbon::CordDef def{};
+    ribbon::box2d::CordId cord = -1;
 
     void renew() {
       while (coupling.size() > 0) coupling.remove(coupling.cords().front());
-      ribbon::CordDef def;
-      def.pins = {0};
       ribbon::Cord made(def);
-      made.attach_mass(def.points - 1, 1.0);
-      rope = coupling.add(std::move(made));
+      made.attach_mass(made.size() - 1, 1.0);
+      cord = coupling.add(std::move(made));
       for (int k = 0; k < settling_ticks; ++k) coupling.tick(world, frame_dt);
     }
   };
   const auto falling = std::make_shared<Falling>();
+  falling->def = def;
+  const char* const names[] = {"a tick", "a cut", "a cut along a row"};
   return {"coupling",
-          cut ? "a cut" : "a tick",
-          ribbon::CordDef{}.points,
+          (def.rows > 1 ? std::string("a ribbon, ") : std::string()) + names[static_cast<std::size_t>(done)],
+          def.points * def.rows,
           [falling] { falling->renew(); },
-          [falling, cut] {
-            if (cut) {
-              falling->coupling.cord(falling->rope).cut(5.03);
+          [falling, done] {
+            if (done == Done::cut_along) {
+              falling->coupling.cord(falling->cord).cut_along(2);
+            } else if (done == Done::cut) {
+              falling->coupling.cord(falling->cord).cut(5.03);
             } else {
               falling->coupling.gather(falling->world, frame_dt);
               falling->coupling.step();
@@ -390,6 +396,21 @@ Variant cut_or_tick(bool cut) {
           },
           [] { return std::vector<double>{}; },
           [falling] { falling->renew(); }};
+}
+
+/// A rope of 51 points, and a ribbon of 51 × 5.
+std::vector<Variant> cuts_and_ticks() {
+  ribbon::CordDef rope;
+  rope.pins = {0};
+  ribbon::CordDef strip;
+  strip.rows = 5;
+  strip.width = 0.4;
+  ribbon::solid(1e6, 0.0, 1.0, strip.width).apply_to(strip);
+  strip.pins = {0, 1, 2, 3, 4};
+  std::vector<Variant> list;
+  for (const Done done : {Done::tick, Done::cut}) list.push_back(cut_or_tick(rope, done));
+  for (const Done done : {Done::tick, Done::cut, Done::cut_along}) list.push_back(cut_or_tick(strip, done));
+  return list;
 }
 
 std::vector<Variant> by_workers() {
@@ -414,11 +435,9 @@ std::vector<Scene> scale_scenes() {
        large_worlds,
        {gather_us(), figure("step_us", 0), figure("world_step_us", 1), ns_per_cord()}},
       {"cut",
-       "a rope of 51 points that falls with a load: a tick of it, and a cut in its middle",
+       "a rope of 51 points and a ribbon of 51 x 5 that fall with a load: a tick of each, and a cut",
        20,
-       [] {
-         return std::vector{cut_or_tick(false), cut_or_tick(true)};
-       },
+       cuts_and_ticks,
        {cords_us(), cords_max_us()}},
       {"rays",
        "10,000 rays through ropes, with the update of the queries in the same tick",

@@ -275,6 +275,30 @@ TEST(CuttingCords, AStateFromAfterIsRestoredInAnotherCoupling) {
   EXPECT_EQ(twin.coupling.size(), 2);
 }
 
+/// A piece that is made again from its definition is the same to the last bit, also for later cuts of it.
+TEST(CuttingCords, APieceThatIsRestoredIsCutToTheSameBits) {
+  CordDef def = hanging();
+  def.mass_per_length = 0.1 / 3.0;
+  def.drag = 0.3;
+  GripWorld scene;
+  GripWorld twin;
+  CutEvent cut;
+  for (GripWorld* each : {&scene, &twin}) {
+    const CordId rope = each->coupling.add(Cord(def));
+    each->tick(10);
+    cut = each->coupling.cord(rope).cut(7.0);
+  }
+  const Coupling::State state = twin.coupling.save(twin.world);
+  twin.coupling.remove(*cut.first);
+  twin.coupling.remove(*cut.second);
+  twin.coupling.restore(state, twin.world);
+  for (GripWorld* each : {&scene, &twin}) {
+    each->coupling.cord(*cut.first).cut(3.0);
+    each->tick(5);
+  }
+  EXPECT_EQ(twin.coupling.save(twin.world), scene.coupling.save(scene.world));
+}
+
 TEST(ABreakingCord, BreaksWhereItIsLoadedMostOneLinkATick) {
   CordDef def = hanging();
   def.breaking_force = 36.0;  // 3.5 kg and half of the cord's 1 kg weigh 39 N, and 3 kg alone 29

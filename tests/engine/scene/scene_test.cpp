@@ -82,7 +82,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
       number("drag", "0.1") + "," + number("gravity_scale", "-0.5") + "," + number("friction", "0.4") + "," +
       number("restitution", "0.7") + "," + yes("self_contact") + "," + yes("cord_contact") + "," + yes("allow_sleep") +
       "," + text("accuracy", "accurate") + "," + number("tolerance", "0.003") + "," + whole("max_iterations", "5") +
-      "," + whole("max_work", "77") + "," + yes("pin_last");
+      "," + whole("max_work", "77") + "," + number("breaking_force", "60") + "," + yes("pin_last");
   const Scene scene(map_with(object("cord", line, declared)));
   const ribbon::Cord& cord = scene.coupling().cord(0).direct();
   const ribbon::CordDef& def = cord.def();
@@ -96,6 +96,7 @@ TEST(Scene, BuildsADirectCordAsTheMapDeclares) {
   EXPECT_EQ(def.bending_stiffness, 7.0);
   EXPECT_EQ(def.poisson_ratio, 0.3);
   EXPECT_EQ(def.area_stiffness, 1.5);
+  EXPECT_EQ(def.breaking_force, 60.0);
   EXPECT_EQ(def.damping, 0.02);
   EXPECT_EQ(def.drag, 0.1);
   EXPECT_EQ(def.gravity_scale, -0.5);

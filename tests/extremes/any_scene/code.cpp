@@ -80,6 +80,7 @@ std::string code_of(const ribbon::CordDef& def, const std::string& object) {
   lines.set("stretch_stiffness", def.stretch_stiffness, plain.stretch_stiffness);
   lines.set("bending_stiffness", def.bending_stiffness, plain.bending_stiffness);
   lines.set("poisson_ratio", def.poisson_ratio, plain.poisson_ratio);
+  lines.set("cell_stiffness", def.cell_stiffness, plain.cell_stiffness);
   lines.set("area_stiffness", def.area_stiffness, plain.area_stiffness);
   lines.set("damping", def.damping, plain.damping);
   lines.set("drag", def.drag, plain.drag);
@@ -165,6 +166,7 @@ std::string code_of(const Cut& cut, const std::string& object) {
   lines.set("cord", cut.cord, plain.cord);
   lines.set("place", cut.place, plain.place);
   lines.set("weakens", cut.weakens, plain.weakens);
+  lines.set("along", cut.along, plain.along);
   return lines.all();
 }
 

@@ -22,6 +22,12 @@ int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.tick_
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
     : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
 
+void EnergyBalance::leave_out(const World::Energy& now) {
+  const double own = now.total - now.box2d;
+  lowest_ += own - before_;
+  before_ = own;
+}
+
 EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) {
   heights_ = {std::min(heights_.x, heights.x), std::max(heights_.y, heights.y)};
   kinetic_ = std::max(kinetic_, now.kinetic);
@@ -50,6 +56,25 @@ Lengths lengths(const ribbon::box2d::Coupling& coupling) {
     }
   }
   return worst;
+}
+
+Inertia inertia(const ribbon::box2d::Coupling& coupling) {
+  Inertia sum;
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    const ribbon::Cord& cord = coupling.cord(id).direct();
+    for (int p = 0; p < cord.size(); ++p) {
+      sum.mass += cord.mass(p);
+      sum.momentum += cord.mass(p) * cord.velocities()[static_cast<std::size_t>(p)];
+    }
+  }
+  return sum;
+}
+
+double difference(const Inertia& before, const Inertia& after, double speed) {
+  if (!(before.mass > 0.0)) return after.mass;
+  const double mass = std::abs(after.mass - before.mass) / before.mass;
+  const double moved = length(after.momentum - before.momentum);
+  return std::max(mass, speed > 0.0 ? moved / (before.mass * speed) : moved);
 }
 
 int inverted(const ribbon::box2d::Coupling& coupling) {

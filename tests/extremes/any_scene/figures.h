@@ -17,6 +17,8 @@ class EnergyBalance {
     double in_tick = 0.0;
     double since_lowest = 0.0;  ///< since the lowest energy so far
   };
+  /// Leaves out what has happened to the energy since the last call: things are gone.
+  void leave_out(const World::Energy& now);
   /// Updates the balance after a tick, and returns the gains.
   Gain take(const World::Energy& now, ribbon::Vec2 heights);
 
@@ -34,6 +36,14 @@ struct Lengths {
   double strain = 0.0;
 };
 Lengths lengths(const ribbon::box2d::Coupling& coupling);
+/// Mass and momentum of all cords.
+struct Inertia {
+  double mass = 0.0;  ///< kg
+  ribbon::Vec2 momentum;
+};
+Inertia inertia(const ribbon::box2d::Coupling& coupling);
+/// Returns the difference of mass and momentum, relative to the mass and to the mass times the speed [m/s].
+double difference(const Inertia& before, const Inertia& after, double speed);
 /// Returns the number of inverted corners of cells, of ribbons with area stiffness.
 int inverted(const ribbon::box2d::Coupling& coupling);
 

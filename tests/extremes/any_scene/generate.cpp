@@ -204,6 +204,14 @@ void add_cuts(Dice& dice, Scene& scene) {
   }
 }
 
+/// Ribbons are cut along rows too, and some break above a force of their own.
+void vary_cuts(Dice dice, Scene& scene) {
+  for (SceneCord& cord : scene.cords) {
+    if (cord.def.rows > 1 && dice.coin()) cord.def.breaking_force = log_uniform(dice, 3.0, 3e3);
+  }
+  for (Cut& cut : scene.cuts) cut.along = dice.coin();
+}
+
 /// Two ties in every tenth tick, one at the start, and every fifth of them is an untying.
 void add_knots(Dice& dice, Scene& scene) {
   for (int tick = 0; tick < scene.ticks; tick += 10) {
@@ -260,7 +268,10 @@ Scene generate(const SceneId& which) {
   add_holders(dice, recipe, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);
   if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
-  if (which.family == Family::cut || which.family == Family::tied) add_cuts(dice, scene);
+  if (which.family == Family::cut || which.family == Family::tied) {
+    add_cuts(dice, scene);
+    vary_cuts(Dice(which.seed), scene);
+  }
   if (which.family == Family::tied) add_knots(dice, scene);
   return scene;
 }

@@ -22,7 +22,7 @@ enum class Family : unsigned char {
   mixed,         ///< all of these
   heap,          ///< 8 to 16 short ropes and ribbons with both contacts, and bodies, between two walls
   heap_held,     ///< the same, of whose bodies up to three hold cords
-  cut,           ///< as mixed; cords are cut and break in every tenth tick
+  cut,           ///< as mixed; cords are cut, across or along, and break in every tenth tick
   tied,          ///< as cut; cords are also tied and untied in every tenth tick
 };
 constexpr std::array<Family, 14> all_families = {

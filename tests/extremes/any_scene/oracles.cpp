@@ -78,10 +78,13 @@ Oracles::Oracles(const Scene& scene) : scene_(scene) {
 }
 
 bool Oracles::meet(int a, int b) const {
-  const ribbon::CordDef& first = scene_.cords[slot(a)].def;
-  const int family = scene_.cords[slot(a)].family;
-  if (a == b || (family >= 0 && family == scene_.cords[slot(b)].family)) return first.self_contact;
-  return first.cord_contact && scene_.cords[slot(b)].def.cord_contact;
+  const SceneCord& first = scene_.cords[slot(a)];
+  const SceneCord& second = scene_.cords[slot(b)];
+  if (a == b) return first.def.self_contact;
+  if (first.family >= 0 && first.family == second.family) {
+    return first.def.self_contact && !first.split && !second.split;
+  }
+  return first.def.cord_contact && second.def.cord_contact;
 }
 
 std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapshot& after) const {

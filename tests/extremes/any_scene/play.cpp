@@ -44,8 +44,10 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       oracles.emplace(present);
       inside_out = inverted(world.coupling());
     };
+    const Inertia uncut = scene.cuts.empty() ? Inertia{} : inertia(world.coupling());
     if (world.drive(k)) {
       look_at_pieces();
+      if (!scene.cuts.empty()) sample.imbalance = difference(uncut, inertia(world.coupling()), world.fastest());
       before = world.snapshot();
       sample.gain = balance.take(world.energy(), world.heights()).in_tick;  // by the cut
     }
@@ -56,6 +58,7 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
       if (world.has_broken()) {
         look_at_pieces();
         before = world.snapshot();  // crossings of the tick are not looked for
+        if (world.has_lost_a_cord()) balance.leave_out(world.energy());
       }
       Snapshot after = world.snapshot();
       look(world, *oracles, before, after, sample);

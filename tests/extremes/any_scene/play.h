@@ -22,7 +22,10 @@ struct Sample {
   double gain = 0.0;          ///< energy gained in the tick / (greatest kinetic energy so far + m·g·height range)
   double rise = 0.0;          ///< the same, since the lowest energy so far
   World::Gaps gaps;
-  Depth penetration;                   ///< Oracles::penetration
+  Depth penetration;  ///< Oracles::penetration
+  /// Change of mass and momentum of the cords by cuts before the tick, relative to the mass and to the mass times the
+  /// highest speed.
+  double imbalance = 0.0;
   std::vector<CrossedPair> crossings;  ///< Oracles::crossings
   int inverted = 0;                    ///< number of newly inverted corners of ribbons
   bool finite = true;

@@ -41,6 +41,7 @@ struct SceneCord {
   ribbon::Vec2 velocity;        ///< m/s
   bool other_softness = false;  ///< Accuracy::soft_contacts is the opposite of the preset's
   int family = -1;              ///< pieces of one cord have the same; −1 for a whole one. For the oracles
+  bool split = false;           ///< it touches no other piece of its family. For the oracles
   int cut_from = -1;            ///< index of the cord from whose last column it was cut; −1 if none. For the oracles
 
   bool operator==(const SceneCord&) const = default;
@@ -89,7 +90,8 @@ struct Cut {
   int tick = 0;
   double cord = 0.0;     ///< 0 … below 1, share of the cords that there are then, by id
   double place = 0.5;    ///< above 0 and below 1, share of its length
-  bool weakens = false;  ///< instead, a rope's link there cannot bear any tension from then on, and breaks
+  bool weakens = false;  ///< instead, the link there cannot bear any tension from then on, and breaks
+  bool along = false;    ///< a ribbon of three or more rows is cut along a row, at that share of its inner rows
 
   bool operator==(const Cut&) const = default;
 };

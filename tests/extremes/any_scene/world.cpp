@@ -174,9 +174,13 @@ bool World::cut(const Cut& cut) {
   const CordId id = cords[static_cast<std::size_t>(cut.cord * static_cast<double>(cords.size()))];
   ribbon::Cord& cord = coupling_.cord(id).direct();
   const int columns = cord.def().points;
-  if (cut.weakens && cord.def().rows == 1) {
+  if (cut.weakens) {
     cord.set_breaking_force(static_cast<int>(cut.place * (columns - 1)), 0.0);
     return false;
+  }
+  if (cut.along && cord.def().rows > 2) {
+    coupling_.cord(id).cut_along(1 + static_cast<int>(cut.place * (cord.def().rows - 2)));
+    return true;
   }
   coupling_.cord(id).cut(cut.place * coupling_.cord(id).arc((columns - 1) * cord.def().rows));
   return true;
@@ -201,6 +205,12 @@ bool World::has_broken() const {
   return std::any_of(events.begin(), events.end(), [](const auto& event) { return event.broke; });
 }
 
+bool World::has_lost_a_cord() const {
+  const auto events = coupling_.cut_events();
+  return std::any_of(events.begin(), events.end(),
+                     [](const auto& event) { return event.broke && !event.first && !event.second; });
+}
+
 Scene World::present_scene() const {
   Scene scene = scene_;
   scene.cords.clear();
@@ -212,6 +222,7 @@ Scene World::present_scene() const {
   for (const CordId id : cords) states.push_back(coupling_.cord(id).direct().save());
   for (std::size_t k = 0; k < cords.size(); ++k) {
     SceneCord cord{coupling_.cord(cords[k]).direct().def(), {}};
+    cord.split = states[k].split;
     if (states[k].family != 0) cord.family = static_cast<int>(states[k].family - solver_id(0));
     for (std::size_t other = 0; other < cords.size(); ++other) {
       const bool joined =

@@ -34,6 +34,8 @@ class World {
   bool draws_together() const;
   /// Returns whether a link broke in the last tick.
   bool has_broken() const;
+  /// Returns whether all of a cord became dust then.
+  bool has_lost_a_cord() const;
   /// Returns a scene with the cords that there are now, and what holds them, for the oracles.
   Scene present_scene() const;
 
