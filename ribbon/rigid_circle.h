@@ -38,6 +38,8 @@ struct RigidCircle {
   double friction = 0.0;     ///< coefficient μ, 0 … 10
   double restitution = 0.0;  ///< coefficient, 0 … 1
   std::uint64_t id = 0;      ///< identifies the circle from step to step
+  /// m/s, speed of its surface, as of a conveyor belt: clockwise around the body, so to the right where it faces up.
+  double tangent_speed = 0.0;
 };
 
 /// A straight edge that is fixed to a body. Its two end points are not part of it: add them as circles of the same
@@ -50,6 +52,7 @@ struct RigidSegment {
   double friction = 0.0;     ///< coefficient μ, 0 … 10
   double restitution = 0.0;  ///< coefficient, 0 … 1
   std::uint64_t id = 0;      ///< identifies the edge from step to step; differs from the ids of circles
+  double tangent_speed = 0.0;  ///< m/s, as of a circle; on both sides of the edge clockwise around it
 };
 
 /// A body that holds a cord at a point or between two points.

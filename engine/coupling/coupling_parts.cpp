@@ -26,6 +26,7 @@ CordId CouplingParts::add(CoupledCord cord) {
 
 void CouplingParts::remove(CordId cord) {
   touches.end_all(cords.at(cord));
+  sensors.end_all(cords.at(cord));
   detach(cord);
   cords.remove(cord);
 }

@@ -12,6 +12,7 @@
 #include "ribbon/box2d/fixture_ids.h"
 #include "ribbon/box2d/gatherer.h"
 #include "ribbon/box2d/grip_table.h"
+#include "ribbon/box2d/sensor_tracker.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/box2d/tick_bodies.h"
 #include "ribbon/box2d/tie_table.h"
@@ -41,6 +42,7 @@ struct CouplingParts {
   VelocityCarry carry;
   FixtureIds fixtures;
   TouchTracker touches;
+  SensorTracker sensors;
   CutLog cuts;
   // Of this tick:
   TickPhase phase = TickPhase::between_ticks;
@@ -54,6 +56,7 @@ struct CouplingParts {
   DirectSolver solver;
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
+  std::vector<TouchImpulse> impulses;                     // of a fixture, for the listener
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links
   std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
   std::vector<CordId> relieved;                           // whose ties came undone in this tick

@@ -104,6 +104,15 @@ struct EndingTouch {
   bool operator==(const EndingTouch&) const = default;
 };
 
+/// A SensorEvent of the last tick, or the overlap of a removed cord with a sensor, which ends in the next step.
+struct SensorMemory {
+  CordId cord = 0;            ///< the cord
+  bool begins = false;        ///< the overlap began; else it ended
+  std::uint64_t fixture = 0;  ///< number of the sensor; 0 if it was destroyed
+
+  bool operator==(const SensorMemory&) const = default;
+};
+
 /// State of a coupling between two ticks: everything that later ticks depend on, except the world, and the results of
 /// the last tick. Bodies and fixtures are identified by the order of their creation among those that exist, from 0.
 struct CouplingState {
@@ -119,6 +128,7 @@ struct CouplingState {
     StepReport thesis_total;                                     ///< see CordView
     std::vector<FixtureTouch> touching;                          ///< by fixture number, in the last tick
     CordOrigin origin;                                           ///< what it was added with
+    std::vector<std::uint64_t> sensing;                          ///< numbers of the sensors that it overlapped
     bool operator==(const Cord&) const = default;
   };
   /// A grip and its body.
@@ -166,6 +176,8 @@ struct CouplingState {
   std::vector<EndingTouch> ending;  ///< by cord and fixture
   std::vector<CutEvent> cuts;       ///< see Coupling::cut_events
   std::size_t old_cuts = 0;         ///< how many of them are of the last tick
+  std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
+  std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture
 
   bool operator==(const CouplingState&) const = default;
 };

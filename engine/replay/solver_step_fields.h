@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 7;
+inline constexpr int solver_step_version = 8;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -85,7 +85,7 @@ void fields(Archive& archive, T& holder) {
 
 template <typename Archive, Is<ribbon::Touch> T>
 void fields(Archive& archive, T& touch) {
-  auto& [other, feature, other_feature, force, stuck, impulse, point, normal] = touch;
+  auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] = touch;
   archive("other", other);
   archive("feature", feature);
   archive("other_feature", other_feature);
@@ -94,6 +94,7 @@ void fields(Archive& archive, T& touch) {
   archive("impulse", impulse);
   archive("point", point);
   archive("normal", normal);
+  archive("push", push);
 }
 
 template <typename Archive, Is<ribbon::Cord::State> T>
@@ -151,18 +152,19 @@ void fields(Archive& archive, T& body) {
 
 template <typename Archive, Is<ribbon::RigidCircle> T>
 void fields(Archive& archive, T& circle) {
-  auto& [body, offset, radius, friction, restitution, id] = circle;
+  auto& [body, offset, radius, friction, restitution, id, tangent_speed] = circle;
   archive("body", body);
   archive("offset", offset);
   archive("radius", radius);
   archive("friction", friction);
   archive("restitution", restitution);
   archive("id", id);
+  archive("tangent_speed", tangent_speed);
 }
 
 template <typename Archive, Is<ribbon::RigidSegment> T>
 void fields(Archive& archive, T& segment) {
-  auto& [body, a, b, radius, friction, restitution, id] = segment;
+  auto& [body, a, b, radius, friction, restitution, id, tangent_speed] = segment;
   archive("body", body);
   archive("a", a);
   archive("b", b);
@@ -170,6 +172,7 @@ void fields(Archive& archive, T& segment) {
   archive("friction", friction);
   archive("restitution", restitution);
   archive("id", id);
+  archive("tangent_speed", tangent_speed);
 }
 
 template <typename Archive, Is<ribbon::Grip> T>
