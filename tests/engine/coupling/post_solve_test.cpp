@@ -94,13 +94,17 @@ TEST(PostSolve, GivesTheWeightOfABodyAtRest) {
 }
 
 /// In each tick of an impact with restitution and friction the impulses are what changes the velocity of the body. (In
-/// the worst of them the guard takes half a millijoule out of all velocities.)
+/// the worst of them the energy guard takes half a millijoule out of all velocities. TR-BDF2 is left out: to a body that
+/// is near a cord, but was not solved with it before, it gives less than its weight, with and without contacts.)
 TEST(PostSolve, GivesWhatABodyGetsInAnImpact) {
-  for (const float restitution : {0.0F, 0.6F}) {
+  for (const auto& [restitution, soft] : {std::pair{0.0F, false}, {0.6F, false}, {0.0F, true}, {0.6F, true}}) {
     GripWorld scene;
+    Accuracy accuracy = Accuracy::fast();
+    accuracy.tolerance = 1e-4;
+    accuracy.soft_contacts = soft;
     Impulses impulses;
     scene.coupling.listen(&impulses);
-    scene.coupling.add(Cord(bridge(Accuracy::balanced())));
+    scene.coupling.add(Cord(bridge(accuracy)));
     b2Body* const ball = add_ball(scene, {0.8, 1.0}, 2.0, restitution);
     ball->SetLinearVelocity({1.0F, -2.0F});
     ball->SetAngularVelocity(5.0F);
@@ -122,7 +126,7 @@ TEST(PostSolve, GivesWhatABodyGetsInAnImpact) {
     }
     EXPECT_GT(largest, 5.0);
     EXPECT_GT(tangent, 0.1) << "friction acts";
-    EXPECT_LT(error, 1e-3 * largest) << restitution;
+    EXPECT_LT(error, 1e-3 * largest) << restitution << " " << soft;
   }
 }
 

@@ -28,7 +28,7 @@ SolverStep some_step() {
   cord.state.velocities[1] = {-0.0, 1e-310};
   cord.state.velocities[2] = {0.1 + 0.2, 123456789012345680.0};
   cord.circles.push_back({0, {0.1, -0.2}, 0.3, 0.4, 0.5, 6});
-  cord.segments.push_back({0, {0.1, -0.2}, {0.3, 0.4}, 0.0, 0.4, 0.5, 7});
+  cord.segments.push_back({0, {0.1, -0.2}, {0.3, 0.4}, 0.0, 0.4, 0.5, 7, -1.5});
   cord.grips.push_back({4, 1, {0.0, 0.1}});
   cord.id = (std::uint64_t{1} << 63U) + 1;
   step.cords.push_back(cord);
@@ -68,8 +68,8 @@ TEST(SolverStep, RefusesInvalidTextWithAMessage) {
   EXPECT_EQ(refusal("{\"solver_step\": 2,").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("[]"), "bad.json: the file is an array; accepted is an object");
   EXPECT_EQ(refusal("{}"), "bad.json: solver_step is missing; accepted is a file with all fields");
-  EXPECT_EQ(refusal(text_with("\"solver_step\": 7", "\"solver_step\": 8")),
-            "bad.json: solver_step is version 8; accepted is 7");
+  EXPECT_EQ(refusal(text_with("\"solver_step\": 8", "\"solver_step\": 9")),
+            "bad.json: solver_step is version 9; accepted is 8");
   EXPECT_EQ(refusal(std::string(100, '[')), "bad.json: nested more than the 8 levels deep accepted");
 }
 
@@ -78,7 +78,7 @@ TEST(SolverStep, RefusesMissingAndUnknownFields) {
             "bad.json: cords[0].def.radius is missing; accepted is a file with all fields");
   EXPECT_EQ(refusal(text_with("\"radius\": 0.3,", "\"radius\": 0.3, \"colour\": 1,")),
             "bad.json: cords[0].circles[0]: there is no field \"colour\"; accepted are body, offset, radius, friction, "
-            "restitution, id");
+            "restitution, id, tangent_speed");
 }
 
 TEST(SolverStep, RefusesValuesOfOtherTypes) {
