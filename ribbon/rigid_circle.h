@@ -45,13 +45,13 @@ struct RigidCircle {
 /// A straight edge that is fixed to a body. Its two end points are not part of it: add them as circles of the same
 /// radius.
 struct RigidSegment {
-  int body = 0;              ///< index into the bodies of the step
-  Vec2 a;                    ///< m, one end, from the centre of mass, in world directions
-  Vec2 b;                    ///< m, the other end, likewise
-  double radius = 0.0;       ///< m, half its thickness, 0 or more
-  double friction = 0.0;     ///< coefficient μ, 0 … 10
-  double restitution = 0.0;  ///< coefficient, 0 … 1
-  std::uint64_t id = 0;      ///< identifies the edge from step to step; differs from the ids of circles
+  int body = 0;                ///< index into the bodies of the step
+  Vec2 a;                      ///< m, one end, from the centre of mass, in world directions
+  Vec2 b;                      ///< m, the other end, likewise
+  double radius = 0.0;         ///< m, half its thickness, 0 or more
+  double friction = 0.0;       ///< coefficient μ, 0 … 10
+  double restitution = 0.0;    ///< coefficient, 0 … 1
+  std::uint64_t id = 0;        ///< identifies the edge from step to step; differs from the ids of circles
   double tangent_speed = 0.0;  ///< m/s, as of a circle; on both sides of the edge clockwise around it
 };
 

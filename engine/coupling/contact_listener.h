@@ -12,8 +12,8 @@ namespace ribbon::box2d {
 struct Surface {
   double friction = 0.0;     ///< coefficient μ of the fixture, 0 … 10; the cord's own is combined with it as usual
   double restitution = 0.0;  ///< coefficient, 0 … 1; the same
-  /// m/s, −1e4 … 1e4: speed of the surface along itself, as of a conveyor belt, clockwise around the body. So the top of
-  /// a belt with a positive speed runs to the right, and its bottom to the left. Friction carries the cord with it.
+  /// m/s, −1e4 … 1e4: speed of the surface along itself, as of a conveyor belt, clockwise around the body. So the top
+  /// of a belt with a positive speed runs to the right, and its bottom to the left. Friction carries the cord with it.
   double tangent_speed = 0.0;
 };
 

@@ -162,20 +162,20 @@ struct CouplingState {
     bool operator==(const Event&) const = default;
   };
 
-  int bodies = 0;                   ///< number of bodies of the world
-  CordId next_cord = 0;             ///< id of the next cord
-  std::vector<Cord> cords;          ///< by id
-  std::vector<Grip> grips;          ///< by id
-  GripId next_grip = 1;             ///< id of the next grip
-  std::vector<TieMemory> ties;      ///< by id
-  TieId next_tie = 1;               ///< id of the next tie
-  std::vector<Carry> carries;       ///< by body
-  std::vector<Fixture> fixtures;    ///< by number
-  std::uint64_t next_fixture = 1;   ///< number of the next fixture
-  std::vector<Event> events;        ///< of the last tick, by cord and fixture
-  std::vector<EndingTouch> ending;  ///< by cord and fixture
-  std::vector<CutEvent> cuts;       ///< see Coupling::cut_events
-  std::size_t old_cuts = 0;         ///< how many of them are of the last tick
+  int bodies = 0;                            ///< number of bodies of the world
+  CordId next_cord = 0;                      ///< id of the next cord
+  std::vector<Cord> cords;                   ///< by id
+  std::vector<Grip> grips;                   ///< by id
+  GripId next_grip = 1;                      ///< id of the next grip
+  std::vector<TieMemory> ties;               ///< by id
+  TieId next_tie = 1;                        ///< id of the next tie
+  std::vector<Carry> carries;                ///< by body
+  std::vector<Fixture> fixtures;             ///< by number
+  std::uint64_t next_fixture = 1;            ///< number of the next fixture
+  std::vector<Event> events;                 ///< of the last tick, by cord and fixture
+  std::vector<EndingTouch> ending;           ///< by cord and fixture
+  std::vector<CutEvent> cuts;                ///< see Coupling::cut_events
+  std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
   std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
   std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture
 

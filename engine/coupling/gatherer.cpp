@@ -19,7 +19,8 @@ constexpr double max_tangent_speed = 1e4;  // m/s
 
 template <typename Shape>
 void set_surface(const Surface& surface, std::span<Shape> shapes) {
-  const double speed = within(surface.tangent_speed, max_tangent_speed) - within(-surface.tangent_speed, max_tangent_speed);
+  const double speed =
+      within(surface.tangent_speed, max_tangent_speed) - within(-surface.tangent_speed, max_tangent_speed);
   for (Shape& shape : shapes) {
     shape.friction = within(surface.friction, 10.0);
     shape.restitution = within(surface.restitution, 1.0);

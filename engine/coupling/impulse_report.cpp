@@ -23,9 +23,8 @@ void report_impulses(CordTable& cords, const FixtureIds& fixtures, ContactListen
     const std::span<const Touch> touches = cord.direct().touches();
     for (auto first = touches.begin(); first != touches.end();) {
       const std::uint64_t number = fixture_of(first->other);
-      const auto last = std::find_if(first, touches.end(), [number](const Touch& touch) {
-        return fixture_of(touch.other) != number;
-      });
+      const auto last = std::find_if(first, touches.end(),
+                                     [number](const Touch& touch) { return fixture_of(touch.other) != number; });
       memory.clear();
       for (auto touch = first; touch != last; ++touch) memory.push_back(impulse_of(*touch));
       first = last;

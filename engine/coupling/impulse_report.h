@@ -9,7 +9,8 @@
 
 namespace ribbon::box2d {
 
-/// Calls post_solve for all contacts of the step, whose pushes were recorded. `memory` is for the contacts of a fixture.
+/// Calls post_solve for all contacts of the step, whose pushes were recorded. `memory` is for the contacts of a
+/// fixture.
 void report_impulses(CordTable& cords, const FixtureIds& fixtures, ContactListener& listener,
                      std::vector<TouchImpulse>& memory);
 

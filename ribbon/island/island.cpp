@@ -28,9 +28,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   state_.dt = dt;
   state_.gravity = gravity;
   state_.rigid = bodies;
-  contacts_.impacts.record_pushes(std::any_of(cords.begin(), cords.end(), [](const IslandCord& cord) {
-    return cord.records_pushes;
-  }));
+  contacts_.impacts.record_pushes(
+      std::any_of(cords.begin(), cords.end(), [](const IslandCord& cord) { return cord.records_pushes; }));
   work_ = {};
   bounds_.begin_step(cords.size());
   const bool closes_ties = bring_together(cords, tied);

@@ -94,8 +94,8 @@ TEST(PostSolve, GivesTheWeightOfABodyAtRest) {
 }
 
 /// In each tick of an impact with restitution and friction the impulses are what changes the velocity of the body. (In
-/// the worst of them the energy guard takes half a millijoule out of all velocities. TR-BDF2 is left out: to a body that
-/// is near a cord, but was not solved with it before, it gives less than its weight, with and without contacts.)
+/// the worst of them the energy guard takes half a millijoule out of all velocities. TR-BDF2 is left out: to a body
+/// that is near a cord, but was not solved with it before, it gives less than its weight, with and without contacts.)
 TEST(PostSolve, GivesWhatABodyGetsInAnImpact) {
   for (const auto& [restitution, soft] : {std::pair{0.0F, false}, {0.6F, false}, {0.0F, true}, {0.6F, true}}) {
     GripWorld scene;
@@ -143,7 +143,8 @@ TEST(PostSolve, ChangesNothing) {
     bool any = false;
     for (int k = 0; k < 120; ++k) {
       scene.tick();
-      for (const ribbon::Touch& touch : scene.coupling.cord(cord).direct().touches()) any = any || !(touch.push == Vec2{});
+      for (const ribbon::Touch& touch : scene.coupling.cord(cord).direct().touches())
+        any = any || !(touch.push == Vec2{});
     }
     EXPECT_EQ(impulses.calls > 0, wanted);
     EXPECT_EQ(any, wanted);

@@ -250,7 +250,9 @@ TEST(Sensors, TellHoweverAnOverlapEnds) {
        }},
       {"solid", false, [](SensorWorld&, CordId, b2Fixture& sensor) { sensor.SetSensor(false); }},
       {"far away", false,
-       [](SensorWorld&, CordId, b2Fixture& sensor) { sensor.GetBody()->SetTransform({500.0F, 0.0F}, 0.0F); }},
+       [](SensorWorld&, CordId, b2Fixture& sensor) {
+         sensor.GetBody()->SetTransform({500.0F, 0.0F}, 0.0F);
+       }},
       {"body disabled", false, [](SensorWorld&, CordId, b2Fixture& sensor) { sensor.GetBody()->SetEnabled(false); }},
       {"destroyed", true,
        [](SensorWorld& scene, CordId, b2Fixture& sensor) { scene.coupling.destroy(scene.world, *sensor.GetBody()); }},
@@ -296,7 +298,9 @@ TEST(Sensors, TellInADeterminedOrder) {
   for (int k = 0; k < 4; ++k) sensors.push_back(scene.add_box({0.0, 10.0 + k}, 0.3F, b2_kinematicBody));
   const CordId first = scene.add_rope(0.0, 0.0, {}, true);
   const CordId second = scene.add_rope(0.0, 0.1, {}, true);
-  const auto place = [&](int k, float y) { sensors[static_cast<std::size_t>(k)]->GetBody()->SetTransform({0.0F, y}, 0.0F); };
+  const auto place = [&](int k, float y) {
+    sensors[static_cast<std::size_t>(k)]->GetBody()->SetTransform({0.0F, y}, 0.0F);
+  };
   place(0, 0.0F);
   place(1, 0.0F);
   const std::vector<Seen> begun = scene.run(2);
@@ -322,7 +326,8 @@ TEST(Sensors, AreSavedAndRestored) {
       scene.run(ticks);
       if (removes) scene.coupling.remove(rope);
       const Coupling::State state = scene.coupling.save(scene.world);
-      const std::vector<SensorEvent> events(scene.coupling.sensor_events().begin(), scene.coupling.sensor_events().end());
+      const std::vector<SensorEvent> events(scene.coupling.sensor_events().begin(),
+                                            scene.coupling.sensor_events().end());
       const std::vector<Seen> first = scene.run(15);
       const auto hash = [&] {
         ribbon::box2d::Hasher hasher;
@@ -359,7 +364,9 @@ TEST(Sensors, AreHashedAndChecked) {
   const std::vector<std::function<void(Coupling::State&)>> changes{
       [](Coupling::State& s) { s.cords[0].sensing.clear(); },
       [](Coupling::State& s) { s.sensor_events.clear(); },
-      [](Coupling::State& s) { s.ending_sensors.push_back({0, false, 1}); },
+      [](Coupling::State& s) {
+        s.ending_sensors.push_back({0, false, 1});
+      },
   };
   for (const auto& change : changes) {
     Coupling::State other = state;
@@ -373,8 +380,12 @@ TEST(Sensors, AreHashedAndChecked) {
       [](Coupling::State& s) { s.cords[0].sensing = {s.next_fixture}; },
       [](Coupling::State& s) { s.sensor_events[0].cord = 7; },
       [](Coupling::State& s) { s.sensor_events[0].fixture = s.next_fixture; },
-      [](Coupling::State& s) { s.ending_sensors = {{0, false, 0}}; },
-      [](Coupling::State& s) { s.ending_sensors = {{0, false, 1}, {0, false, 1}}; },
+      [](Coupling::State& s) {
+        s.ending_sensors = {{0, false, 0}};
+      },
+      [](Coupling::State& s) {
+        s.ending_sensors = {{0, false, 1}, {0, false, 1}};
+      },
   };
   for (const auto& fault : faults) {
     Coupling::State other = state;
