@@ -172,7 +172,10 @@ TEST(Sensors, InsideARibbonCount) {
   def.width = 2.0;
   def.stretch_stiffness = 1e4;
   def.bending_stiffness = 10.0;
-  for (int p = 0; p < 15; ++p) def.positions.push_back({1.0 * (p / 3), 1.0 * (p % 3)});
+  for (int p = 0; p < 15; ++p) {
+    const int column = p / 3;
+    def.positions.push_back({1.0 * column, 1.0 * (p % 3)});
+  }
   const CordId ribbon = scene.coupling.add(Cord(def));
   const b2Fixture* const inside = scene.add_box({1.5, 0.5}, 0.1F);
   scene.add_box({4.5, 0.5}, 0.1F);
