@@ -109,7 +109,6 @@ TEST(PostSolve, GivesWhatABodyGetsInAnImpact) {
     ball->SetLinearVelocity({1.0F, -2.0F});
     ball->SetAngularVelocity(5.0F);
     const auto mass = static_cast<double>(ball->GetMass());
-    double total = 0.0;
     double largest = 0.0;
     double error = 0.0;
     double tangent = 0.0;
@@ -121,7 +120,6 @@ TEST(PostSolve, GivesWhatABodyGetsInAnImpact) {
       const Vec2 got = mass * (after - before + Vec2{0.0, g * dt});
       error = std::max(error, length(got - impulses.sum[ball]));
       largest = std::max(largest, length(got));
-      total += length(impulses.sum[ball]);
       tangent += impulses.tangent;
     }
     EXPECT_GT(largest, 5.0);
