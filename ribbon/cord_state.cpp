@@ -116,7 +116,8 @@ void Cord::check_state(const State& state) const {
   }
   for (const Touch& touch : state.touches) {
     check_vectors("state.touches", std::array{touch.point, touch.normal});
-    check_all("state.touches", std::array{touch.force, touch.stuck, touch.impulse}, -largest, largest);
+    check_all("state.touches", std::array{touch.force, touch.stuck, touch.impulse, touch.push.x, touch.push.y},
+              -largest, largest);
   }
 }
 

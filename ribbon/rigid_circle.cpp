@@ -47,7 +47,8 @@ void check_body(const Entry& entry, const RigidBody& body) {
   entry.check("acceleration", body.acceleration, max_acceleration);
 }
 
-void check_surface(const Entry& entry, double friction, double restitution) {
+void check_surface(const Entry& entry, double friction, double restitution, double tangent_speed) {
+  entry.check("tangent_speed", tangent_speed, -max_component, max_component);
   entry.check("friction", friction, 0.0, 10.0);
   entry.check("restitution", restitution, 0.0, 1.0);
 }
@@ -74,7 +75,7 @@ void check_surroundings(const Surroundings& surroundings, std::size_t bodies, in
     entry.check_index("body", circle.body, bodies);
     entry.check("offset", circle.offset);
     entry.check("radius", circle.radius, 0.0, max_component);
-    check_surface(entry, circle.friction, circle.restitution);
+    check_surface(entry, circle.friction, circle.restitution, circle.tangent_speed);
   }
   for (std::size_t k = 0; k < surroundings.segments.size(); ++k) {
     const RigidSegment& segment = surroundings.segments[k];
@@ -83,7 +84,7 @@ void check_surroundings(const Surroundings& surroundings, std::size_t bodies, in
     entry.check("a", segment.a);
     entry.check("b", segment.b);
     entry.check("radius", segment.radius, 0.0, max_component);
-    check_surface(entry, segment.friction, segment.restitution);
+    check_surface(entry, segment.friction, segment.restitution, segment.tangent_speed);
   }
   for (std::size_t k = 0; k < surroundings.grips.size(); ++k) {
     const Grip& grip = surroundings.grips[k];

@@ -39,18 +39,21 @@ struct RigidCircle {
   double friction = 0.0;     ///< coefficient μ, 0 … 10
   double restitution = 0.0;  ///< coefficient, 0 … 1
   std::uint64_t id = 0;      ///< identifies the circle from step to step
+  /// m/s, speed of its surface, as of a conveyor belt: clockwise around the body, so to the right where it faces up.
+  double tangent_speed = 0.0;
 };
 
 /// A straight edge that is fixed to a body. Its two end points are not part of it: add them as circles of the same
 /// radius.
 struct RigidSegment {
-  int body = 0;              ///< index into the bodies of the step
-  Vec2 a;                    ///< m, one end, from the centre of mass, in world directions
-  Vec2 b;                    ///< m, the other end, likewise
-  double radius = 0.0;       ///< m, half its thickness, 0 or more
-  double friction = 0.0;     ///< coefficient μ, 0 … 10
-  double restitution = 0.0;  ///< coefficient, 0 … 1
-  std::uint64_t id = 0;      ///< identifies the edge from step to step; differs from the ids of circles
+  int body = 0;                ///< index into the bodies of the step
+  Vec2 a;                      ///< m, one end, from the centre of mass, in world directions
+  Vec2 b;                      ///< m, the other end, likewise
+  double radius = 0.0;         ///< m, half its thickness, 0 or more
+  double friction = 0.0;       ///< coefficient μ, 0 … 10
+  double restitution = 0.0;    ///< coefficient, 0 … 1
+  std::uint64_t id = 0;        ///< identifies the edge from step to step; differs from the ids of circles
+  double tangent_speed = 0.0;  ///< m/s, as of a circle; on both sides of the edge clockwise around it
 };
 
 /// A body that holds a cord at a point or between two points.

@@ -30,7 +30,8 @@ struct CoupledCord {
   bool resting = false;  // see CordTable
   Box resting_box{};     // m, of the cord when it began to rest
   b2Filter filter;
-  std::vector<NearShape> near{};  // the fixtures found in this tick
+  std::vector<NearShape> near{};          // the fixtures found in this tick
+  std::vector<NearShape> near_sensors{};  // and the sensors; while the cord rests there are none
   std::variant<ThesisCord, Cord> cord;
 
   // In this tick:
@@ -44,6 +45,8 @@ struct CoupledCord {
   int step_index = 0;                           // among the cords of the step, of the direct solver
   std::vector<FixtureTouch> touching{};         // in the last step, by fixture number
   std::vector<FixtureTouch> touching_before{};  // in the step before it
+  std::vector<std::uint64_t> sensing{};         // numbers of the sensors that it overlapped in the last step, ascending
+  std::vector<std::uint64_t> sensing_before{};  // in the step before it
 
   std::uintptr_t user_data = 0;
   std::shared_ptr<const CordDef> def{};  // that it was added with; null for the thesis's solver

@@ -7,6 +7,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/box2d/impulse_report.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -34,24 +35,31 @@ void wake_what_touched_cords_that_are_gone(CouplingParts& parts) {
   for (const EndingTouch& ending : parts.touches.ending()) wake_body(ending.touch);
 }
 
+/// Returns a fixture that was near a cord in the last step and has moved away, but still exists; else null.
+b2Fixture* find_if_it_left(std::uint64_t number, FixtureIds& fixtures, b2World& world) {
+  FixtureIds::Known* const known = fixtures.missed(number);
+  if (known == nullptr || known->exists) return nullptr;
+  b2Fixture* const fixture = find_fixture(world.GetBodyList(), known->seen_as);
+  known->exists = fixture != nullptr;
+  return fixture;
+}
+
 /// Wakes sleeping bodies whose contact with a cord is over because the fixture has moved away, as Box2D does where one
 /// of its contacts ends. `touch` is a contact of the last step.
 void wake_if_it_left(const FixtureTouch& touch, FixtureIds& fixtures, b2World& world) {
-  FixtureIds::Known* const known = fixtures.missed(touch.fixture);
-  if (known == nullptr || known->exists) return;
-  b2Fixture* const fixture = find_fixture(world.GetBodyList(), known->seen_as);
-  if (fixture == nullptr) return;
-  known->exists = true;
-  if (!fixture->GetBody()->IsAwake()) fixture->GetBody()->SetAwake(true);
+  b2Fixture* const fixture = find_if_it_left(touch.fixture, fixtures, world);
+  if (fixture != nullptr && !fixture->GetBody()->IsAwake()) fixture->GetBody()->SetAwake(true);
 }
 
-/// Finds the fixtures that touched a cord in the last step and are no longer near any.
+/// Finds the fixtures that touched a cord or were overlapped by one in the last step and are no longer near any.
 void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
   if (!parts.fixtures.misses_some()) return;
   for (const CoupledCord& cord : parts.cords.active()) {
     for (const FixtureTouch& touch : cord.touching) wake_if_it_left(touch, parts.fixtures, world);
+    for (const std::uint64_t sensor : cord.sensing) find_if_it_left(sensor, parts.fixtures, world);
   }
   for (const EndingTouch& ending : parts.touches.ending()) wake_if_it_left(ending.touch, parts.fixtures, world);
+  for (const SensorMemory& ending : parts.sensors.ending()) find_if_it_left(ending.fixture, parts.fixtures, world);
 }
 
 /// Advances the cords of the thesis's solver.
@@ -75,11 +83,12 @@ void step_direct(CouplingParts& parts) {
   const auto& [gravity, dt] = parts.conditions;
   std::vector<RigidBody>& bodies = parts.bodies.rigid;
   parts.island_cords.clear();
+  const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
     const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, cord.axles};
     cord.step_index = static_cast<int>(parts.island_cords.size());
-    parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id)});
+    parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
   }
   const std::span<const Tie> ties = parts.ties.of_step(parts.cords);
   parts.reports.resize(parts.island_cords.size());
@@ -96,6 +105,7 @@ void step_direct(CouplingParts& parts) {
     cord.island_report = parts.solver.island_reports()[static_cast<std::size_t>(cord.report.island)];
     if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
   }
+  if (records_pushes) report_impulses(parts.cords, parts.fixtures, *parts.listener, parts.impulses);
 }
 
 /// Gives a body the impulse of cords of the thesis's solver. The cord gets what single precision rounds off.
@@ -274,6 +284,7 @@ void Coupling::step() {
   parts.phase = TickPhase::between_ticks;  // also if something throws
   parts.cuts.begin_step();
   Gatherer::activate_changed(parts.cords);
+  parts.sensors.find_events(parts.cords, parts.fixtures, parts.listener);
   step_thesis(parts);
   step_direct(parts);
   parts.grips.follow(parts.cords, parts.conditions.gravity);
@@ -339,6 +350,7 @@ void Coupling::watch(StepWatcher* watcher) {
 }
 void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
 std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
+std::span<const SensorEvent> Coupling::sensor_events() const { return parts_->sensors.events(); }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
 
 const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) const {
@@ -358,6 +370,11 @@ void Coupling::forget(const b2Body& body) {
 void Coupling::forget(const b2Fixture& fixture) {
   parts_->fixtures.forget(fixture);
   parts_->touches.forget(fixture);
+  parts_->sensors.forget(fixture);
+  if (parts_->phase != TickPhase::gathered) return;
+  for (CoupledCord& cord : parts_->cords.active()) {
+    std::erase_if(cord.near_sensors, [&fixture](const NearShape& near) { return near.fixture == &fixture; });
+  }
 }
 
 void Coupling::destroy(b2World& world, b2Body& body) {

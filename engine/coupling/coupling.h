@@ -151,11 +151,11 @@ class Coupling {
 
   /// Advances cords and world by one tick of dt seconds: gather, step, apply, world.Step. Throws as gather does.
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
-  /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick. Ignores
-  /// sensors, disabled bodies, dynamic bodies without mass, and bodies whose position or velocity is not finite or
-  /// beyond ±1e9 (m, m/s). A second call replaces the result of the first, for measurements, but may change the tick
-  /// slightly. Throws CallError for a locked world and between step and apply; DefinitionError for a dt outside
-  /// 1e-9 … 1 and gravity beyond ±1e9 m/s².
+  /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick, and the
+  /// sensors near it. Ignores disabled bodies, dynamic bodies without mass (not their sensors), and bodies whose
+  /// position or velocity is not finite or beyond ±1e9 (m, m/s). A second call replaces the result of the first, for
+  /// measurements, but may change the tick slightly. Throws CallError for a locked world and between step and apply;
+  /// DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
   /// bodies as the ones before it left them. Do not change the world between gather and apply. Throws CallError without
@@ -180,14 +180,24 @@ class Coupling {
   /// Sets an object whose functions are called before and after each step of the direct solver, or null for none. It
   /// must outlive the steps. It is not part of the state, and costs nothing if it is null.
   void watch(StepWatcher* watcher);
-  /// Sets an object that decides which fixtures collide with which cords in a tick, and with what friction; null for
-  /// none. It must outlive the ticks. It is not part of the state, and costs nothing if it is null.
+  /// Sets an object that decides which fixtures collide with which cords in a tick, and with what friction and tangent
+  /// speed, and that gets the impulses; null for none. It must outlive the ticks. It is not part of the state, and
+  /// costs nothing if it is null.
   void listen(ContactListener* listener);
   /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
   /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
   std::span<const TouchEvent> touch_events() const;
-  /// Returns the fixture with a number from CordView::touching, or null if it was destroyed before the last gather or
-  /// with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next function.
+  /// Returns the overlaps of cords with sensors (b2FixtureDef::isSensor) that began or ended in the last step, each
+  /// pair once, in the order of touch_events. As Box2D does for two fixtures, the step looks where cords and sensors
+  /// are when it begins: what passes a sensor within one tick is not found. The sensor may belong to any body, also to
+  /// one that holds the cord, and is neither moved nor woken, nor is the cord. An overlap ends too when the cord is
+  /// removed, cut, disabled or replaced by one elsewhere, when the fixture or its body is destroyed or disabled or is
+  /// no longer a sensor, when a filter excludes it, and when ContactListener::should_meet_sensor refuses it. The inside
+  /// of a ribbon counts. Without a sensor near a cord it costs nothing. Valid until the next step or restore.
+  std::span<const SensorEvent> sensor_events() const;
+  /// Returns the fixture with a number from CordView::touching or CordView::sensors, or null if it was destroyed before
+  /// the last gather or with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next
+  /// function.
   const b2Fixture* fixture(std::uint64_t number) const;
   /// Returns the fixture with that number if it is still in its world, else null. O(bodies + fixtures).
   const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;

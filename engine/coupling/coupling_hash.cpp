@@ -39,8 +39,8 @@ void add(Hasher& hasher, const StepReport& report) {
 }
 
 void add(Hasher& hasher, const CouplingState::Cord& cord) {
-  const auto& [id, state, enabled, island_report, island_total, error, thesis_report, thesis_total, touching, origin] =
-      cord;
+  const auto& [id, state, enabled, island_report, island_total, error, thesis_report, thesis_total, touching, origin,
+               sensing] = cord;
   (void)origin;
   (void)id;  // see add_ids
   hasher.add(state.index());
@@ -53,6 +53,9 @@ void add(Hasher& hasher, const CouplingState::Cord& cord) {
   add(hasher, thesis_total);
   hasher.add(touching.size());
   for (const FixtureTouch& touch : touching) add(hasher, touch);
+  if (sensing.empty()) return;  // as in golden hashes
+  hasher.add(sensing.size());
+  for (const std::uint64_t number : sensing) hasher.add(number);
 }
 
 void add(Hasher& hasher, const CouplingState::Grip& grip) {
@@ -100,6 +103,13 @@ void add(Hasher& hasher, const EndingTouch& ending) {
   const auto& [cord, touch] = ending;
   hasher.add(cord);
   add(hasher, touch);
+}
+
+void add(Hasher& hasher, const SensorMemory& memory) {
+  const auto& [cord, begins, fixture] = memory;
+  hasher.add(cord);
+  hasher.add(begins);
+  hasher.add(fixture);
 }
 
 void add(Hasher& hasher, const CutEvent& event) {
@@ -152,8 +162,8 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 }  // namespace
 
 void add_to(Hasher& hasher, const CouplingState& state) {
-  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, pulleys, next_pulley, carries, fixtures, next_fixture, events,
-               ending, cuts, old_cuts] = state;
+  const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, pulleys, next_pulley, carries, fixtures,
+               next_fixture, events, ending, cuts, old_cuts, sensor_events, ending_sensors] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -165,7 +175,7 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
-  // Golden hashes are without pulleys, ties and cuts:
+  // Golden hashes are without pulleys, sensors, ties and cuts:
   if (next_pulley > 1) {
     hasher.add(pulleys.size());
     for (const CouplingState::Pulley& pulley : pulleys) {
@@ -173,6 +183,10 @@ void add_to(Hasher& hasher, const CouplingState& state) {
       add(hasher, pulley.memory);
     }
     hasher.add(next_pulley);
+  }
+  if (!sensor_events.empty() || !ending_sensors.empty()) {
+    add_all(hasher, sensor_events);
+    add_all(hasher, ending_sensors);
   }
   if (next_tie > 1) {
     add_all(hasher, ties);
@@ -241,13 +255,14 @@ void add_to(Hasher& hasher, const Cord::State& state) {
     hasher.add(slid);
   }
   hasher.add(touches.size());
-  for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal] : touches) {
+  for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] : touches) {
     hasher.add(static_cast<std::size_t>(other));
     hasher.add(feature);
     hasher.add(other_feature);
     for (const double number : {force, stuck, impulse}) hasher.add(number);
     hasher.add(point);
     hasher.add(normal);
+    if (!(push == Vec2{})) hasher.add(push);  // only where it is recorded
   }
   hasher.add(static_cast<int>(touch_changed));
   hasher.add(regainable_energy);

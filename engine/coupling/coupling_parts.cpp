@@ -41,6 +41,7 @@ void CouplingParts::reserve(std::size_t new_cords, int points) {
 
 void CouplingParts::remove(CordId cord) {
   touches.end_all(cords.at(cord));
+  sensors.end_all(cords.at(cord));
   detach(cord);
   cords.remove(cord);
 }

@@ -15,6 +15,7 @@
 #include "ribbon/box2d/gatherer.h"
 #include "ribbon/box2d/grip_table.h"
 #include "ribbon/box2d/spare_cords.h"
+#include "ribbon/box2d/sensor_tracker.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/box2d/tick_bodies.h"
 #include "ribbon/box2d/pulley_table.h"
@@ -53,6 +54,7 @@ struct CouplingParts {
   VelocityCarry carry;
   FixtureIds fixtures;
   TouchTracker touches;
+  SensorTracker sensors;
   CutLog cuts;
   // Of this tick:
   TickPhase phase = TickPhase::between_ticks;
@@ -68,6 +70,7 @@ struct CouplingParts {
   std::vector<CordReport> reports;
   SpareCords spares;
   std::vector<BladeCut> blade_cuts;                       // by cord, of each the last place first
+  std::vector<TouchImpulse> impulses;                     // of a fixture, for the listener
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links
   std::vector<std::pair<double, TieId>> overloaded_ties;  // with the factor of the overload
   std::vector<CordId> relieved;                           // whose ties came undone in this tick

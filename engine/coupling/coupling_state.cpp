@@ -97,6 +97,7 @@ void save_cord(const CoupledCord& coupled, CouplingState::Cord& saved) {
   saved.thesis_report = coupled.thesis_report;
   saved.thesis_total = coupled.thesis_total;
   saved.touching = coupled.touching;
+  saved.sensing = coupled.sensing;
   if (saved.origin.def != coupled.def) saved.origin.def = coupled.def;  // counts references only if it must
   saved.origin.filter = coupled.filter;
   saved.origin.user_data = coupled.user_data;
@@ -116,6 +117,7 @@ void restore_cord(const CouplingState::Cord& from, CoupledCord& to) {
   to.thesis_report = from.thesis_report;
   to.thesis_total = from.thesis_total;
   to.touching = from.touching;
+  to.sensing = from.sensing;
   to.clear_surroundings();
 }
 
@@ -170,12 +172,21 @@ void save_by_body(const CouplingParts& parts, const b2World& world, CouplingStat
 }
 
 void save_events(const CouplingParts& parts, CouplingState& state) {
+  const auto saved_number = [&state](std::uint64_t number) {
+    const bool is_saved = std::any_of(state.fixtures.begin(), state.fixtures.end(),
+                                      [number](const auto& saved) { return saved.id == number; });
+    return is_saved ? number : 0;
+  };
   for (const TouchEvent& event : parts.touches.events()) {
-    const bool is_saved_fixture = std::any_of(state.fixtures.begin(), state.fixtures.end(),
-                                              [&event](const auto& saved) { return saved.id == event.number; });
     state.events.push_back(
-        {event.cord, event.begins, is_saved_fixture ? event.number : 0, event.impulse, event.point, event.normal});
+        {event.cord, event.begins, saved_number(event.number), event.impulse, event.point, event.normal});
   }
+  state.sensor_events.clear();
+  for (const SensorEvent& event : parts.sensors.events()) {
+    state.sensor_events.push_back({event.cord, event.begins, saved_number(event.number)});
+  }
+  const auto ending_sensors = parts.sensors.ending();
+  state.ending_sensors.assign(ending_sensors.begin(), ending_sensors.end());
   const auto ending = parts.touches.ending();
   state.ending.assign(ending.begin(), ending.end());
   const auto cuts = parts.cuts.events();
@@ -197,6 +208,11 @@ void restore_events(const CouplingState& state, CouplingParts& parts) {
     const b2Fixture* const fixture = parts.fixtures.fixture(event.fixture);
     parts.touches.restore({event.cord, event.begins, fixture, event.impulse, event.point, event.normal,
                            fixture != nullptr ? event.fixture : 0});
+  }
+  parts.sensors.restore(state.ending_sensors);
+  for (const SensorMemory& event : state.sensor_events) {
+    const b2Fixture* const fixture = parts.fixtures.fixture(event.fixture);
+    parts.sensors.restore({event.cord, event.begins, fixture, fixture != nullptr ? event.fixture : 0});
   }
   parts.cuts.restore(state.cuts, state.old_cuts);
 }

@@ -114,6 +114,15 @@ struct EndingTouch {
   bool operator==(const EndingTouch&) const = default;
 };
 
+/// A SensorEvent of the last tick, or the overlap of a removed cord with a sensor, which ends in the next step.
+struct SensorMemory {
+  CordId cord = 0;            ///< the cord
+  bool begins = false;        ///< the overlap began; else it ended
+  std::uint64_t fixture = 0;  ///< number of the sensor; 0 if it was destroyed
+
+  bool operator==(const SensorMemory&) const = default;
+};
+
 /// State of a coupling between two ticks: everything that later ticks depend on, except the world, and the results of
 /// the last tick. Bodies and fixtures are identified by the order of their creation among those that exist, from 0.
 struct CouplingState {
@@ -129,6 +138,7 @@ struct CouplingState {
     StepReport thesis_total;                                     ///< see CordView
     std::vector<FixtureTouch> touching;                          ///< by fixture number, in the last tick
     CordOrigin origin;                                           ///< what it was added with
+    std::vector<std::uint64_t> sensing;                          ///< numbers of the sensors that it overlapped
     bool operator==(const Cord&) const = default;
   };
   /// A grip and its body.
@@ -168,22 +178,24 @@ struct CouplingState {
     bool operator==(const Event&) const = default;
   };
 
-  int bodies = 0;                   ///< number of bodies of the world
-  CordId next_cord = 0;             ///< id of the next cord
-  std::vector<Cord> cords;          ///< by id
-  std::vector<Grip> grips;          ///< by id
-  GripId next_grip = 1;             ///< id of the next grip
-  std::vector<TieMemory> ties;      ///< by id
-  TieId next_tie = 1;               ///< id of the next tie
-  std::vector<Pulley> pulleys;      ///< by id
-  PulleyId next_pulley = 1;         ///< id of the next pulley
-  std::vector<Carry> carries;       ///< by body
-  std::vector<Fixture> fixtures;    ///< by number
-  std::uint64_t next_fixture = 1;   ///< number of the next fixture
-  std::vector<Event> events;        ///< of the last tick, by cord and fixture
-  std::vector<EndingTouch> ending;  ///< by cord and fixture
-  std::vector<CutEvent> cuts;       ///< see Coupling::cut_events
-  std::size_t old_cuts = 0;         ///< how many of them are of the last tick
+  int bodies = 0;                            ///< number of bodies of the world
+  CordId next_cord = 0;                      ///< id of the next cord
+  std::vector<Cord> cords;                   ///< by id
+  std::vector<Grip> grips;                   ///< by id
+  GripId next_grip = 1;                      ///< id of the next grip
+  std::vector<TieMemory> ties;               ///< by id
+  TieId next_tie = 1;                        ///< id of the next tie
+  std::vector<Pulley> pulleys;               ///< by id
+  PulleyId next_pulley = 1;                  ///< id of the next pulley
+  std::vector<Carry> carries;                ///< by body
+  std::vector<Fixture> fixtures;             ///< by number
+  std::uint64_t next_fixture = 1;            ///< number of the next fixture
+  std::vector<Event> events;                 ///< of the last tick, by cord and fixture
+  std::vector<EndingTouch> ending;           ///< by cord and fixture
+  std::vector<CutEvent> cuts;                ///< see Coupling::cut_events
+  std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
+  std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
+  std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture
 
   bool operator==(const CouplingState&) const = default;
 };

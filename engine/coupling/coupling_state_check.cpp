@@ -50,6 +50,11 @@ void check_fixtures(const CouplingState& state, const std::vector<b2Body*>& bodi
   check_order("state.fixtures.place", places, [](const auto& place) { return place; });
 }
 
+/// Throws DefinitionError unless a number is `low` or more and that of a fixture.
+void check_number(const char* field, std::uint64_t number, int low, const CouplingState& state) {
+  check_range(field, static_cast<double>(number), low, static_cast<double>(state.next_fixture) - 1.0);
+}
+
 void check_touch(const char* field, const FixtureTouch& touch, std::uint64_t next) {
   const auto check = [field](const char* part, double value, double low, double high) {
     if (!(value >= low && value <= high)) check_range((std::string(field) + part).c_str(), value, low, high);
@@ -101,6 +106,8 @@ void check_cord(const CouplingState::Cord& from, const CoupledCord& cord, const 
   }
   check_range("state.cords.error", from.error, 0.0, most);
   check_touches("state.cords.touching", from.touching, state.next_fixture);
+  check_order("state.cords.sensing", from.sensing, [](std::uint64_t number) { return number; });
+  for (const std::uint64_t number : from.sensing) check_number("state.cords.sensing", number, 1, state);
 }
 
 /// Returns the cord that a saved one is restored to: a missing one, or that of the coupling.
@@ -211,6 +218,19 @@ void check_events(const CouplingState& state) {
   }
 }
 
+void check_sensor_events(const CouplingState& state) {
+  for (const SensorMemory& event : state.sensor_events) {
+    check_range("state.sensor_events.cord", event.cord, 0, state.next_cord - 1);
+    check_number("state.sensor_events.fixture", event.fixture, 0, state);
+  }
+  check_order("state.ending_sensors", state.ending_sensors,
+              [](const SensorMemory& ending) { return std::pair(ending.cord, ending.fixture); });
+  for (const SensorMemory& ending : state.ending_sensors) {
+    check_range("state.ending_sensors.cord", ending.cord, 0, state.next_cord - 1);
+    check_number("state.ending_sensors.fixture", ending.fixture, 1, state);
+  }
+}
+
 void check_cuts(const CouplingState& state) {
   for (const CutEvent& event : state.cuts) {
     check_range("state.cuts.cord", event.cord, 0, state.next_cord - 1);
@@ -245,6 +265,7 @@ void check_state(const CouplingState& state, RestoreMemory& memory, const CordTa
   check_pulleys(state, bodies);
   check_carries(state, bodies);
   check_events(state);
+  check_sensor_events(state);
   check_cuts(state);
 }
 

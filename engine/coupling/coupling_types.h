@@ -133,7 +133,7 @@ struct CutEvent {
 
 /// A part of a fixture that a cord may touch: one edge of a chain, or the whole of any other shape.
 struct NearShape {
-  b2Fixture* fixture;        ///< belongs to an enabled body; not a sensor
+  b2Fixture* fixture;        ///< belongs to an enabled body
   int child;                 ///< index of the child shape
   double travel;             ///< m, upper bound of its displacement in the tick
   std::uint64_t number = 0;  ///< number of the fixture
@@ -150,6 +150,23 @@ struct TouchEvent {
   Vec2 point;                ///< m, where the impulse is largest
   Vec2 normal;               ///< unit vector, from the cord's link to the fixture, or from the edge to the cord's point
   std::uint64_t number = 0;  ///< number of the fixture; 0 if it is null
+};
+
+/// What a cord gave to a fixture at one contact point in a tick.
+struct TouchImpulse {
+  Vec2 point;                    ///< m, contact point
+  Vec2 normal;                   ///< unit vector, from the cord to the fixture
+  double normal_impulse = 0.0;   ///< N·s, part of `impulse` along the normal
+  double tangent_impulse = 0.0;  ///< N·s, part along the normal turned by 90° counter-clockwise: friction
+  Vec2 impulse;                  ///< N·s, whole impulse on the fixture's body, with friction and restitution
+};
+
+/// The begin or end of an overlap between a cord and a sensor in the last tick.
+struct SensorEvent {
+  CordId cord = 0;                     ///< the cord
+  bool begins = false;                 ///< the overlap began; else it ended
+  const b2Fixture* fixture = nullptr;  ///< the sensor, or null; see TouchEvent
+  std::uint64_t number = 0;            ///< number of the fixture; 0 if it is null
 };
 
 }  // namespace ribbon::box2d

@@ -19,6 +19,8 @@ namespace ribbon::box2d {
 void add_shapes(std::span<const NearShape> parts, int body, const Box& swept_aabb, std::vector<RigidCircle>& circles,
                 std::vector<RigidSegment>& segments);
 
+/// Returns whether this id (Touch::other) of a part of a fixture is that of an edge, not of a circle.
+inline bool is_edge(std::uint64_t id) { return id % 2 == 1; }
 /// Returns the number of the fixture whose part has this id (Touch::other), or 0 for another cord.
 std::uint64_t fixture_of(std::uint64_t id);
 

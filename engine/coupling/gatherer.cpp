@@ -15,11 +15,16 @@ namespace {
 /// What is out of range, or not a number, counts as the nearest value in it, as with fixtures.
 double within(double value, double max) { return value > 0.0 ? std::min(value, max) : 0.0; }
 
+constexpr double max_tangent_speed = 1e4;  // m/s
+
 template <typename Shape>
 void set_surface(const Surface& surface, std::span<Shape> shapes) {
+  const double speed =
+      within(surface.tangent_speed, max_tangent_speed) - within(-surface.tangent_speed, max_tangent_speed);
   for (Shape& shape : shapes) {
     shape.friction = within(surface.friction, 10.0);
     shape.restitution = within(surface.restitution, 1.0);
+    shape.tangent_speed = speed;
   }
 }
 
@@ -114,11 +119,12 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
   load_resting_queries(cords);
   for (CoupledCord& cord : cords.active()) {
     cord.near.clear();
+    cord.near_sensors.clear();
     cord.swept_aabb = {};
     if (!cord.enabled) continue;
     cord.swept_aabb = std::visit(
         [&](const auto& of_solver) { return swept_aabb(of_solver, conditions.gravity, conditions.dt); }, cord.cord);
-    queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
+    queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near, &cord.near_sensors});
   }
   try {
     near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
@@ -126,8 +132,11 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
     cords.activate_if([](const CoupledCord&) { return true; });
     throw;
   }
-  cords.activate_if([](const CoupledCord& cord) { return !cord.near.empty(); });
+  cords.activate_if([](const CoupledCord& cord) { return !cord.near.empty() || !cord.near_sensors.empty(); });
   number_new_fixtures(world, cords, fixtures);
+  for (CoupledCord& cord : cords.active()) {
+    if (!cord.near_sensors.empty()) sort(cord.near_sensors);
+  }
 }
 
 void Gatherer::activate_changed(CordTable& cords) {
@@ -141,6 +150,7 @@ bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& condition
   if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().meets_cords()) return false;
   if (!cord.near.empty() || !cord.grips.empty() || cord.tied || !cord.touching.empty() || !cord.touching_before.empty())
     return false;
+  if (!cord.near_sensors.empty() || !cord.sensing.empty()) return false;
   return swept_aabb(cord.direct(), conditions.gravity, conditions.dt) == cord.swept_aabb;
 }
 
@@ -149,7 +159,7 @@ void Gatherer::load_resting_queries(CordTable& cords) {
     resting_count_ = 0;
     queries_.clear();
     for (CoupledCord& cord : cords.resting()) {
-      queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near});
+      queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near, &cord.near_sensors});
     }
     resting_count_ = queries_.size();
     resting_version_ = cords.resting_version();
@@ -159,19 +169,21 @@ void Gatherer::load_resting_queries(CordTable& cords) {
 
 void Gatherer::number_new_fixtures(const b2World& world, CordTable& cords, FixtureIds& fixtures) {
   new_fixtures_.clear();
-  for (CoupledCord& cord : cords.active()) {
-    for (NearShape& shape : cord.near) {
-      shape.number = fixtures.of(*shape.fixture);
-      if (shape.number == 0) new_fixtures_.push_back(shape.fixture);
+  const auto for_each_shape = [&cords](auto&& visit) {
+    for (CoupledCord& cord : cords.active()) {
+      for (NearShape& shape : cord.near) visit(shape);
+      for (NearShape& shape : cord.near_sensors) visit(shape);
     }
-  }
+  };
+  for_each_shape([&](NearShape& shape) {
+    shape.number = fixtures.of(*shape.fixture);
+    if (shape.number == 0) new_fixtures_.push_back(shape.fixture);
+  });
   if (new_fixtures_.empty()) return;
   number_in_order(world, fixtures);
-  for (CoupledCord& cord : cords.active()) {
-    for (NearShape& shape : cord.near) {
-      if (shape.number == 0) shape.number = fixtures.of(*shape.fixture);
-    }
-  }
+  for_each_shape([&](NearShape& shape) {
+    if (shape.number == 0) shape.number = fixtures.of(*shape.fixture);
+  });
 }
 
 /// Numbers several new fixtures in the order of the world's lists, which depends on when they were created, and neither

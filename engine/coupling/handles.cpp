@@ -53,6 +53,7 @@ const b2Filter& CordView::filter() const { return parts_->cords.at(id_).filter; 
 bool CordView::is_enabled() const { return parts_->cords.at(id_).enabled; }
 std::uintptr_t CordView::user_data() const { return parts_->cords.at(id_).user_data; }
 std::span<const FixtureTouch> CordView::touching() const { return parts_->cords.at(id_).touching; }
+std::span<const std::uint64_t> CordView::sensors() const { return parts_->cords.at(id_).sensing; }
 std::span<const NearShape> CordView::near() const { return parts_->cords.at(id_).near; }
 
 int CordView::near_count() const {
@@ -122,6 +123,7 @@ void CordRef::replace(Cord cord, const b2Filter& filter) const {
   coupled.user_data = old.user_data;
   coupled.reserve();
   coupled.touching = old.touching;
+  coupled.sensing = old.sensing;
   old = std::move(coupled);
 }
 

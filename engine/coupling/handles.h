@@ -52,7 +52,10 @@ class CordView {
   const b2Filter& filter() const;                  ///< of add or replace
   std::uintptr_t user_data() const;                ///< initially 0
   std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
-  std::span<const NearShape> near() const;         ///< valid until the next gather or the destruction of a fixture
+  /// Returns the numbers of the sensors that the cord overlapped in the last step, ascending; see
+  /// Coupling::sensor_events and Coupling::fixture.
+  std::span<const std::uint64_t> sensors() const;
+  std::span<const NearShape> near() const;  ///< not sensors; valid until the next gather or a fixture's destruction
   /// Returns the number of circles and edges that the cord could have touched in the last tick.
   int near_count() const;
   /// Returns the box [m] in which the last gather searched for fixtures; empty if the cord was disabled.

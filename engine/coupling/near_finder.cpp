@@ -62,13 +62,14 @@ double travel_of(const b2Body& body, const Box& box, double fall, double dt) {
 void test(b2Fixture& fixture, int child, const NearQuery& query, double fall, double dt) {
   const b2Body& body = *fixture.GetBody();
   const b2AABB& aabb = fixture.GetAABB(child);
-  if (!is_sound(aabb) || !can_be_met(body)) return;
+  const bool is_sensor = fixture.IsSensor();  // which may be all of a dynamic body, without mass
+  if (!is_sound(aabb) || !(is_sensor ? box2d::is_sound(body) : can_be_met(body))) return;
   const Box box = to_box(aabb);
   const double travel = travel_of(body, box, fall, dt);
   if (!overlap(box, widened(query.swept_aabb, travel))) return;
-  if (fixture.IsSensor() || (query.circles_only && fixture.GetType() != b2Shape::e_circle)) return;
+  if (!is_sensor && query.circles_only && fixture.GetType() != b2Shape::e_circle) return;
   if (!should_collide(fixture.GetFilterData(), query.filter)) return;
-  query.near->push_back({&fixture, child, travel});
+  (is_sensor ? query.sensors : query.near)->push_back({&fixture, child, travel});
 }
 
 const b2FixtureProxy& proxy_of(const b2TreeNode& leaf) { return *static_cast<const b2FixtureProxy*>(leaf.userData); }
@@ -183,7 +184,7 @@ void NearFinder::test_found(Task& task) const {
 void NearFinder::test_moving_bodies(b2World& world, std::span<const NearQuery> queries) {
   sort_by_x(queries);
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (!moves(*body) || !body->IsEnabled() || !can_be_met(*body)) continue;
+    if (!moves(*body) || !body->IsEnabled() || !is_sound(*body)) continue;
     for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       const int children = fixture->GetShape()->GetChildCount();
       for (int child = 0; child < children; ++child) test_moving_fixture(queries, *fixture, child);

@@ -19,10 +19,11 @@ namespace ribbon::box2d {
 
 /// A search for the fixtures near one cord.
 struct NearQuery {
-  Box swept_aabb;                ///< m, box that the cord can reach in the tick
-  b2Filter filter;               ///< filter of the cord, as between two Box2D fixtures
-  bool circles_only;             ///< find circles only, for the thesis's solver
-  std::vector<NearShape>* near;  ///< results are appended here, in any order and possibly twice
+  Box swept_aabb;                   ///< m, box that the cord can reach in the tick
+  b2Filter filter;                  ///< filter of the cord, as between two Box2D fixtures
+  bool circles_only;                ///< find circles only, for the thesis's solver
+  std::vector<NearShape>* near;     ///< results are appended here, in any order and possibly twice
+  std::vector<NearShape>* sensors;  ///< and sensors of any shape here
 };
 
 /// Returns whether all values of a body are finite and in range.

@@ -12,7 +12,7 @@ namespace {
 void add_touches(const Cord& cord, std::vector<FixtureTouch>& touching) {
   for (const Touch& touch : cord.touches()) {
     const std::uint64_t fixture = fixture_of(touch.other);
-    if (fixture == 0) continue;
+    if (fixture == 0 || !(touch.force > 0.0 || touch.impulse > 0.0)) continue;
     const auto place = std::lower_bound(touching.begin(), touching.end(), fixture,
                                         [](const FixtureTouch& a, std::uint64_t b) { return a.fixture < b; });
     if (place == touching.end() || place->fixture != fixture) {

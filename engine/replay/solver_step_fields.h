@@ -86,7 +86,7 @@ void fields(Archive& archive, T& holder) {
 
 template <typename Archive, Is<ribbon::Touch> T>
 void fields(Archive& archive, T& touch) {
-  auto& [other, feature, other_feature, force, stuck, impulse, point, normal] = touch;
+  auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] = touch;
   archive("other", other);
   archive("feature", feature);
   archive("other_feature", other_feature);
@@ -95,6 +95,7 @@ void fields(Archive& archive, T& touch) {
   archive("impulse", impulse);
   archive("point", point);
   archive("normal", normal);
+  archive("push", push);
 }
 
 template <typename Archive, Is<ribbon::PulleyDef> T>
@@ -197,18 +198,19 @@ void fields(Archive& archive, T& body) {
 
 template <typename Archive, Is<ribbon::RigidCircle> T>
 void fields(Archive& archive, T& circle) {
-  auto& [body, offset, radius, friction, restitution, id] = circle;
+  auto& [body, offset, radius, friction, restitution, id, tangent_speed] = circle;
   archive("body", body);
   archive("offset", offset);
   archive("radius", radius);
   archive("friction", friction);
   archive("restitution", restitution);
   archive("id", id);
+  archive("tangent_speed", tangent_speed);
 }
 
 template <typename Archive, Is<ribbon::RigidSegment> T>
 void fields(Archive& archive, T& segment) {
-  auto& [body, a, b, radius, friction, restitution, id] = segment;
+  auto& [body, a, b, radius, friction, restitution, id, tangent_speed] = segment;
   archive("body", body);
   archive("a", a);
   archive("b", b);
@@ -216,6 +218,7 @@ void fields(Archive& archive, T& segment) {
   archive("friction", friction);
   archive("restitution", restitution);
   archive("id", id);
+  archive("tangent_speed", tangent_speed);
 }
 
 template <typename Archive, Is<ribbon::Grip> T>

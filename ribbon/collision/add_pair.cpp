@@ -27,6 +27,7 @@ void restore_touch(const Member& member, ContactPair& pair) {
                                        [](const Touch& a, const Touch& b) { return a.place_before(b); });
   if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
+  pair.touch.push = {};
 }
 
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard

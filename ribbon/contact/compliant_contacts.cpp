@@ -166,6 +166,15 @@ double CompliantContacts::energy(const ContactPairs& pairs, const ActiveContacts
   return sum;
 }
 
+double CompliantContacts::friction_force(const ContactState& state, const ActiveContact& contact, double normal) {
+  const ContactPair& pair = state.scene.pairs[contact.pair];
+  const AnchorState anchors = state.anchors();
+  const double limit = pair.friction * normal;
+  const SlotRow tangent = tangent_row(anchors, pair, contact.gap);
+  const double elongation = state.reference.elongation(anchors, pair, contact.gap, tangent);
+  return std::clamp(-pair.friction_stiffness() * elongation, -limit, limit);
+}
+
 bool CompliantContacts::are_settled(const ContactState& state, const ContactForces& forces, double tolerance) {
   double sum = 0.0;
   double max_error = 0.0;
@@ -178,17 +187,13 @@ bool CompliantContacts::are_settled(const ContactState& state, const ContactForc
   for (const std::size_t k : state.scene.candidates.pairs()) {
     if (!state.active.is_active(k)) add_error(pairs[k], forces.unlimited_normal[k]);
   }
-  const AnchorState anchors = state.anchors();
   for (const ActiveContact& contact : state.active.all()) {
     const ContactPair& pair = pairs[contact.pair];
     const double normal = pair.stiffness * pairs.depth(contact.pair, contact.gap);
     sum += normal + settled_depth * pair.stiffness / settled_fraction;
     add_error(pair, normal - forces.normal[contact.pair]);
     if (pair.friction == 0.0) continue;
-    const double limit = pair.friction * normal;
-    const SlotRow tangent = tangent_row(anchors, pair, contact.gap);
-    const double elongation = state.reference.elongation(anchors, pair, contact.gap, tangent);
-    const double friction = std::clamp(-pair.friction_stiffness() * elongation, -limit, limit);
+    const double friction = friction_force(state, contact, normal);
     add_error(pair, friction - forces.friction[contact.pair]);
   }
   return max_error <= settled_fraction * sum || max_displacement <= tolerance / soft_stiffness_factor;

@@ -59,6 +59,8 @@ class CompliantContacts {
   static double potential(const ContactState& state, const ContactForces& forces);
   /// Returns the energy of the penetrations, J.
   static double energy(const ContactPairs& pairs, const ActiveContacts& active);
+  /// Returns the friction at a contact that has a normal force [N], N along the tangent.
+  static double friction_force(const ContactState& state, const ActiveContact& contact, double normal);
   /// Returns whether forces agree with those of the last linear solve to a thousandth of all forces, or to what moves
   /// a body by `tolerance` [m] in a step.
   static bool are_settled(const ContactState& state, const ContactForces& forces, double tolerance);

@@ -14,6 +14,7 @@ constexpr std::size_t initial_capacity = 16;  // few scenes need more body ancho
 void ContactAnchors::clear(std::size_t points) {
   points_ = points;
   bodies_.clear();
+  time_ = target_time_ = 0.0;
 }
 
 int ContactAnchors::add(const BodyAnchor& anchor) {
@@ -52,6 +53,7 @@ int ContactAnchors::group(int anchor, std::span<const int> group_of) const {
 }
 
 void ContactAnchors::set_kinematic_targets(double time) {
+  target_time_ = time;
   for (BodyAnchor& body : bodies_) {
     if (!body.is_kinematic()) continue;
     body.start = body.current;
@@ -61,6 +63,7 @@ void ContactAnchors::set_kinematic_targets(double time) {
 }
 
 void ContactAnchors::advance_kinematics(double fraction) {
+  time_ = fraction == 1.0 ? target_time_ : time_ + fraction * (target_time_ - time_);
   for (BodyAnchor& body : bodies_) {
     if (!body.is_kinematic()) continue;
     if (fraction == 1.0) {

@@ -64,10 +64,14 @@ class ContactAnchors {
   void advance_kinematics(double fraction);
   /// Moves kinematic bodies to where they are `time` [s] after the start of the step.
   void place_kinematics(double time);
+  /// Returns the time until which they have moved, s since the start of the step.
+  double time() const { return time_; }
 
  private:
   std::size_t points_ = 0;
   std::vector<BodyAnchor> bodies_;
+  double time_ = 0.0;         // s, now
+  double target_time_ = 0.0;  // s, at the end of the stage
 };
 
 /// A state x of the slots, and the positions of all anchors in it.

@@ -27,6 +27,7 @@ struct ContactPair {
   double stiffness = 0.0;            ///< k, N/m
   double friction = 0.0;             ///< μ
   double restitution = 0.0;          ///< e
+  double tangent_speed = 0.0;        ///< m/s, of the other surface; see RigidCircle
   std::size_t cord = 0;              ///< index of the cord that stores the contact
   Touch touch;                       ///< the contact as it is stored from step to step
 

@@ -38,6 +38,7 @@ SlotRow slots_of(const ContactAnchors& anchors, const ContactPair& pair) {
 void SlipReference::set(const ContactAnchors& anchors, std::span<const Vec2> x) {
   anchors.positions(x, KinematicTime::current, positions_);
   slots_.assign(x.begin(), x.end());
+  time_ = anchors.time();
   const std::span<const BodyAnchor> bodies = anchors.bodies();
   angles_.reserve(anchors.body_capacity());
   angles_.resize(bodies.size());
@@ -61,7 +62,8 @@ double SlipReference::elongation(const AnchorState& state, const ContactPair& pa
   add_kinematic(pair.disc, 1.0, axis);
   add_kinematic(pair.a, -(1.0 - gap.along), -axis);
   add_kinematic(pair.b, -gap.along, -axis);
-  return slip;
+  if (pair.tangent_speed == 0.0) return slip;
+  return slip + pair.tangent_speed * (state.anchors.time() - time_) * cross(gap.normal, gap.tangent);
 }
 
 }  // namespace ribbon

@@ -29,7 +29,7 @@ class SlipReference {
  public:
   void set(const ContactAnchors& anchors, std::span<const Vec2> x);
   /// Returns the elongation of the friction spring, m: what is left from before the substep and the slip since then,
-  /// along a tangent_row.
+  /// along a tangent_row, with what a surface that moves along itself has moved.
   double elongation(const AnchorState& state, const ContactPair& pair, const Separation& gap,
                     const SlotRow& tangent) const;
 
@@ -37,6 +37,7 @@ class SlipReference {
   std::vector<Vec2> positions_;  // m, by anchor
   std::vector<Vec2> slots_;
   std::vector<double> angles_;  // rad, by body anchor
+  double time_ = 0.0;           // s, since the start of the step
 };
 
 }  // namespace ribbon

@@ -32,10 +32,24 @@ bool Contacts::changed_at(std::span<const Vec2> x) {
 void Contacts::store(std::span<const Vec2> x) {
   active.update(scene, x);
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) scene.pairs[k].touch.impulse += impacts.impulse(k);
+  if (impacts.records_pushes()) store_pushes();
   // The depth does not determine the force of a linearised contact, because its normal and position are fixed.
   std::span<const double> known;
   if (linearised.has_forces()) known = forces.normal;
   CompliantContacts::store(state(x), known, scene.pairs);
+}
+
+/// A pair that was hit and is apart now gets the normal and the point of the hit.
+void Contacts::store_pushes() {
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    const Impacts::Push& push = impacts.push(k);
+    if (push.impulse == Vec2{}) continue;
+    ContactPair& pair = scene.pairs[k];
+    const bool is_of_cord = scene.anchors.is_point(pair.disc);
+    pair.touch.push += is_of_cord ? -push.impulse : push.impulse;
+    pair.touch.normal = push.normal;
+    pair.touch.point = push.point;
+  }
 }
 
 double Contacts::energy() const {
@@ -47,7 +61,8 @@ double Contacts::energy_of_forces() const {
   return linearised.has_forces() ? sum / linearised.stiffness_ratio() : sum;
 }
 
-void Contacts::record_impacts(double duration) {
+void Contacts::record_impacts(std::span<const Vec2> x, double duration) {
+  if (impacts.records_pushes()) record_pushes(x, duration);
   if (linearised.has_forces()) {
     for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
       if (forces.normal[k] > 0.0) impacts.record(k, duration * forces.normal[k]);
@@ -57,6 +72,26 @@ void Contacts::record_impacts(double duration) {
   for (const ActiveContact& contact : active.all()) {
     const double depth = scene.pairs.depth(contact.pair, contact.gap);
     impacts.record(contact.pair, duration * scene.pairs[contact.pair].stiffness * depth);
+  }
+}
+
+void Contacts::record_pushes(std::span<const Vec2> x, double duration) {
+  const AnchorState anchors = active.state(scene.anchors, x);
+  const auto record = [&](const ActiveContact& contact, double normal, double friction) {
+    const ContactPair& pair = scene.pairs[contact.pair];
+    const Vec2 force = normal * contact.gap.normal + friction * contact.gap.tangent;
+    const Vec2 point = anchors[pair.disc] - pair.disc_radius * contact.gap.normal;
+    impacts.record_push(contact.pair, {duration * force, contact.gap.normal, point});
+  };
+  if (linearised.has_forces()) {
+    for (const ActiveContact& contact : linearised.all()) {
+      record(contact, forces.normal[contact.pair], forces.friction[contact.pair]);
+    }
+    return;
+  }
+  for (const ActiveContact& contact : active.all()) {
+    const double normal = scene.pairs[contact.pair].stiffness * scene.pairs.depth(contact.pair, contact.gap);
+    record(contact, normal, CompliantContacts::friction_force(state(x), contact, normal));
   }
 }
 
@@ -92,7 +127,8 @@ bool Contacts::begin_restitution(std::span<const Vec2> x, std::span<const Vec2> 
   return impacts.find_restitution(scene, x, before, after, dt, active);
 }
 
-void Contacts::end_restitution(std::span<const Vec2> x) {
+void Contacts::end_restitution(std::span<const Vec2> x, const std::vector<Vec2>* step) {
+  if (step != nullptr) impacts.take_restitution(scene.pairs, active, active.state(scene.anchors, x), *step);
   impacts.end_restitution();
   active.find(scene, x);
 }

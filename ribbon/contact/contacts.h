@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "ribbon/contact/active_contacts.h"
 #include "ribbon/contact/compliant_contacts.h"
@@ -39,8 +40,8 @@ struct Contacts {
   double energy() const;
   /// Returns the elastic energy by the forces that were found last, J; at the start of a substep by the stored ones.
   double energy_of_forces() const;
-  /// Adds the impulses of the contact forces, which act for `duration` [s].
-  void record_impacts(double duration);
+  /// Adds the impulses of the contact forces at x, which act for `duration` [s].
+  void record_impacts(std::span<const Vec2> x, double duration);
 
   // Newton steps:
 
@@ -60,7 +61,8 @@ struct Contacts {
   // Restitution, see Impacts:
 
   bool begin_restitution(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after, double dt);
-  void end_restitution(std::span<const Vec2> x);
+  /// Takes over the solution of the linear system, and ends the restitution.
+  void end_restitution(std::span<const Vec2> x, const std::vector<Vec2>* step);
 
   // Contacts that are linearised once, see LinearisedContacts. The path is that from `from`, the start of the stage, to
   // `to`:
@@ -72,6 +74,8 @@ struct Contacts {
 
  private:
   ContactState state(std::span<const Vec2> x) const { return {scene, active, slip_reference, x}; }
+  void record_pushes(std::span<const Vec2> x, double duration);
+  void store_pushes();
   void set_path(std::span<const Vec2> from, std::span<const Vec2> to);
 };
 

@@ -13,12 +13,16 @@ constexpr double min_restitution_speed = 0.5;  // m/s
 void Impacts::clear() {
   is_hit_.clear();
   impulses_.clear();
+  pushes_.clear();
 }
 
 void Impacts::begin_substep(const ContactPairs& pairs) {
   assign_by_pair(is_hit_, pairs, '\0');
   impulses_.reserve(pairs.capacity());
   impulses_.resize(pairs.size());
+  if (!records_pushes_) return;
+  pushes_.reserve(pairs.capacity());
+  pushes_.resize(pairs.size());
 }
 
 void Impacts::record(std::size_t pair, double impulse) {
@@ -26,8 +30,15 @@ void Impacts::record(std::size_t pair, double impulse) {
   impulses_[pair] += impulse;
 }
 
+void Impacts::record_push(std::size_t pair, const Push& push) {
+  const Vec2 before = pushes_[pair].impulse;
+  pushes_[pair] = push;
+  pushes_[pair].impulse += before;
+}
+
 void Impacts::scale_impulses(double factor) {
   for (double& impulse : impulses_) impulse = factor == 0.0 ? 0.0 : factor * impulse;
+  for (Push& push : pushes_) push.impulse = factor == 0.0 ? Vec2{} : factor * push.impulse;
 }
 
 bool Impacts::any() const { return std::find(is_hit_.begin(), is_hit_.end(), 1) != is_hit_.end(); }
@@ -81,6 +92,27 @@ void Impacts::load(const ContactPairs& pairs, const ActiveContacts& active, cons
     const SlotRow normal = normal_row(state, pair, contacts[i].gap);
     normal.push(pair.stiffness * separations_[i], force);
     matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
+  }
+}
+
+void Impacts::take_restitution(const ContactPairs& pairs, const ActiveContacts& active, const AnchorState& state,
+                               std::span<const Vec2> step) {
+  if (!records_pushes_) return;
+  restitution_.clear();
+  restitution_.reserve(pairs.capacity());
+  const std::span<const ActiveContact> contacts = active.all();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [k, gap] = contacts[i];
+    const double left = separations_[i] - normal_row(state, pairs[k], gap).along(step);
+    const Vec2 point = state[pairs[k].disc] - pairs[k].disc_radius * gap.normal;
+    restitution_.emplace_back(k, Push{(pairs[k].stiffness * left) * gap.normal, gap.normal, point});
+  }
+}
+
+void Impacts::record_restitution(double share, double dt) {
+  if (!records_pushes_) return;
+  for (const auto& [pair, push] : restitution_) {
+    record_push(pair, {(share * dt) * push.impulse, push.normal, push.point});
   }
 }
 

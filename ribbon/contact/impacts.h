@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ribbon/contact/active_contacts.h"
@@ -17,10 +18,23 @@ class Impacts {
   void begin_substep(const ContactPairs& pairs);
   /// Adds to the impulse of a pair, N·s.
   void record(std::size_t pair, double impulse);
+  /// Starts a step: pushes are recorded in it or not.
+  void record_pushes(bool wanted) { records_pushes_ = wanted; }
+  bool records_pushes() const { return records_pushes_; }
+  /// An impulse on the disc of a pair, and where it acted last.
+  struct Push {
+    Vec2 impulse;  // N·s
+    Vec2 normal;   // see Touch
+    Vec2 point;    // m, the same
+  };
+  /// Adds to the impulse that the disc of a pair gets.
+  void record_push(std::size_t pair, const Push& push);
   /// Multiplies all impulses; 0 clears them.
   void scale_impulses(double factor);
   /// N·s.
   double impulse(std::size_t pair) const { return impulses_[pair]; }
+  /// What the disc of a pair got. Pushes must be recorded.
+  const Push& push(std::size_t pair) const { return pushes_[pair]; }
   bool any() const;
   /// Returns whether any of the pairs contains a kinematic body.
   bool touch_kinematic(const ContactScene& scene) const;
@@ -35,6 +49,11 @@ class Impacts {
   /// Adds springs that open each contact by its separation to a linear system.
   void load(const ContactPairs& pairs, const ActiveContacts& active, const AnchorState& state, BlockLdlt& matrix,
             std::span<Vec2> force) const;
+  /// Takes over the solution of that system, if pushes are recorded. `active` has its contacts at `state`.
+  void take_restitution(const ContactPairs& pairs, const ActiveContacts& active, const AnchorState& state,
+                        std::span<const Vec2> step);
+  /// Adds the pushes of a restitution that is this share of the solution, in dt [s].
+  void record_restitution(double share, double dt);
   void end_restitution() { separations_.clear(); }
 
  private:
@@ -43,6 +62,9 @@ class Impacts {
   std::vector<char> is_hit_;         // by pair
   std::vector<double> impulses_;     // N·s, by pair
   std::vector<double> separations_;  // m, of the active contacts, during restitution
+  bool records_pushes_ = false;
+  std::vector<Push> pushes_;                               // by pair
+  std::vector<std::pair<std::size_t, Push>> restitution_;  // pairs, and what their discs get in the solution, in N
 };
 
 }  // namespace ribbon

@@ -39,6 +39,7 @@ class LinearisedContacts {
   void store(const ContactForces& forces);
   void restore(ContactForces& forces);
 
+  std::span<const ActiveContact> all() const { return contacts_; }
   /// Whether the forces of the last linear solve are those of linearised contacts.
   bool has_forces() const { return has_forces_; }
   /// Stiffness of the contacts relative to that of the pairs.

@@ -31,6 +31,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   state_.dt = dt;
   state_.gravity = gravity;
   state_.rigid = bodies;
+  contacts_.impacts.record_pushes(
+      std::any_of(cords.begin(), cords.end(), [](const IslandCord& cord) { return cord.records_pushes; }));
   work_ = {};
   bounds_.begin_step(cords.size());
   const bool closes_ties = bring_together(cords, tied);
@@ -111,7 +113,7 @@ void Island::store_touches() {
     member.cord->state.touch_changed = state_.touch_changed;
   }
   for (const ContactPair& pair : contacts_.scene.pairs.all()) {
-    if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0)) continue;
+    if (!(pair.touch.force > 0.0 || pair.touch.impulse > 0.0) && pair.touch.push == Vec2{}) continue;
     state_.members[pair.cord].cord->state.touches.push_back(pair.touch);
   }
   for (const Member& member : state_.members) {

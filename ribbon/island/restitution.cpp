@@ -13,7 +13,7 @@ void Restitution::apply(const StepContext& context, const Cord::Energy& before, 
   IslandState& state = context.state;
   if (!context.contacts.begin_restitution(state.positions, state.start.velocities, state.velocities, dt)) return;
   const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);
-  context.contacts.end_restitution(state.positions);
+  context.contacts.end_restitution(state.positions, change);
   if (change == nullptr) return;
   velocities_ = state.velocities;
   state.add_damping(-1.0);
@@ -23,7 +23,7 @@ void Restitution::apply(const StepContext& context, const Cord::Energy& before, 
     }
     state.restart = true;
     state.add_damping(1.0);
-    if (!context.gained_energy(before, tolerated_gain)) return;
+    if (!context.gained_energy(before, tolerated_gain)) return context.contacts.impacts.record_restitution(share, dt);
     state.add_damping(-1.0);
   }
   state.velocities = velocities_;

@@ -59,11 +59,13 @@ std::uint64_t hash_at_rest(const Surroundings& surroundings, std::span<const Rig
     add_places(circle.body, {circle.offset});
     hash.add(circle.id);
     for (const double number : {circle.radius, circle.friction, circle.restitution}) hash.add(number);
+    at_rest = at_rest && circle.tangent_speed == 0.0;
   }
   for (const RigidSegment& segment : surroundings.segments) {
     add_places(segment.body, {segment.a, segment.b});
     hash.add(segment.id);
     for (const double number : {segment.radius, segment.friction, segment.restitution}) hash.add(number);
+    at_rest = at_rest && segment.tangent_speed == 0.0;
   }
   for (const Grip& grip : surroundings.grips) {
     add_places(grip.body, {grip.offset});

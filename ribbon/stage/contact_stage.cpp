@@ -147,7 +147,7 @@ double ContactStage::search(const StageContext& context, const Stage& stage, dou
 /// nothing. Whatever touches now has been hit in the stage.
 bool ContactStage::is_solution(const StageContext& context, const StageRequest& request) const {
   context.contacts.active.update(context.contacts.scene, context.state.positions);
-  context.contacts.record_impacts(request.time_weight);
+  context.contacts.record_impacts(context.state.positions, request.time_weight);
   return context.contacts.sweep.path_is_clear(context.contacts.scene, request.from, context.state.positions);
 }
 

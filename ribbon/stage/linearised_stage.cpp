@@ -69,7 +69,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
     if (result.cut && kind == ContactSolve::truncated) restore_lengths(context, bounds, request, stage);
-    context.contacts.record_impacts(request.time_weight);
+    context.contacts.record_impacts(state.positions, request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
   return result;

@@ -406,7 +406,40 @@ void drive_cuts(BitWorld& scene, int tick) {
   if (tick == 60) cut(0, [](auto cord) { cord.cut(0.5); });
 }
 
-constexpr std::array<BitScene, 11> scenes = {{
+/// Makes a belt of all that stands still, and lets no second rope into the sensors.
+struct Rules : ribbon::box2d::ContactListener {
+  bool pre_solve(ribbon::box2d::CordId /*cord*/, const b2Fixture& fixture, ribbon::box2d::Surface& surface) override {
+    if (fixture.GetBody()->GetType() == b2_staticBody) surface.tangent_speed = 1.5;
+    return true;
+  }
+  bool wants_impulses() const override { return true; }
+  bool should_meet_sensor(ribbon::box2d::CordId cord, const b2Fixture& /*sensor*/) override { return cord != 1; }
+};
+Rules rules;  // without a state
+
+/// Belts carry ropes, with a ball on one of them, through sensors that stand and move.
+void build_listener(BitWorld& scene) {
+  scene.coupling.listen(&rules);
+  add_box(scene, {0.0, -0.5}, 4.0F, 0.5F, b2_staticBody);
+  add_circle(scene, {5.5, -1.5}, 0.8, b2_staticBody);
+  for (int k = 0; k < 3; ++k) {
+    CordDef def;
+    def.points = 11;
+    def.length = 1.0;
+    def.radius = 0.03;
+    def.friction = 0.5;
+    if (k == 2) def.accuracy = Accuracy::fast();
+    for (int i = 0; i < def.points; ++i) def.positions.push_back({-3.0 + 1.5 * k + 0.1 * i, 0.3 + 0.02 * i});
+    scene.coupling.add(Cord(def));
+  }
+  add_circle(scene, {-2.6, 0.8}, 0.2);
+  add_box(scene, {1.0, 0.2}, 0.3F, 0.3F, b2_staticBody).GetFixtureList()->SetSensor(true);
+  b2Body& moving = add_circle(scene, {3.0, 0.2}, 0.4, b2_kinematicBody);
+  moving.GetFixtureList()->SetSensor(true);
+  moving.SetLinearVelocity({-1.0F, 0.0F});
+}
+
+constexpr std::array<BitScene, 12> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -418,6 +451,7 @@ constexpr std::array<BitScene, 11> scenes = {{
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
     {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
+    {"listener", build_listener, nullptr, 180, 0x0851c1f89e3a1b7b},
 }};
 
 }  // namespace

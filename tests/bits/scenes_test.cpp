@@ -49,6 +49,7 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
   ribbon::IslandReport direct;
   ribbon::StepReport thesis;
   std::size_t begun = 0;
+  std::size_t sensed = 0;
   std::size_t slipped = 0;
   std::size_t slept = 0;
   std::size_t woken = 0;
@@ -71,6 +72,7 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
       }
       begun += world.coupling.touch_events().size();
       cuts += world.coupling.cut_events().size();
+      sensed += world.coupling.sensor_events().size();
       for (int grip = 1; grip < 20; ++grip) {
         const auto held = world.coupling.grip(grip);
         slipped += held.is_valid() && held.state().slips ? 1U : 0U;
@@ -91,6 +93,7 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
   EXPECT_GT(thesis.self_contacts, 0);
   EXPECT_GT(thesis.circle_contacts, 0);
   EXPECT_GT(begun, 20U);
+  EXPECT_GT(sensed, 4U);
   EXPECT_GT(slipped, 0U);
   EXPECT_GT(slept, 60U);
   EXPECT_GT(woken, 1U);

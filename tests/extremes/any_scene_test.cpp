@@ -36,7 +36,7 @@ TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
     const Scene scene = generate({seed, GetParam(), Difficulty::gentle, {}});
     ASSERT_FALSE(scene.cords.empty()) << seed;
     EXPECT_TRUE(starts_clear(scene)) << seed;
-    EXPECT_FALSE(is_driven(scene)) << seed;
+    EXPECT_TRUE(GetParam() == Family::belts || !is_driven(scene)) << seed;
   }
 }
 

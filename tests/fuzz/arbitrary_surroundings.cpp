@@ -40,6 +40,10 @@ ArbitrarySurroundings::ArbitrarySurroundings(Bytes& bytes, int points) {
     if (bytes.boolean()) grip.strength = bytes.number(1e-3, 1e6);
     grips.push_back(grip);
   }
+  if (bytes.below(4) != 0) return;
+  const double belt = bytes.number(-10.0, 10.0);
+  for (ribbon::RigidCircle& circle : circles) circle.tangent_speed = belt;
+  for (ribbon::RigidSegment& segment : segments) segment.tangent_speed = -belt;
 }
 
 }  // namespace fuzz

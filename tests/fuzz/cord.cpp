@@ -157,6 +157,7 @@ void Fuzzed::corrupt(Cord::State& state) {
       touch.feature = bytes_.integer(0, 2 * cord_.size());
       touch.force = bytes_.number(0.0, 1.0);
       touch.normal = bytes_.vector(-1.0, 1.0);
+      touch.push = bytes_.vector(-1.0, 1.0);
       state.touches.push_back(touch);
     }
   }

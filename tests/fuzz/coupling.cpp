@@ -4,10 +4,12 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/cord_queries.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -37,6 +39,31 @@ struct Observed {
   bool operator==(const Observed&) const = default;
 };
 
+/// Refuses some contacts and sensors, makes belts, and looks at what it is told.
+struct Listener : ribbon::box2d::ContactListener {
+  bool pre_solve(ribbon::box2d::CordId cord, const b2Fixture& fixture, ribbon::box2d::Surface& surface) override {
+    require(!fixture.IsSensor(), "sensors do not collide");
+    surface.tangent_speed = speed;
+    return cord != refused;
+  }
+  bool wants_impulses() const override { return wanted; }
+  void post_solve(ribbon::box2d::CordId /*cord*/, const b2Fixture& /*fixture*/,
+                  std::span<const ribbon::box2d::TouchImpulse> touches) override {
+    require(wanted && !touches.empty(), "impulses are wanted");
+    for (const ribbon::box2d::TouchImpulse& touch : touches) require(is_finite(touch.impulse), "impulses are finite");
+  }
+  bool should_meet_sensor(ribbon::box2d::CordId cord, const b2Fixture& sensor) override {
+    require(sensor.IsSensor(), "only sensors are asked about");
+    return cord != refused;
+  }
+  void sensor_event(const ribbon::box2d::SensorEvent& event) override {
+    require(!event.begins || (event.fixture != nullptr && event.cord != refused), "what begins exists");
+  }
+  double speed = 0.0;
+  ribbon::box2d::CordId refused = -1;
+  bool wanted = false;
+};
+
 class Fuzzed {
  public:
   explicit Fuzzed(Bytes& bytes) : bytes_(bytes) {
@@ -56,6 +83,8 @@ class Fuzzed {
   void cut();
   void tie();
   void save_or_restore();
+  void listen();
+  void look_at_sensors() const;
   Observed observe() const;
   bool box2d_keeps_bodies_finite() const;
   template <typename Do>
@@ -73,6 +102,7 @@ class Fuzzed {
   bool gathered_ = false;
   std::optional<Coupling::State> saved_;
   ribbon::box2d::CordQueries queries_;
+  Listener listener_;
 };
 
 void Fuzzed::add_cord() {
@@ -144,6 +174,7 @@ void Fuzzed::call() {
     case 8: cut(); break;
     case 9: save_or_restore(); break;
     case 10: tie(); break;
+    case 11: listen(); break;
     case 6: require(!accepts([&] { coupling_.apply(); }), "apply without step is refused"); break;
     default: tick();
   }
@@ -154,6 +185,7 @@ void Fuzzed::tick() {
   if (!gathered_ && !accepts([&] { coupling_.gather(world_, dt); })) return;
   if (bytes_.below(8) == 0) change_a_grip();
   coupling_.step();
+  look_at_sensors();
   if (bytes_.below(8) == 0) change_a_grip();
   coupling_.apply();
   gathered_ = false;
@@ -265,6 +297,24 @@ void Fuzzed::save_or_restore() {
     return;
   }
   if (accepts([&] { coupling_.restore(*saved_, world_); })) gathered_ = false;
+}
+
+void Fuzzed::listen() {
+  listener_.speed = bytes_.number(-10.0, 10.0);
+  listener_.refused = bytes_.integer(-1, 3);
+  listener_.wanted = bytes_.boolean();
+  coupling_.listen(bytes_.below(4) == 0 ? nullptr : &listener_);
+}
+
+/// An event agrees with the overlaps that there are.
+void Fuzzed::look_at_sensors() const {
+  for (const ribbon::box2d::SensorEvent& event : coupling_.sensor_events()) {
+    const auto cord = coupling_.cord(event.cord);
+    if (!cord.is_valid() || event.number == 0) continue;
+    const auto inside = cord.sensors();
+    require(std::binary_search(inside.begin(), inside.end(), event.number) == event.begins,
+            "what began overlaps, and what ended does not");
+  }
 }
 
 void Fuzzed::change_bodies() {

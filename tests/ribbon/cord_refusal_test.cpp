@@ -163,6 +163,12 @@ TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   refuses(0.01, {}, {bodies, thin, {}, {}}, "circles[0].radius");
   const std::array segments{RigidSegment{0, {}, {nan, 0.0}}};
   refuses(0.01, {}, {bodies, {}, {}, segments}, "segments[0].b");
+  std::array belt{RigidSegment{0, {}, {1.0, 0.0}}};
+  belt[0].tangent_speed = 1e11;
+  refuses(0.01, {}, {bodies, {}, {}, belt}, "segments[0].tangent_speed");
+  std::array wheel{RigidCircle{0, {}, 0.1}};
+  wheel[0].tangent_speed = nan;
+  refuses(0.01, {}, {bodies, wheel, {}, {}}, "circles[0].tangent_speed");
   const std::array grips{Grip{51, 0, {}}};
   refuses(0.01, {}, {bodies, {}, grips, {}}, "grips[0].point");
   bodies[1].inverse_mass = -1.0;

@@ -28,7 +28,7 @@ SolverStep some_step() {
   cord.state.velocities[1] = {-0.0, 1e-310};
   cord.state.velocities[2] = {0.1 + 0.2, 123456789012345680.0};
   cord.circles.push_back({0, {0.1, -0.2}, 0.3, 0.4, 0.5, 6});
-  cord.segments.push_back({0, {0.1, -0.2}, {0.3, 0.4}, 0.0, 0.4, 0.5, 7});
+  cord.segments.push_back({0, {0.1, -0.2}, {0.3, 0.4}, 0.0, 0.4, 0.5, 7, -1.5});
   cord.grips.push_back({4, 1, {0.0, 0.1}});
   cord.id = (std::uint64_t{1} << 63U) + 1;
   step.cords.push_back(cord);
@@ -78,7 +78,7 @@ TEST(SolverStep, RefusesMissingAndUnknownFields) {
             "bad.json: cords[0].def.radius is missing; accepted is a file with all fields");
   EXPECT_EQ(refusal(text_with("\"radius\": 0.3,", "\"radius\": 0.3, \"colour\": 1,")),
             "bad.json: cords[0].circles[0]: there is no field \"colour\"; accepted are body, offset, radius, friction, "
-            "restitution, id");
+            "restitution, id, tangent_speed");
 }
 
 TEST(SolverStep, RefusesValuesOfOtherTypes) {

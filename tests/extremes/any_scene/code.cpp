@@ -118,6 +118,7 @@ std::string code_of(const Solid& solid, const std::string& object) {
   lines.set("restitution", solid.restitution, plain.restitution);
   lines.set("velocity", solid.velocity, plain.velocity);
   lines.set("angular_velocity", solid.angular_velocity, plain.angular_velocity);
+  lines.set("belt_speed", solid.belt_speed, plain.belt_speed);
   return lines.all();
 }
 

@@ -183,13 +183,14 @@ std::span<const CordEdit> term_edits() {
 }
 
 std::span<const SolidEdit> solid_edits() {
-  static const std::array<SolidEdit, 7> edits = {
+  static const std::array<SolidEdit, 8> edits = {
       [](Solid& solid) {
         if (solid.shape == Shape::circle) solid.half.y = Solid{}.half.y;
       },
       [](Solid& solid) { solid.velocity = {}; },
       [](Solid& solid) { solid.angular_velocity = 0.0; },
       [](Solid& solid) { solid.friction = 0.0; },
+      [](Solid& solid) { solid.belt_speed = 0.0; },
       [](Solid& solid) { solid.restitution = 0.0; },
       [](Solid& solid) { solid.motion = Motion::fixed; },
       [](Solid& solid) { solid.angle = 0.0; },

@@ -222,12 +222,21 @@ void add_knots(Dice& dice, Scene& scene) {
   }
 }
 
+/// Belts of 0.1 to 30 m/s in both directions.
+void add_belts(Dice& dice, Scene& scene) {
+  for (Solid& solid : scene.solids) {
+    const double speed = log_uniform(dice, 0.1, 30.0);
+    const bool runs = dice.coin();
+    if (runs) solid.belt_speed = dice.coin() ? speed : -speed;
+  }
+}
+
 }  // namespace
 
 std::string_view name(Family family) {
   constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
                                         "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed",
-                                        "heap",         "heap_held",  "cut",          "tied"};
+                                        "heap",         "heap_held",  "cut",          "tied",         "belts"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -236,7 +245,8 @@ std::string_view name(Difficulty difficulty) { return difficulty == Difficulty::
 Scene generate(const SceneId& which) {
   Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.difficulty) +
             12345U);
-  const bool mixed = which.family == Family::mixed || which.family == Family::cut || which.family == Family::tied;
+  const bool mixed = which.family == Family::mixed || which.family == Family::cut || which.family == Family::tied ||
+                     which.family == Family::belts;
   const Recipe recipe = recipe_of(which.family, dice);
   Scene scene;
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
@@ -273,6 +283,7 @@ Scene generate(const SceneId& which) {
     vary_cuts(Dice(which.seed), scene);
   }
   if (which.family == Family::tied) add_knots(dice, scene);
+  if (which.family == Family::belts) add_belts(dice, scene);
   return scene;
 }
 

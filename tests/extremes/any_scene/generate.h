@@ -24,11 +24,12 @@ enum class Family : unsigned char {
   heap_held,     ///< the same, of whose bodies up to three hold cords
   cut,           ///< as mixed; cords are cut, across or along, and break in every tenth tick
   tied,          ///< as cut; cords are also tied and untied in every tenth tick
+  belts,         ///< as mixed; the surfaces of half of the solids are conveyor belts
 };
-constexpr std::array<Family, 14> all_families = {
+constexpr std::array<Family, 15> all_families = {
     Family::rope_falls,   Family::rope_self,  Family::ropes_mutual, Family::ropes_both,   Family::hold_points,
     Family::hold_between, Family::grips_slip, Family::ribbon_falls, Family::ribbons_both, Family::mixed,
-    Family::heap,         Family::heap_held,  Family::cut,          Family::tied};
+    Family::heap,         Family::heap_held,  Family::cut,          Family::tied,         Family::belts};
 std::string_view name(Family family);
 
 /// The difficulty of a scene.

@@ -18,6 +18,7 @@ bool is_driven(const Scene& scene) {
   const bool climbs =
       std::any_of(scene.holds.begin(), scene.holds.end(), [](const Hold& hold) { return hold.climb_to >= 0.0; });
   const bool moves = std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) {
+    if (solid.belt_speed != 0.0) return true;
     return solid.motion == Motion::kinematic && (solid.velocity != ribbon::Vec2{} || solid.angular_velocity != 0.0);
   });
   return climbs || moves || !scene.drags.empty() || !scene.reels.empty();

@@ -31,6 +31,7 @@ struct Solid {
   double restitution = 0.0;       ///< 0 … 1
   ribbon::Vec2 velocity;          ///< m/s
   double angular_velocity = 0.0;  ///< rad/s
+  double belt_speed = 0.0;        ///< m/s, of its surface: see ribbon::box2d::Surface::tangent_speed
 
   bool operator==(const Solid&) const = default;
 };
@@ -125,7 +126,7 @@ struct Scene {
 
 constexpr double dt = 1.0 / 60.0;  // s, of every scene
 
-/// Returns whether anything adds energy: moving kinematic bodies, drags, reels or climbers.
+/// Returns whether anything adds energy: moving kinematic bodies, belts, drags, reels or climbers.
 bool is_driven(const Scene& scene);
 /// Returns whether the solid holds the cord at any time.
 bool holds(const Scene& scene, int solid, int cord);

@@ -86,8 +86,19 @@ void World::add(const Solid& solid) {
   fixture.density = static_cast<float>(solid.density);
   fixture.friction = static_cast<float>(solid.friction);
   fixture.restitution = static_cast<float>(solid.restitution);
-  body->CreateFixture(&fixture);
+  const b2Fixture* const made = body->CreateFixture(&fixture);
   bodies_.push_back(body);
+  if (solid.belt_speed == 0.0) return;
+  belts_.speeds.emplace_back(made, solid.belt_speed);
+  coupling_.listen(&belts_);
+}
+
+bool World::Belts::pre_solve(ribbon::box2d::CordId /*cord*/, const b2Fixture& fixture,
+                             ribbon::box2d::Surface& surface) {
+  for (const auto& [belt, speed] : speeds) {
+    if (belt == &fixture) surface.tangent_speed = speed;
+  }
+  return true;
 }
 
 void World::add(const SceneCord& cord, Preset preset) {

@@ -2,6 +2,7 @@
 
 #include <box2d/box2d.h>
 
+#include <utility>
 #include <vector>
 
 #include "ribbon/box2d/coupling.h"
@@ -75,7 +76,14 @@ class World {
   double energy_of_free_bodies(const ribbon::box2d::CouplingState& planned) const;
   double work_on_moved_bodies(const ribbon::box2d::CouplingState& planned) const;
 
+  /// Makes belts of the solids that have a speed.
+  struct Belts : ribbon::box2d::ContactListener {
+    bool pre_solve(ribbon::box2d::CordId cord, const b2Fixture& fixture, ribbon::box2d::Surface& surface) override;
+    std::vector<std::pair<const b2Fixture*, double>> speeds;
+  };
+
   const Scene scene_;
+  Belts belts_;
   b2World world_;
   ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> bodies_;
