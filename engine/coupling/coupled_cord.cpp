@@ -100,6 +100,16 @@ void CoupledCord::reserve() {
   touching_before.reserve(usual_touches);
 }
 
+void CoupledCord::check_off_wheels(const char* what, double column) const {
+  if (!is_direct()) return;
+  for (const Pulley& pulley : direct().pulleys()) {
+    if (column <= pulley.def.before || column >= pulley.def.after) continue;
+    throw CallError(std::string(what) + " is on a wheel of cord " + std::to_string(id) + ", between points " +
+                    std::to_string(pulley.def.before) + " and " + std::to_string(pulley.def.after) +
+                    "; accepted is one off its wheels");
+  }
+}
+
 void CoupledCord::clear_surroundings() {
   circles.clear();
   segments.clear();

@@ -75,6 +75,8 @@ struct CoupledCord {
   double arc_at(double column) const;
   /// The inverse, for the direct solver.
   double column_at(double arc) const;
+  /// Throws CallError unless a column is off the wheels of the cord's pulleys. `what` names what would be there.
+  void check_off_wheels(const char* what, double column) const;
   /// Returns whether a point of the cord may be within `distance` [m] of `position`.
   bool may_be_within(Vec2 position, double distance) const;
 

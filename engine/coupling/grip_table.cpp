@@ -116,6 +116,7 @@ BodyGrip GripTable::make(b2Body& body, const GripDef& def, const CoupledCord& co
   grip.lets_go = def.lets_go;
   grip.most_pull = def.strength;
   set_place(grip, def, cord);
+  cord.check_off_wheels("a grip", column_of(grip, cord));
   for (const BodyGrip& other : grips_) {
     const bool same_row = (other.point - grip.point) % cord.shape().rows == 0;
     if (other.body != &body || !other.seen.is(body) || other.cord != cord.id || !same_row) continue;

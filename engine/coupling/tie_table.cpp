@@ -40,6 +40,8 @@ TieId TieTable::add(const TieDef& def, const CordTable& cords) {
   check_range("point", def.point, 0, cords.at(def.cord).direct().size() - 1.0);
   check_range("other_point", def.other_point, 0, cords.at(def.other_cord).direct().size() - 1.0);
   if (!(def.breaking_force > 0.0)) refuse("breaking_force", def.breaking_force, "above 0");
+  cords.at(def.cord).check_off_wheels("a tie", def.point);
+  cords.at(def.other_cord).check_off_wheels("a tie", def.other_point);
   const TieMemory tie{next_, {def.cord, def.point}, {def.other_cord, def.other_point}, def.breaking_force};
   std::vector<TieMemory> all = ties_;
   all.push_back(tie);

@@ -36,7 +36,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   work_ = {};
   bounds_.begin_step(cords.size());
   const bool closes_ties = bring_together(cords, tied);
-  move_points_over_wheels(cords, bodies, dt, true);
+  move_points_over_wheels(cords, tied, bodies, dt, true);
   int settled = 0;
   for (bool linearised = false;;) {
     begin_attempt(cords, tied);
@@ -48,7 +48,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       break;
     }
     reset_reels(state_);
-    move_points_over_wheels(cords, bodies, dt, false);
+    move_points_over_wheels(cords, tied, bodies, dt, false);
   }
   work_.report.work += contacts_.scene.candidates.take_checks();
   end_step();

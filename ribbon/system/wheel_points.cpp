@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 
@@ -110,8 +111,8 @@ constexpr double most_turned = 0.3;  // rad
 class PointMover {
  public:
   PointMover(CordParts& cord, std::size_t index, const Surroundings& surroundings, std::span<const RigidBody> bodies,
-             double dt)
-      : cord_(cord), pulley_(cord.state.pulleys[index]), reach_(cord.reaches[index]), surroundings_(surroundings), dt_(dt) {
+             const std::function<bool(int)>& is_tied, double dt)
+      : cord_(cord), pulley_(cord.state.pulleys[index]), reach_(cord.reaches[index]), surroundings_(surroundings), is_tied_(is_tied), dt_(dt) {
     const Axle& axle = surroundings.axles[index];
     const RigidBody& body = bodies[at(axle.body)];
     center_ = body.position + axle.offset;
@@ -194,7 +195,7 @@ class PointMover {
   }
 
   bool is_free(int point) const {
-    if (cord_.state.kinds[at(point)] != PointKind::free) return false;
+    if (cord_.state.kinds[at(point)] != PointKind::free || is_tied_(point)) return false;
     return std::none_of(surroundings_.grips.begin(), surroundings_.grips.end(), [point](const Grip& grip) {
       return grip.point == point || ((grip.along > 0.0 || std::isfinite(grip.strength)) && grip.point + 1 == point);
     });
@@ -282,6 +283,7 @@ class PointMover {
   Pulley& pulley_;
   WheelReach& reach_;
   const Surroundings& surroundings_;
+  const std::function<bool(int)>& is_tied_;
   double dt_;
   Vec2 center_;
   Vec2 velocity_;
@@ -292,13 +294,18 @@ class PointMover {
 
 }  // namespace
 
-void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
-                             bool first) {
-  for (const IslandCord& cord : cords) {
+void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
+                             std::span<const RigidBody> bodies, double dt, bool first) {
+  for (std::size_t m = 0; m < cords.size(); ++m) {
+    const IslandCord& cord = cords[m];
     CordParts& parts = cord.cord->parts();
+    const auto is_tied = [&tied, m](int point) {
+      return std::any_of(tied.begin(), tied.end(),
+                         [&](const TiedPoint& other) { return at(other.cord) == m && other.point == point; });
+    };
     if (first) parts.reaches.assign(parts.state.pulleys.size(), {});
     for (std::size_t k = 0; k < parts.state.pulleys.size(); ++k) {
-      PointMover(parts, k, cord.surroundings, bodies, dt).move();
+      PointMover(parts, k, cord.surroundings, bodies, is_tied, dt).move();
     }
     if (!parts.state.pulleys.empty()) parts.leave_out_links_on_wheels();
   }

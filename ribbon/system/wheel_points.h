@@ -5,6 +5,7 @@
 #include "ribbon/geometry/tangent.h"
 #include "ribbon/island_cord.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/tie_groups.h"
 
 // The points of a cord at the wheels of its pulleys.
 
@@ -42,7 +43,7 @@ double wheel_mass(const PulleyDef& def);
 Pulley make_pulley(CordParts& cord, const PulleyDef& def);
 /// Finds where cords arrive at their wheels and leave them, takes points up that are about to reach a wheel, and lets go
 /// of those that have left it. Before each attempt at a step; `first` before the first one.
-void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
-                             bool first);
+void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
+                             std::span<const RigidBody> bodies, double dt, bool first);
 
 }  // namespace ribbon
