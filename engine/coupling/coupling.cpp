@@ -70,12 +70,12 @@ void step_thesis(CouplingParts& parts) {
 
 /// Advances the cords of the direct solver.
 void step_direct(CouplingParts& parts) {
-  const auto& [gravity, dt] = parts.conditions;
+  const auto& [gravity, dt, medium, medium_time] = parts.conditions;
   std::vector<RigidBody>& bodies = parts.bodies.rigid;
   parts.island_cords.clear();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments};
+    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, medium, medium_time};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id)});
   }
@@ -212,7 +212,7 @@ void Coupling::gather(b2World& world, double dt) {
   if (parts.phase == TickPhase::stepped) throw CallError("gather follows step; accepted is gather, step, apply");
   check_step(dt, to_double(world.GetGravity()));
   parts.phase = TickPhase::between_ticks;
-  parts.conditions = {to_double(world.GetGravity()), dt};
+  parts.conditions = {to_double(world.GetGravity()), dt, parts.medium, parts.medium_time};
   parts.bodies.clear();
   parts.fixtures.begin_tick();
   parts.enter(world);
@@ -286,6 +286,7 @@ void Coupling::apply() {
   break_ties(parts);
   break_overloaded(parts);
   parts.cuts.end_tick();
+  if (parts.conditions.medium != nullptr) parts.medium_time += parts.conditions.dt;
   parts.phase = TickPhase::between_ticks;
 }
 
@@ -311,6 +312,13 @@ void Coupling::watch(StepWatcher* watcher) {
   parts_->watcher = watcher;
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
 }
+
+void Coupling::set_medium(const Medium* medium) {
+  parts_->medium = medium;
+  parts_->cords.activate_if([](const CoupledCord&) { return true; });
+}
+
+double Coupling::medium_time() const { return parts_->medium_time; }
 void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
 std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }

@@ -146,7 +146,7 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 
 void add_to(Hasher& hasher, const CouplingState& state) {
   const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, carries, fixtures, next_fixture, events,
-               ending, cuts, old_cuts] = state;
+               ending, cuts, old_cuts, medium_time] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -158,7 +158,8 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
-  // Golden hashes are without ties and cuts:
+  // Golden hashes are without a medium, ties and cuts:
+  if (medium_time > 0.0) hasher.add(medium_time);
   if (next_tie > 1) {
     add_all(hasher, ties);
     hasher.add(next_tie);
@@ -175,15 +176,16 @@ void add_to(Hasher& hasher, const ThesisCord::State& state) {
 }
 
 void add_to(Hasher& hasher, const Cord::State& state) {
-  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, breaking_forces, unlocked, family, joined_first, joined_last, holders, touches,
-               touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
+  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
+               rest_targets, rest_speeds, breaking_forces, unlocked, family, joined_first, joined_last, holders,
+               touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
                surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
   // Only where they are used, so that golden hashes stay:
   if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
+  if (!medium_forces.empty()) add_all(hasher, medium_forces);
   for (const std::uint64_t joined : {family, joined_first, joined_last}) {
     if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
   }

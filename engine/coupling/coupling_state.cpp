@@ -225,6 +225,7 @@ void Coupling::save(const b2World& world, State& state) const {
   const auto ties = std::as_const(parts_->ties).all();
   state.ties.assign(ties.begin(), ties.end());
   state.next_tie = parts_->ties.next();
+  state.medium_time = parts_->medium_time;
   save_by_body(*parts_, world, state);
   save_events(*parts_, state);
 }
@@ -249,6 +250,7 @@ void Coupling::restore(const State& state, b2World& world) {
   parts.grips.clear(state.next_grip);
   for (const State::Grip& grip : state.grips) parts.grips.restore(grip.memory, body_at(grip.body));
   parts.ties.restore(state.ties, state.next_tie);
+  parts.medium_time = state.medium_time;
   parts.carry.clear();
   for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
   restore_fixtures(state, bodies, parts.fixtures);

@@ -166,6 +166,7 @@ struct CouplingState {
   std::vector<EndingTouch> ending;  ///< by cord and fixture
   std::vector<CutEvent> cuts;       ///< see Coupling::cut_events
   std::size_t old_cuts = 0;         ///< how many of them are of the last tick
+  double medium_time = 0.0;         ///< s, see Coupling::medium_time
 
   bool operator==(const CouplingState&) const = default;
 };

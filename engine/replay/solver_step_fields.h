@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 7;
+inline constexpr int solver_step_version = 8;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -42,8 +42,9 @@ void fields(Archive& archive, T& accuracy) {
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
   auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, poisson_ratio,
-         area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction, restitution,
-         self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
+         area_stiffness, damping, drag, gravity_scale, drag_across, drag_along, displaced_area, tension_only,
+         breaking_force, friction, restitution, self_contact, cord_contact, allow_sleep, elements, accuracy, positions,
+         pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);
@@ -57,6 +58,9 @@ void fields(Archive& archive, T& def) {
   archive("damping", damping);
   archive("drag", drag);
   archive("gravity_scale", gravity_scale);
+  archive("drag_across", drag_across);
+  archive("drag_along", drag_along);
+  archive("displaced_area", displaced_area);
   archive("tension_only", tension_only);
   archive("breaking_force", breaking_force);
   archive("friction", friction);
@@ -98,9 +102,10 @@ void fields(Archive& archive, T& touch) {
 
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
-  auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, unlocked, family, joined_first, joined_last, holders, touches, touch_changed,
-         regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
+  auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
+         rest_targets, rest_speeds, breaking_forces, unlocked, family, joined_first, joined_last, holders, touches,
+         touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
+         surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -108,6 +113,7 @@ void fields(Archive& archive, T& state) {
   archive("kinds", kinds);
   archive("masses", masses);
   archive("loads", loads);
+  archive("medium_forces", medium_forces);
   archive("tensions", tensions);
   archive("rest", rest);
   archive("rest_targets", rest_targets);
@@ -188,13 +194,28 @@ void fields(Archive& archive, T& grip) {
 
 template <typename Archive, Is<SolverStep::Cord> T>
 void fields(Archive& archive, T& cord) {
-  auto& [def, state, circles, segments, grips, id] = cord;
+  auto& [def, state, circles, segments, grips, id, medium, time] = cord;
   archive("id", id);
   archive("def", def);
   archive("state", state);
   archive("circles", circles);
   archive("segments", segments);
   archive("grips", grips);
+  archive("medium", medium);
+  archive("time", time);
+}
+
+template <typename Archive, Is<ribbon::WeatherDef> T>
+void fields(Archive& archive, T& weather) {
+  auto& [wind, air_density, gusts, gust_time, gust_length, water_level, water_density, current] = weather;
+  archive("wind", wind);
+  archive("air_density", air_density);
+  archive("gusts", gusts);
+  archive("gust_time", gust_time);
+  archive("gust_length", gust_length);
+  archive("water_level", water_level);
+  archive("water_density", water_density);
+  archive("current", current);
 }
 
 template <typename Archive, Is<ribbon::Tie> T>
@@ -217,13 +238,14 @@ void fields(Archive& archive, T& outcome) {
 
 template <typename Archive, Is<SolverStep> T>
 void fields(Archive& archive, T& step) {
-  auto& [dt, gravity, bodies, cords, ties, outcome] = step;
+  auto& [dt, gravity, bodies, cords, ties, media, outcome] = step;
   archive("outcome", outcome);
   archive("dt", dt);
   archive("gravity", gravity);
   archive("bodies", bodies);
   archive("cords", cords);
   archive("ties", ties);
+  archive("media", media);
 }
 
 }  // namespace engine::step_fields

@@ -80,11 +80,11 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
 }
 
 void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
-  if (!state.driven) after_ = total_energy(state, contacts);
+  if (!state.is_pushed()) after_ = total_energy(state, contacts);
 }
 
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
-  if (state.driven) return false;
+  if (state.is_pushed()) return false;
   after_ = total_energy(state, contacts);
   const double share = tolerated * scale(before);
   double allowed = regainable_ + share;

@@ -21,7 +21,7 @@ bool is_free(const IslandState& state) {
   const Vec2 fall = state.free_accelerations[0];
   const auto falls = [&](Vec2 acceleration) { return acceleration == fall; };
   const auto is_unloaded = [](const Member& member) {
-    return member.cord->state.loads.empty() && member.cord->def.drag == 0.0;
+    return member.cord->state.loads.empty() && member.cord->def.drag == 0.0 && !member.in_medium;
   };
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const std::size_t center = state.center(k);
@@ -93,7 +93,8 @@ void slow_down(IslandState& state, double excess) {
 }
 
 void restore_momentum(IslandState& state, const Contacts& contacts) {
-  if (!contacts.impacts.any() || state.driven || contacts.impacts.touch_kinematic(contacts.scene) || !is_free(state))
+  if (!contacts.impacts.any() || state.is_pushed() || contacts.impacts.touch_kinematic(contacts.scene) ||
+      !is_free(state))
     return;
   const SubstepStart& start = state.start;
   const Spin before = spin(state, start.positions, start.velocities);
@@ -114,7 +115,7 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
 bool limit_speeds(IslandState& state) {
   double gravity = length(state.gravity);
   for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
-  const double max = highest_start_speed(state) + gravity * state.dt;
+  const double max = highest_start_speed(state) + gravity * state.dt + state.medium_delta_v;
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {

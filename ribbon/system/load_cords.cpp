@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ribbon/linear/index.h"
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 
 namespace ribbon {
@@ -25,7 +26,8 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 }
 
 void reset(IslandState& state) {
-  state.coupled = state.driven = state.reeling = state.unlocking = state.restart = false;
+  state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = false;
+  state.medium_delta_v = 0.0;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
@@ -175,6 +177,13 @@ void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
   join_pressing_masses(state, tied);
 }
 
+void load_medium(IslandState& state, Member& member) {
+  const MediumEffect effect = find_medium_effect(*member.cord, member.surroundings, state.dt, state.gravity);
+  member.in_medium = effect.acts;
+  state.in_medium = state.in_medium || effect.acts;
+  state.medium_delta_v = std::max(state.medium_delta_v, effect.delta_v);
+}
+
 /// Finds where the reels take the rest lengths in this step. The speed of a reel that arrives jumps.
 void load_reel(IslandState& state, const Member& member) {
   CordParts& cord = *member.cord;
@@ -256,6 +265,7 @@ bool is_single_cord(const IslandState& state) {
 void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
   reset(state);
   const std::size_t tensions = add_members(state, cords);
+  for (Member& member : state.members) load_medium(state, member);
   state.resize(state.points, tensions);
   for (const Member& member : state.members) load_motion(state, member);
   find_tolerance(state);
