@@ -9,7 +9,7 @@ namespace ribbon {
 
 /// Defines air that moves and water below a level.
 struct WeatherDef {
-  Vec2 wind;                  ///< m/s, mean velocity of the air, within ±1e4
+  Vec2 wind{};                ///< m/s, mean velocity of the air, within ±1e4
   double air_density = 1.2;   ///< kg/m³, 0 … 1e6
   double gusts = 0.0;         ///< 0 … 1: the wind is at most this share stronger or weaker than its mean
   double gust_time = 5.0;     ///< s, 1e-3 … 1e6, from one gust to the next
@@ -17,7 +17,7 @@ struct WeatherDef {
   /// m, y of the surface of the water, within ±1e9; minus infinity, the default, for no water.
   double water_level = -std::numeric_limits<double>::infinity();
   double water_density = 1000.0;  ///< kg/m³, 0 … 1e6
-  Vec2 current;                   ///< m/s, velocity of the water, within ±1e4
+  Vec2 current{};                 ///< m/s, velocity of the water, within ±1e4
 
   bool operator==(const WeatherDef&) const = default;
 };

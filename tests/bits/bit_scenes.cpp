@@ -363,7 +363,46 @@ void drive_ties(BitWorld& scene, int tick) {
   if (tick == 80) scene.coupling.tie({10, 15, 11, 10, 12.0});
 }
 
-constexpr std::array<BitScene, 10> scenes = {{
+/// Cords in gusts above a river: held, tied, cut, floating, and against a ball.
+void build_wind(BitWorld& scene) {
+  ribbon::WeatherDef weather;
+  weather.wind = {9.0, 0.7};
+  weather.gusts = 0.6;
+  weather.water_level = -1.0;
+  weather.current = {-0.8, 0.0};
+  scene.weather.emplace(weather);
+  scene.coupling.set_medium(&*scene.weather);
+  const auto feeling = [](CordDef def) {
+    def.drag_across = 1.2;
+    def.drag_along = 0.02;
+    def.displaced_area = 3e-4;
+    return def;
+  };
+  CordDef flag = feeling(line({0.0, 0.0}, {0.0, -0.1}, 16));
+  flag.pins = {0};
+  CordDef loaded = feeling(line({1.0, 0.0}, {0.1, 0.0}, 16));
+  loaded.pins = {0};
+  loaded.bending_stiffness = 0.01;
+  CordDef floating = feeling(line({-2.0, -0.6}, {0.1, 0.0}, 16));
+  floating.mass_per_length = 0.15;
+  floating.accuracy = Accuracy::fast();
+  CordDef sail = feeling(line({4.0, 0.5}, {0.0, -0.1}, 11, 3, 0.2));
+  sail.stretch_stiffness = 1e4;
+  sail.bending_stiffness = 1.0;
+  sail.pins = {0, 1, 2};
+  for (const CordDef& def : {flag, loaded, floating, sail}) scene.coupling.add(Cord(def));
+  scene.coupling.hold(1, 15, add_holder(scene, {2.5, 0.0}, 0.1), {0.0F, 0.0F});
+  add_circle(scene, {0.3, -0.8}, 0.2, b2_staticBody);
+}
+
+void drive_wind(BitWorld& scene, int tick) {
+  if (tick == 30) scene.coupling.tie({0, 10, 1, 5});
+  if (tick == 70) scene.coupling.set_medium(nullptr);
+  if (tick == 80) scene.coupling.set_medium(&*scene.weather);
+  if (tick == 90) scene.coupling.cut({3.0, 0.1}, {5.0, 0.15});
+}
+
+constexpr std::array<BitScene, 11> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -374,6 +413,7 @@ constexpr std::array<BitScene, 10> scenes = {{
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
+    {"wind", build_wind, drive_wind, 150, 0},
 }};
 
 }  // namespace
