@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/stretch.h"
 
 namespace ribbon {
@@ -115,7 +116,12 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
 bool limit_speeds(IslandState& state) {
   double gravity = length(state.gravity);
   for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
-  const double max = highest_start_speed(state) + gravity * state.dt + state.medium_delta_v;
+  double pushed = 0.0;
+  for (const Member& member : state.members) {
+    if (!member.in_medium) continue;
+    pushed = std::max(pushed, max_medium_delta_v(*member.cord, member.surroundings, state.dt, state.gravity));
+  }
+  const double max = highest_start_speed(state) + gravity * state.dt + pushed;
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {

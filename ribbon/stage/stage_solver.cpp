@@ -104,7 +104,7 @@ void StageSolver::load_member(const IslandState& state, const Member& member, co
   }
 }
 
-/// What a medium does: see medium_load.
+/// What a medium does: see find_medium_loads.
 void StageSolver::load_medium(IslandState& state, const StageRequest& request) {
   resistance_.assign(state.slots(), {0.0, 0.0, 0.0});
   std::fill(state.medium_forces.begin(), state.medium_forces.end(), Vec2{});
@@ -113,14 +113,10 @@ void StageSolver::load_medium(IslandState& state, const StageRequest& request) {
     const PredictedMotion motion{IslandState::points_of(member, std::as_const(prediction.positions)),
                                  IslandState::points_of(member, std::as_const(prediction.velocities)), request.q,
                                  member.surroundings.time + request.time, state.gravity};
-    for (std::size_t i = 0; i < member.points; ++i) {
-      const std::size_t p = member.first_point + i;
-      const MediumLoad load = medium_load(*member.cord, member.surroundings, motion, i);
-      force_[p] += load.force;
-      resistance_[p] = load.resistance;
-      state.medium_forces[p] = load.force;
-    }
+    find_medium_loads(*member.cord, member.surroundings, motion, IslandState::points_of(member, state.medium_forces),
+                      IslandState::points_of(member, resistance_));
   }
+  for (std::size_t p = 0; p < state.points; ++p) force_[p] += state.medium_forces[p];
 }
 
 /// The forces of a medium where the stage has ended.

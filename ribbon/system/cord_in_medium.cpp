@@ -62,25 +62,31 @@ MediumSample sample_pieces(const CordParts& cord, const Surroundings& surroundin
   return is_in_range(sample) ? sample : MediumSample{};
 }
 
-/// Coefficients k [N·s²/m²] of the drag k·v² of a piece.
-struct Drag {
-  double across;
-  double along;
-};
-
-/// A ribbon counts as deep as it is wide.
-Drag drag_of(const CordDef& def, const Piece& piece, double density) {
-  const double area = 0.5 * density * (2.0 * def.radius + def.width) * piece.length * piece.share;
-  return {def.drag_across * area, def.drag_along * std::numbers::pi * area};
+/// kg/m: ½·ρ·d times the length of a piece. A ribbon counts as deep as it is wide.
+double area_of(const CordDef& def, double length, double density) {
+  return 0.5 * density * (2.0 * def.radius + def.width) * length;
 }
 
 Block outer(Vec2 d) { return {d.x * d.x, d.x * d.y, d.y * d.y}; }
 
-/// What else moves a piece: its mass, and the forces on it apart from tensions and drag.
+/// What a medium does to a point in a stage.
+struct MediumLoad {
+  Vec2& force;
+  Block& resistance;
+};
+
+/// What else moves a piece.
 struct PieceLoad {
-  double q;        // s
-  double mass;     // kg
-  double outside;  // N
+  double q;      // s
+  double mass;   // kg
+  double area;   // kg/m, see area_of
+  double limit;  // √(kg/m·N): root of the area times the forces on the piece apart from tensions and drag
+};
+
+/// A coefficient of drag, and its root.
+struct Coefficient {
+  double value;
+  double root;
 };
 
 /// Adds the drag −k·|s|·s in a direction, with s the component of the velocity. Any factor c ≥ 0 of the linearisation
@@ -91,36 +97,50 @@ struct PieceLoad {
 /// a medium needs many steps to slow down, as each halves its velocity. With σ = q·k·|s₀|/m it is k·|s₀|·(1 + 1/(1 +
 /// σ)), which differs only by an order of q. What is at rest and begins to fall or rise would overshoot the velocity at
 /// which drag balances it, s∞; so 2·k·s∞ is added, times q·k·s∞/m if that is below 1. `extra` [N·s/m] is added too.
-void add_drag(double k, double speed, Vec2 direction, const PieceLoad& piece, double extra, MediumLoad& load) {
-  const double rate = k * std::abs(speed);
-  const double limit = std::sqrt(k * piece.outside);  // k·s∞
-  const double newton = rate * (1.0 + 1.0 / (1.0 + piece.q * rate / piece.mass));
+void add_drag(const Coefficient& coefficient, double speed, Vec2 direction, const PieceLoad& piece, double extra,
+              const MediumLoad& load) {
+  if (coefficient.value == 0.0 && extra == 0.0) return;
+  const double rate = coefficient.value * piece.area * std::abs(speed);
+  const double limit = coefficient.root * piece.limit;  // k·s∞
+  const double newton = rate * (1.0 + piece.mass / (piece.mass + piece.q * rate));
   const double factor = newton + 2.0 * limit * std::min(1.0, piece.q * limit / piece.mass) + extra;
   load.force -= (rate * speed) * direction;
   load.resistance = load.resistance + (factor / piece.q) * outer(direction);
 }
 
+/// The coefficients of a cord.
+struct Drags {
+  Coefficient across;
+  Coefficient along;  // of the surface π·d instead of d
+};
+
+Drags drags_of(const CordDef& def) {
+  const double along = std::numbers::pi * def.drag_along;
+  return {{def.drag_across, std::sqrt(def.drag_across)}, {along, std::sqrt(along)}};
+}
+
 /// The forces turn with the link, by up to f/l for a force f and a link of length l. That is not linearised: it has no
 /// symmetric matrix. Instead the motion across is slowed down by twice what would keep an explicit step stable, which
 /// vanishes with q.
-void add_drags(const CordParts& cord, const MediumSample& sample, const Piece& piece, const PieceLoad& of_piece,
-               Vec2 relative, MediumLoad& load) {
-  const Drag drag = drag_of(cord.def, piece, sample.density);
+void add_drags(const Drags& drags, const Piece& piece, const PieceLoad& of_piece, Vec2 relative,
+               const MediumLoad& load) {
   if (piece.along == Vec2{}) {
     const double speed = length(relative);
-    if (speed > 0.0) add_drag(drag.across, speed, (1.0 / speed) * relative, of_piece, 0.0, load);
+    if (speed > 0.0) add_drag(drags.across, speed, (1.0 / speed) * relative, of_piece, 0.0, load);
     return;
   }
   const Vec2 across = perp(piece.along);
-  const double along_speed = std::abs(dot(relative, piece.along));
-  const double across_speed = std::abs(dot(relative, across));
-  const double turning = (drag.across * across_speed + drag.along * along_speed) * along_speed / piece.length;
-  add_drag(drag.across, dot(relative, across), across, of_piece, of_piece.q * turning, load);
-  add_drag(drag.along, dot(relative, piece.along), piece.along, of_piece, 0.0, load);
+  const double along_speed = dot(relative, piece.along);
+  const double across_speed = dot(relative, across);
+  const double turning = of_piece.area *
+                         (drags.across.value * std::abs(across_speed) + drags.along.value * std::abs(along_speed)) *
+                         std::abs(along_speed) / piece.length;
+  add_drag(drags.across, across_speed, across, of_piece, of_piece.q * turning, load);
+  add_drag(drags.along, along_speed, piece.along, of_piece, 0.0, load);
 }
 
 /// What floats where the density rises downwards is drawn to its level.
-void add_buoyancy(const MediumSample& sample, double volume, Vec2 gravity, MediumLoad& load) {
+void add_buoyancy(const MediumSample& sample, double volume, Vec2 gravity, const MediumLoad& load) {
   load.force -= (sample.density * volume) * gravity;
   const double g2 = dot(gravity, gravity);
   if (g2 == 0.0) return;
@@ -128,58 +148,61 @@ void add_buoyancy(const MediumSample& sample, double volume, Vec2 gravity, Mediu
   load.resistance = load.resistance + stiffness * outer(gravity);
 }
 
-double volume_of(const CordDef& def, const Pieces& pieces) {
-  return def.displaced_area * pieces.length() * pieces.all[0].share;
-}
-
 }  // namespace
 
-MediumSample sample_at(const CordParts& cord, const Surroundings& surroundings, std::span<const Vec2> x,
-                       std::size_t point, double time) {
-  return sample_pieces(cord, surroundings, x[point], pieces_of(cord, x, point), time);
+bool is_in_medium(const CordParts& cord, const Surroundings& surroundings) {
+  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return false;
+  const std::vector<Vec2>& x = cord.state.positions;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (sample_pieces(cord, surroundings, x[p], pieces_of(cord, x, p), surroundings.time).density > 0.0) return true;
+  }
+  return false;
 }
 
-MediumEffect find_medium_effect(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity) {
-  MediumEffect effect;
-  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return effect;
+double max_medium_delta_v(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity) {
+  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return 0.0;
+  const double coefficient = std::max(cord.def.drag_across, std::numbers::pi * cord.def.drag_along);
+  double max = 0.0;
   for (std::size_t p = 0; p < cord.size(); ++p) {
     const Pieces pieces = pieces_of(cord, cord.state.positions, p);
     const MediumSample sample = sample_pieces(cord, surroundings, cord.state.positions[p], pieces, surroundings.time);
-    if (sample.density == 0.0) continue;
-    effect.acts = true;
-    double drag = 0.0;
-    for (const Piece& piece : pieces.list()) {
-      const Drag k = drag_of(cord.def, piece, sample.density);
-      drag += std::max(k.across, k.along);
-    }
+    const double piece = pieces.length() * pieces.all[0].share;
+    const double drag = coefficient * area_of(cord.def, piece, sample.density);
     const double mass = cord.state.masses[p];
     const Vec2 relative = cord.state.velocities[p] - sample.velocity;
     const double speed2 = dot(relative, relative);
-    const double lift = sample.density * volume_of(cord.def, pieces) * length(gravity);
+    const double lift = sample.density * cord.def.displaced_area * piece * length(gravity);
     double rise = dt * lift / mass;
-    if (drag > 0.0) rise = std::min(rise, min_terminal_factor * std::sqrt(lift / drag));
-    effect.delta_v = std::max(effect.delta_v, std::min(std::sqrt(speed2), dt * drag * speed2 / mass) + rise);
+    if (lift > 0.0 && drag > 0.0) rise = std::min(rise, min_terminal_factor * std::sqrt(lift / drag));
+    max = std::max(max, std::min(std::sqrt(speed2), dt * drag * speed2 / mass) + rise);
   }
-  return effect;
+  return max;
 }
 
-MediumLoad medium_load(const CordParts& cord, const Surroundings& surroundings, const PredictedMotion& motion,
-                       std::size_t point) {
-  MediumLoad load;
-  const Pieces pieces = pieces_of(cord, motion.x, point);
-  const MediumSample sample = sample_pieces(cord, surroundings, motion.x[point], pieces, motion.time);
-  if (sample.density == 0.0) return load;
-  const double mass = cord.state.masses[point];
-  const double volume = volume_of(cord.def, pieces);
-  Vec2 outside = (cord.def.gravity_scale * mass - sample.density * volume) * motion.gravity;
-  if (!cord.state.loads.empty()) outside += cord.state.loads[point];
-  const double force = length(outside);
-  for (const Piece& piece : pieces.list()) {
-    const double share = piece.length / pieces.length();
-    add_drags(cord, sample, piece, {motion.q, share * mass, share * force}, motion.v[point] - sample.velocity, load);
+void find_medium_loads(const CordParts& cord, const Surroundings& surroundings, const PredictedMotion& motion,
+                       std::span<Vec2> forces, std::span<Block> resistances) {
+  const Drags drags = drags_of(cord.def);
+  for (std::size_t p = 0; p < forces.size(); ++p) {
+    const Pieces pieces = pieces_of(cord, motion.x, p);
+    const MediumSample sample = sample_pieces(cord, surroundings, motion.x[p], pieces, motion.time);
+    MediumLoad load{forces[p], resistances[p]};
+    load.force = {};
+    load.resistance = {};
+    if (sample.density == 0.0) continue;
+    const double mass = cord.state.masses[p];
+    const double size = pieces.length() * pieces.all[0].share;
+    const double volume = cord.def.displaced_area * size;
+    Vec2 outside = (cord.def.gravity_scale * mass - sample.density * volume) * motion.gravity;
+    if (!cord.state.loads.empty()) outside += cord.state.loads[p];
+    const double area = area_of(cord.def, size, sample.density);
+    const double limit = std::sqrt(area * length(outside));
+    const Vec2 relative = motion.v[p] - sample.velocity;
+    for (const Piece& piece : pieces.list()) {
+      const double share = piece.length / pieces.length();
+      add_drags(drags, piece, {motion.q, share * mass, share * area, share * limit}, relative, load);
+    }
+    add_buoyancy(sample, volume, motion.gravity, load);
   }
-  add_buoyancy(sample, volume, motion.gravity, load);
-  return load;
 }
 
 }  // namespace ribbon

@@ -10,24 +10,11 @@
 
 namespace ribbon {
 
-/// What a medium may do to a cord in a step.
-struct MediumEffect {
-  bool acts = false;     ///< something is there, and the cord declares a coefficient
-  double delta_v = 0.0;  ///< m/s, about the largest change of a point's velocity
-};
-/// Returns it for a step of dt seconds under `gravity` [m/s²]. O(points), O(1) without a medium.
-MediumEffect find_medium_effect(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity);
-
-/// Returns the medium at the point of a cord whose points are at x; see Medium::at.
-MediumSample sample_at(const CordParts& cord, const Surroundings& surroundings, std::span<const Vec2> x,
-                       std::size_t point, double time);
-
-/// What a medium does to a point in a stage: the force at the predicted motion, and its decrease with a displacement
-/// from there. It is linear in the displacement, and positive semidefinite.
-struct MediumLoad {
-  Vec2 force;                       ///< N
-  Block resistance{0.0, 0.0, 0.0};  ///< N/m
-};
+/// Returns whether something is around a point of a cord that declares a coefficient. O(1) if it is around the first.
+bool is_in_medium(const CordParts& cord, const Surroundings& surroundings);
+/// Returns about the largest change of a point's velocity by a medium in a step of dt seconds, m/s. O(points), O(1)
+/// without a medium.
+double max_medium_delta_v(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity);
 
 /// The motion that a stage predicts for a cord.
 struct PredictedMotion {
@@ -37,8 +24,9 @@ struct PredictedMotion {
   double time;              ///< s, at the end of the stage, for the medium
   Vec2 gravity;             ///< m/s²
 };
-/// Returns the load of a point of a cord on which a medium acts.
-MediumLoad medium_load(const CordParts& cord, const Surroundings& surroundings, const PredictedMotion& motion,
-                       std::size_t point);
+/// Writes what a medium does to each point of a cord on which it acts: the force at the predicted motion [N], and its
+/// decrease with a displacement from there [N/m], which is positive semidefinite.
+void find_medium_loads(const CordParts& cord, const Surroundings& surroundings, const PredictedMotion& motion,
+                       std::span<Vec2> forces, std::span<Block> resistances);
 
 }  // namespace ribbon

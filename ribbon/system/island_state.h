@@ -99,8 +99,7 @@ struct IslandState {
   bool reeling = false;    ///< a reel changes rest lengths
   bool unlocking = false;  ///< inverted cells are turned back in this step
   bool restart = false;    ///< the accelerations are out of date
-  bool touch_changed = false;   ///< a contact began or ended in the last substep
-  double medium_delta_v = 0.0;  ///< m/s, about the largest change of a velocity in the step by a medium
+  bool touch_changed = false;  ///< a contact began or ended in the last substep
 
   // By slot:
   std::vector<Vec2> positions;

@@ -27,7 +27,6 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 
 void reset(IslandState& state) {
   state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = false;
-  state.medium_delta_v = 0.0;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
@@ -178,10 +177,8 @@ void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
 }
 
 void load_medium(IslandState& state, Member& member) {
-  const MediumEffect effect = find_medium_effect(*member.cord, member.surroundings, state.dt, state.gravity);
-  member.in_medium = effect.acts;
-  state.in_medium = state.in_medium || effect.acts;
-  state.medium_delta_v = std::max(state.medium_delta_v, effect.delta_v);
+  member.in_medium = is_in_medium(*member.cord, member.surroundings);
+  state.in_medium = state.in_medium || member.in_medium;
 }
 
 /// Finds where the reels take the rest lengths in this step. The speed of a reel that arrives jumps.

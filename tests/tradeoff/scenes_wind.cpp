@@ -1,5 +1,7 @@
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/thesis_scenes.h"
@@ -44,7 +46,7 @@ Variant calm(const std::string& preset, const ribbon::Accuracy& accuracy) {
           41,
           [=] { *line = std::make_unique<test_support::TowedLine>(accuracy, 1.0, true); },
           [=] { *work = (*line)->cord().step(test_support::frame_dt, test_support::earth_gravity).work; },
-          [] { return std::vector<double>{}; },
+          [] { return std::vector<double>(4, std::numeric_limits<double>::quiet_NaN()); },
           {},
           "without a medium",
           [work] { return *work; }};
