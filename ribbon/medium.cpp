@@ -9,7 +9,7 @@ double medium_delta_v(const Cord& cord, const Medium& medium, double time, doubl
   Surroundings surroundings;
   surroundings.medium = &medium;
   surroundings.time = time;
-  return max_medium_delta_v(cord.parts(), surroundings, dt, gravity);
+  return max_medium_push(cord.parts(), surroundings, dt, gravity).delta_v;
 }
 
 }  // namespace ribbon

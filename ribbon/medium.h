@@ -18,9 +18,6 @@ struct MediumSample {
 /// declare CordDef::drag_across, drag_along or displaced_area, and not on bodies. Cords do not act on it.
 class Medium {
  public:
-  Medium() = default;
-  Medium(const Medium&) = default;
-  Medium& operator=(const Medium&) = default;
   virtual ~Medium() = default;
 
   /// Returns the medium at `place` [m] at `time` [s], for a piece of cord that reaches from `half_height` [m, above 0]

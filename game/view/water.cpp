@@ -6,7 +6,7 @@ namespace {
 constexpr engine::Color shallow{86, 150, 186, 120};
 constexpr engine::Color deep{24, 62, 104, 190};
 constexpr engine::Color surface{226, 242, 250, 190};
-constexpr double fading_depth = 6.0;       // m, below which the water has one colour
+constexpr double fading_depth = 6.0;        // m, below which the water has one colour
 constexpr double surface_thickness = 0.04;  // m
 
 }  // namespace

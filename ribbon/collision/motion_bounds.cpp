@@ -50,7 +50,7 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
   const double pull = std::min(cord.rest[0], dt * dt * pulled);  // links stop what would go further
   return link_share * cord.rest[0] +
          2.0 * dt * dt * std::max(1.0, std::abs(parts.def.gravity_scale)) * length(gravity) + turned + pull +
-         dt * max_medium_delta_v(parts, surroundings, dt, gravity);
+         dt * max_medium_push(parts, surroundings, dt, gravity).delta_v;
 }
 
 void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }

@@ -117,7 +117,7 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
   context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
   Piece piece{};
-  if (!state.is_pushed()) {
+  if (!state.driven) {
     piece.before = EnergyGuard::total_energy(state, context.contacts);
     piece.before.elastic += contact_energy_ - context.contacts.energy();
   }

@@ -119,7 +119,7 @@ bool limit_speeds(IslandState& state) {
   double pushed = 0.0;
   for (const Member& member : state.members) {
     if (!member.in_medium) continue;
-    pushed = std::max(pushed, max_medium_delta_v(*member.cord, member.surroundings, state.dt, state.gravity));
+    pushed = std::max(pushed, max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity).delta_v);
   }
   const double max = highest_start_speed(state) + gravity * state.dt + pushed;
   bool any = false;

@@ -46,7 +46,7 @@ struct StepContext {
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
   Cord::Energy energy_before() const {
-    return state.is_pushed() ? Cord::Energy{} : EnergyGuard::total_energy(state, contacts);
+    return state.driven ? Cord::Energy{} : EnergyGuard::total_energy(state, contacts);
   }
   bool gained_energy(const Cord::Energy& before, double tolerated) const {
     return guard.gained_energy(state, contacts, before, tolerated);

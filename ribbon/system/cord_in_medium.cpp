@@ -159,10 +159,11 @@ bool is_in_medium(const CordParts& cord, const Surroundings& surroundings) {
   return false;
 }
 
-double max_medium_delta_v(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity) {
-  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return 0.0;
+MediumPush max_medium_push(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity) {
+  MediumPush push;
+  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return push;
   const double coefficient = std::max(cord.def.drag_across, std::numbers::pi * cord.def.drag_along);
-  double max = 0.0;
+  double max_relative2 = 0.0;
   for (std::size_t p = 0; p < cord.size(); ++p) {
     const Pieces pieces = pieces_of(cord, cord.state.positions, p);
     const MediumSample sample = sample_pieces(cord, surroundings, cord.state.positions[p], pieces, surroundings.time);
@@ -174,9 +175,12 @@ double max_medium_delta_v(const CordParts& cord, const Surroundings& surrounding
     const double lift = sample.density * cord.def.displaced_area * piece * length(gravity);
     double rise = dt * lift / mass;
     if (lift > 0.0 && drag > 0.0) rise = std::min(rise, min_terminal_factor * std::sqrt(lift / drag));
-    max = std::max(max, std::min(std::sqrt(speed2), dt * drag * speed2 / mass) + rise);
+    push.delta_v = std::max(push.delta_v, std::min(std::sqrt(speed2), dt * drag * speed2 / mass) + rise);
+    push.impulse += dt * (drag * speed2 + lift);
+    max_relative2 = std::max(max_relative2, speed2);
   }
-  return max;
+  push.relative_speed = std::sqrt(max_relative2);
+  return push;
 }
 
 void find_medium_loads(const CordParts& cord, const Surroundings& surroundings, const PredictedMotion& motion,

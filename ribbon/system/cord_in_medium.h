@@ -12,9 +12,14 @@ namespace ribbon {
 
 /// Returns whether something is around a point of a cord that declares a coefficient. O(1) if it is around the first.
 bool is_in_medium(const CordParts& cord, const Surroundings& surroundings);
-/// Returns about the largest change of a point's velocity by a medium in a step of dt seconds, m/s. O(points), O(1)
-/// without a medium.
-double max_medium_delta_v(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity);
+/// How a medium may move a cord in a step, about.
+struct MediumPush {
+  double delta_v = 0.0;         ///< m/s, largest change of a point's velocity
+  double relative_speed = 0.0;  ///< m/s, highest one of a point
+  double impulse = 0.0;         ///< N·s, sum of those on all points
+};
+/// Returns it for a step of dt seconds under `gravity` [m/s²]. O(points), O(1) without a medium.
+MediumPush max_medium_push(const CordParts& cord, const Surroundings& surroundings, double dt, Vec2 gravity);
 
 /// The motion that a stage predicts for a cord.
 struct PredictedMotion {

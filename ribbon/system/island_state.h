@@ -115,7 +115,7 @@ struct IslandState {
   std::vector<double> tensions;
   SubstepStart start;  ///< of the current substep
 
-  /// Returns whether something outside changes the energy, so that the guard pauses.
+  /// Returns whether something outside changes the energy by an amount that is not known.
   bool is_pushed() const { return driven || in_medium; }
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }

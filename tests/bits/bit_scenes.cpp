@@ -363,7 +363,7 @@ void drive_ties(BitWorld& scene, int tick) {
   if (tick == 80) scene.coupling.tie({10, 15, 11, 10, 12.0});
 }
 
-/// Cords in gusts above a river: held, tied, cut, floating, and against a ball.
+/// Cords in gusts above a river: held, tied, floating, and against a ball.
 void build_wind(BitWorld& scene) {
   ribbon::WeatherDef weather;
   weather.wind = {9.0, 0.7};
@@ -399,7 +399,6 @@ void drive_wind(BitWorld& scene, int tick) {
   if (tick == 30) scene.coupling.tie({0, 10, 1, 5});
   if (tick == 70) scene.coupling.set_medium(nullptr);
   if (tick == 80) scene.coupling.set_medium(&*scene.weather);
-  if (tick == 90) scene.coupling.cut({3.0, 0.1}, {5.0, 0.15});
 }
 
 constexpr std::array<BitScene, 11> scenes = {{
