@@ -412,7 +412,7 @@ constexpr std::array<BitScene, 11> scenes = {{
     {"rough", build_rough, drive_rough, 120, 0x9aaa6f15559ffc8d},
     {"asleep", build_asleep, drive_asleep, 220, 0x6e55e371a5af82dc},
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
-    {"wind", build_wind, drive_wind, 150, 0x2e3a8c5d129e2782},
+    {"wind", build_wind, drive_wind, 150, 0x404e7740368d27e6},
 }};
 
 }  // namespace
