@@ -135,8 +135,8 @@ class Cord {
   void reel(int first, int last, double length, double speed);
 
   /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold the cord (`grips`) or
-  /// touch it are solved with it. Each receives the impulses that give it its
-  /// velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
+  /// touch it are solved with it, and a Medium in the surroundings acts on it. Each body receives the impulses that
+  /// give it its velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Lays the cord around a wheel, which each step then has an axle for (Surroundings::axles). The points between
@@ -186,6 +186,7 @@ class Cord {
     std::vector<PointKind> kinds;         ///< by point
     std::vector<double> masses;           ///< kg, by point, with attached masses
     std::vector<Vec2> loads;              ///< N, by point; empty until set_load is first called
+    std::vector<Vec2> medium_forces;      ///< N, by point, of a Medium at the end of the last step; empty if none acted
     std::vector<double> tensions;         ///< see Cord::tensions
     std::vector<double> rest;             ///< m, rest lengths by link
     std::vector<double> rest_targets;     ///< m, by link, goal of the reel; empty until reel is first called

@@ -54,6 +54,10 @@ void check(const Accuracy& accuracy) {
   check_range("accuracy.max_work", accuracy.max_work, 1, 1e6);
 }
 
+bool feels_medium(const CordDef& def) {
+  return def.drag_across > 0.0 || def.drag_along > 0.0 || def.displaced_area > 0.0;
+}
+
 void check_size(const CordDef& def) {
   check_range("rows", def.rows, 1, 64);
   check_range("points", def.points, 2, std::floor(1e6 / def.rows));
@@ -71,6 +75,9 @@ void check(const CordDef& def) {
   check_range("damping", def.damping, 0.0, 1e3);
   check_range("drag", def.drag, 0.0, 1e6);
   check_range("gravity_scale", def.gravity_scale, -1e3, 1e3);
+  check_range("drag_across", def.drag_across, 0.0, 1e3);
+  check_range("drag_along", def.drag_along, 0.0, 1e3);
+  check_range("displaced_area", def.displaced_area, 0.0, 1e12);
   if (!(def.breaking_force > 0.0)) refuse("breaking_force", def.breaking_force, "above 0, up to infinity");
   check_range("friction", def.friction, 0.0, 10.0);
   check_range("restitution", def.restitution, 0.0, 1.0);

@@ -73,6 +73,15 @@ struct CordDef {
   double damping = 0.0;        ///< s, 0 … 1e3: damping force = damping · rate of change of the elastic force
   double drag = 0.0;           ///< 1/s, 0 … 1e6: decay rate of the cord's velocity, not of attached masses
   double gravity_scale = 1.0;  ///< factor of gravity for the cord and attached masses, −1e3 … 1e3
+  /// Coefficient C of the drag across the cord in a Medium, 0 … 1e3: the force per length is ½·ρ·C·d·|v|·v, with the
+  /// component v of the velocity relative to the medium, and the diameter d = 2·radius, of a ribbon width + 2·radius.
+  /// About 1.2 for a round rope.
+  double drag_across = 0.0;
+  /// The same along the cord, as friction on all of its surface: ½·ρ·C·π·d·|v|·v. About 0.01 for a rope. `drag` is
+  /// another term, which knows no medium.
+  double drag_along = 0.0;
+  /// m², 0 … 1e12: cross-section that displaces a Medium, which gives buoyancy; π·radius² for a solid round rope.
+  double displaced_area = 0.0;
   bool tension_only = false;   ///< of a rope: links resist tension but not compression
   /// N, above 0: tension above which a link breaks; of a ribbon, which breaks across, see Cord::tension. Infinity, the
   /// default, makes it unbreakable. The cord only reports an overloaded link (Cord::overloaded_link); a coupling cuts
@@ -100,6 +109,8 @@ struct CordDef {
 
 /// Throws DefinitionError for the first field that is out of range or contradicts another field.
 void check(const CordDef& def);
+/// Returns whether a Medium acts on such a cord: whether it declares drag_across, drag_along or displaced_area.
+bool feels_medium(const CordDef& def);
 /// Checks an accuracy in the same way.
 void check(const Accuracy& accuracy);
 /// Checks only the fields `points` and `rows`.

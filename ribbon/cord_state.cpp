@@ -44,8 +44,9 @@ void check_sizes(const Cord::State& state, const CordParts& cord) {
   const auto is_optional = [](std::size_t size, std::size_t wanted) { return size == wanted || size == 0; };
   if (state.positions.size() != n || state.velocities.size() != n || state.accelerations.size() != n ||
       state.targets.size() != n || state.kinds.size() != n || state.masses.size() != n ||
-      !is_optional(state.loads.size(), n) || state.tensions.size() != own.tensions.size() ||
-      state.rest.size() != own.rest.size() || !is_optional(state.rest_targets.size(), own.rest.size()) ||
+      !is_optional(state.loads.size(), n) || !is_optional(state.medium_forces.size(), n) ||
+      state.tensions.size() != own.tensions.size() || state.rest.size() != own.rest.size() ||
+      !is_optional(state.rest_targets.size(), own.rest.size()) ||
       state.rest_speeds.size() != state.rest_targets.size() ||
       !is_optional(state.breaking_forces.size(), own.rest.size()) ||
       state.unlocked.size() != cord.elasticity->unlocked().size()) {
@@ -95,6 +96,7 @@ void Cord::check_state(const State& state) const {
   check_vectors("state.accelerations", state.accelerations);
   check_vectors("state.targets", state.targets);
   check_vectors("state.loads", state.loads);
+  check_vectors("state.medium_forces", state.medium_forces);
   check_all("state.masses", state.masses, smallest, largest);
   check_all("state.tensions", state.tensions, -largest, largest);
   check_all("state.rest", state.rest, smallest, largest);

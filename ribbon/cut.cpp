@@ -146,6 +146,7 @@ std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side, 
   take(from.velocities, first, count, to.velocities);
   take(from.accelerations, first, count, to.accelerations);
   take(from.loads, first, count, to.loads);
+  take(from.medium_forces, first, count, to.medium_forces);
   take(from.rest, columns.first, columns.links(), to.rest);
   take(from.rest_targets, columns.first, columns.links(), to.rest_targets);
   take(from.rest_speeds, columns.first, columns.links(), to.rest_speeds);

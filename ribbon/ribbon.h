@@ -12,6 +12,7 @@
 #include "ribbon/error_probe.h"
 #include "ribbon/island_cord.h"
 #include "ribbon/layout.h"
+#include "ribbon/medium.h"
 #include "ribbon/parallel_for.h"
 #include "ribbon/pulley.h"
 #include "ribbon/reports.h"
@@ -22,3 +23,4 @@
 #include "ribbon/touch.h"
 #include "ribbon/vec2.h"
 #include "ribbon/version.h"
+#include "ribbon/weather.h"

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double max_component = 1e10;     // m, m/s, rad/s
+constexpr double max_time = 1e12;          // s
 constexpr double max_acceleration = 1e20;  // m/s²
 
 /// An entry of a list that is checked. Its name is built only for an error message.
@@ -69,6 +70,7 @@ void check_bodies(std::span<const RigidBody> bodies) {
 }
 
 void check_surroundings(const Surroundings& surroundings, std::size_t bodies, int points, int rows) {
+  check_range("time", surroundings.time, -max_time, max_time);
   for (std::size_t k = 0; k < surroundings.circles.size(); ++k) {
     const RigidCircle& circle = surroundings.circles[k];
     const Entry entry("circles", k);

@@ -10,6 +10,8 @@
 
 namespace ribbon {
 
+class Medium;
+
 /// A rigid body at the start of a step. The step reads its state and adds to its impulses. For a body that holds a cord
 /// it also writes the displacement. The owner of the body applies the impulses and moves the body.
 struct RigidBody {
@@ -79,6 +81,9 @@ struct Surroundings {
   std::span<const Grip> grips = {};             ///< grips of bodies that hold the cord
   std::span<const RigidSegment> segments = {};  ///< edges that the cord may touch; the thesis's solver ignores them
   std::span<const Axle> axles = {};             ///< of its pulleys, in their order
+  /// What flows around the cord; null for none. It must outlive the step. The thesis's solver refuses it.
+  const Medium* medium = nullptr;
+  double time = 0.0;  ///< s, for the medium: at the start of the step, within ±1e12
 };
 
 /// Throws DefinitionError unless all values of the bodies are in range: lengths and velocities within ±1e10,

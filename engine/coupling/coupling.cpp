@@ -80,13 +80,14 @@ void step_thesis(CouplingParts& parts) {
 
 /// Advances the cords of the direct solver.
 void step_direct(CouplingParts& parts) {
-  const auto& [gravity, dt] = parts.conditions;
+  const auto& [gravity, dt, medium, medium_time] = parts.conditions;
   std::vector<RigidBody>& bodies = parts.bodies.rigid;
   parts.island_cords.clear();
   const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, cord.axles};
+    const Surroundings surroundings{bodies,      cord.circles, cord.grips, cord.segments,
+                                    cord.axles,  medium,       medium_time};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
   }
@@ -246,7 +247,7 @@ void Coupling::gather(b2World& world, double dt) {
   if (parts.phase == TickPhase::stepped) throw CallError("gather follows step; accepted is gather, step, apply");
   check_step(dt, to_double(world.GetGravity()));
   parts.phase = TickPhase::between_ticks;
-  parts.conditions = {to_double(world.GetGravity()), dt};
+  parts.conditions = {to_double(world.GetGravity()), dt, parts.medium, parts.medium_time};
   parts.bodies.clear();
   parts.fixtures.begin_tick();
   parts.enter(world);
@@ -323,6 +324,7 @@ void Coupling::apply() {
   break_ties(parts);
   break_overloaded(parts);
   parts.cuts.end_tick();
+  if (parts.conditions.medium != nullptr) parts.medium_time += parts.conditions.dt;
   parts.phase = TickPhase::between_ticks;
 }
 
@@ -348,6 +350,13 @@ void Coupling::watch(StepWatcher* watcher) {
   parts_->watcher = watcher;
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
 }
+
+void Coupling::set_medium(const Medium* medium) {
+  parts_->medium = medium;
+  parts_->cords.activate_if([](const CoupledCord&) { return true; });
+}
+
+double Coupling::medium_time() const { return parts_->medium_time; }
 void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
 std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
 std::span<const SensorEvent> Coupling::sensor_events() const { return parts_->sensors.events(); }

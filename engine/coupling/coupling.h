@@ -13,6 +13,7 @@
 #include "ribbon/box2d/handles.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/cord.h"
+#include "ribbon/medium.h"
 #include "ribbon/parallel_for.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "ribbon/vec2.h"
@@ -184,6 +185,14 @@ class Coupling {
   /// speed, and that gets the impulses; null for none. It must outlive the ticks. It is not part of the state, and
   /// costs nothing if it is null.
   void listen(ContactListener* listener);
+  /// Sets the medium that flows around all cords of the direct solver, such as a Weather; null, the default, for none.
+  /// It must outlive the ticks. It is not part of the state, but its time is. It acts on cords that declare
+  /// drag_across, drag_along or displaced_area, and not on bodies or cords of the thesis's solver. Costs nothing if it
+  /// is null.
+  void set_medium(const Medium* medium);
+  /// Returns the time for which the medium is asked at the start of the next tick: the time that ticks with a medium
+  /// took so far, s. It is part of the state.
+  double medium_time() const;
   /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
   /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
   std::span<const TouchEvent> touch_events() const;

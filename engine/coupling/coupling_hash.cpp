@@ -163,7 +163,7 @@ void add_ids(Hasher& hasher, const CouplingState& state) {
 
 void add_to(Hasher& hasher, const CouplingState& state) {
   const auto& [bodies, next_cord, cords, grips, next_grip, ties, next_tie, pulleys, next_pulley, carries, fixtures,
-               next_fixture, events, ending, cuts, old_cuts, sensor_events, ending_sensors] = state;
+               next_fixture, events, ending, cuts, old_cuts, sensor_events, ending_sensors, medium_time] = state;
   hasher.add(bodies);
   add_all(hasher, cords);
   add_all(hasher, grips);
@@ -175,7 +175,7 @@ void add_to(Hasher& hasher, const CouplingState& state) {
   (void)next_cord;
   (void)ending;
   add_ids(hasher, state);
-  // Golden hashes are without pulleys, sensors, ties and cuts:
+  // Golden hashes are without pulleys, sensors, a medium, ties and cuts:
   if (next_pulley > 1) {
     hasher.add(pulleys.size());
     for (const CouplingState::Pulley& pulley : pulleys) {
@@ -188,6 +188,7 @@ void add_to(Hasher& hasher, const CouplingState& state) {
     add_all(hasher, sensor_events);
     add_all(hasher, ending_sensors);
   }
+  if (medium_time > 0.0) hasher.add(medium_time);
   if (next_tie > 1) {
     add_all(hasher, ties);
     hasher.add(next_tie);
@@ -228,9 +229,9 @@ void add(Hasher& hasher, const Pulley& pulley) {
 }  // namespace
 
 void add_to(Hasher& hasher, const Cord::State& state) {
-  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets,
-               rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split, holders, touches,
-               touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
+  const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
+               rest_targets, rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split,
+               holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
                surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
@@ -238,6 +239,7 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   // Only where they are used, so that golden hashes stay:
   if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
   for (const Pulley& pulley : pulleys) add(hasher, pulley);
+  if (!medium_forces.empty()) add_all(hasher, medium_forces);
   for (const std::uint64_t joined : {family, joined_first, joined_last}) {
     if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
   }

@@ -56,6 +56,7 @@ struct CouplingParts {
   TouchTracker touches;
   SensorTracker sensors;
   CutLog cuts;
+  double medium_time = 0.0;  // s
   // Of this tick:
   TickPhase phase = TickPhase::between_ticks;
   bool may_have_left_bodies = false;  // a cord was disabled or removed, and bodies that touched it may sleep
@@ -78,6 +79,7 @@ struct CouplingParts {
   std::optional<ErrorProbe> probe;
   StepWatcher* watcher = nullptr;
   ContactListener* listener = nullptr;
+  const Medium* medium = nullptr;
   ParallelFor parallel_for;
 
   /// Adds a cord and reserves memory for its bodies.

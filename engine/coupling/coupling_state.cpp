@@ -249,6 +249,7 @@ void Coupling::save(const b2World& world, State& state) const {
   state.next_tie = parts_->ties.next();
   state.pulleys.clear();
   state.next_pulley = parts_->pulleys.next();
+  state.medium_time = parts_->medium_time;
   save_by_body(*parts_, world, state);
   save_events(*parts_, state);
 }
@@ -275,6 +276,7 @@ void Coupling::restore(const State& state, b2World& world) {
   parts.ties.restore(state.ties, state.next_tie);
   parts.pulleys.clear(state.next_pulley);
   for (const State::Pulley& pulley : state.pulleys) parts.pulleys.restore(pulley.memory, body_at(pulley.body));
+  parts.medium_time = state.medium_time;
   parts.carry.clear();
   for (const State::Carry& carry : state.carries) parts.carry.restore(body_at(carry.body), carry.memory);
   restore_fixtures(state, bodies, parts.fixtures);

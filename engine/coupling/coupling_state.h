@@ -196,6 +196,7 @@ struct CouplingState {
   std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
   std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
   std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture
+  double medium_time = 0.0;                  ///< s, see Coupling::medium_time
 
   bool operator==(const CouplingState&) const = default;
 };

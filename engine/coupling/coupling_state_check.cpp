@@ -13,6 +13,7 @@ namespace {
 constexpr double most = std::numeric_limits<double>::max();
 constexpr double most_single = 1e30;  // limit of values that become single precision
 constexpr double most_ids = 1e9;      // of cords or grips that were ever added
+constexpr double most_time = 1e12;    // s
 constexpr double most_number = 1e12;  // limit of fixture numbers: ids of their corners must fit into 63 bits
 
 void check_vectors(const char* field, std::initializer_list<Vec2> vectors, double limit) {
@@ -267,6 +268,7 @@ void check_state(const CouplingState& state, RestoreMemory& memory, const CordTa
   check_events(state);
   check_sensor_events(state);
   check_cuts(state);
+  check_range("state.medium_time", state.medium_time, 0.0, most_time);
 }
 
 }  // namespace ribbon::box2d

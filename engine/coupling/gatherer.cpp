@@ -38,7 +38,10 @@ double distance_in_tick(double speed2, Vec2 gravity, double dt) {
 
 /// Returns a box in which a cord stays in a tick in most cases: it contains the points and their targets, with a margin
 /// for the speed of the fastest point, for the fall, and of one spacing for what forces add.
-Box swept_aabb(const ThesisCord& cord, Vec2 gravity, double dt) {
+Box swept_aabb(const ThesisCord& cord, const StepConditions& conditions) {
+  const auto& [gravity, dt, medium, time] = conditions;
+  (void)medium;
+  (void)time;
   Box box{cord.positions()[0], cord.positions()[0]};
   double speed2 = 0.0;
   for (std::size_t p = 0; p < cord.positions().size(); ++p) {
@@ -55,11 +58,13 @@ Box swept_aabb(const ThesisCord& cord, Vec2 gravity, double dt) {
 
 /// The same for the direct solver, which bounds motions itself. A cord that is stretched may become faster than it is
 /// now.
-Box swept_aabb(const Cord& cord, Vec2 gravity, double dt) {
+Box swept_aabb(const Cord& cord, const StepConditions& conditions) {
+  const auto& [gravity, dt, medium, time] = conditions;
   const Cord::Sweep sweep = cord.sweep();
   const double snap2 = 2.0 * snap * snap * sweep.elastic / (cord.def().mass_per_length * cord.def().length);
   const Vec2 fall = cord.def().gravity_scale * gravity;
-  const double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), fall, dt);
+  double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), fall, dt);
+  if (medium != nullptr) distance += direct_margin * dt * medium_delta_v(cord, *medium, time, dt, gravity);
   return widened(sweep.box, distance + cord.rest_length(0) + cord.def().radius);
 }
 
@@ -122,8 +127,7 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
     cord.near_sensors.clear();
     cord.swept_aabb = {};
     if (!cord.enabled) continue;
-    cord.swept_aabb = std::visit(
-        [&](const auto& of_solver) { return swept_aabb(of_solver, conditions.gravity, conditions.dt); }, cord.cord);
+    cord.swept_aabb = std::visit([&](const auto& of_solver) { return swept_aabb(of_solver, conditions); }, cord.cord);
     queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near, &cord.near_sensors});
   }
   try {
@@ -148,10 +152,11 @@ void Gatherer::activate_changed(CordTable& cords) {
 
 bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& conditions) {
   if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().meets_cords()) return false;
+  if (conditions.medium != nullptr && feels_medium(cord.direct().def())) return false;  // it may change
   if (!cord.near.empty() || !cord.grips.empty() || cord.tied || !cord.touching.empty() || !cord.touching_before.empty())
     return false;
   if (!cord.near_sensors.empty() || !cord.sensing.empty()) return false;
-  return swept_aabb(cord.direct(), conditions.gravity, conditions.dt) == cord.swept_aabb;
+  return swept_aabb(cord.direct(), conditions) == cord.swept_aabb;
 }
 
 void Gatherer::load_resting_queries(CordTable& cords) {

@@ -10,6 +10,7 @@
 #include "ribbon/box2d/body_finder.h"
 #include "ribbon/box2d/body_identity.h"
 #include "ribbon/box2d/coupling_state.h"
+#include "ribbon/medium.h"
 #include "ribbon/rigid_circle.h"
 #include "ribbon/vec2.h"
 
@@ -19,6 +20,8 @@ namespace ribbon::box2d {
 struct StepConditions {
   Vec2 gravity;     ///< m/s²
   double dt = 0.0;  ///< s
+  const Medium* medium = nullptr;
+  double medium_time = 0.0;  ///< s, at the start of the tick
 };
 
 /// Returns whether a joint or a touching contact of Box2D may push a body.

@@ -1,6 +1,6 @@
 // A small game with its own Box2D world, tick, contact listener and drawing. A cord was added to it: the rope of a
 // wrecking ball. Lines that end with a comment were added for the cord.
-//   wrecking_ball [TICKS]    the arrow keys push the ball, Space releases it, S saves, L restores
+//   wrecking_ball [TICKS]    the arrow keys push the ball, Space releases it, W lets wind blow, S saves, L restores
 #include <SDL.h>
 #include <box2d/box2d.h>
 
@@ -12,6 +12,7 @@
 #include "ribbon/box2d/coupling.h"        // cords in a Box2D world
 #include "ribbon/box2d/world_snapshot.h"  // bodies and contacts, to go back
 #include "ribbon/layout.h"                // initial positions
+#include "ribbon/weather.h"               // wind and water
 
 namespace {
 constexpr float dt = 1.0F / 60.0F;
@@ -42,6 +43,7 @@ struct Game {
     def.points = 41;                                        // more points bend more smoothly and cost more
     def.mass_per_length = 0.5;                              // kg/m
     def.radius = 0.03;                                      // m, half the thickness for contacts
+    def.drag_across = 1.2;                                  // what wind acts on; it blows when you press W
     def.friction = 0.3;                                     // combines with the friction of fixtures as in Box2D
     def.pins = {0};                                         // the first point is fixed at the hook
     ribbon::lay_along(def, {{5.0, 8.5}, {0.8, 5.2}});       // m, from the hook to the ball; sets the length too
@@ -102,8 +104,9 @@ struct Game {
   b2Body* ball = nullptr;
   Thuds thuds;
   int touches = 0;
-  ribbon::box2d::Coupling cords;   // all cords of this world
-  ribbon::box2d::CordId cord = 0;  // its id
+  const ribbon::Weather wind{{.wind = {25.0, 0.0}, .gusts = 0.5}};  // m/s, to the right
+  ribbon::box2d::Coupling cords;                                    // all cords of this world
+  ribbon::box2d::CordId cord = 0;                                   // its id
 };
 
 /// Runs until the window is closed, or for `ticks` ticks; then it saves after half of them and restores at the end.
@@ -117,6 +120,7 @@ void play(Game& game, SDL_Renderer* renderer, int ticks) {
     if (key[SDL_SCANCODE_S] != 0 || tick == half) game.save(saved);
     if (key[SDL_SCANCODE_L] != 0) game.restore(saved);
     if (key[SDL_SCANCODE_SPACE] != 0) game.cords.body(*game.ball).release();  // the ball keeps its velocity
+    if (key[SDL_SCANCODE_W] != 0) game.cords.set_medium(&game.wind);          // from the next tick on
     game.tick(300.0F * static_cast<float>(key[SDL_SCANCODE_RIGHT] - key[SDL_SCANCODE_LEFT]));
     game.draw(renderer);
     if (ticks < 0) SDL_Delay(16);

@@ -38,11 +38,44 @@ void check_ids(const std::vector<SolverStep::Cord>& cords) {
 
 }  // namespace
 
+namespace {
+
+/// Returns the definition of a medium; of another one than a Weather, that of a uniform one.
+ribbon::WeatherDef definition_of(const ribbon::IslandCord& cord) {
+  const ribbon::Surroundings& surroundings = cord.surroundings;
+  if (const auto* weather = dynamic_cast<const ribbon::Weather*>(surroundings.medium)) return weather->def();
+  const auto x = cord.cord->positions();
+  const ribbon::MediumSample sample =
+      surroundings.medium->at(x[x.size() / 2], cord.cord->def().length / cord.cord->def().points, surroundings.time);
+  ribbon::WeatherDef uniform;
+  uniform.wind = sample.velocity;
+  uniform.air_density = sample.density;
+  try {
+    ribbon::check(uniform);
+  } catch (const ribbon::DefinitionError&) {
+    return {};
+  }
+  return uniform;
+}
+
+/// Returns the index of the medium of a cord in the step, and adds it if it is not there.
+int medium_of(const ribbon::IslandCord& cord, SolverStep& step) {
+  if (cord.surroundings.medium == nullptr) return -1;
+  const ribbon::WeatherDef def = definition_of(cord);
+  const auto found = std::find(step.media.begin(), step.media.end(), def);
+  const auto index = found - step.media.begin();
+  if (found == step.media.end()) step.media.push_back(def);
+  return static_cast<int>(index);
+}
+
+}  // namespace
+
 void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
   step.dt = input.dt;
   step.gravity = input.gravity;
   step.bodies.assign(input.bodies.begin(), input.bodies.end());
   step.ties.assign(input.ties.begin(), input.ties.end());
+  step.media.clear();
   step.cords.resize(input.cords.size());
   for (std::size_t k = 0; k < input.cords.size(); ++k) {
     const ribbon::IslandCord& from = input.cords[k];
@@ -54,6 +87,8 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
     to.grips.assign(from.surroundings.grips.begin(), from.surroundings.grips.end());
     to.axles.assign(from.surroundings.axles.begin(), from.surroundings.axles.end());
     to.id = from.id;
+    to.medium = medium_of(from, step);
+    to.time = from.surroundings.time;
   }
 }
 
@@ -70,6 +105,7 @@ void check(const SolverStep& step) {
   try {
     ribbon::check_step(step.dt, step.gravity);
     ribbon::check_bodies(step.bodies);
+    for (const ribbon::WeatherDef& medium : step.media) ribbon::check(medium);
   } catch (const ribbon::DefinitionError& error) {
     throw SolverStepError(error.what());
   }
@@ -80,8 +116,9 @@ void check(const SolverStep& step) {
       check_points(cord);
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
-      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles}, step.bodies.size(), made.size(),
-                                 cord.def.rows);
+      ribbon::check_range("medium", cord.medium, -1, static_cast<double>(step.media.size()) - 1.0);
+      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time}, step.bodies.size(),
+                                 made.size(), cord.def.rows);
     });
     points.push_back(static_cast<int>(step.cords[k].state.positions.size()));
   }

@@ -13,6 +13,7 @@
 #include "ribbon/rigid_circle.h"
 #include "ribbon/tie.h"
 #include "ribbon/vec2.h"
+#include "ribbon/weather.h"
 
 namespace engine {
 
@@ -33,6 +34,8 @@ struct SolverStep {
     std::vector<ribbon::Grip> grips;
     std::vector<ribbon::Axle> axles;
     std::uint64_t id = 0;  ///< IslandCord::id
+    int medium = -1;       ///< index into media; −1 for none
+    double time = 0.0;     ///< s, see Surroundings::time
   };
   /// The outcome when the step was recorded, to compare with a repetition.
   struct Outcome {
@@ -47,6 +50,9 @@ struct SolverStep {
   std::vector<ribbon::RigidBody> bodies;  ///< referred to by all cords
   std::vector<Cord> cords;                ///< in the order of the solver
   std::vector<ribbon::Tie> ties;          ///< of these cords
+  /// What flows around the cords. A medium that is not a Weather cannot be recorded: a uniform one is, like it at the
+  /// middle point of the cord. Then a repetition has other bits.
+  std::vector<ribbon::WeatherDef> media;
   Outcome outcome;
 };
 

@@ -42,8 +42,9 @@ void fields(Archive& archive, T& accuracy) {
 template <typename Archive, Is<ribbon::CordDef> T>
 void fields(Archive& archive, T& def) {
   auto& [points, rows, length, width, radius, mass_per_length, stretch_stiffness, bending_stiffness, cell_stiffness,
-         poisson_ratio, area_stiffness, damping, drag, gravity_scale, tension_only, breaking_force, friction,
-         restitution, self_contact, cord_contact, allow_sleep, elements, accuracy, positions, pins] = def;
+         poisson_ratio, area_stiffness, damping, drag, gravity_scale, drag_across, drag_along, displaced_area,
+         tension_only, breaking_force, friction, restitution, self_contact, cord_contact, allow_sleep, elements,
+         accuracy, positions, pins] = def;
   archive("points", points);
   archive("rows", rows);
   archive("length", length);
@@ -58,6 +59,9 @@ void fields(Archive& archive, T& def) {
   archive("damping", damping);
   archive("drag", drag);
   archive("gravity_scale", gravity_scale);
+  archive("drag_across", drag_across);
+  archive("drag_along", drag_along);
+  archive("displaced_area", displaced_area);
   archive("tension_only", tension_only);
   archive("breaking_force", breaking_force);
   archive("friction", friction);
@@ -143,9 +147,10 @@ void fields(Archive& archive, T& axle) {
 
 template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
-  auto& [positions, velocities, accelerations, targets, kinds, masses, loads, tensions, rest, rest_targets, rest_speeds,
-         breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split, holders, touches, touch_changed,
-         regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
+  auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
+         rest_targets, rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split,
+         holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
+         surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -153,6 +158,7 @@ void fields(Archive& archive, T& state) {
   archive("kinds", kinds);
   archive("masses", masses);
   archive("loads", loads);
+  archive("medium_forces", medium_forces);
   archive("tensions", tensions);
   archive("rest", rest);
   archive("rest_targets", rest_targets);
@@ -237,7 +243,7 @@ void fields(Archive& archive, T& grip) {
 
 template <typename Archive, Is<SolverStep::Cord> T>
 void fields(Archive& archive, T& cord) {
-  auto& [def, state, circles, segments, grips, axles, id] = cord;
+  auto& [def, state, circles, segments, grips, axles, id, medium, time] = cord;
   archive("id", id);
   archive("def", def);
   archive("state", state);
@@ -245,6 +251,21 @@ void fields(Archive& archive, T& cord) {
   archive("segments", segments);
   archive("grips", grips);
   archive("axles", axles);
+  archive("medium", medium);
+  archive("time", time);
+}
+
+template <typename Archive, Is<ribbon::WeatherDef> T>
+void fields(Archive& archive, T& weather) {
+  auto& [wind, air_density, gusts, gust_time, gust_length, water_level, water_density, current] = weather;
+  archive("wind", wind);
+  archive("air_density", air_density);
+  archive("gusts", gusts);
+  archive("gust_time", gust_time);
+  archive("gust_length", gust_length);
+  archive("water_level", water_level);
+  archive("water_density", water_density);
+  archive("current", current);
 }
 
 template <typename Archive, Is<ribbon::Tie> T>
@@ -267,13 +288,14 @@ void fields(Archive& archive, T& outcome) {
 
 template <typename Archive, Is<SolverStep> T>
 void fields(Archive& archive, T& step) {
-  auto& [dt, gravity, bodies, cords, ties, outcome] = step;
+  auto& [dt, gravity, bodies, cords, ties, media, outcome] = step;
   archive("outcome", outcome);
   archive("dt", dt);
   archive("gravity", gravity);
   archive("bodies", bodies);
   archive("cords", cords);
   archive("ties", ties);
+  archive("media", media);
 }
 
 }  // namespace engine::step_fields

@@ -9,6 +9,7 @@
 
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/scene_cord.h"
+#include "engine/scene/scene_weather.h"
 #include "ribbon/box2d/convert.h"
 
 namespace engine {
@@ -40,7 +41,10 @@ void check_points(const TiledMap& map) {
 }
 
 void check_map(const TiledMap& map, const std::vector<std::string>& other_properties) {
-  map.properties.check_known_properties({"gravity_y", "pixels_per_metre"}, other_properties);
+  map.properties.check_known_properties(
+      {"gravity_y", "pixels_per_metre", "wind_x", "wind_y", "air_density", "gusts", "gust_time", "gust_length",
+       "water_level", "water_density", "current_x", "current_y"},
+      other_properties);
   if (map.objects.size() > max_objects) {
     throw MapError(map.file + ": the map has " + std::to_string(map.objects.size()) +
                    " objects; accepted are at most " + std::to_string(max_objects));
@@ -65,6 +69,10 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
              const std::vector<std::string>& other_properties)
     : world_(gravity_of(map)) {
   check_map(map, other_properties);
+  if (const std::optional<ribbon::WeatherDef> weather = weather_of(map)) {
+    weather_.emplace(*weather);
+    coupling_.set_medium(&*weather_);
+  }
   for (const MapObject& object : map.objects) build(object, other_kinds, cord_filter);
   for (const MapObject& object : map.objects) {  // these refer to cords
     if (object.kind == "anchor") fix_anchor(object, map);

@@ -10,6 +10,7 @@
 #include "engine/scene/tiled_map.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
+#include "ribbon/weather.h"
 
 namespace engine {
 
@@ -37,16 +38,16 @@ struct SceneBody {
 ///     area_stiffness, self_collision.
 ///   - "direct" (ribbon/cord_def.h), by default 1 row: stretch_stiffness [N; a rope without it is inextensible, a
 ///     ribbon requires it], bending_stiffness [N·m²], poisson_ratio, area_stiffness, damping [s], gravity_scale (1 by
-///     default), tension_only, breaking_force [N; 0, the
-///     default, for a cord that does not break], radius [m], width [m, by default that of square cells], friction,
-///     restitution, self_contact, cord_contact (with other cords that declare it), allow_sleep, accuracy ("fast",
-///     "balanced", the default, or "accurate"), and overrides of it: integrator ("tr_bdf2", "implicit_euler"),
-///     substeps, tolerance [m], max_work, max_iterations (Newton steps per solve), soft_contacts (by default true for
-///     implicit_euler). All links are straight and of equal length, so the cord is a little shorter than a polyline
-///     with corners.
+///     default), drag_across, drag_along, displaced_area [m²] (what the weather of the map acts on; 0 by default),
+///     tension_only, breaking_force [N; 0, the default, for a cord that does not break], radius [m], width [m, by
+///     default that of square cells], friction, restitution, self_contact, cord_contact (with other cords that declare
+///     it), allow_sleep, accuracy ("fast", "balanced", the default, or "accurate"), and overrides of it: integrator
+///     ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (Newton steps per solve),
+///     soft_contacts (by default true for implicit_euler). All links are straight and of equal length, so the cord is a
+///     little shorter than a polyline with corners.
 /// - `ribbon`: like cord with 2 rows or more, by default 3.
 /// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
-/// default.
+/// default; with wind_x, water_level and others it defines a weather (scene_weather.h, ribbon/weather.h).
 class Scene {
  public:
   /// `other_kinds` and `other_properties`: classes and map properties that the caller handles. `cord_filter`: the
@@ -64,6 +65,8 @@ class Scene {
 
   /// The bodies in the order of the map.
   std::span<const SceneBody> bodies() const { return bodies_; }
+  /// Returns the weather of the map, the medium of its cords; nothing if it has none.
+  const std::optional<ribbon::Weather>& weather() const { return weather_; }
   /// Returns the id of the object that a cord or its uncut cord was built from, which is its user data; 0 for cords
   /// that were added later and for those that do not exist.
   int cord_object(ribbon::box2d::CordId cord) const;
@@ -94,6 +97,7 @@ class Scene {
                                                      double max_distance) const;
 
   b2World world_;
+  std::optional<ribbon::Weather> weather_;
   ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
   std::vector<int> cord_objects_;  // by cord, as built

@@ -17,11 +17,12 @@ const Choices thesis_properties = {"solver",      "columns",  "rows",           
                                    "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
                                    "pin_first",   "pin_last", "solid"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",       "mass",          "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",    "drag",          "tension_only",      "radius",
-    "width",         "accuracy",       "integrator", "substeps",      "tolerance",         "max_iterations",
-    "pin_first",     "pin_last",       "friction",   "restitution",   "self_contact",      "cord_contact",
-    "allow_sleep",   "max_work",       "solid",      "soft_contacts", "gravity_scale",     "breaking_force"};
+    "solver",        "columns",        "rows",          "mass",          "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",       "drag",          "tension_only",      "radius",
+    "width",         "accuracy",       "integrator",    "substeps",      "tolerance",         "max_iterations",
+    "pin_first",     "pin_last",       "friction",      "restitution",   "self_contact",      "cord_contact",
+    "allow_sleep",   "max_work",       "solid",         "soft_contacts", "gravity_scale",     "breaking_force",
+    "drag_across",   "drag_along",     "displaced_area"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -151,6 +152,9 @@ ribbon::CordDef direct_def(const MapObject& object) {
   def.damping = p.number_or("damping", 0.0, {0.0, 1e3});
   def.drag = drag_of(p);
   def.gravity_scale = p.number_or("gravity_scale", 1.0, {-1e3, 1e3});
+  def.drag_across = p.number_or("drag_across", 0.0, {0.0, 1e3});
+  def.drag_along = p.number_or("drag_along", 0.0, {0.0, 1e3});
+  def.displaced_area = p.number_or("displaced_area", 0.0, {0.0, 1e3});
   def.tension_only = p.boolean_or("tension_only", false);
   const double breaking_force = p.number_or("breaking_force", 0.0, {0.0, 1e12});
   if (breaking_force > 0.0) def.breaking_force = breaking_force;

@@ -16,6 +16,7 @@
 #include "game/view/palette.h"
 #include "game/view/pen.h"
 #include "game/view/strain_legend.h"
+#include "game/view/water.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -131,6 +132,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const FigureState figure = figure_of(*simulation_, now, time);
   draw_flight(pen, *simulation_, figure.at);
   draw_figure(pen, pose_of(figure));
+  if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);

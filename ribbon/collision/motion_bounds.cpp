@@ -6,6 +6,7 @@
 #include "ribbon/collision/outline.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/system/cord_in_medium.h"
 
 namespace ribbon {
 namespace {
@@ -48,7 +49,8 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
   const double turned = dt * (turned_share * std::sqrt(own2) + std::sqrt(other2));
   const double pull = std::min(cord.rest[0], dt * dt * pulled);  // links stop what would go further
   return link_share * cord.rest[0] +
-         2.0 * dt * dt * std::max(1.0, std::abs(parts.def.gravity_scale)) * length(gravity) + turned + pull;
+         2.0 * dt * dt * std::max(1.0, std::abs(parts.def.gravity_scale)) * length(gravity) + turned + pull +
+         dt * max_medium_push(parts, surroundings, dt, gravity).delta_v;
 }
 
 void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }

@@ -90,14 +90,15 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
   Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the next point to eliminate
   Vec2 r = stage.residual(n - 1, x[n - 1]);
   std::size_t bodies = stage.condensed_bodies.size();
-  const auto add_bodies = [&](std::size_t point) {
+  const auto add_others = [&](std::size_t point) {
+    if (!stage.resistance.empty()) a = a + stage.resistance[point];
     while (bodies > 0 && stage.condensed_bodies[bodies - 1].point == point) {
       --bodies;
       a = a + stage.condensed_bodies[bodies].stiffness;
       r += stage.condensed_bodies[bodies].residual;
     }
   };
-  add_bodies(n - 1);
+  add_others(n - 1);
 
   for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
     const Vec2 ab = x[e] - x[e + 1];
@@ -126,7 +127,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
     a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
     r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
-    add_bodies(e);
+    add_others(e);
   }
 
   direction[0] = {};
@@ -168,6 +169,9 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
   for (std::size_t p = 0; p < x.size(); ++p) {
     right_side[at(first) + p] = stage.residual(p, x[p]);
     blocks.add(first + static_cast<int>(p), stage.inertia[p], 0.0, stage.inertia[p]);
+    if (stage.resistance.empty()) continue;
+    const Block& resistance = stage.resistance[p];
+    blocks.add(first + static_cast<int>(p), resistance.xx, resistance.xy, resistance.yy);
   }
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     const int a = first + static_cast<int>(e);

@@ -131,6 +131,9 @@ void Lattice::assemble(const Stage& stage, std::span<const Vec2> x, std::span<co
     diagonal[matrix_.stride()] += inertia;
     diagonal += 2 * matrix_.stride();
   }
+  for (std::size_t p = 0; p < stage.resistance.size(); ++p) {
+    system.add(static_cast<int>(p), static_cast<int>(p), stage.resistance[p]);
+  }
   for (const CondensedBody& body : stage.condensed_bodies) {
     force[body.point] += body.residual;
     system.add(static_cast<int>(body.point), static_cast<int>(body.point), body.stiffness);

@@ -28,6 +28,7 @@ struct Block {
 };
 constexpr Block operator+(Block a, Block b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
 constexpr Block operator*(double s, Block b) { return {s * b.xx, s * b.xy, s * b.yy}; }
+constexpr Vec2 operator*(Block b, Vec2 v) { return {b.xx * v.x + b.xy * v.y, b.xy * v.x + b.yy * v.y}; }
 
 /// A body that a point holds, condensed to that point for a Newton step: its unknowns are eliminated.
 struct CondensedBody {
@@ -41,7 +42,8 @@ struct CondensedBody {
 ///
 ///     (M + q·C)/q² · (x − x̃) + ∇W(x) = f − C·ṽ.
 ///
-/// Its solution is the stationary point of ½|x − x̃|² in the norm of `inertia`, plus W, minus force·x.
+/// Its solution is the stationary point of ½|x − x̃|² in the norm of `inertia`, plus W, minus force·x. A medium adds a
+/// `resistance` to the inertia, which differs from direction to direction.
 struct Stage {
   double q;                                              ///< s
   std::span<const Vec2> predicted;                       ///< x̃ [m]; of a constrained point its position
@@ -56,10 +58,15 @@ struct Stage {
   static constexpr double definite_geometric_ratio = -0.24;
   /// The least geometric stiffness of a bar of a chain, as a multiple of the smaller inertia of its ends, ≤ 0.
   double min_geometric_ratio = 0.0;
+  std::span<const Block> resistance = {};  ///< N/m, by point, of a medium; empty without one
   bool implicit_euler = false;  ///< the stage is a step of implicit Euler: v = (x − x₀)/q with x₀ = x̃ − q·ṽ
 
   /// Returns the force on point p at x without that of W, less its inertia force, N.
-  Vec2 residual(std::size_t p, Vec2 x) const { return force[p] - inertia[p] * (x - predicted[p]); }
+  Vec2 residual(std::size_t p, Vec2 x) const {
+    const Vec2 moved = x - predicted[p];
+    const Vec2 free = force[p] - inertia[p] * moved;
+    return resistance.empty() ? free : free - resistance[p] * moved;
+  }
   /// Returns the velocity of point p at x, m/s.
   Vec2 velocity_at(std::size_t p, Vec2 x) const { return velocity[p] + (1.0 / q) * (x - predicted[p]); }
   /// Returns the start position x₀ of implicit Euler, m.

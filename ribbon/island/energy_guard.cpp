@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "ribbon/island/momentum.h"
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/wheels.h"
+#include "ribbon/system/stretch.h"
 
 namespace ribbon {
 namespace {
@@ -17,6 +19,18 @@ constexpr double max_total_gain = 5e-7;           // a cord may have gained so m
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
+
+/// Returns an upper bound, J, for the work of media on an island in a step.
+double max_medium_work(const IslandState& state) {
+  const double speed = highest_start_speed(state);
+  double work = 0.0;
+  for (const Member& member : state.members) {
+    if (!member.in_medium) continue;
+    const MediumPush push = max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity);
+    work += push.impulse * (speed + push.relative_speed);
+  }
+  return work;
+}
 
 }  // namespace
 
@@ -82,7 +96,7 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
 }
 
 void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
-  if (!state.driven) after_ = total_energy(state, contacts);
+  if (!state.is_pushed()) after_ = total_energy(state, contacts);
 }
 
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
@@ -93,7 +107,10 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
   if (!contacts.empty() && regainable_ > 0.0) {
     allowed = std::max(std::min(regainable_, max_regainable_touching * scale(before)), share);
   }
-  return !(after_.total() - before.total() <= (grip_work(state) + wheel_work(state)) + allowed);
+  const double gain = after_.total() - before.total();
+  const double known = grip_work(state) + wheel_work(state) + allowed;
+  if (gain <= known) return false;
+  return !(state.in_medium && gain <= known + max_medium_work(state));
 }
 
 void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {

@@ -77,7 +77,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
   }
-  if (!state.driven) context.guard.account(state, context.contacts, before);
+  if (!state.is_pushed()) context.guard.account(state, context.contacts, before);
 }
 
 bool LinearisedStep::take_truncated(const StepContext& context, Restitution& restitution) {
@@ -92,7 +92,7 @@ bool LinearisedStep::take_truncated(const StepContext& context, Restitution& res
     return false;
   }
   end_piece(context, taken, state.dt, restitution);
-  if (!state.driven) context.guard.account(state, context.contacts, before);
+  if (!state.is_pushed()) context.guard.account(state, context.contacts, before);
   return true;
 }
 
@@ -155,7 +155,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);
     restore_momentum(state, contacts);
-    if (state.driven) changed = limit_speeds(state) || changed;
+    if (state.is_pushed()) changed = limit_speeds(state) || changed;
   }
   context.guard.measure(state, contacts);
   state.restart = true;

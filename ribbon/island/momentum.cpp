@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/stretch.h"
 
 namespace ribbon {
@@ -22,7 +23,7 @@ bool is_free(const IslandState& state) {
   const Vec2 fall = state.free_accelerations[0];
   const auto falls = [&](Vec2 acceleration) { return acceleration == fall; };
   const auto is_unloaded = [](const Member& member) {
-    return member.cord->state.loads.empty() && member.cord->def.drag == 0.0;
+    return member.cord->state.loads.empty() && member.cord->def.drag == 0.0 && !member.in_medium;
   };
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const std::size_t center = state.center(k);
@@ -94,7 +95,8 @@ void slow_down(IslandState& state, double excess) {
 }
 
 void restore_momentum(IslandState& state, const Contacts& contacts) {
-  if (!contacts.impacts.any() || state.driven || contacts.impacts.touch_kinematic(contacts.scene) || !is_free(state))
+  if (!contacts.impacts.any() || state.is_pushed() || contacts.impacts.touch_kinematic(contacts.scene) ||
+      !is_free(state))
     return;
   const SubstepStart& start = state.start;
   const Spin before = spin(state, start.positions, start.velocities);
@@ -115,7 +117,12 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
 bool limit_speeds(IslandState& state) {
   double gravity = length(state.gravity);
   for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
-  const double max = highest_start_speed(state) + gravity * state.dt;
+  double pushed = 0.0;
+  for (const Member& member : state.members) {
+    if (!member.in_medium) continue;
+    pushed = std::max(pushed, max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity).delta_v);
+  }
+  const double max = highest_start_speed(state) + gravity * state.dt + pushed;
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {

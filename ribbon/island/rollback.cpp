@@ -24,8 +24,9 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
 bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
   if (state.driven) return limit_speeds(state);
+  const bool limited = state.in_medium && limit_speeds(state);
   const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
-  if (is_sound()) return false;
+  if (is_sound()) return limited;
   begin(context);
   if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);
   take_stretched_back(context);

@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "ribbon/medium.h"
+
 namespace ribbon {
 namespace {
 
@@ -41,12 +43,26 @@ bool is_at_rest(const RigidBody& body, bool asleep) {
   return body.may_sleep && is_slow(body.velocity) && std::abs(body.angular_velocity) < sleep_turning;
 }
 
+/// Adds what a medium is near the points of a cord: a cord sleeps in a wind that does not change. It is read at places
+/// of a grid, so that a cord that still creeps to rest does not change the hash.
+void add_medium(SurroundingsHash& hash, const CordParts& cord, const Surroundings& surroundings) {
+  if (surroundings.medium == nullptr || !feels_medium(cord.def)) return;
+  const double cell = cord.def.length / (cord.def.points - 1);
+  for (const Vec2 x : cord.state.positions) {
+    const Vec2 place{cell * std::floor(x.x / cell), cell * std::floor(x.y / cell)};
+    const MediumSample sample = surroundings.medium->at(place, cell, surroundings.time);
+    hash.add(sample.velocity);
+    hash.add(sample.density);
+  }
+}
+
 /// Returns a hash of the surroundings of a cord at rest, 0 if some of them move: where everything is, except for bodies
 /// that still creep to rest. Around a cord that is asleep nothing creeps.
-std::uint64_t hash_at_rest(const Surroundings& surroundings, std::span<const RigidBody> bodies, Vec2 gravity,
-                           bool asleep) {
+std::uint64_t hash_at_rest(const CordParts& cord, const Surroundings& surroundings, std::span<const RigidBody> bodies,
+                           Vec2 gravity, bool asleep) {
   SurroundingsHash hash;
   hash.add(gravity);
+  add_medium(hash, cord, surroundings);
   bool at_rest = true;
   const auto add_places = [&](int index, std::initializer_list<Vec2> places) {
     const RigidBody& body = bodies[static_cast<std::size_t>(index)];
@@ -90,7 +106,8 @@ bool may_sleep(std::span<const IslandCord> cords, std::span<const RigidBody> bod
   const bool asleep =
       std::all_of(cords.begin(), cords.end(), [&](const IslandCord& cord) { return state_of(cord).asleep; });
   return std::all_of(cords.begin(), cords.end(), [&](const IslandCord& cord) {
-    return hash_at_rest(cord.surroundings, bodies, gravity, asleep) == state_of(cord).surroundings_hash;
+    return hash_at_rest(cord.cord->parts(), cord.surroundings, bodies, gravity, asleep) ==
+           state_of(cord).surroundings_hash;
   });
 }
 
@@ -120,7 +137,7 @@ void count_rest_time(const IslandState& state, const IslandReport& report) {
     const CordParts& cord = *member.cord;
     if (!cord.def.allow_sleep) continue;
     Cord::State& of_cord = member.cord->state;
-    const std::uint64_t hash = hash_at_rest(member.surroundings, state.rigid, state.gravity, false);
+    const std::uint64_t hash = hash_at_rest(cord, member.surroundings, state.rigid, state.gravity, false);
     const bool rests = hash != 0 && hash == of_cord.surroundings_hash && report.unconverged == 0 &&
                        report.unlocked == 0 && !cord.is_reeling() &&
                        std::all_of(of_cord.velocities.begin(), of_cord.velocities.end(), is_slow);

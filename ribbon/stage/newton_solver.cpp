@@ -152,6 +152,7 @@ double NewtonSolver::potential(IslandState& state, const Stage& stage, std::span
     if (state.constrained[p] != 0) continue;
     const Vec2 moved = x[p] - stage.predicted[p];
     sum += 0.5 * stage.inertia[p] * dot(moved, moved) - dot(stage.force[p], moved);
+    if (!stage.resistance.empty()) sum += 0.5 * dot(moved, stage.resistance[p] * moved);
   }
   if (!with_grips) return sum;
   return sum + grip_potential(state, penalty_, x) + wheel_potential(state, penalty_, x);

@@ -1,5 +1,9 @@
 #include "ribbon/stage/stage_solver.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/wheels.h"
 
@@ -25,6 +29,7 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
   ++work.report.stages;
   load_forces(state, request);
   Stage stage{request.q, prediction.positions, prediction.velocities, inertia_, force_, state.constrained};
+  if (state.in_medium) stage.resistance = resistance_;
   stage.implicit_euler = request.euler;
   const bool converged = solve_contacts({state, contacts, newton_, work}, bounds, request, stage);
   const double inverse_q2 = 1.0 / (request.q * request.q);
@@ -32,6 +37,7 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
     state.accelerations[p] = inverse_q2 * (state.positions[p] - prediction.positions[p]);
     state.velocities[p] = prediction.velocities[p] + request.q * state.accelerations[p];
   }
+  if (state.in_medium) find_medium_forces(state);
   if (!request.euler) return converged;
   for (const Member& member : state.members) {
     member.cord->elasticity->add_rotational_damping(IslandState::stage_of(stage, member),
@@ -63,6 +69,7 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
     load_member(state, member, request);
     if (move_climbing_grips(state, member)) newton_.system().discard_pattern();
   }
+  if (state.in_medium) load_medium(state, request);
   load_wheel_forces(state, force_);
 }
 
@@ -96,6 +103,28 @@ void StageSolver::load_member(const IslandState& state, const Member& member, co
       cord.state.rest[e] = cord.rest_start[e] + share * (cord.rest_end[e] - cord.rest_start[e]);
     }
     cord.elasticity->set_rest_lengths(cord.state.rest);
+  }
+}
+
+/// What a medium does: see find_medium_loads.
+void StageSolver::load_medium(IslandState& state, const StageRequest& request) {
+  resistance_.assign(state.slots(), {0.0, 0.0, 0.0});
+  std::fill(state.medium_forces.begin(), state.medium_forces.end(), Vec2{});
+  for (const Member& member : state.members) {
+    if (!member.in_medium) continue;
+    const PredictedMotion motion{IslandState::points_of(member, std::as_const(prediction.positions)),
+                                 IslandState::points_of(member, std::as_const(prediction.velocities)), request.q,
+                                 member.surroundings.time + request.time, state.gravity};
+    find_medium_loads(*member.cord, member.surroundings, motion, IslandState::points_of(member, state.medium_forces),
+                      IslandState::points_of(member, resistance_));
+  }
+  for (std::size_t p = 0; p < state.points; ++p) force_[p] += state.medium_forces[p];
+}
+
+/// The forces of a medium where the stage has ended.
+void StageSolver::find_medium_forces(IslandState& state) const {
+  for (std::size_t p = 0; p < state.points; ++p) {
+    state.medium_forces[p] -= resistance_[p] * (state.positions[p] - prediction.positions[p]);
   }
 }
 

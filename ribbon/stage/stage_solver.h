@@ -51,6 +51,8 @@ class StageSolver {
   void load_forces(IslandState& state, const StageRequest& request);
   void place_driven(IslandState& state, double time);
   void load_member(const IslandState& state, const Member& member, const StageRequest& request);
+  void load_medium(IslandState& state, const StageRequest& request);
+  void find_medium_forces(IslandState& state) const;
   bool solve_contacts(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
                       Stage& stage);
 
@@ -60,8 +62,9 @@ class StageSolver {
   LinearisedStage linearised_stage_;
   ContactSolve contact_solve_ = ContactSolve::newton;
   LinearisedResult linearised_result_;
-  std::vector<double> inertia_;  // N/m, by slot
-  std::vector<Vec2> force_;      // N, by slot
+  std::vector<double> inertia_;    // N/m, by slot
+  std::vector<Vec2> force_;        // N, by slot
+  std::vector<Block> resistance_;  // N/m, by slot, of a medium
 };
 
 }  // namespace ribbon

@@ -150,6 +150,7 @@ Vec2 CordParts::holding_force(std::size_t point, Vec2 gravity) const {
                 state.masses[point] * (def.gravity_scale * gravity) -
                 (def.drag * own_masses[point]) * state.velocities[point];
   if (!state.loads.empty()) others += state.loads[point];
+  if (!state.medium_forces.empty()) others += state.medium_forces[point];
   return -others;
 }
 

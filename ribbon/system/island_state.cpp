@@ -17,6 +17,7 @@ Stage IslandState::stage_of(const Stage& all, const Member& member) {
   stage.inertia = all.inertia.subspan(member.first_point, member.points);
   stage.force = all.force.subspan(member.first_point, member.points);
   stage.constrained = all.constrained.subspan(member.first_point, member.points);
+  if (!all.resistance.empty()) stage.resistance = all.resistance.subspan(member.first_point, member.points);
   return stage;
 }
 
@@ -53,6 +54,7 @@ void IslandState::resize(std::size_t slots, std::size_t tension_count) {
   constrained.resize(slots);
   tensions.resize(tension_count);
   start.tensions.resize(tension_count);
+  if (in_medium) medium_forces.resize(slots);
 }
 
 void IslandState::begin_substep(double time, double substep_dt) {

@@ -35,6 +35,7 @@ struct Member {
   CordReport report;             ///< of the step; see Island::end_step
   double last_correction = 0.0;  ///< m, the largest of its points by the last linear solve of a linearised stage
   bool stopped = false;          ///< that stage stopped it to prevent penetration
+  bool in_medium = false;        ///< a medium acts on it
   double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
 
   std::size_t end_point() const { return first_point + points; }
@@ -120,7 +121,8 @@ struct IslandState {
   std::size_t points = 0;  ///< of all cords
   std::size_t duals = 0;   ///< tensions that are unknowns of the linear system
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
-  bool driven = false;     ///< drives, reels or unlocked cells change the energy: the guard pauses
+  bool driven = false;     ///< drives, reels or unlocked cells change the energy
+  bool in_medium = false;  ///< a medium acts on a cord and changes the energy
   bool reeling = false;    ///< a reel changes rest lengths
   bool unlocking = false;  ///< inverted cells are turned back in this step
   bool restart = false;    ///< the accelerations are out of date
@@ -136,11 +138,14 @@ struct IslandState {
   std::vector<char> constrained;
   // Of constrained slots: where the step found them, and their constant velocity in it.
   std::vector<Vec2> drive_starts, drive_velocities;
+  std::vector<Vec2> medium_forces;  ///< N, at the end of the last stage; undefined unless in_medium
   /// Tensions of all cords and, behind them, two for each wheel, before and behind it, and two for each grip: the
   /// components of its pull on the body [N].
   std::vector<double> tensions;
   SubstepStart start;  ///< of the current substep
 
+  /// Returns whether something outside changes the energy by an amount that is not known.
+  bool is_pushed() const { return driven || in_medium; }
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
   std::size_t groove(std::size_t wheel) const { return points + 2 * bodies.size() + wheel; }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ribbon/linear/index.h"
+#include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/wheels.h"
 
@@ -27,7 +28,7 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 }
 
 void reset(IslandState& state) {
-  state.coupled = state.driven = state.reeling = state.unlocking = state.restart = state.jolted = false;
+  state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = state.jolted = false;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
@@ -178,6 +179,11 @@ void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
   join_pressing_masses(state, tied);
 }
 
+void load_medium(IslandState& state, Member& member) {
+  member.in_medium = is_in_medium(*member.cord, member.surroundings);
+  state.in_medium = state.in_medium || member.in_medium;
+}
+
 /// Finds where the reels take the rest lengths in this step. The speed of a reel that arrives jumps.
 void load_reel(IslandState& state, const Member& member) {
   CordParts& cord = *member.cord;
@@ -259,6 +265,7 @@ bool is_single_cord(const IslandState& state) {
 void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
   reset(state);
   const std::size_t tensions = add_members(state, cords);
+  for (Member& member : state.members) load_medium(state, member);
   state.resize(state.points, tensions);
   for (const Member& member : state.members) load_motion(state, member);
   find_tolerance(state);

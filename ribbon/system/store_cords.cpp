@@ -74,6 +74,13 @@ void store_holders(const IslandState& state, const Member& member) {
   }
 }
 
+void store_medium_forces(const IslandState& state, const Member& member) {
+  std::vector<Vec2>& forces = member.cord->state.medium_forces;
+  if (!member.in_medium) return forces.clear();
+  const auto by_point = IslandState::points_of(member, state.medium_forces);
+  forces.assign(by_point.begin(), by_point.end());
+}
+
 void store_cord(IslandState& state, const Member& member) {
   CordParts& cord = *member.cord;
   copy_from(std::span<const Vec2>(IslandState::points_of(member, state.positions)), cord.state.positions);
@@ -88,6 +95,7 @@ void store_cord(IslandState& state, const Member& member) {
   store_reel(cord);
   store_holders(state, member);
   store_wheels(state, member);
+  store_medium_forces(state, member);
   if (!state.unlocking) return;
   cord.exclude_damping();
   damp_deformation(state, member);

@@ -106,6 +106,9 @@ StepReport ThesisCord::step(double dt, Vec2 gravity, const Surroundings& surroun
   check_step(dt, gravity);
   check_bodies(surroundings.bodies);
   check_surroundings(surroundings, surroundings.bodies.size(), cord.mesh.size());
+  if (surroundings.medium != nullptr) {
+    throw DefinitionError("medium is set; accepted is none, because the thesis's solver knows no wind and water");
+  }
   StepReport report;
   cord.points.step_start = cord.points.positions;
   cord.bodies.begin_step(surroundings);

@@ -439,7 +439,45 @@ void build_listener(BitWorld& scene) {
   moving.SetLinearVelocity({-1.0F, 0.0F});
 }
 
-constexpr std::array<BitScene, 12> scenes = {{
+/// Cords in gusts above a river: held, tied, floating, and against a ball.
+void build_wind(BitWorld& scene) {
+  ribbon::WeatherDef weather;
+  weather.wind = {9.0, 0.7};
+  weather.gusts = 0.6;
+  weather.water_level = -1.0;
+  weather.current = {-0.8, 0.0};
+  scene.weather.emplace(weather);
+  scene.coupling.set_medium(&*scene.weather);
+  const auto feeling = [](CordDef def) {
+    def.drag_across = 1.2;
+    def.drag_along = 0.02;
+    def.displaced_area = 3e-4;
+    return def;
+  };
+  CordDef flag = feeling(line({0.0, 0.0}, {0.0, -0.1}, 16));
+  flag.pins = {0};
+  CordDef loaded = feeling(line({1.0, 0.0}, {0.1, 0.0}, 16));
+  loaded.pins = {0};
+  loaded.bending_stiffness = 0.01;
+  CordDef floating = feeling(line({-2.0, -0.6}, {0.1, 0.0}, 16));
+  floating.mass_per_length = 0.15;
+  floating.accuracy = Accuracy::fast();
+  CordDef sail = feeling(line({4.0, 0.5}, {0.0, -0.1}, 11, 3, 0.2));
+  sail.stretch_stiffness = 1e4;
+  sail.bending_stiffness = 1.0;
+  sail.pins = {0, 1, 2};
+  for (const CordDef& def : {flag, loaded, floating, sail}) scene.coupling.add(Cord(def));
+  scene.coupling.hold(1, 15, add_holder(scene, {2.5, 0.0}, 0.1), {0.0F, 0.0F});
+  add_circle(scene, {0.3, -0.8}, 0.2, b2_staticBody);
+}
+
+void drive_wind(BitWorld& scene, int tick) {
+  if (tick == 30) scene.coupling.tie({0, 10, 1, 5});
+  if (tick == 70) scene.coupling.set_medium(nullptr);
+  if (tick == 80) scene.coupling.set_medium(&*scene.weather);
+}
+
+constexpr std::array<BitScene, 13> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -452,6 +490,7 @@ constexpr std::array<BitScene, 12> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
     {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
     {"listener", build_listener, nullptr, 180, 0x0851c1f89e3a1b7b},
+    {"wind", build_wind, drive_wind, 150, 0x404e7740368d27e6},
 }};
 
 }  // namespace

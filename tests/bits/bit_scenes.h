@@ -3,11 +3,13 @@
 #include <box2d/box2d.h>
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string_view>
 
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/weather.h"
 
 // Small worlds that together use every path of the solvers. Their numbers are the same everywhere: of the C library
 // they use no function but √.
@@ -19,6 +21,7 @@ inline constexpr double dt = 1.0 / 60.0;  // s
 /// A world with cords in it, between two ticks.
 struct BitWorld {
   b2World world{b2Vec2(0.0F, -9.81F)};
+  std::optional<ribbon::Weather> weather;
   ribbon::box2d::Coupling coupling;
 };
 

@@ -102,6 +102,9 @@ Scene full_scene() {
   def.area_stiffness = 0.9;
   def.damping = 0.01;
   def.drag = 0.7;
+  def.drag_across = 1.1;
+  def.drag_along = 0.013;
+  def.displaced_area = 0.0031;
   def.tension_only = true;
   def.breaking_force = 88.0;
   def.friction = 0.4;
@@ -144,6 +147,9 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            ".def.area_stiffness = 0.9;",
            ".def.damping = 0.01;",
            ".def.drag = 0.7;",
+           ".def.drag_across = 1.1;",
+           ".def.drag_along = 0.013;",
+           ".def.displaced_area = 0.0031;",
            ".def.tension_only = true;",
            ".def.breaking_force = 88.0;",
            ".def.friction = 0.4;",

@@ -119,7 +119,8 @@ void cut(std::vector<T>& values, std::size_t many, bool at_front) {
 }
 
 void cut_state(ribbon::Cord::State& state, std::size_t many, bool at_front) {
-  for (auto* vectors : {&state.positions, &state.velocities, &state.accelerations, &state.targets, &state.loads}) {
+  for (auto* vectors : {&state.positions, &state.velocities, &state.accelerations, &state.targets, &state.loads,
+                        &state.medium_forces}) {
     cut(*vectors, many, at_front);
   }
   for (auto* numbers :
@@ -154,6 +155,10 @@ const std::vector<Edit<Cord>>& cord_edits() {
       [](Cord& cord) { return set(cord.def.damping, 0.0); },
       [](Cord& cord) { return set(cord.def.drag, 0.0); },
       [](Cord& cord) { return set(cord.def.gravity_scale, 1.0); },
+      [](Cord& cord) { return set(cord.medium, -1); },
+      [](Cord& cord) { return set(cord.def.drag_across, 0.0); },
+      [](Cord& cord) { return set(cord.def.drag_along, 0.0); },
+      [](Cord& cord) { return set(cord.def.displaced_area, 0.0); },
       [](Cord& cord) { return set(cord.def.tension_only, false); },
       [](Cord& cord) { return set(cord.def.friction, 0.0); },
       [](Cord& cord) { return set(cord.def.restitution, 0.0); },
@@ -163,6 +168,7 @@ const std::vector<Edit<Cord>>& cord_edits() {
       [](Cord& cord) { return clear(cord.def.pins); },
       [](Cord& cord) { return clear(cord.def.positions); },
       [](Cord& cord) { return clear(cord.state.loads); },
+      [](Cord& cord) { return clear(cord.state.medium_forces); },
       [](Cord& cord) { return clear(cord.state.touches); },
       [](Cord& cord) { return clear(cord.state.holders); },
       [](Cord& cord) { return set(cord.state.regainable_energy, 0.0); },

@@ -6,10 +6,14 @@ namespace flight {
 
 Replay::Replay(const engine::SolverStep& step) : step_(step), bodies_(step.bodies), reports_(step.cords.size()) {
   cords_.reserve(step.cords.size());
+  media_.reserve(step.media.size());
+  for (const ribbon::WeatherDef& medium : step.media) media_.emplace_back(medium);
   for (const engine::SolverStep::Cord& cord : step.cords) {
     cords_.emplace_back(cord.def);
     cords_.back().restore(cord.state);
-    island_cords_.push_back({&cords_.back(), {bodies_, cord.circles, cord.grips, cord.segments}, cord.id});
+    const ribbon::Medium* const medium = cord.medium < 0 ? nullptr : &media_[static_cast<std::size_t>(cord.medium)];
+    island_cords_.push_back(
+        {&cords_.back(), {bodies_, cord.circles, cord.grips, cord.segments, medium, cord.time}, cord.id});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/replay/solver_step.h"
 #include "ribbon/direct_solver.h"
+#include "ribbon/weather.h"
 
 /// Recorded steps of the direct solver: replay, inspection, shrinking and printing.
 namespace flight {
@@ -38,6 +39,7 @@ class Replay {
  private:
   const engine::SolverStep& step_;
   std::vector<ribbon::Cord> cords_;
+  std::vector<ribbon::Weather> media_;
   std::vector<ribbon::RigidBody> bodies_;
   std::vector<ribbon::IslandCord> island_cords_;
   std::vector<ribbon::CordReport> reports_;

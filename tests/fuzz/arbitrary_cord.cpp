@@ -69,6 +69,11 @@ ribbon::CordDef arbitrary_cord(Bytes& bytes) {
   def.self_contact = (flags & 2) != 0;
   def.cord_contact = (flags & 4) != 0;
   if ((flags & 24) == 24) def.elements = ribbon::Elements::bars;
+  if ((flags & 24) == 8) {  // without a byte of its own, so that older inputs keep their meaning
+    def.drag_across = 1.2;
+    def.drag_along = 0.01;
+    def.displaced_area = 3e-4;
+  }
   def.allow_sleep = (flags & 64) != 0;
   if ((flags & 128) != 0) def.gravity_scale = bytes.number(-1e3, 1e3);
   if ((flags & 32) != 0) def.accuracy = arbitrary_accuracy(bytes);

@@ -2,6 +2,7 @@
 // the cord is finite, has gained no energy without a cause, and equals a restored copy after the same step.
 
 #include "ribbon/cord.h"
+#include "ribbon/weather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,7 @@ class Fuzzed {
   Cord cord_;
   Cord::State saved_;
   bool driven_;  // since its construction
+  ribbon::Weather weather_{ribbon::WeatherDef{.wind = {20.0, 3.0}, .gusts = 0.5, .water_level = 0.0}};
 };
 
 void Fuzzed::call() {
@@ -87,7 +89,15 @@ void Fuzzed::call() {
         require(is_finite(body.impulse), "impulses on bodies are finite");
       break;
     }
-    default: step({}); break;
+    default: {
+      ribbon::Surroundings surroundings;
+      if (feels_medium(cord_.def())) {
+        surroundings.medium = &weather_;
+        driven_ = true;
+      }
+      step(surroundings);
+      break;
+    }
   }
 }
 
@@ -105,7 +115,7 @@ void Fuzzed::step(const ribbon::Surroundings& surroundings) {
   fuzz::require_finite(cord_);
   require(report.stages > 0 && report.iterations >= 0 && report.unconverged >= 0, "the report has valid counts");
   if (!surroundings.bodies.empty()) return;
-  require(!copy || (copy->step(dt, gravity) == report && copy->save() == cord_.save()),
+  require(!copy || (copy->step(dt, gravity, surroundings) == report && copy->save() == cord_.save()),
           "a restored cord continues with the same bits");
   const Cord::Energy after = cord_.energy(gravity);
   if (!driven_ && report.unlocked == 0 && report.unconverged == 0)

@@ -3,6 +3,7 @@
 
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/cord_queries.h"
+#include "ribbon/weather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,7 @@ struct Listener : ribbon::box2d::ContactListener {
 class Fuzzed {
  public:
   explicit Fuzzed(Bytes& bytes) : bytes_(bytes) {
+    coupling_.set_medium(&weather_);  // some cords feel it
     for (int k = 1 + bytes_.below(2); k > 0; --k) add_cord();
     for (int k = 1 + bytes_.below(3); k > 0; --k) bodies_.push_back(&fuzz::add_arbitrary_body(world_, bytes_));
   }
@@ -97,6 +99,7 @@ class Fuzzed {
 
   Bytes& bytes_;
   b2World world_{{0.0F, -9.81F}};
+  ribbon::Weather weather_{ribbon::WeatherDef{.wind = {20.0, 3.0}, .gusts = 0.5, .water_level = 0.0}};
   Coupling coupling_;
   std::vector<b2Body*> bodies_;
   bool gathered_ = false;

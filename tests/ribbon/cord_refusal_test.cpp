@@ -79,6 +79,9 @@ TEST(CordDef, RefusesEachBadFieldByNameAndValue) {
       {"bending_stiffness", [](CordDef& d) { d.bending_stiffness = infinity; }},
       {"damping", [](CordDef& d) { d.damping = nan; }},
       {"drag", [](CordDef& d) { d.drag = -1.0; }},
+      {"drag_across", [](CordDef& d) { d.drag_across = -1.0; }},
+      {"drag_along", [](CordDef& d) { d.drag_along = 1001.0; }},
+      {"displaced_area", [](CordDef& d) { d.displaced_area = nan; }},
       // of a rope
       {"width", [](CordDef& d) { d.width = 0.1; }},
       {"poisson_ratio", [](CordDef& d) { d.poisson_ratio = 0.3; }},

@@ -149,6 +149,7 @@ Method chain_method(const Setting& setting) {
 std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs) {
   const auto scene = level.make_scene();
   const Coupling& coupling = scene->coupling();
+  if (scene->weather()) return "no wind and water act on a chain, and the level has them";
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct || coupling.cord(c).shape().rows > 1) {
       return "a chain has no width, and cord " + std::to_string(c) + " of the level is a ribbon";

@@ -169,6 +169,9 @@ TEST(ChainMover, RibbonsAndDragsHaveNoChains) {
             std::string::npos);
   EXPECT_NE(chains_unsupported_reason(converged(), pressed(3, game::button_drag)).find("drags cords"),
             std::string::npos);
+  game::Level windy = converged();
+  windy.map.properties.insert("wind_x", 3.0);
+  EXPECT_NE(chains_unsupported_reason(windy, {}).find("wind"), std::string::npos);
 }
 
 TEST(ChainMover, AStudyHasChainsWhereTheyAreApplicable) {

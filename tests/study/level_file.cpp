@@ -159,7 +159,10 @@ void LevelFile::make_thesis(Json& cord, const Setting& setting) {
                            "area_stiffness",
                            "allow_sleep",
                            "soft_contacts",
-                           "gravity_scale"}) {
+                           "gravity_scale",
+                           "drag_across",
+                           "drag_along",
+                           "displaced_area"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);

@@ -13,6 +13,7 @@ std::vector<Scene> lamp_scenes();       ///< the cost of cords at rest
 std::vector<Scene> cost_scenes();       ///< the cost of long cords, ribbons and many cords
 std::vector<Scene> tie_scenes();        ///< cords that are tied
 std::vector<Scene> pulley_scenes();     ///< cords around wheels
+std::vector<Scene> wind_scenes();       ///< cords in a medium
 std::vector<Scene> scale_scenes();      ///< the cost of large worlds and a thousand cords
 std::vector<Scene> guide_scenes();      ///< the cost of each term, and the effect of more links
 std::vector<Scene> back_scenes();       ///< the cost of saving, restoring and going back

@@ -9,8 +9,9 @@ namespace tradeoff {
 const std::vector<Scene>& scenes() {
   static const std::vector<Scene> all = [] {
     std::vector<Scene> together;
-    for (const auto& list : {thesis_scenes(), swing_scenes(), reference_scenes(), cost_scenes(), lamp_scenes(),
-                             scale_scenes(), tie_scenes(), pulley_scenes(), guide_scenes(), back_scenes(), contact_scenes()}) {
+    for (const auto& list :
+         {thesis_scenes(), swing_scenes(), reference_scenes(), cost_scenes(), lamp_scenes(), scale_scenes(),
+          tie_scenes(), pulley_scenes(), wind_scenes(), guide_scenes(), back_scenes(), contact_scenes()}) {
       together.insert(together.end(), list.begin(), list.end());
     }
     return together;

@@ -127,6 +127,7 @@ TEST(Scene, ADirectCordHasOnlyWhatItDeclares) {
   EXPECT_EQ(def.radius, plain.radius);
   EXPECT_EQ(def.stretch_stiffness, std::numeric_limits<double>::infinity());
   EXPECT_EQ(def.bending_stiffness + def.area_stiffness + def.damping + def.drag, 0.0);
+  EXPECT_EQ(def.drag_across + def.drag_along + def.displaced_area, 0.0);
   EXPECT_EQ(def.friction + def.restitution, 0.0);
   EXPECT_EQ(def.gravity_scale, 1.0);
   EXPECT_FALSE(def.tension_only || def.self_contact || def.cord_contact || def.allow_sleep);
@@ -251,6 +252,9 @@ TEST(Scene, RefusesAnInvalidDirectCord) {
   refused(number("friction", "10.5"), "friction");
   refused(number("restitution", "1.1"), "restitution");
   refused(number("gravity_scale", "1001"), "gravity_scale");
+  refused(number("drag_across", "-1"), "drag_across");
+  refused(number("drag_along", "1001"), "drag_along");
+  refused(number("displaced_area", "-1"), "displaced_area");
   refused(number("breaking_force", "-1"), "breaking_force");
   refused(number("self_contact", "1"), "self_contact");
   refused(number("allow_sleep", "1"), "allow_sleep");
@@ -312,6 +316,7 @@ TEST(SceneHash, DependsOnEachPartOfADirectCordsState) {
       {"kinds", [](State& s) { s.kinds[3] = ribbon::PointKind::operated; }},
       {"masses", [](State& s) { s.masses[3] += 1e-9; }},
       {"loads", [](State& s) { s.loads[3].x += 1e-9; }},
+      {"medium_forces", [](State& s) { s.medium_forces.resize(s.positions.size()); }},
       {"tensions", [](State& s) { s.tensions[3] += 1e-6; }},
       {"rest", [](State& s) { s.rest[3] += 1e-9; }},
       {"rest_targets", [](State& s) { s.rest_targets[3] += 1e-9; }},

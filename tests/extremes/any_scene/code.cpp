@@ -85,6 +85,9 @@ std::string code_of(const ribbon::CordDef& def, const std::string& object) {
   lines.set("damping", def.damping, plain.damping);
   lines.set("drag", def.drag, plain.drag);
   lines.set("gravity_scale", def.gravity_scale, plain.gravity_scale);
+  lines.set("drag_across", def.drag_across, plain.drag_across);
+  lines.set("drag_along", def.drag_along, plain.drag_along);
+  lines.set("displaced_area", def.displaced_area, plain.displaced_area);
   lines.set("tension_only", def.tension_only, plain.tension_only);
   lines.set("breaking_force", def.breaking_force, plain.breaking_force);
   lines.set("friction", def.friction, plain.friction);

@@ -152,7 +152,7 @@ void hold_again(Scene& scene) {
 }
 
 std::span<const CordEdit> term_edits() {
-  static const std::array<CordEdit, 19> edits = {
+  static const std::array<CordEdit, 20> edits = {
       straighten,
       [](SceneCord& cord) { cord.velocity = {}; },
       [](SceneCord& cord) { cord.def.self_contact = false; },
@@ -163,6 +163,7 @@ std::span<const CordEdit> term_edits() {
       [](SceneCord& cord) { cord.def.damping = 0.0; },
       [](SceneCord& cord) { cord.def.drag = 0.0; },
       [](SceneCord& cord) { cord.def.gravity_scale = 1.0; },
+      [](SceneCord& cord) { cord.def.drag_across = cord.def.drag_along = cord.def.displaced_area = 0.0; },
       [](SceneCord& cord) { cord.other_softness = false; },
       [](SceneCord& cord) { cord.def.tension_only = false; },
       [](SceneCord& cord) { cord.def.allow_sleep = false; },
@@ -211,9 +212,9 @@ void round_cord(SceneCord& cord, double parts) {
   CordDef& def = cord.def;
   round_to(cord.velocity, parts);
   for (Vec2& x : def.positions) round_to(x, 100.0 * parts);
-  for (double* value :
-       {&def.length, &def.width, &def.radius, &def.mass_per_length, &def.stretch_stiffness, &def.bending_stiffness,
-        &def.damping, &def.drag, &def.gravity_scale, &def.friction, &def.restitution}) {
+  for (double* value : {&def.length, &def.width, &def.radius, &def.mass_per_length, &def.stretch_stiffness,
+                        &def.bending_stiffness, &def.damping, &def.drag, &def.gravity_scale, &def.drag_across,
+                        &def.drag_along, &def.displaced_area, &def.friction, &def.restitution}) {
     round_digits(*value, parts);
   }
 }
