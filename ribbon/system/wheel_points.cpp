@@ -126,9 +126,9 @@ class PointMover {
     follow_lines();
     meet_keeper();
     if (pulley_.blocked * (pulley_.tension_after - pulley_.tension_before) < 0.0) pulley_.blocked = 0.0;
-    while (let_go_before()) {
+    while (pulley_.blocked <= 0.0 && let_go_before()) {
     }
-    while (let_go_after()) {
+    while (pulley_.blocked >= 0.0 && let_go_after()) {
     }
     while (take_up_before()) {
     }

@@ -1,6 +1,7 @@
 #include "tests/bits/bit_scenes.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "ribbon/box2d/convert.h"
@@ -477,7 +478,49 @@ void drive_wind(BitWorld& scene, int tick) {
   if (tick == 80) scene.coupling.set_medium(&*scene.weather);
 }
 
-constexpr std::array<BitScene, 13> scenes = {{
+/// Cords over wheels: one that slips and one that a motor turns, and a block that a cord carries.
+void build_pulleys(BitWorld& scene) {
+  b2Body& wall = add_box(scene, {0.0, 4.0}, 0.1F, 0.1F, b2_staticBody);
+  const auto lay = [&scene](Vec2 first, const std::vector<ribbon::PulleyDef>& wheels, Vec2 last) {
+    const ribbon::ReevedCord reeved = ribbon::reeve(first, wheels, last, 61);
+    CordDef def;
+    def.points = 61;
+    def.length = reeved.length;
+    def.positions = reeved.positions;
+    def.mass_per_length = 0.02;
+    return std::pair(reeved, def);
+  };
+  for (const double x : {0.0, 2.0}) {
+    ribbon::PulleyDef wheel{.center = {x, 3.0}, .radius = 0.3, .counterclockwise = false, .turns = 1, .inertia = 0.2};
+    if (x == 0.0) wheel.friction = 0.1;
+    if (x == 2.0) wheel.motor_torque = 9.0;
+    auto [reeved, def] = lay({x - 0.3, 0.0}, {wheel}, {x + 0.3, 0.5});
+    if (x == 0.0) def.accuracy = Accuracy::fast();
+    const ribbon::box2d::CordId cord = scene.coupling.add(Cord(def));
+    scene.coupling.add_pulley(cord, wall, reeved.pulleys[0]);
+    scene.coupling.hold(cord, 0, add_holder(scene, {x - 0.3, 0.0}, 0.1), {0.0F, 0.0F});
+    scene.coupling.hold(cord, 60, add_holder(scene, {x + 0.3, 0.5}, 0.2), {0.0F, 0.0F});
+  }
+  const std::vector<ribbon::PulleyDef> wheels{{.center = {4.0, 3.0}, .radius = 0.2, .counterclockwise = false},
+                                              {.center = {4.5, 0.5}, .radius = 0.3, .inertia = 0.01}};
+  auto [reeved, def] = lay({3.8, 1.0}, wheels, {4.8, 2.8});
+  def.pins = {60};
+  def.stretch_stiffness = 1e4;
+  def.damping = 0.01;
+  const ribbon::box2d::CordId cord = scene.coupling.add(Cord(def));
+  b2Body& block = add_holder(scene, {4.5, 0.5}, 0.25);
+  scene.coupling.add_pulley(cord, wall, reeved.pulleys[0]);
+  scene.coupling.add_pulley(cord, block, reeved.pulleys[1]);
+  scene.coupling.hold(cord, 0, add_holder(scene, {3.8, 1.0}, 0.2), {0.0F, 0.0F});
+}
+
+void drive_pulleys(BitWorld& scene, int tick) {
+  if (tick == 30) scene.coupling.pulley(2).set_motor(3.0, 40.0);
+  if (tick == 80) scene.coupling.cord(0).cut(1.0);
+  if (tick == 90) scene.coupling.pulley(1).remove();
+}
+
+constexpr std::array<BitScene, 14> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
@@ -490,6 +533,7 @@ constexpr std::array<BitScene, 13> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
     {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
     {"listener", build_listener, nullptr, 180, 0x0851c1f89e3a1b7b},
+    {"pulleys", build_pulleys, drive_pulleys, 120, 0},
     {"wind", build_wind, drive_wind, 150, 0x404e7740368d27e6},
 }};
 

@@ -36,6 +36,7 @@ bool drop_unused_bodies(SolverStep& step) {
       for (auto& circle : cord.circles) visit(circle.body);
       for (auto& segment : cord.segments) visit(segment.body);
       for (auto& grip : cord.grips) visit(grip.body);
+      for (auto& axle : cord.axles) visit(axle.body);
     }
   };
   for_each([&places](int body) { places[static_cast<std::size_t>(body)] = 0; });
@@ -60,6 +61,11 @@ bool stop_sleep(Cord& cord) {
 bool stop_reel(Cord& cord) {
   clear(cord.state.rest_speeds);
   return clear(cord.state.rest_targets);
+}
+
+bool drop_pulleys(Cord& cord) {
+  cord.axles.clear();
+  return clear(cord.state.pulleys);
 }
 
 bool drop_area_stiffness(Cord& cord) {
@@ -147,6 +153,7 @@ const std::vector<Edit<Cord>>& cord_edits() {
       stop_sleep,
       stop_reel,
       drop_area_stiffness,
+      drop_pulleys,
       smooth,
       hold_still,
       hold_hard,
@@ -191,7 +198,7 @@ const std::vector<Edit<RigidBody>>& body_edits() {
 
 bool cut_rope(Cord& cord, int many, bool at_front) {
   const int left = cord.def.points - many;
-  if (cord.def.rows != 1 || left < 2) return false;
+  if (cord.def.rows != 1 || left < 2 || !cord.state.pulleys.empty()) return false;
   cord.def.length *= (left - 1.0) / (cord.def.points - 1.0);
   cord.def.points = left;
   cord.def.pins.clear();

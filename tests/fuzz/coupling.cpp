@@ -84,6 +84,7 @@ class Fuzzed {
   void drive_a_cord();
   void cut();
   void tie();
+  void reeve();
   void save_or_restore();
   void listen();
   void look_at_sensors() const;
@@ -178,6 +179,7 @@ void Fuzzed::call() {
     case 9: save_or_restore(); break;
     case 10: tie(); break;
     case 11: listen(); break;
+    case 12: reeve(); break;
     case 6: require(!accepts([&] { coupling_.apply(); }), "apply without step is refused"); break;
     default: tick();
   }
@@ -291,6 +293,32 @@ void Fuzzed::tie() {
   ribbon::box2d::TieId made = 0;
   if (!accepts([&] { made = coupling_.tie(def); })) return;
   require(coupling_.tie(made).state().other_point == def.other_point, "a tie is where it was made");
+}
+
+/// Lays a cord around a wheel, changes its motor, or takes it off.
+void Fuzzed::reeve() {
+  const auto id = static_cast<ribbon::box2d::PulleyId>(bytes_.integer(0, 4));
+  switch (bytes_.below(4)) {
+    case 0: accepts([&] { coupling_.pulley(id).remove(); }); return;
+    case 1:
+      accepts([&] { coupling_.pulley(id).set_motor(bytes_.number(-100.0, 100.0), bytes_.number(-1.0, 1e3)); });
+      return;
+    default: break;
+  }
+  ribbon::PulleyDef def;
+  def.center = bytes_.vector(-2.0, 2.0);
+  def.radius = bytes_.number(0.0, 1.0);
+  def.counterclockwise = bytes_.boolean();
+  def.before = bytes_.integer(-1, 8);
+  def.after = bytes_.integer(0, 12);
+  def.inertia = bytes_.number(0.0, 10.0);
+  if (bytes_.boolean()) def.friction = bytes_.number(0.0, 2.0);
+  def.motor_torque = bytes_.number(0.0, 10.0);
+  b2Body* const carrier = world_.GetBodyList();
+  if (carrier == nullptr) return;
+  ribbon::box2d::PulleyId made = 0;
+  if (!accepts([&] { made = coupling_.add_pulley(cord(), *carrier, def); })) return;
+  require(std::isfinite(coupling_.pulley(made).state().arc), "the arc of a pulley is finite");
 }
 
 /// A state is restored although cords were cut, added and removed since, unless bodies were.
