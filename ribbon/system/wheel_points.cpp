@@ -106,6 +106,7 @@ constexpr double let_go = 0.7;
 constexpr double steps_ahead = 1.5;
 constexpr double stop = 0.5;  // radii that the end of a cord, and what holds it, keeps from a wheel
 constexpr double most_turned = 0.3;  // rad
+constexpr double left_of_link = 0.25;  // that a line which turns does not wind up
 
 /// A pulley of a cord, at the start of a step.
 class PointMover {
@@ -150,20 +151,26 @@ class PointMover {
   Vec2 coming(int point) { return x(point) - center_ + dt_ * (v(point) - velocity_); }
 
   /// Moves the places where the cord arrives and leaves to where the lines will be tangent. The cord in the groove
-  /// stays. In a step they turn by no more than an angle at which the lengths hardly change.
+  /// stays. In a step they turn by no more than an angle at which the lengths hardly change, and wind up no more than is
+  /// there.
   void follow_lines() {
     if (pulley_.kept) return;
-    const auto turn_to = [this](Vec2 coming, Vec2& normal, const TangentLine& line) {
+    // winding: the sense in which the line has to turn to wind up some of the part, of this length beside what stays
+    const auto turn_to = [this](Vec2 coming, Vec2& normal, const TangentLine& line, double winding, double part) {
       if (dot(coming, coming) <= radius() * radius()) return 0.0;  // a slack cord may lie across the wheel
       const double angle = angle_between(normal, line.normal);
-      const double turned = std::clamp(angle, -most_turned, most_turned);
+      const double most_wound = std::clamp(part / radius(), 0.0, most_turned);
+      const double turned = winding * std::clamp(winding * angle, -most_turned, most_wound);
       normal = turned == angle ? line.normal : times(rotation(turned), normal);
       return sense_ * turned;
     };
     const Vec2 before = coming(pulley_.def.before);
     const Vec2 after = coming(pulley_.def.after);
-    const double arriving = turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_));
-    const double leaving = turn_to(after, pulley_.departure, leaving_line(after, radius(), sense_));
+    const double lead = pulley_.lead - left_of_link * rest(pulley_.def.before);
+    const double behind = trail() - left_of_link * rest(pulley_.def.after - 1);
+    const double arriving =
+        turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_), -sense_, lead);
+    const double leaving = turn_to(after, pulley_.departure, leaving_line(after, radius(), sense_), sense_, behind);
     pulley_.lead += radius() * arriving;
     pulley_.arc += leaving - arriving;
   }
