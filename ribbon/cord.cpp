@@ -77,8 +77,9 @@ std::optional<int> Cord::overloaded_link() const {
 
 void check_axles(const Cord& cord, const Surroundings& surroundings) {
   if (surroundings.axles.size() == cord.pulleys().size()) return;
-  throw DefinitionError("axles are " + std::to_string(surroundings.axles.size()) + "; accepted is one for each of the " +
-                        std::to_string(cord.pulleys().size()) + " pulleys of the cord");
+  throw DefinitionError("axles are " + std::to_string(surroundings.axles.size()) +
+                        "; accepted is one for each of the " + std::to_string(cord.pulleys().size()) +
+                        " pulleys of the cord");
 }
 
 IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surroundings) {
@@ -201,8 +202,8 @@ void Cord::reel(int first, int last, double length, double speed) {
 
 int Cord::add_pulley(const PulleyDef& def) {
   std::vector<Pulley>& pulleys = parts_->state.pulleys;
-  const auto behind = std::find_if(pulleys.begin(), pulleys.end(),
-                                   [&](const Pulley& other) { return other.def.before >= def.after; });
+  const auto behind =
+      std::find_if(pulleys.begin(), pulleys.end(), [&](const Pulley& other) { return other.def.before >= def.after; });
   const auto added = pulleys.insert(behind, make_pulley(*parts_, def));
   parts_->leave_out_links_on_wheels();
   parts_->disturb();

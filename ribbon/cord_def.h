@@ -82,7 +82,7 @@ struct CordDef {
   double drag_along = 0.0;
   /// m², 0 … 1e12: cross-section that displaces a Medium, which gives buoyancy; π·radius² for a solid round rope.
   double displaced_area = 0.0;
-  bool tension_only = false;   ///< of a rope: links resist tension but not compression
+  bool tension_only = false;  ///< of a rope: links resist tension but not compression
   /// N, above 0: tension above which a link breaks; of a ribbon, which breaks across, see Cord::tension. Infinity, the
   /// default, makes it unbreakable. The cord only reports an overloaded link (Cord::overloaded_link); a coupling cuts
   /// it there.

@@ -12,13 +12,13 @@ namespace ribbon {
 /// Defines a wheel with a groove that a rope runs around, as the wheel of a pulley or a drum. The cord never leaves the
 /// groove: where it bends away from the wheel, a keeper holds it there, as the cheeks of a block do.
 struct PulleyDef {
-  Vec2 center{};        ///< m, of the wheel
-  double radius = 0.1;  ///< m, of the groove to the middle of the cord, 1e-6 … 1e6
+  Vec2 center{};                 ///< m, of the wheel
+  double radius = 0.1;           ///< m, of the groove to the middle of the cord, 1e-6 … 1e6
   bool counterclockwise = true;  ///< the cord, from its first to its last point, runs counterclockwise around the wheel
-  int turns = 0;                 ///< whole turns that the cord is wound around the wheel, beside the last part of one, 0 … 100
-  int before = 0;                ///< index of the last point before the wheel; see reeve
-  int after = 1;                 ///< index of the first point behind it
-  double inertia = 0.0;          ///< kg·m², moment of inertia of the wheel about its axle, 0 … 1e12
+  int turns = 0;   ///< whole turns that the cord is wound around the wheel, beside the last part of one, 0 … 100
+  int before = 0;  ///< index of the last point before the wheel; see reeve
+  int after = 1;   ///< index of the first point behind it
+  double inertia = 0.0;  ///< kg·m², moment of inertia of the wheel about its axle, 0 … 1e12
   /// Coefficient μ of the groove, 0 … 10, or infinity, the default, if the cord does not slip. With an arc of contact α
   /// it slips where the larger tension exceeds e^(μ·α) times the smaller one.
   double friction = std::numeric_limits<double>::infinity();
@@ -31,21 +31,21 @@ struct PulleyDef {
 
 /// A pulley of a cord and its state.
 struct Pulley {
-  PulleyDef def;               ///< definition, with the centre at the start and the current points before and behind the wheel
-  double lead = 0.0;           ///< m, length of cord at rest from the point before the wheel to the wheel
-  double arc = 0.0;            ///< rad, angle of contact
-  Vec2 arrival;                ///< unit vector from the centre to where the cord arrives
-  Vec2 departure;              ///< unit vector from the centre to where the cord leaves
-  double speed = 0.0;          ///< m/s, at which the cord runs through the groove
-  double acceleration = 0.0;   ///< m/s², the same
-  double angle = 0.0;          ///< rad, by which the wheel has turned, counterclockwise
-  double turning = 0.0;        ///< rad/s, angular velocity of the wheel, counterclockwise
+  PulleyDef def;       ///< definition, with the centre at the start and the current points before and behind the wheel
+  double lead = 0.0;   ///< m, length of cord at rest from the point before the wheel to the wheel
+  double arc = 0.0;    ///< rad, angle of contact
+  Vec2 arrival;        ///< unit vector from the centre to where the cord arrives
+  Vec2 departure;      ///< unit vector from the centre to where the cord leaves
+  double speed = 0.0;  ///< m/s, at which the cord runs through the groove
+  double acceleration = 0.0;    ///< m/s², the same
+  double angle = 0.0;           ///< rad, by which the wheel has turned, counterclockwise
+  double turning = 0.0;         ///< rad/s, angular velocity of the wheel, counterclockwise
   double tension_before = 0.0;  ///< N, of the cord before the wheel
   double tension_after = 0.0;   ///< N, of the cord behind the wheel
   double slip_sign = 0.0;       ///< sign of the friction along the cord while it slips; 0 while it does not
-  double blocked = 0.0;          ///< direction in which the cord cannot run, 1 or −1: it ends there, or something holds it
-  bool kept = false;  ///< the cord bends away from the wheel, and a keeper at its groove holds it
-  double motor_sign = 0.0;       ///< sign of the torque of a motor that gives its largest; 0 while it holds its speed
+  double blocked = 0.0;     ///< direction in which the cord cannot run, 1 or −1: it ends there, or something holds it
+  bool kept = false;        ///< the cord bends away from the wheel, and a keeper at its groove holds it
+  double motor_sign = 0.0;  ///< sign of the torque of a motor that gives its largest; 0 while it holds its speed
 
   bool operator==(const Pulley&) const = default;
 };

@@ -86,8 +86,7 @@ void step_direct(CouplingParts& parts) {
   const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
   for (CoupledCord& cord : parts.cords.active()) {
     if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{bodies,      cord.circles, cord.grips, cord.segments,
-                                    cord.axles,  medium,       medium_time};
+    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, cord.axles, medium, medium_time};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
   }

@@ -231,8 +231,8 @@ void add(Hasher& hasher, const Pulley& pulley) {
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
                rest_targets, rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split,
-               holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time, asleep,
-               surroundings_hash] = state;
+               holders, touches, touch_changed, regainable_energy, energy_drift, damping_excluded, restart, rest_time,
+               asleep, surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);

@@ -106,12 +106,12 @@ using PulleyId = int;
 
 /// State of a pulley.
 struct PulleyState {
-  CordId cord = 0;              ///< the cord; after a cut its piece
-  Vec2 center;                  ///< m, of the wheel
-  double angle = 0.0;           ///< rad, by which the wheel has turned in the frame of its body's centre, counterclockwise
-  double turning = 0.0;         ///< rad/s, of the wheel
-  double speed = 0.0;           ///< m/s, of the cord in the groove, towards its last point
-  double arc = 0.0;             ///< rad, angle of contact
+  CordId cord = 0;       ///< the cord; after a cut its piece
+  Vec2 center;           ///< m, of the wheel
+  double angle = 0.0;    ///< rad, by which the wheel has turned in the frame of its body's centre, counterclockwise
+  double turning = 0.0;  ///< rad/s, of the wheel
+  double speed = 0.0;    ///< m/s, of the cord in the groove, towards its last point
+  double arc = 0.0;      ///< rad, angle of contact
   double tension_before = 0.0;  ///< N, of the cord before the wheel
   double tension_after = 0.0;   ///< N, of the cord behind it
   bool slips = false;           ///< the cord slipped in the last tick

@@ -201,8 +201,8 @@ class PulleyRef : public PulleyView {
   /// Returns the handle of a pulley; Coupling::pulley calls this.
   PulleyRef(CouplingParts& parts, PulleyId id) : PulleyView(parts, id), parts_(&parts) {}
 
-  /// Sets the speed [rad/s, counterclockwise, −1e6 … 1e6] and the largest torque [N·m, 0 … infinity] of the motor of the
-  /// wheel; see PulleyDef. Throws DefinitionError for a value out of range.
+  /// Sets the speed [rad/s, counterclockwise, −1e6 … 1e6] and the largest torque [N·m, 0 … infinity] of the motor of
+  /// the wheel; see PulleyDef. Throws DefinitionError for a value out of range.
   void set_motor(double speed, double torque) const;
   /// Takes the cord off the wheel. Returns false if the pulley did not exist. Its body may be destroyed already. Throws
   /// CallError inside world.Step and between gather and apply.

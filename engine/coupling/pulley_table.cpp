@@ -19,8 +19,8 @@ PulleyId PulleyTable::add(CoupledCord& cord, b2Body& body, const PulleyDef& def)
 }
 
 void PulleyTable::remove(PulleyId id, CordTable& cords) {
-  const auto place = std::find_if(pulleys_.begin(), pulleys_.end(),
-                                  [id](const BodyPulley& pulley) { return pulley.id == id; });
+  const auto place =
+      std::find_if(pulleys_.begin(), pulleys_.end(), [id](const BodyPulley& pulley) { return pulley.id == id; });
   if (place == pulleys_.end()) return;
   const BodyPulley removed = *place;
   pulleys_.erase(place);

@@ -117,8 +117,8 @@ void check(const SolverStep& step) {
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
       ribbon::check_range("medium", cord.medium, -1, static_cast<double>(step.media.size()) - 1.0);
-      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time}, step.bodies.size(),
-                                 made.size(), cord.def.rows);
+      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time},
+                                 step.bodies.size(), made.size(), cord.def.rows);
     });
     points.push_back(static_cast<int>(step.cords[k].state.positions.size()));
   }

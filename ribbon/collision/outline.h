@@ -28,8 +28,8 @@ bool are_neighbours(const CordDef& def, int k, int link);
 /// Returns whether a point or a link of a rope is on the wheel of a pulley, where it touches nothing.
 bool is_on_wheel(const CordParts& cord, int k, bool is_point);
 
-/// Returns the same as are_neighbours for point k of a cord and a link of the cord that it was cut from, or a piece of it that begins or
-/// ends there.
+/// Returns the same as are_neighbours for point k of a cord and a link of the cord that it was cut from, or a piece of
+/// it that begins or ends there.
 bool were_neighbours(const Member& member, int k, const Member& other, int link);
 /// Returns the same for point k of a cord and a link of another one, near a tie of the two.
 bool are_tied(const IslandState& state, const Member& member, int k, const Member& other, int link);

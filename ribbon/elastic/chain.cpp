@@ -29,7 +29,8 @@ void Chain::set_rest_lengths(std::span<const double> lengths) {
 
 void Chain::find_tensions(std::span<const Vec2> x, std::span<double> tensions) const {
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
-    if (!is_left_out(e)) tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_lengths_[e], compliance(e)}, tension_only_);
+    if (!is_left_out(e))
+      tensions[e] = static_tension({length(x[e + 1] - x[e]) - rest_lengths_[e], compliance(e)}, tension_only_);
   }
 }
 

@@ -12,8 +12,8 @@ namespace {
 constexpr double min_length = 1e-3;  // of a line, in radii
 constexpr double max_exponent = 40.0;
 
-/// A line of length s touches the wheel at R·n, and runs along t = sense·perp(n). A point before it is at r = R·n − s·t,
-/// one behind it at R·n + s·t. As complex numbers, r = n·(R ∓ i·sense·s), so n = r·(R ± i·sense·s)/|r|².
+/// A line of length s touches the wheel at R·n, and runs along t = sense·perp(n). A point before it is at r = R·n −
+/// s·t, one behind it at R·n + s·t. As complex numbers, r = n·(R ∓ i·sense·s), so n = r·(R ± i·sense·s)/|r|².
 TangentLine line(Vec2 r, double radius, double sense, double side) {
   const double min = min_length * radius;
   const double size = std::sqrt(std::max(dot(r, r) - radius * radius, min * min));
@@ -44,8 +44,8 @@ TangentLine line_from_groove(Vec2 r, double radius, Vec2 normal) {
   return straight_line(r - radius * normal, radius, normal, 1.0);
 }
 
-/// Within a right angle, half of it has the tangent sin/(1 + cos). It is halved three times more, to at most a 16th of a
-/// right angle, where the series of the arctangent converges fast.
+/// Within a right angle, half of it has the tangent sin/(1 + cos). It is halved three times more, to at most a 16th of
+/// a right angle, where the series of the arctangent converges fast.
 double angle_between(Vec2 a, Vec2 b) {
   const double cosine = dot(a, b);
   const double sine = cross(a, b);

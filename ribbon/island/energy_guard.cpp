@@ -6,8 +6,8 @@
 #include "ribbon/island/momentum.h"
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
-#include "ribbon/system/wheels.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {

@@ -14,7 +14,7 @@ namespace ribbon {
 namespace {
 
 constexpr std::size_t heap_cords = 8;      // that touch each other, or more, are a heap
-constexpr int max_settled = 6;              // times that a step finds out which cords slip in their grooves
+constexpr int max_settled = 6;             // times that a step finds out which cords slip in their grooves
 constexpr std::size_t usual_touches = 16;  // of a cord that may touch something: it has memory for so many
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace ribbon {
 namespace {
 
 constexpr std::size_t many_cords = 8;   // from which on the natural order of what touches certainly fills much
-constexpr double min_divisor = 1e-6;  // of a response to the friction of a wheel
+constexpr double min_divisor = 1e-6;    // of a response to the friction of a wheel
 constexpr std::size_t much_filled = 6;  // blocks a row, above which an order that fills less is looked for
 
 void couple(const Contacts& contacts, BlockLdlt& matrix) { contacts.active.couple(contacts.scene, matrix); }

@@ -77,7 +77,7 @@ class BlockSystem {
   std::vector<WheelResponse> responses_;
   std::vector<Vec2> motions_;  // of the responses, by slot
   std::vector<Vec2> unit_;
-  std::vector<int> last_points_;          // by body: the last point that it is coupled with
+  std::vector<int> last_points_;  // by body: the last point that it is coupled with
 };
 
 }  // namespace ribbon

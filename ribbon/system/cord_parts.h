@@ -74,9 +74,9 @@ struct CordParts {
   std::vector<double> own_masses;  // kg, by point, without attached masses
   // m, rest lengths by link at the start and at the end of the step; empty until something is reeled.
   std::vector<double> rest_start, rest_end;
-  std::vector<char> on_wheels;  // by link: 1 if it is left to a wheel; empty without pulleys
+  std::vector<char> on_wheels;      // by link: 1 if it is left to a wheel; empty without pulleys
   std::vector<WheelReach> reaches;  // by pulley, in a step
-  std::vector<int> outline;  // the points around which the cord can be touched, in order
+  std::vector<int> outline;         // the points around which the cord can be touched, in order
 
  private:
   void start();

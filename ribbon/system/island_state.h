@@ -101,8 +101,8 @@ struct SubstepStart {
 
 /// The cords and bodies of an island during a step, as arrays. The slots are the points of all cords and, behind them,
 /// two for each body: its centre of mass [m], and (φ, 0) of the angle by which it has turned in the step [rad]. Behind
-/// them is one for each wheel: (ρ, 0) of the cord that has run through its groove in the step [m]. The integrators treat
-/// all slots alike.
+/// them is one for each wheel: (ρ, 0) of the cord that has run through its groove in the step [m]. The integrators
+/// treat all slots alike.
 struct IslandState {
   // Of the step:
   double dt = 0.0;  ///< s
@@ -117,16 +117,16 @@ struct IslandState {
   std::vector<SolvedBody> bodies;
   std::vector<HeldBody> held;  ///< by member and point, ascending
   IslandTies ties;
-  std::vector<Wheel> wheels;       ///< by member
-  std::size_t points = 0;  ///< of all cords
-  std::size_t duals = 0;   ///< tensions that are unknowns of the linear system
-  bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
-  bool driven = false;     ///< drives, reels or unlocked cells change the energy
-  bool in_medium = false;  ///< a medium acts on a cord and changes the energy
-  bool reeling = false;    ///< a reel changes rest lengths
-  bool unlocking = false;  ///< inverted cells are turned back in this step
-  bool restart = false;    ///< the accelerations are out of date
-  bool jolted = false;         ///< a cord that runs through a groove changes its speed at once
+  std::vector<Wheel> wheels;  ///< by member
+  std::size_t points = 0;     ///< of all cords
+  std::size_t duals = 0;      ///< tensions that are unknowns of the linear system
+  bool coupled = false;       ///< false: a single cord whose bodies hold one point each, which its own solver can solve
+  bool driven = false;        ///< drives, reels or unlocked cells change the energy
+  bool in_medium = false;     ///< a medium acts on a cord and changes the energy
+  bool reeling = false;       ///< a reel changes rest lengths
+  bool unlocking = false;     ///< inverted cells are turned back in this step
+  bool restart = false;       ///< the accelerations are out of date
+  bool jolted = false;        ///< a cord that runs through a groove changes its speed at once
   bool touch_changed = false;  ///< a contact began or ended in the last substep
 
   // By slot:

@@ -57,7 +57,9 @@ void LinkLengths::load(const IslandState& state, const Member& member) {
     const double size = length(along);
     const double rest = member.cord->state.rest[link];
     const double mobility = mobility_[p] + mobility_[p + 1];
-    if (!(size > 0.0 && mobility > 0.0) || member.cord->is_on_wheel(link) || (member.cord->def.tension_only && size < rest)) continue;
+    if (!(size > 0.0 && mobility > 0.0) || member.cord->is_on_wheel(link) ||
+        (member.cord->def.tension_only && size < rest))
+      continue;
     Row& row = rows_[link];
     row.normal = (1.0 / size) * along;
     row.diagonal = (1.0 + softening) * mobility;

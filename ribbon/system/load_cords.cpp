@@ -15,7 +15,7 @@ namespace {
 
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share: what single precision explains
 constexpr double max_tolerance = 0.2;     // of a link, above which a tolerance would not hold it
-constexpr double wheel_tolerance = 1e-3;   // the same, of a cord on a wheel: a line that is not tangent pulls it round
+constexpr double wheel_tolerance = 1e-3;  // the same, of a cord on a wheel: a line that is not tangent pulls it round
 constexpr double resolved_digits = 16.0;  // min. tolerance, in roundings of the largest coordinate
 
 Accuracy higher(const Accuracy& a, const Accuracy& b) {
@@ -28,7 +28,8 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 }
 
 void reset(IslandState& state) {
-  state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = state.jolted = false;
+  state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = state.jolted =
+      false;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
@@ -94,7 +95,8 @@ void find_tolerance(IslandState& state) {
     for (std::size_t e = 0; e < cord.state.rest_targets.size(); ++e) {
       shortest = std::min({shortest, cord.state.rest[e], cord.state.rest_targets[e]});
     }
-    state.tolerance = std::min(state.tolerance, (cord.state.pulleys.empty() ? max_tolerance : wheel_tolerance) * shortest);
+    state.tolerance =
+        std::min(state.tolerance, (cord.state.pulleys.empty() ? max_tolerance : wheel_tolerance) * shortest);
   }
   state.tolerance = std::max(state.tolerance, state.min_tolerance);
 }

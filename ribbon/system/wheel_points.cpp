@@ -83,9 +83,10 @@ Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
   const double part = sum_of_rest(cord, def);
   const double off = std::abs(trail - out.length);
   if (!(off < accepted_misfit * part) || !(trail > 0.0)) {
-    throw DefinitionError("a cord of " + std::to_string(part) + " m between points " + std::to_string(def.before) + " and " +
-                          std::to_string(def.after) + " does not fit a path of " +
-                          std::to_string(part - trail + out.length) + " m around the wheel; accepted is a tenth more or less");
+    throw DefinitionError("a cord of " + std::to_string(part) + " m between points " + std::to_string(def.before) +
+                          " and " + std::to_string(def.after) + " does not fit a path of " +
+                          std::to_string(part - trail + out.length) +
+                          " m around the wheel; accepted is a tenth more or less");
   }
   const WheelPath path{def.center, def.radius, sense, in, out, pulley.lead, pulley.arc, trail};
   double distance = 0.0;
@@ -104,8 +105,8 @@ namespace {
 constexpr double taken_up = 0.5;
 constexpr double let_go = 0.7;
 constexpr double steps_ahead = 1.5;
-constexpr double stop = 0.5;  // radii that the end of a cord, and what holds it, keeps from a wheel
-constexpr double most_turned = 0.3;  // rad
+constexpr double stop = 0.5;           // radii that the end of a cord, and what holds it, keeps from a wheel
+constexpr double most_turned = 0.3;    // rad
 constexpr double left_of_link = 0.25;  // that a line which turns does not wind up
 
 /// A pulley of a cord, at the start of a step.
@@ -113,7 +114,12 @@ class PointMover {
  public:
   PointMover(CordParts& cord, std::size_t index, const Surroundings& surroundings, std::span<const RigidBody> bodies,
              const std::function<bool(int)>& is_tied, double dt)
-      : cord_(cord), pulley_(cord.state.pulleys[index]), reach_(cord.reaches[index]), surroundings_(surroundings), is_tied_(is_tied), dt_(dt) {
+      : cord_(cord),
+        pulley_(cord.state.pulleys[index]),
+        reach_(cord.reaches[index]),
+        surroundings_(surroundings),
+        is_tied_(is_tied),
+        dt_(dt) {
     const Axle& axle = surroundings.axles[index];
     const RigidBody& body = bodies[at(axle.body)];
     center_ = body.position + axle.offset;
@@ -151,8 +157,8 @@ class PointMover {
   Vec2 coming(int point) { return x(point) - center_ + dt_ * (v(point) - velocity_); }
 
   /// Moves the places where the cord arrives and leaves to where the lines will be tangent. The cord in the groove
-  /// stays. In a step they turn by no more than an angle at which the lengths hardly change, and wind up no more than is
-  /// there.
+  /// stays. In a step they turn by no more than an angle at which the lengths hardly change, and wind up no more than
+  /// is there.
   void follow_lines() {
     if (pulley_.kept) return;
     // winding: the sense in which the line has to turn to wind up some of the part, of this length beside what stays
@@ -168,8 +174,7 @@ class PointMover {
     const Vec2 after = coming(pulley_.def.after);
     const double lead = pulley_.lead - left_of_link * rest(pulley_.def.before);
     const double behind = trail() - left_of_link * rest(pulley_.def.after - 1);
-    const double arriving =
-        turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_), -sense_, lead);
+    const double arriving = turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_), -sense_, lead);
     const double leaving = turn_to(after, pulley_.departure, leaving_line(after, radius(), sense_), sense_, behind);
     pulley_.lead += radius() * arriving;
     pulley_.arc += leaving - arriving;

@@ -41,8 +41,8 @@ double wheel_mass(const PulleyDef& def);
 
 /// Returns a pulley of a cord as its points lie, and places those between on it. Throws as Cord::add_pulley does.
 Pulley make_pulley(CordParts& cord, const PulleyDef& def);
-/// Finds where cords arrive at their wheels and leave them, takes points up that are about to reach a wheel, and lets go
-/// of those that have left it. Before each attempt at a step; `first` before the first one.
+/// Finds where cords arrive at their wheels and leave them, takes points up that are about to reach a wheel, and lets
+/// go of those that have left it. Before each attempt at a step; `first` before the first one.
 void move_points_over_wheels(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                              std::span<const RigidBody> bodies, double dt, bool first);
 

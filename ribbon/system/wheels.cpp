@@ -13,7 +13,7 @@ namespace ribbon {
 namespace {
 
 constexpr double least_jolt = 1e-6;  // m/s
-constexpr double min_mass = 1e-3;  // of a cord in a groove, as a share of a point's
+constexpr double min_mass = 1e-3;    // of a cord in a groove, as a share of a point's
 
 /// The straight part before or behind a wheel.
 struct Side {
@@ -105,16 +105,16 @@ void load_wheels(IslandState& state) {
     const Pulley& pulley = cord.state.pulleys[wheel.pulley];
     const std::size_t groove = state.groove(k);
     const std::size_t center = state.center(wheel.solved_index);
-    const bool blocked = pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
-                         (pulley.blocked != 0.0 &&
-                          pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
+    const bool blocked =
+        pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
+        (pulley.blocked != 0.0 && pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
     const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
     state.positions[groove] = {};
     state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : common_speed(wheel, pulley), 0.0};
     state.accelerations[groove] = {pulley.acceleration, 0.0};
     state.free_accelerations[groove] = {};
-    state.masses[groove] = std::max(wheel.cord_mass, min_mass * cord.own_masses[0]) +
-                           (wheel.slip_sign == 0.0 ? wheel.wheel_mass : 0.0);
+    state.masses[groove] =
+        std::max(wheel.cord_mass, min_mass * cord.own_masses[0]) + (wheel.slip_sign == 0.0 ? wheel.wheel_mass : 0.0);
     state.constrained[groove] = blocked || wheel.driven ? 1 : 0;
     state.drive_starts[groove] = {};
     state.drive_velocities[groove] = state.velocities[groove];
@@ -136,8 +136,14 @@ void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
     const CordParts& cord = *state.members[wheel.member].cord;
     const Pulley& pulley = cord.state.pulleys[wheel.pulley];
     const Sides sides = sides_of(state, wheel, state.positions);
-    const WheelPath path{center_of(state, wheel, state.positions), wheel.radius, wheel.sense, sides.before.line,
-                         sides.after.line, wheel.lead, pulley.arc, wheel.trail};
+    const WheelPath path{center_of(state, wheel, state.positions),
+                         wheel.radius,
+                         wheel.sense,
+                         sides.before.line,
+                         sides.after.line,
+                         wheel.lead,
+                         pulley.arc,
+                         wheel.trail};
     const std::size_t groove = state.groove(k);
     double distance = 0.0;
     wheel.weight = 0.0;
@@ -268,9 +274,9 @@ bool may_slip(const PulleyDef& def) {
 
 /// The end of a step at a wheel.
 struct WheelEnd {
-  double speed;     // m/s, of the cord
-  double friction;  // N, on the cord along it: what its inertia, its weight and its tensions leave
-  double turning;   // rad/s, of the wheel
+  double speed;       // m/s, of the cord
+  double friction;    // N, on the cord along it: what its inertia, its weight and its tensions leave
+  double turning;     // rad/s, of the wheel
   double motor_sign;  // of a motor that gives its largest torque while the cord slips
 };
 
@@ -290,7 +296,8 @@ WheelEnd end_of(const IslandState& state, std::size_t k) {
   const double free = pulley.turning - state.dt * wheel.sense * wheel.radius * end.friction / inertia;
   const double change = state.dt * pulley.def.motor_torque / inertia;
   end.turning = pulley.def.motor_torque > 0.0 ? std::clamp(pulley.def.motor_speed, free - change, free + change) : free;
-  end.motor_sign = end.turning == pulley.def.motor_speed || change == 0.0 ? 0.0 : std::copysign(1.0, end.turning - free);
+  end.motor_sign =
+      end.turning == pulley.def.motor_speed || change == 0.0 ? 0.0 : std::copysign(1.0, end.turning - free);
   return end;
 }
 
@@ -359,7 +366,8 @@ bool settle_wheels(const IslandState& state) {
     Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
     const WheelEnd end = end_of(state, k);
     WheelReach& reach = state.members[wheel.member].cord->reaches[wheel.pulley];
-    settled = settle_reach(state, k, reach) && settle_friction(state, k, end, pulley) && settle_motor(state, wheel, end, pulley) && settled;
+    settled = settle_reach(state, k, reach) && settle_friction(state, k, end, pulley) &&
+              settle_motor(state, wheel, end, pulley) && settled;
   }
   return settled;
 }
@@ -376,16 +384,22 @@ void store_wheels(const IslandState& state, const Member& member) {
     WheelEnd end = end_of(state, k);
     const double rim = wheel.sense * end.speed / wheel.radius;  // the friction takes the wheel no further than that
     if ((pulley.turning - rim) * (end.turning - rim) < 0.0) end.turning = rim;
-    pulley.angle += wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius
-                                           : 0.5 * state.dt * (pulley.turning + end.turning);
+    pulley.angle +=
+        wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius : 0.5 * state.dt * (pulley.turning + end.turning);
     pulley.turning = end.turning;
     pulley.speed = end.speed;
     pulley.acceleration = state.accelerations[groove].x;
     pulley.tension_before = state.tensions[state.wheel_tension(k)];
     pulley.tension_after = state.tensions[state.wheel_tension(k) + 1];
 
-    const WheelPath path{center_of(state, wheel, state.positions), wheel.radius, wheel.sense, sides.before.line,
-                         sides.after.line, pulley.lead, pulley.arc, trail_of(cord, pulley)};
+    const WheelPath path{center_of(state, wheel, state.positions),
+                         wheel.radius,
+                         wheel.sense,
+                         sides.before.line,
+                         sides.after.line,
+                         pulley.lead,
+                         pulley.arc,
+                         trail_of(cord, pulley)};
     const Vec2 arm = arm_of(state, wheel, state.positions);
     const Vec2 carried = state.velocities[state.center(wheel.solved_index)] +
                          state.velocities[state.angle(wheel.solved_index)].x * perp(arm);

@@ -7,8 +7,8 @@
 
 // The wheels of pulleys, IslandState::wheels: a cord runs around each in a groove, without contacts. Its points on the
 // wheel, and the wheel if the cord does not slip, are one unknown: ρ [m], by which the cord has run through the groove
-// in the step. The straight part before the wheel is a link from the point there to where the cord touches the wheel. If
-// that place is s away, and m is the length at rest between the two at the start of the step, its elongation is
+// in the step. The straight part before the wheel is a link from the point there to where the cord touches the wheel.
+// If that place is s away, and m is the length at rest between the two at the start of the step, its elongation is
 //
 //     c = s − (m − ρ),
 //
@@ -25,7 +25,8 @@ void load_wheels(IslandState& state);
 /// Adds the forces on the points of a wheel to those on its groove and its centre. `force` is by slot, N.
 void load_wheel_forces(IslandState& state, std::span<Vec2> force);
 
-/// Returns the slots that a wheel couples: the points before and behind it, its groove, and its body's centre and angle.
+/// Returns the slots that a wheel couples: the points before and behind it, its groove, and its body's centre and
+/// angle.
 std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel);
 /// Adds the wheels to the coupled system. The tensions before and behind a wheel are one slot of unknowns.
 void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& blocks, std::span<Vec2> right_side);
@@ -41,8 +42,8 @@ double wheel_energy(const IslandState& state);
 /// far it ran.
 double wheel_work(const IslandState& state);
 
-/// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise it
-/// corrects the assumptions of its pulley, and the step is to be redone.
+/// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise
+/// it corrects the assumptions of its pulley, and the step is to be redone.
 bool settle_wheels(const IslandState& state);
 /// Writes the end of the step to the pulleys of a member, and places its points on them.
 void store_wheels(const IslandState& state, const Member& member);

@@ -114,16 +114,24 @@ TEST(Reeving, WindsWholeTurns) {
 TEST(Reeving, RefusesWhatCannotBeLaid) {
   const std::vector<PulleyDef> close{{.center = {0.0, 0.0}, .radius = 0.5},
                                      {.center = {0.1, 0.0}, .radius = 0.1, .counterclockwise = true}};
-  EXPECT_EQ(refusal<std::exception>([&] { (void)reeve({-2.0, 0.0}, close, {2.0, 0.0}, 50); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              (void)reeve({-2.0, 0.0}, close, {2.0, 0.0}, 50);
+            }),
             "wheels of a cord overlap, or one holds an end; accepted are ones with a common tangent");
-  EXPECT_EQ(refusal<std::exception>([&] { (void)reeve({0.1, 0.0}, {close.data(), 1}, {2.0, 0.0}, 50); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              (void)reeve({0.1, 0.0}, {close.data(), 1}, {2.0, 0.0}, 50);
+            }),
             "wheels of a cord overlap, or one holds an end; accepted are ones with a common tangent");
   const std::vector<PulleyDef> near{{.center = {0.0, 0.0}, .radius = 0.1}, {.center = {1.0, 0.0}, .radius = 0.1}};
-  EXPECT_EQ(refusal<std::exception>([&] { (void)reeve({-9.0, 0.0}, near, {9.0, 0.0}, 8); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              (void)reeve({-9.0, 0.0}, near, {9.0, 0.0}, 8);
+            }),
             "points are 8, too few for wheel 1; accepted are enough that two lie between neighbouring wheels");
   EXPECT_EQ(refusal<std::exception>([] { (void)reeve({}, {}, {1.0, 0.0}, 1); }), "points is 1; accepted is 2 to 1e+06");
   const PulleyDef flat{.center = {}, .radius = 0.0};
-  EXPECT_EQ(refusal<std::exception>([&] { (void)reeve({-1.0, 0.0}, {&flat, 1}, {1.0, 0.0}, 9); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              (void)reeve({-1.0, 0.0}, {&flat, 1}, {1.0, 0.0}, 9);
+            }),
             "radius is 0; accepted is 1e-06 to 1e+06");
 }
 
@@ -468,29 +476,39 @@ TEST(Pulley, FallsWhenTheCordIsTakenOff) {
 
 TEST(Pulley, RefusesWhatIsOutOfRange) {
   Cord cord(hanging(21, 4.0));
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 25}); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              cord.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 25});
+            }),
             "after is 25; accepted is 10 to 20");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .radius = -1.0}); }), "radius is -1; accepted is 1e-06 to 1e+06");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .friction = 11.0}); }), "friction of a groove is 11; accepted is 0 to 10");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .motor_torque = -1.0}); }), "motor_torque is -1; accepted is 0 up to infinity");
+  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .radius = -1.0}); }),
+            "radius is -1; accepted is 1e-06 to 1e+06");
+  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .friction = 11.0}); }),
+            "friction of a groove is 11; accepted is 0 to 10");
+  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .motor_torque = -1.0}); }),
+            "motor_torque is -1; accepted is 0 up to infinity");
   EXPECT_EQ(refusal<std::exception>([&] { cord.remove_pulley(0); }), "pulley is 0; the cord has none");
-  const std::string misfit =
-      refusal<std::exception>([&] { cord.add_pulley({.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12}); });
+  const std::string misfit = refusal<std::exception>([&] {
+    cord.add_pulley({.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
+  });
   EXPECT_NE(misfit.find("does not fit a path of"), std::string::npos) << misfit;
   EXPECT_TRUE(cord.pulleys().empty());
   Machine machine(Atwood{});
-  EXPECT_NE(refusal<std::exception>([&] { machine.cord.add_pulley(machine.pulley().def); }).find("are on another wheel"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal<std::exception>([&] { machine.cord.add_pulley(machine.pulley().def); }).find("are on another wheel"),
+      std::string::npos);
   EXPECT_EQ(refusal<std::exception>([&] { machine.cord.step(dt, gravity); }),
             "axles are 0; accepted is one for each of the 1 pulleys of the cord");
-  EXPECT_EQ(refusal<std::exception>([&] { machine.cord.set_motor(0, 1e7, 1.0); }), "motor_speed is 1e+07; accepted is -1e+06 to 1e+06");
+  EXPECT_EQ(refusal<std::exception>([&] { machine.cord.set_motor(0, 1e7, 1.0); }),
+            "motor_speed is 1e+07; accepted is -1e+06 to 1e+06");
 }
 
 TEST(Pulley, IsNotForRibbonsAndStiffRopes) {
   CordDef def = hanging(21, 4.0);
   def.bending_stiffness = 0.1;
   Cord stiff(def);
-  EXPECT_EQ(refusal<std::exception>([&] { stiff.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 12}); }),
+  EXPECT_EQ(refusal<std::exception>([&] {
+              stiff.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 12});
+            }),
             "a pulley is for a rope without bending stiffness");
 }
 

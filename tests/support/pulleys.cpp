@@ -36,8 +36,6 @@ ReevedCord reeve_tackle(int points) {
   return ribbon::reeve({-0.1, 3.0}, wheels, {0.7, 5.5}, points);
 }
 
-std::vector<Axle> axles_of_tackle() {
-  return {{0, {-0.2, 0.0}}, {1, {-0.2, 0.0}}, {0, {0.2, 0.0}}, {1, {0.2, 0.0}}};
-}
+std::vector<Axle> axles_of_tackle() { return {{0, {-0.2, 0.0}}, {1, {-0.2, 0.0}}, {0, {0.2, 0.0}}, {1, {0.2, 0.0}}}; }
 
 }  // namespace test_support

@@ -13,11 +13,11 @@ namespace test_support {
 
 /// A cord with a mass at each end over one wheel, at rest: Atwood's machine, or with friction and a motor a capstan.
 struct Atwood {
-  double left = 10.0;               ///< kg, at the first point
-  double right = 12.0;              ///< kg, at the last point
-  double mass_per_length = 1e-4;    ///< kg/m
-  int points = 61;                  ///< of the cord
-  double depth = 3.5;               ///< m, of the masses below the axle
+  double left = 10.0;             ///< kg, at the first point
+  double right = 12.0;            ///< kg, at the last point
+  double mass_per_length = 1e-4;  ///< kg/m
+  int points = 61;                ///< of the cord
+  double depth = 3.5;             ///< m, of the masses below the axle
   ribbon::PulleyDef wheel{.center = {0.0, 5.0}, .radius = 0.2, .counterclockwise = false, .inertia = 0.5};
   ribbon::Accuracy accuracy{};
 

@@ -106,15 +106,8 @@ Variant variant(const Machine& machine, const std::string& setting, const ribbon
     const double error = 100.0 * std::abs(machine.speed(measured) / machine.exact - 1.0);
     return std::vector<double>{error, static_cast<double>(measured.unconverged)};
   };
-  return {"ribbon",
-          setting,
-          machine.make(accuracy).cord.size(),
-          renew,
-          [run] { (*run)->step(); },
-          figures,
-          [] {},
-          machine.name,
-          {}};
+  return {"ribbon",     setting, machine.make(accuracy).cord.size(), renew, [run] { (*run)->step(); }, figures, [] {},
+          machine.name, {}};
 }
 
 std::vector<Variant> pulleys() {

@@ -193,7 +193,8 @@ TEST(Pulleys, AreSavedAndRestored) {
             "state.pulleys are not those of its cords; accepted is one for each pulley of a cord");
   wrong = saved;
   wrong.pulleys[0].memory.cord = 7;
-  EXPECT_TRUE(says(refusal<DefinitionError>([&] { scene.coupling.restore(wrong, scene.world); }), "state.pulleys.cord"));
+  EXPECT_TRUE(
+      says(refusal<DefinitionError>([&] { scene.coupling.restore(wrong, scene.world); }), "state.pulleys.cord"));
 }
 
 TEST(Pulleys, AllocateNothingInASteadyTick) {
@@ -238,7 +239,8 @@ TEST(Pulleys, RefuseWhatCannotBe) {
                    "are on another wheel"));
   const CordId thesis = scene.coupling.add(ribbon::ThesisCord({}));
   EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.add_pulley(thesis, *scene.wall, wheel); }), "thesis"));
-  EXPECT_TRUE(says(refusal<DefinitionError>([&] { scene.coupling.pulley(1).set_motor(0.0, -1.0); }), "motor_torque is -1"));
+  EXPECT_TRUE(
+      says(refusal<DefinitionError>([&] { scene.coupling.pulley(1).set_motor(0.0, -1.0); }), "motor_torque is -1"));
   Cord reeved = test_support::Atwood{}.cord();
   EXPECT_EQ(refusal<CallError>([&] { scene.coupling.add(std::move(reeved)); }),
             "the cord has pulleys; accepted is one without, to which Coupling::add_pulley adds them");
