@@ -15,7 +15,7 @@ namespace {
 
 constexpr double same_velocity = 1e-5;    // m/s or rad/s, and as a share: what single precision explains
 constexpr double max_tolerance = 0.2;     // of a link, above which a tolerance would not hold it
-constexpr double wheel_tolerance = 1e-3;  // the same, of a cord on a wheel: a line that is not tangent pulls it round
+constexpr double wheel_tolerance = 1e-4;  // the same, of a cord on a wheel: a line that is not tangent pulls it round
 constexpr double resolved_digits = 16.0;  // min. tolerance, in roundings of the largest coordinate
 
 Accuracy higher(const Accuracy& a, const Accuracy& b) {
