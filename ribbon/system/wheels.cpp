@@ -162,44 +162,62 @@ std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel) {
           static_cast<int>(state.angle(wheel.solved_index))};
 }
 
+namespace {
+
+/// A side of a wheel as rows of the coupled system.
+struct SideRow {
+  int point = 0;             // its slot
+  double rest = 0.0;         // m, length at rest
+  double sign = 1.0;         // of the change of its length along the cord as the point moves
+  Vec2 component{1.0, 0.0};  // of the wheel's unknown tensions
+};
+
+void load_side(const IslandState& state, const Wheel& wheel, const Stage& stage, const Side& side, const SideRow& row,
+               BlockLdlt& blocks, std::span<Vec2> right_side) {
+  const std::array<int, 5> slots = wheel_slots(state, wheel);
+  const int groove = slots[2];
+  const std::size_t k = index_of(state, wheel);
+  const int dual = state.wheel_dual(k);
+  const double tension = state.tensions[state.wheel_tension(k) + (row.sign > 0.0 ? 1 : 0)];
+  const CordDef& def = def_of(state, wheel);
+  const double inertia = stage.inertia[at(row.point)];
+  const MixedBar bar{side.elongation, compliance_of(def, row.rest)};
+  const Vec2 of = row.component;
+  if (def.tension_only && is_slack(bar, tension, 1.0 / inertia, side.line.length)) {
+    blocks.add(dual, -of.x, 0.0, -of.y);
+    return;
+  }
+  const Vec2 t = side.line.along;
+  const Vec2 turning = perp(arm_of(state, wheel, state.positions));
+  const auto couple = [&](int slot, Vec2 by) {
+    blocks.add(slot, dual, by.x * of.x, by.x * of.y, by.y * of.x, by.y * of.y);
+  };
+  couple(row.point, row.sign * t);
+  couple(slots[3], -row.sign * t);
+  couple(slots[4], {-row.sign * dot(turning, t), 0.0});
+  couple(groove, {-row.sign, 0.0});
+  const double compliance = std::max(bar.compliance, min_dual_compliance / inertia);
+  blocks.add(dual, -compliance * of.x, 0.0, -compliance * of.y);
+  right_side[at(dual)] -= side.elongation * of;
+  right_side[at(groove)].x += row.sign * tension * tension / (2.0 * def.stretch_stiffness);
+  const Vec2 u = perp(t);
+  blocks.add_outer(std::max(0.0, tension) / side.line.length, std::array{row.point, slots[3], slots[4]},
+                   std::array{u, -u, Vec2{-dot(u, turning), 0.0}});
+}
+
+}  // namespace
+
 void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& blocks, std::span<Vec2> right_side) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     const Wheel& wheel = state.wheels[k];
-    const CordDef& def = def_of(state, wheel);
-    const auto [before, after, groove, center, angle] = wheel_slots(state, wheel);
-    const int dual = state.wheel_dual(k);
     const Sides sides = sides_of(state, wheel, state.positions);
-    const Vec2 turning = perp(arm_of(state, wheel, state.positions));
-    blocks.make_dual(dual);
-    right_side[at(dual)] = {};
-    right_side[at(groove)].y = 0.0;
-    // sign: of the tension's force on the point, along the cord, less that on the centre
-    const auto load_side = [&](const Side& side, int point, double rest, double tension, Vec2 component, double sign) {
-      const MixedBar bar{side.elongation, compliance_of(def, rest)};
-      const double inertia = stage.inertia[at(point)];
-      if (def.tension_only && is_slack(bar, tension, 1.0 / inertia, side.line.length)) {
-        blocks.add(dual, -component.x, 0.0, -component.y);
-        return;
-      }
-      const Vec2 t = side.line.along;
-      const auto couple = [&](int slot, Vec2 by) {
-        blocks.add(slot, dual, by.x * component.x, by.x * component.y, by.y * component.x, by.y * component.y);
-      };
-      couple(point, sign * t);
-      couple(center, -sign * t);
-      couple(angle, {-sign * dot(turning, t), 0.0});
-      couple(groove, {-sign, 0.0});
-      const double compliance = std::max(bar.compliance, min_dual_compliance / inertia);
-      blocks.add(dual, -compliance * component.x, 0.0, -compliance * component.y);
-      right_side[at(dual)] -= side.elongation * component;
-      right_side[at(groove)].x += sign * tension * tension / (2.0 * def.stretch_stiffness);
-      const Vec2 u = perp(t);
-      blocks.add_outer(std::max(0.0, tension) / side.line.length, std::array{point, center, angle},
-                       std::array{u, -u, Vec2{-dot(u, turning), 0.0}});
-    };
-    const std::size_t tension = state.wheel_tension(k);
-    load_side(sides.before, before, wheel.lead, state.tensions[tension], {1.0, 0.0}, -1.0);
-    load_side(sides.after, after, wheel.trail, state.tensions[tension + 1], {0.0, 1.0}, 1.0);
+    blocks.make_dual(state.wheel_dual(k));
+    right_side[at(state.wheel_dual(k))] = {};
+    right_side[state.groove(k)].y = 0.0;
+    load_side(state, wheel, stage, sides.before, {static_cast<int>(wheel.before), wheel.lead, -1.0, {1.0, 0.0}}, blocks,
+              right_side);
+    load_side(state, wheel, stage, sides.after, {static_cast<int>(wheel.after), wheel.trail, 1.0, {0.0, 1.0}}, blocks,
+              right_side);
   }
 }
 
