@@ -481,7 +481,7 @@ void drive_wind(BitWorld& scene, int tick) {
 /// Cords over wheels: one that slips and one that a motor turns, and a block that a cord carries.
 void build_pulleys(BitWorld& scene) {
   b2Body& wall = add_box(scene, {0.0, 4.0}, 0.1F, 0.1F, b2_staticBody);
-  const auto lay = [&scene](Vec2 first, const std::vector<ribbon::PulleyDef>& wheels, Vec2 last) {
+  const auto lay = [](Vec2 first, const std::vector<ribbon::PulleyDef>& wheels, Vec2 last) {
     const ribbon::ReevedCord reeved = ribbon::reeve(first, wheels, last, 61);
     CordDef def;
     def.points = 61;
