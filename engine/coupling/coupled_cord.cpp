@@ -110,6 +110,15 @@ void CoupledCord::check_off_wheels(const char* what, double column) const {
   }
 }
 
+double CoupledCord::free_of_wheels(double from, double to) const {
+  if (!is_direct()) return to;
+  for (const Pulley& pulley : direct().pulleys()) {
+    if (from <= pulley.def.before) to = std::min(to, static_cast<double>(pulley.def.before));
+    if (from >= pulley.def.after) to = std::max(to, static_cast<double>(pulley.def.after));
+  }
+  return to;
+}
+
 void CoupledCord::clear_surroundings() {
   circles.clear();
   segments.clear();

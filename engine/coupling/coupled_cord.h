@@ -77,6 +77,8 @@ struct CoupledCord {
   double column_at(double arc) const;
   /// Throws CallError unless a column is off the wheels of the cord's pulleys. `what` names what would be there.
   void check_off_wheels(const char* what, double column) const;
+  /// Returns how far something gets from a column to another one, off the wheels: at most to a point beside one.
+  double free_of_wheels(double from, double to) const;
   /// Returns whether a point of the cord may be within `distance` [m] of `position`.
   bool may_be_within(Vec2 position, double distance) const;
 

@@ -7,6 +7,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/geometry/rotation.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -65,6 +66,14 @@ void draw_points(const OfSolver& cord, const b2Color& color, b2Draw& draw) {
   }
 }
 
+void draw_wheel(const BodyPulley& pulley, const CoupledCord& cord, b2Draw& draw) {
+  const Pulley& of_cord = cord.direct().pulleys()[static_cast<std::size_t>(pulley.index)];
+  const b2Vec2 center = pulley.body->GetWorldPoint(pulley.local_anchor);
+  const b2Vec2 spoke = to_float(of_cord.def.radius * rotation(of_cord.angle));
+  draw.DrawCircle(center, static_cast<float>(of_cord.def.radius), grip_color);
+  draw.DrawSegment(center, center + spoke, grip_color);
+}
+
 void draw_grip(const BodyGrip& grip, const CoupledCord& cord, b2Draw& draw) {
   const b2Vec2 anchor = grip.body->GetWorldPoint(grip.local_anchor);
   const b2Vec2 place = to_float(cord.position(grip.point, grip.along));
@@ -107,6 +116,9 @@ void debug_draw(const Coupling& coupling, b2Draw& draw) {
   if ((flags & b2Draw::e_jointBit) == 0) return;
   for (const BodyGrip& grip : parts.grips.all()) {
     if (parts.finder.exists(grip.seen)) draw_grip(grip, parts.cords.at(grip.cord), draw);
+  }
+  for (const BodyPulley& pulley : parts.pulleys.all()) {
+    if (parts.finder.exists(pulley.seen)) draw_wheel(pulley, parts.cords.at(pulley.cord), draw);
   }
 }
 

@@ -11,7 +11,8 @@ namespace ribbon::box2d {
 ///
 /// - e_shapeBit: the links of ropes and the outlines of ribbons, coloured as bodies that are awake, asleep or disabled,
 ///   and their points: pinned ones green as static bodies, dragged ones blue as kinematic bodies;
-/// - e_jointBit: grips, from the origin of the body to its anchor and on to the place on the cord;
+/// - e_jointBit: grips, from the origin of the body to its anchor and on to the place on the cord; wheels of pulleys,
+///   each with a spoke;
 /// - e_aabbBit: the boxes in which the last gather searched for fixtures;
 /// - e_pairBit: the contacts of the last step, with normals of 0.3 m, of cords of the direct solver.
 ///

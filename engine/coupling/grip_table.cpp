@@ -50,9 +50,9 @@ Vec2 anchor_for_step(BodyGrip& grip, const CoupledCord& cord, Vec2 center, Vec2 
 /// Returns how far a grip climbs in a tick, columns.
 double climb_in_tick(const BodyGrip& grip, const CoupledCord& cord, double dt) {
   if (grip.climb_to < 0.0) return 0.0;
-  const double left = grip.climb_to - column_of(grip, cord);
+  const double column = column_of(grip, cord);
   const double most = grip.climb_speed * dt;
-  return std::clamp(left, -most, most);
+  return cord.free_of_wheels(column, column + std::clamp(grip.climb_to - column, -most, most)) - column;
 }
 
 bool is_at_end(const BodyGrip& grip, const CoupledCord& cord) {
@@ -74,8 +74,9 @@ bool follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
   }
   grip.slips = slid != 0.0;
   const CordShape shape = cord.shape();
-  const double column = column_of(grip, cord) + cord.grips[index].climb + slid;
-  if (column != column_of(grip, cord)) set_column(grip, column, shape.columns, shape.rows);
+  const double before = column_of(grip, cord);
+  const double column = cord.free_of_wheels(before, before + cord.grips[index].climb + slid);
+  if (column != before) set_column(grip, column, shape.columns, shape.rows);
   if (grip.climb_to >= 0.0 && std::abs(grip.climb_to - column_of(grip, cord)) <= same_place) grip.climb_to = -1.0;
   return grip.slips && (column < -same_place || column > shape.columns - 1 + same_place);
 }

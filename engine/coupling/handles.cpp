@@ -165,8 +165,9 @@ bool PulleyView::is_valid() const { return parts_->pulleys.find(id_) != nullptr;
 PulleyState PulleyView::state() const {
   const BodyPulley& pulley = parts_->pulleys.at(id_);
   const Pulley& of_cord = parts_->cords.at(pulley.cord).direct().pulleys()[static_cast<std::size_t>(pulley.index)];
+  const bool exists = parts_->finder.exists(pulley.seen);  // its body may be destroyed
   return {pulley.cord,
-          to_double(pulley.body->GetWorldPoint(pulley.local_anchor)),
+          exists ? to_double(pulley.body->GetWorldPoint(pulley.local_anchor)) : of_cord.def.center,
           of_cord.angle,
           of_cord.turning,
           of_cord.speed,

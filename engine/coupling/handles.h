@@ -188,7 +188,7 @@ class PulleyView {
 
   PulleyId id() const { return id_; }  ///< of the pulley
   bool is_valid() const;               ///< the pulley exists
-  PulleyState state() const;           ///< of the pulley; right between ticks
+  PulleyState state() const;           ///< right between ticks; O(bodies), or O(1) with Coupling::trust_forget
 
  private:
   const CouplingParts* parts_;

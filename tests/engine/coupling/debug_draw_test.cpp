@@ -36,7 +36,9 @@ struct Recorder : b2Draw {
     polygons.insert(polygons.end(), vertices, vertices + count);
   }
   void DrawSolidPolygon(const b2Vec2* /*vertices*/, int32 /*count*/, const b2Color& /*color*/) override {}
-  void DrawCircle(const b2Vec2& /*center*/, float /*radius*/, const b2Color& /*color*/) override {}
+  void DrawCircle(const b2Vec2& center, float radius, const b2Color& /*color*/) override {
+    circles.emplace_back(center, radius);
+  }
   void DrawSolidCircle(const b2Vec2& /*center*/, float /*radius*/, const b2Vec2& /*axis*/,
                        const b2Color& /*color*/) override {}
   void DrawSegment(const b2Vec2& a, const b2Vec2& b, const b2Color& color) override {
@@ -49,6 +51,7 @@ struct Recorder : b2Draw {
   std::vector<Segment> segments;
   std::vector<Point> points;
   std::vector<b2Vec2> polygons;
+  std::vector<std::pair<b2Vec2, float>> circles;
 };
 
 Recorder drawn(const Coupling& coupling, uint32 flags) {
@@ -171,6 +174,24 @@ TEST(DebugDraw, LeavesOutGripsOfDestroyedBodies) {
   const Recorder recorder = drawn(scene.coupling, b2Draw::e_jointBit);
   ASSERT_EQ(recorder.segments.size(), 2U);
   EXPECT_EQ(recorder.segments[0].a, stays.GetPosition());
+}
+
+TEST(DebugDraw, AWheelHasASpoke) {
+  RopeWorld scene;
+  PulleyDef wheel{.center = {0.0, 1.0}, .radius = 0.25, .counterclockwise = false};
+  const ReevedCord reeved = reeve({-0.25, -1.0}, {&wheel, 1}, {0.25, -1.0}, 41);
+  CordDef def;
+  def.points = 41;
+  def.length = reeved.length;
+  def.positions = reeved.positions;
+  b2Body& beam = scene.ball({0.0, 2.0});
+  scene.coupling.add_pulley(scene.coupling.add(Cord(def)), beam, reeved.pulleys[0]);
+  const Recorder recorder = drawn(scene.coupling, b2Draw::e_jointBit);
+  ASSERT_EQ(recorder.circles.size(), 1U);
+  EXPECT_LT((recorder.circles[0].first - b2Vec2(0.0F, 1.0F)).Length(), 1e-6F);
+  EXPECT_EQ(recorder.circles[0].second, 0.25F);
+  ASSERT_EQ(recorder.segments.size(), 1U);
+  EXPECT_NEAR((recorder.segments[0].b - recorder.segments[0].a).Length(), 0.25F, 1e-6F);
 }
 
 TEST(DebugDraw, ContactsHaveNormals) {

@@ -9,6 +9,7 @@
 #include "ribbon/pulley.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/allocations.h"
+#include "tests/support/freed_body.h"
 #include "tests/support/pulleys.h"
 #include "tests/support/refusal.h"
 
@@ -195,6 +196,27 @@ TEST(Pulleys, AreSavedAndRestored) {
   wrong.pulleys[0].memory.cord = 7;
   EXPECT_TRUE(
       says(refusal<DefinitionError>([&] { scene.coupling.restore(wrong, scene.world); }), "state.pulleys.cord"));
+}
+
+TEST(Pulleys, StopAClimber) {
+  BodiesOverAWheel scene(10.0, 10.0);
+  b2Body* const climber = scene.add_body({-0.25, 2.5}, 0.1);
+  const auto grip = scene.coupling.hold(*climber, {.cord = scene.cord, .arc = 1.0});
+  scene.coupling.grip(grip).climb(7.0, 2.0);
+  for (int k = 0; k < 240; ++k) {
+    scene.tick();
+    const auto state = scene.coupling.grip(grip).state();
+    ASSERT_LE(state.point + state.along, scene.state().def.before);
+  }
+  EXPECT_GT(scene.coupling.grip(grip).state().arc, 2.5);
+}
+
+TEST(Pulleys, TellTheirStateWithoutTheirBody) {
+  BodiesOverAWheel scene;
+  scene.tick(3);
+  scene.world.DestroyBody(scene.wall);
+  const test_support::FreedBody watch(scene.wall);
+  EXPECT_EQ(scene.state().def.radius, 0.25);
 }
 
 TEST(Pulleys, AllocateNothingInASteadyTick) {
