@@ -129,7 +129,7 @@ void load_wheels(IslandState& state) {
   }
 }
 
-/// What acts on a point of the wheel acts on the groove, along it, and on the centre.
+/// What acts on a point of the wheel along the cord acts on the groove. Its weight is also in the mass of the centre.
 void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     Wheel& wheel = state.wheels[k];

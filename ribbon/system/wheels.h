@@ -22,7 +22,7 @@ namespace ribbon {
 void add_wheels(IslandState& state, Member& member);
 /// Reads the motion of the wheels, after that of the bodies.
 void load_wheels(IslandState& state);
-/// Adds the forces on the points of a wheel to those on its groove and its centre. `force` is by slot, N.
+/// Adds the forces on the points of a wheel along the cord to that on its groove. `force` is by slot, N.
 void load_wheel_forces(IslandState& state, std::span<Vec2> force);
 
 /// Returns the slots that a wheel couples: the points before and behind it, its groove, and its body's centre and
