@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
@@ -132,6 +133,24 @@ void release_lost(CouplingParts& parts) {
   }
 }
 
+/// Throws CallError if a body holds the cord, or it is tied, where it would be on a wheel.
+void check_nothing_held(const CouplingParts& parts, const CoupledCord& cord, const PulleyDef& def) {
+  const auto check_place = [&](const char* what, int id, double column) {
+    if (column <= def.before || column >= def.after) return;
+    throw CallError(std::string(what) + " " + std::to_string(id) + " is between points " + std::to_string(def.before) +
+                    " and " + std::to_string(def.after) + " of cord " + std::to_string(cord.id) +
+                    "; accepted is a wheel where nothing holds the cord");
+  };
+  for (const BodyGrip& grip : parts.grips.all()) {
+    if (grip.cord == cord.id) check_place("grip", grip.id, column_of(grip, cord));
+  }
+  for (const TieMemory& tie : parts.ties.all()) {
+    for (const TiePlace& place : {tie.place, tie.other}) {
+      if (place.cord == cord.id) check_place("tie", tie.id, place.point);
+    }
+  }
+}
+
 /// Unties the ties that are overloaded, the one with the largest factor first, and one of a cord in a tick.
 void break_ties(CouplingParts& parts) {
   auto& overloaded = parts.overloaded_ties;
@@ -226,6 +245,7 @@ PulleyId Coupling::add_pulley(CordId cord, b2Body& body, const PulleyDef& def) {
   (void)coupled.direct();  // refuses the other solver
   check_unlocked(*body.GetWorld());
   check_between_ticks(*parts_, "add_pulley");
+  check_nothing_held(*parts_, coupled, def);
   parts_->cords.activate(coupled);
   const PulleyId id = parts_->pulleys.add(coupled, body, def);
   parts_->enter(*body.GetWorld());

@@ -138,8 +138,8 @@ class Coupling {
   /// wheel. If the body has a fixture there, give that at most the radius of the groove less that of the cord. A
   /// pulley ends when it is removed, when a cut goes through the cord on its wheel, when its cord is removed, replaced
   /// or disabled, and when its body is gone or disabled. Throws CallError and DefinitionError as Cord::add_pulley does,
-  /// and CallError for a cord that does not exist, is disabled or of the thesis's solver, inside world.Step and between
-  /// gather and apply.
+  /// and CallError for a cord that does not exist, is disabled or of the thesis's solver, where a grip or a tie would
+  /// be on the wheel, inside world.Step and between gather and apply.
   PulleyId add_pulley(CordId cord, b2Body& body, const PulleyDef& def);
   /// Returns the handle of a pulley, existing or not.
   PulleyRef pulley(PulleyId pulley) { return {*parts_, pulley}; }

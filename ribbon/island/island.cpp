@@ -7,8 +7,8 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
+#include "ribbon/system/wheel_end.h"
 #include "ribbon/system/wheel_points.h"
-#include "ribbon/system/wheels.h"
 
 namespace ribbon {
 namespace {

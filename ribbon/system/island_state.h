@@ -149,6 +149,8 @@ struct IslandState {
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
   std::size_t groove(std::size_t wheel) const { return points + 2 * bodies.size() + wheel; }
+  std::size_t groove_of(const Wheel& wheel) const { return groove(index_of(wheel)); }
+  std::size_t index_of(const Wheel& wheel) const { return static_cast<std::size_t>(&wheel - wheels.data()); }
   /// Returns whether a slot holds one number: an angle, or what has run through a groove.
   bool is_scalar(std::size_t slot) const {
     return slot >= points && ((slot - points) % 2 == 1 || slot >= points + 2 * bodies.size());

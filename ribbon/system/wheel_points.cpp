@@ -162,8 +162,7 @@ class PointMover {
   void follow_lines() {
     if (pulley_.kept) return;
     // winding: the sense in which the line has to turn to wind up some of the part, of this length beside what stays
-    const auto turn_to = [this](Vec2 coming, Vec2& normal, const TangentLine& line, double winding, double part) {
-      if (dot(coming, coming) <= radius() * radius()) return 0.0;  // a slack cord may lie across the wheel
+    const auto turn_to = [this](Vec2& normal, const TangentLine& line, double winding, double part) {
       const double angle = angle_between(normal, line.normal);
       const double most_wound = std::clamp(part / radius(), 0.0, most_turned);
       const double turned = winding * std::clamp(winding * angle, -most_turned, most_wound);
@@ -174,8 +173,8 @@ class PointMover {
     const Vec2 after = coming(pulley_.def.after);
     const double lead = pulley_.lead - left_of_link * rest(pulley_.def.before);
     const double behind = trail() - left_of_link * rest(pulley_.def.after - 1);
-    const double arriving = turn_to(before, pulley_.arrival, arriving_line(before, radius(), sense_), -sense_, lead);
-    const double leaving = turn_to(after, pulley_.departure, leaving_line(after, radius(), sense_), sense_, behind);
+    const double arriving = turn_to(pulley_.arrival, arriving_line(before, radius(), sense_), -sense_, lead);
+    const double leaving = turn_to(pulley_.departure, leaving_line(after, radius(), sense_), sense_, behind);
     pulley_.lead += radius() * arriving;
     pulley_.arc += leaving - arriving;
   }

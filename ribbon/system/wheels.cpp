@@ -4,48 +4,16 @@
 #include <cmath>
 
 #include "ribbon/elastic/link.h"
-#include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/tangent.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/system/wheel_points.h"
+#include "ribbon/system/wheel_sides.h"
 
 namespace ribbon {
 namespace {
 
 constexpr double least_jolt = 1e-6;  // m/s
 constexpr double min_mass = 1e-3;    // of a cord in a groove, as a share of a point's
-
-/// The straight part before or behind a wheel.
-struct Side {
-  TangentLine line;
-  double elongation;  // m
-};
-
-/// The two sides of a wheel.
-struct Sides {
-  Side before;
-  Side after;
-};
-
-Vec2 arm_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
-  return times(rotation(x[state.angle(wheel.solved_index)].x), wheel.arm);
-}
-
-Vec2 center_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
-  return x[state.center(wheel.solved_index)] + arm_of(state, wheel, x);
-}
-
-std::size_t index_of(const IslandState& state, const Wheel& wheel) {
-  return static_cast<std::size_t>(&wheel - state.wheels.data());
-}
-
-Sides sides_of(const IslandState& state, const Wheel& wheel, std::span<const Vec2> x) {
-  const Vec2 center = center_of(state, wheel, x);
-  const double run = x[state.groove(index_of(state, wheel))].x;
-  const TangentLine in = line_to_groove(x[wheel.before] - center, wheel.radius, wheel.arrival);
-  const TangentLine out = line_from_groove(x[wheel.after] - center, wheel.radius, wheel.departure);
-  return {{in, in.length - (wheel.lead - run)}, {out, out.length - (wheel.trail + run)}};
-}
 
 double compliance_of(const CordDef& def, double rest) { return std::max(0.0, rest) / def.stretch_stiffness; }
 
@@ -109,6 +77,8 @@ void load_wheels(IslandState& state) {
         pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
         (pulley.blocked != 0.0 && pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
     const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
+    state.tensions[state.wheel_tension(k)] = pulley.tension_before;
+    state.tensions[state.wheel_tension(k) + 1] = pulley.tension_after;
     state.positions[groove] = {};
     state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : common_speed(wheel, pulley), 0.0};
     state.accelerations[groove] = {pulley.acceleration, 0.0};
@@ -134,16 +104,8 @@ void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     Wheel& wheel = state.wheels[k];
     const CordParts& cord = *state.members[wheel.member].cord;
-    const Pulley& pulley = cord.state.pulleys[wheel.pulley];
-    const Sides sides = sides_of(state, wheel, state.positions);
-    const WheelPath path{center_of(state, wheel, state.positions),
-                         wheel.radius,
-                         wheel.sense,
-                         sides.before.line,
-                         sides.after.line,
-                         wheel.lead,
-                         pulley.arc,
-                         wheel.trail};
+    const Pulley& pulley = pulley_of(state, wheel);
+    const WheelPath path = path_of(state, wheel, pulley);
     const std::size_t groove = state.groove(k);
     double distance = 0.0;
     wheel.weight = 0.0;
@@ -157,9 +119,8 @@ void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
 }
 
 std::array<int, 5> wheel_slots(const IslandState& state, const Wheel& wheel) {
-  return {static_cast<int>(wheel.before), static_cast<int>(wheel.after),
-          static_cast<int>(state.groove(index_of(state, wheel))), static_cast<int>(state.center(wheel.solved_index)),
-          static_cast<int>(state.angle(wheel.solved_index))};
+  return {static_cast<int>(wheel.before), static_cast<int>(wheel.after), static_cast<int>(state.groove_of(wheel)),
+          static_cast<int>(state.center(wheel.solved_index)), static_cast<int>(state.angle(wheel.solved_index))};
 }
 
 namespace {
@@ -172,11 +133,11 @@ struct SideRow {
   Vec2 component{1.0, 0.0};  // of the wheel's unknown tensions
 };
 
-void load_side(const IslandState& state, const Wheel& wheel, const Stage& stage, const Side& side, const SideRow& row,
-               BlockLdlt& blocks, std::span<Vec2> right_side) {
+void load_side(const IslandState& state, const Wheel& wheel, const Stage& stage, const WheelSide& side,
+               const SideRow& row, BlockLdlt& blocks, std::span<Vec2> right_side) {
   const std::array<int, 5> slots = wheel_slots(state, wheel);
   const int groove = slots[2];
-  const std::size_t k = index_of(state, wheel);
+  const std::size_t k = state.index_of(wheel);
   const int dual = state.wheel_dual(k);
   const double tension = state.tensions[state.wheel_tension(k) + (row.sign > 0.0 ? 1 : 0)];
   const CordDef& def = def_of(state, wheel);
@@ -210,7 +171,7 @@ void load_side(const IslandState& state, const Wheel& wheel, const Stage& stage,
 void load_wheel_rows(const IslandState& state, const Stage& stage, BlockLdlt& blocks, std::span<Vec2> right_side) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     const Wheel& wheel = state.wheels[k];
-    const Sides sides = sides_of(state, wheel, state.positions);
+    const WheelSides sides = sides_of(state, wheel, state.positions);
     blocks.make_dual(state.wheel_dual(k));
     right_side[at(state.wheel_dual(k))] = {};
     right_side[state.groove(k)].y = 0.0;
@@ -234,9 +195,9 @@ double wheel_potential(const IslandState& state, std::span<const double> max_ten
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     const Wheel& wheel = state.wheels[k];
     const CordDef& def = def_of(state, wheel);
-    const Sides sides = sides_of(state, wheel, x);
+    const WheelSides sides = sides_of(state, wheel, x);
     const std::size_t tension = state.wheel_tension(k);
-    const auto add = [&](const Side& side, double rest, double max_tension) {
+    const auto add = [&](const WheelSide& side, double rest, double max_tension) {
       if (def.tension_only && side.elongation <= 0.0) return;
       sum += exact_penalty({side.elongation, compliance_of(def, rest)}, max_tension);
     };
@@ -263,7 +224,7 @@ double wheel_work(const IslandState& state) {
   double sum = 0.0;
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     const Wheel& wheel = state.wheels[k];
-    const PulleyDef& def = state.members[wheel.member].cord->state.pulleys[wheel.pulley].def;
+    const PulleyDef& def = pulley_of(state, wheel).def;
     if (def.motor_torque == 0.0) continue;
     const std::size_t groove = state.groove(k);
     const std::size_t tension = state.wheel_tension(k);
@@ -272,168 +233,6 @@ double wheel_work(const IslandState& state) {
     sum += 2.0 * force * std::abs(state.positions[groove].x - state.start.positions[groove].x);
   }
   return sum;
-}
-
-namespace {
-
-constexpr double least_part = 0.1;      // of a link, that is left before or behind a wheel
-constexpr double overrun_margin = 1.2;  // of how far a cord ran that ran too far
-constexpr double least_inertia = 1e-9;  // kg·m², of a wheel that turns on its own
-
-double limit_of_friction(const Pulley& pulley, double before, double after) {
-  const double ratio = exponential(pulley.def.friction * std::max(0.0, pulley.arc));
-  return (ratio - 1.0) * std::max(0.0, std::min(before, after));
-}
-
-/// A wheel can slip under its cord unless it turns at will.
-bool may_slip(const PulleyDef& def) {
-  return std::isfinite(def.friction) && (def.inertia > 0.0 || def.motor_torque > 0.0);
-}
-
-/// The end of a step at a wheel.
-struct WheelEnd {
-  double speed;       // m/s, of the cord
-  double friction;    // N, on the cord along it: what its inertia, its weight and its tensions leave
-  double turning;     // rad/s, of the wheel
-  double motor_sign;  // of a motor that gives its largest torque while the cord slips
-};
-
-/// While the cord slips, the friction is at its limit, and the wheel turns on its own under the friction and the motor.
-WheelEnd end_of(const IslandState& state, std::size_t k) {
-  const Wheel& wheel = state.wheels[k];
-  const Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
-  const std::size_t tension = state.wheel_tension(k);
-  WheelEnd end{};
-  end.speed = state.velocities[state.groove(k)].x;
-  end.friction = wheel.cord_mass * (end.speed - pulley.speed) / state.dt + state.tensions[tension] -
-                 state.tensions[tension + 1] - wheel.weight;
-  end.turning = wheel.sense * end.speed / wheel.radius;
-  if (wheel.slip_sign == 0.0) return end;
-  end.friction = wheel.slip_sign * limit_of_friction(pulley, state.tensions[tension], state.tensions[tension + 1]);
-  const double inertia = std::max(pulley.def.inertia, least_inertia);
-  const double free = pulley.turning - state.dt * wheel.sense * wheel.radius * end.friction / inertia;
-  const double change = state.dt * pulley.def.motor_torque / inertia;
-  end.turning = pulley.def.motor_torque > 0.0 ? std::clamp(pulley.def.motor_speed, free - change, free + change) : free;
-  end.motor_sign =
-      end.turning == pulley.def.motor_speed || change == 0.0 ? 0.0 : std::copysign(1.0, end.turning - free);
-  return end;
-}
-
-/// Returns whether the cord sticks or slips as it was assumed to, and corrects the assumption otherwise.
-bool settle_friction(const IslandState& state, std::size_t k, const WheelEnd& end, Pulley& pulley) {
-  const Wheel& wheel = state.wheels[k];
-  if (!may_slip(pulley.def)) return true;
-  if (wheel.slip_sign != 0.0) {
-    const double relative = end.speed - wheel.sense * wheel.radius * end.turning;
-    if (wheel.slip_sign * relative <= 0.0) return true;
-    pulley.slip_sign = 0.0;
-    pulley.motor_sign = end.motor_sign;
-    return false;
-  }
-  const std::size_t tension = state.wheel_tension(k);
-  const double limit = limit_of_friction(pulley, state.tensions[tension], state.tensions[tension + 1]);
-  if (std::abs(end.friction) <= limit) return true;
-  pulley.slip_sign = std::copysign(1.0, end.friction);
-  return false;
-}
-
-/// Returns whether the motor holds its speed, or gives its largest torque, as it was assumed to.
-bool settle_motor(const IslandState& state, const Wheel& wheel, const WheelEnd& end, Pulley& pulley) {
-  const PulleyDef& def = pulley.def;
-  if (wheel.slip_sign != 0.0 || def.motor_torque == 0.0) return true;
-  if (pulley.motor_sign != 0.0) {
-    if (pulley.motor_sign * (def.motor_speed - end.turning) >= 0.0) return true;
-    pulley.motor_sign = 0.0;
-    return false;
-  }
-  const double torque =
-      wheel.sense * wheel.radius * end.friction + def.inertia * (end.turning - pulley.turning) / state.dt;
-  if (std::abs(torque) <= def.motor_torque) return true;
-  pulley.motor_sign = std::copysign(1.0, torque);
-  return false;
-}
-
-}  // namespace
-
-namespace {
-
-/// Returns whether the points that the wheel has taken up are enough for how far the cord ran, and tells how many more
-/// it needs otherwise.
-bool settle_reach(const IslandState& state, std::size_t k, WheelReach& reach) {
-  const Wheel& wheel = state.wheels[k];
-  const Member& member = state.members[wheel.member];
-  const auto rest = [&](std::size_t slot) { return member.cord->state.rest[slot - member.first_point]; };
-  const double run = state.positions[state.groove(k)].x;
-  if (wheel.lead - run < least_part * rest(wheel.before)) {
-    reach.before = std::max(reach.before, overrun_margin * run);
-    return false;
-  }
-  if (wheel.trail + run < least_part * rest(wheel.after - 1)) {
-    reach.after = std::max(reach.after, -overrun_margin * run);
-    return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-bool settle_wheels(const IslandState& state) {
-  bool settled = true;
-  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
-    const Wheel& wheel = state.wheels[k];
-    Pulley& pulley = state.members[wheel.member].cord->state.pulleys[wheel.pulley];
-    const WheelEnd end = end_of(state, k);
-    WheelReach& reach = state.members[wheel.member].cord->reaches[wheel.pulley];
-    settled = settle_reach(state, k, reach) && settle_friction(state, k, end, pulley) &&
-              settle_motor(state, wheel, end, pulley) && settled;
-  }
-  return settled;
-}
-
-void store_wheels(const IslandState& state, const Member& member) {
-  CordParts& cord = *member.cord;
-  for (std::size_t k = member.first_wheel; k < member.end_wheel; ++k) {
-    const Wheel& wheel = state.wheels[k];
-    Pulley& pulley = cord.state.pulleys[wheel.pulley];
-    const std::size_t groove = state.groove(k);
-    const Sides sides = sides_of(state, wheel, state.positions);
-    const double run = state.positions[groove].x;
-    pulley.lead = wheel.lead - run;
-    WheelEnd end = end_of(state, k);
-    const double rim = wheel.sense * end.speed / wheel.radius;  // the friction takes the wheel no further than that
-    if ((pulley.turning - rim) * (end.turning - rim) < 0.0) end.turning = rim;
-    pulley.angle +=
-        wheel.slip_sign == 0.0 ? wheel.sense * run / wheel.radius : 0.5 * state.dt * (pulley.turning + end.turning);
-    pulley.turning = end.turning;
-    pulley.speed = end.speed;
-    pulley.acceleration = state.accelerations[groove].x;
-    pulley.tension_before = state.tensions[state.wheel_tension(k)];
-    pulley.tension_after = state.tensions[state.wheel_tension(k) + 1];
-
-    const WheelPath path{center_of(state, wheel, state.positions),
-                         wheel.radius,
-                         wheel.sense,
-                         sides.before.line,
-                         sides.after.line,
-                         pulley.lead,
-                         pulley.arc,
-                         trail_of(cord, pulley)};
-    const Vec2 arm = arm_of(state, wheel, state.positions);
-    const Vec2 carried = state.velocities[state.center(wheel.solved_index)] +
-                         state.velocities[state.angle(wheel.solved_index)].x * perp(arm);
-    double distance = 0.0;
-    const int links = pulley.def.after - pulley.def.before;
-    for (int p = pulley.def.before; p < pulley.def.after; ++p) {
-      const double share = links > 1 ? static_cast<double>(p - pulley.def.before) / (links - 1) : 0.0;
-      cord.state.tensions[at(p)] = (1.0 - share) * pulley.tension_before + share * pulley.tension_after;
-      if (p == pulley.def.before) continue;
-      distance += cord.state.rest[at(p - 1)];
-      const PathPlace place = place_on_path(path, distance);
-      cord.state.positions[at(p)] = place.position;
-      cord.state.velocities[at(p)] = carried + pulley.speed * place.along;
-      cord.state.accelerations[at(p)] = pulley.acceleration * place.along;
-    }
-  }
 }
 
 }  // namespace ribbon

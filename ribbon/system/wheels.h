@@ -42,10 +42,4 @@ double wheel_energy(const IslandState& state);
 /// far it ran.
 double wheel_work(const IslandState& state);
 
-/// Returns whether each cord sticks or slips, and each motor holds its speed or not, as assumed in the step. Otherwise
-/// it corrects the assumptions of its pulley, and the step is to be redone.
-bool settle_wheels(const IslandState& state);
-/// Writes the end of the step to the pulleys of a member, and places its points on them.
-void store_wheels(const IslandState& state, const Member& member);
-
 }  // namespace ribbon

@@ -533,7 +533,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0x9578c76ba7441883},
     {"cuts", build_cuts, drive_cuts, 100, 0xb7c3bb8c92b9845f},
     {"listener", build_listener, nullptr, 180, 0x0851c1f89e3a1b7b},
-    {"pulleys", build_pulleys, drive_pulleys, 120, 0xb5c5fdc890890ffd},
+    {"pulleys", build_pulleys, drive_pulleys, 120, 0x24d2c2a81c5fcd12},
     {"wind", build_wind, drive_wind, 150, 0x404e7740368d27e6},
 }};
 

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/pulley.h"
+#include "ribbon/weather.h"
 
 // Random scenes of cords around wheels, with everything that a cord can have and meet.
 
@@ -152,6 +154,17 @@ class Machine {
     def.cord_contact = dice_.chance(0.3);
     if (up) def.pins = {points - 1};
     def.accuracy = accuracy_;
+    if (dice_.chance(0.3)) {
+      ribbon::WeatherDef windy;
+      windy.wind = {dice_.within(-15.0, 15.0), 0.0};
+      windy.gusts = 0.5;
+      windy.water_level = 1.0;
+      weather_.emplace(windy);
+      coupling.set_medium(&*weather_);
+      def.drag_across = 1.2;
+      def.drag_along = 0.02;
+      def.displaced_area = 1e-4;
+    }
     cord_ = coupling.add(Cord(def));
     b2Body& wall = add_body({0.0, 10.0}, 1.0, b2_staticBody, 0.1, false);
     b2Body* block = nullptr;
@@ -209,14 +222,24 @@ class Machine {
           break;
         }
         case 4: coupling.pulley(pulley).remove(); break;
+        case 5: tie(id, ids); break;
         default: break;
       }
     } catch (const ribbon::CallError&) {  // the pulley is gone, or the place is on a wheel
     }
   }
 
+  /// Ties the ends of two cords that are near each other.
+  void tie(CordId id, const std::vector<CordId>& ids) {
+    const CordId other = ids[static_cast<std::size_t>(dice_.whole(0, static_cast<int>(ids.size()) - 1))];
+    const int point = dice_.whole(0, coupling.cord(id).direct().size() - 1);
+    const Vec2 x = coupling.cord(id).positions()[static_cast<std::size_t>(point)];
+    if (length(x - coupling.cord(other).positions()[0]) < 0.5) coupling.tie({id, point, other, 0});
+  }
+
   Dice dice_;
   Accuracy accuracy_;
+  std::optional<ribbon::Weather> weather_;
   std::vector<PulleyDef> wheels_;
   std::vector<PulleyId> pulleys_;
   CordId cord_ = 0;

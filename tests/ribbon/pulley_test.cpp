@@ -213,6 +213,86 @@ TEST(Pulley, KeepsTheEnergyAndTheLength) {
   }
 }
 
+/// Besides those on the arc, a wheel has at most the points within 0.7 of a link and one and a half steps on each side.
+TEST(Pulley, TakesPointsUpAndLetsThemGo) {
+  for (const double right : {20.0, 5.0}) {
+    Atwood atwood;
+    atwood.right = right;
+    Machine machine(atwood);
+    const int before = machine.pulley().def.before;
+    for (int k = 0; k < 70; ++k) {
+      machine.step();
+      const Pulley& pulley = machine.pulley();
+      const double link = machine.cord.rest_length(0);
+      const double side = 1.7 * link + 1.5 * std::abs(pulley.speed) * dt;
+      EXPECT_LE((pulley.def.after - pulley.def.before) * link, 0.2 * pulley.arc + 2.0 * side) << right << ' ' << k;
+      EXPECT_GT(pulley.lead, 0.0);
+    }
+    EXPECT_GT(std::abs(machine.pulley().def.before - before), 5) << right;
+  }
+}
+
+/// A cord over a wheel between two ends that are lifted above it bends away from it, and lies against a keeper.
+TEST(Pulley, KeepsACordThatBendsAway) {
+  const PulleyDef wheel{.center = {}, .radius = 0.2, .counterclockwise = false};
+  const ReevedCord reeved = reeve({-1.0, -0.5}, {&wheel, 1}, {1.0, -0.5}, 41);
+  CordDef def;
+  def.points = 41;
+  def.length = reeved.length;
+  def.positions = reeved.positions;
+  def.stretch_stiffness = 1e4;
+  def.pins = {0, 40};
+  Machine machine((Atwood()));
+  machine.wall.position = {};
+  machine.cord = Cord(def);
+  machine.cord.add_pulley(reeved.pulleys[0]);
+  const auto move_ends = [&](double y) {
+    const double from = machine.cord.positions()[0].y;
+    for (int k = 1; k <= 120; ++k) {
+      const double now = from + (y - from) * k / 120.0;
+      machine.cord.constrain(0, {-1.0, now});
+      machine.cord.constrain(40, {1.0, now});
+      machine.step();
+    }
+    machine.step(60);
+  };
+  move_ends(1.0);
+  EXPECT_TRUE(machine.pulley().kept);
+  EXPECT_EQ(machine.pulley().arc, 0.0);
+  EXPECT_LT(length(machine.pulley().arrival - Vec2{0.0, 1.0}), 0.05) << "at the top of the wheel";
+  const double side = length(Vec2{1.0, 0.8});
+  EXPECT_NEAR(machine.pulley().tension_before / (1e4 * (2.0 * side / def.length - 1.0)), 1.0, 0.02);
+  move_ends(-0.5);
+  EXPECT_FALSE(machine.pulley().kept);
+  EXPECT_GT(machine.pulley().arc, 0.5);
+  EXPECT_EQ(machine.unconverged, 0);
+}
+
+/// What is tied to a cord stops it before the wheel.
+TEST(Pulley, StopsAtATie) {
+  Atwood atwood;
+  atwood.right = 20.0;
+  Machine machine(atwood);
+  CordDef def = hanging(6, 0.5);
+  def.pins = {};
+  const Vec2 at_tie = machine.cord.positions()[15];
+  for (Vec2& x : def.positions) x += at_tie;
+  Cord other(def);
+  DirectSolver solver;
+  const Axle axle{0, {}};
+  const Tie tie{0, 15, 1, 0};
+  std::vector<CordReport> reports(2);
+  std::vector<IslandCord> cords{{&machine.cord, {}, 1}, {&other, {}, 2}};
+  cords[0].surroundings.axles = {&axle, 1};
+  for (int k = 0; k < 150; ++k) {
+    solver.step(cords, {&machine.wall, 1}, dt, gravity, reports, {&tie, 1});
+    ASSERT_GE(machine.pulley().def.before, 15) << k;
+  }
+  EXPECT_LT(length(other.positions()[0] - machine.cord.positions()[15]), 1e-9);
+  EXPECT_EQ(machine.pulley().def.before, 15);
+  EXPECT_LT(std::abs(machine.pulley().speed), 0.05);
+}
+
 /// Where the cord cannot run on, because its end has reached the wheel, it stops, and stays.
 TEST(Pulley, StopsAtTheEndOfTheCord) {
   Atwood atwood;

@@ -172,26 +172,9 @@ TEST(CuttingARibbonAlong, RefusesWhatCannotBeCut) {
 }
 
 TEST(CuttingARibbonAlong, IsRefusedInsideTheStepOfTheWorld) {
-  struct Listener : b2ContactListener {
-    void BeginContact(b2Contact* /*contact*/) override {
-      message = refusal<CallError>([this] { coupling->cord(0).cut_along(2); });
-    }
-    Coupling* coupling = nullptr;
-    std::string message;
-  } listener;
   LoadedRibbon scene;
-  listener.coupling = &scene.coupling;
-  scene.world.SetContactListener(&listener);
-  for (const float y : {0.0F, 0.3F}) {
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.position.Set(20.0F, y);
-    b2CircleShape circle;
-    circle.m_radius = 0.2F;
-    scene.world.CreateBody(&def)->CreateFixture(&circle, 1.0F);
-  }
-  scene.tick(2);
-  EXPECT_TRUE(says(listener.message, "world is locked"));
+  const std::string refused = refusal_in_step<CallError>(scene, [&scene] { scene.coupling.cord(0).cut_along(2); });
+  EXPECT_TRUE(says(refused, "world is locked"));
   EXPECT_EQ(scene.coupling.size(), 2);
 }
 

@@ -167,26 +167,9 @@ TEST(CuttingACord, RefusesWhatCannotBeCut) {
 }
 
 TEST(CuttingACord, IsRefusedInsideTheStepOfTheWorld) {
-  struct Listener : b2ContactListener {
-    void BeginContact(b2Contact* /*contact*/) override {
-      message = refusal<CallError>([this] { coupling->cord(0).cut(5.0); });
-    }
-    Coupling* coupling = nullptr;
-    std::string message;
-  } listener;
   LoadedRope scene;
-  listener.coupling = &scene.coupling;
-  scene.world.SetContactListener(&listener);
-  for (const float y : {0.0F, 0.3F}) {
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.position.Set(20.0F, y);
-    b2CircleShape circle;
-    circle.m_radius = 0.2F;
-    scene.world.CreateBody(&def)->CreateFixture(&circle, 1.0F);
-  }
-  scene.tick(2);
-  EXPECT_TRUE(says(listener.message, "world is locked"));
+  const std::string refused = refusal_in_step<CallError>(scene, [&scene] { scene.coupling.cord(0).cut(5.0); });
+  EXPECT_TRUE(says(refused, "world is locked"));
   EXPECT_EQ(scene.coupling.size(), 1);
 }
 

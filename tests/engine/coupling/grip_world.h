@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/points.h"
+#include "tests/support/refusal.h"
 
 namespace engine {
 
@@ -51,6 +53,29 @@ struct GripWorld {
   b2World world{b2Vec2(0.0F, -static_cast<float>(g))};
   ribbon::box2d::Coupling coupling;
 };
+
+/// Returns the message of the `Error` that a call throws inside the step of a world, when two balls far away meet.
+template <typename Error, typename Call>
+std::string refusal_in_step(GripWorld& scene, const Call& call) {
+  struct Listener : b2ContactListener {
+    explicit Listener(const Call& to_try) : call(to_try) {}
+    void BeginContact(b2Contact* /*contact*/) override { message = test_support::refusal<Error>(call); }
+    const Call& call;
+    std::string message = "no step";
+  } listener(call);
+  scene.world.SetContactListener(&listener);
+  for (const float y : {0.0F, 0.3F}) {
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(20.0F, y);
+    b2CircleShape circle;
+    circle.m_radius = 0.2F;
+    scene.world.CreateBody(&def)->CreateFixture(&circle, 1.0F);
+  }
+  scene.tick(2);
+  scene.world.SetContactListener(nullptr);
+  return listener.message;
+}
 
 /// A cord of 10 m that hangs straight down from (x, 0).
 inline CordDef hanging(double x = 0.0) {

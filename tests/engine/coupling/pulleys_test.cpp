@@ -7,6 +7,7 @@
 
 #include "engine/replay/solver_step.h"
 #include "ribbon/pulley.h"
+#include "ribbon/weather.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/allocations.h"
 #include "tests/support/freed_body.h"
@@ -253,6 +254,80 @@ TEST(Pulleys, WorkBesideEverythingElse) {
   }
 }
 
+/// A winch at the first end lifts what hangs at the other one by as much as it winds up.
+TEST(Pulleys, LetAWinchLift) {
+  BodiesOverAWheel scene(10.0, 12.0);
+  Cord& cord = scene.coupling.cord(scene.cord).direct();
+  scene.coupling.cord(scene.cord).pin(0, cord.positions()[0]);
+  scene.tick(30);
+  const double before = scene.coupling.cord(scene.cord).positions().back().y;
+  double part = 0.0;
+  for (int link = 0; link < 20; ++link) part += cord.rest_length(link);
+  cord.reel(0, 20, part - 0.5, 0.25);
+  scene.tick(240);
+  EXPECT_NEAR(scene.coupling.cord(scene.cord).positions().back().y - before, 0.5, 2e-3);
+  EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
+}
+
+TEST(Pulleys, HaveAnErrorEstimate) {
+  BodiesOverAWheel scene;
+  scene.coupling.estimate_errors(true);
+  scene.tick(30);
+  EXPECT_GT(scene.coupling.cord(scene.cord).error(), 0.0);
+  EXPECT_LT(scene.coupling.cord(scene.cord).error(), 1e-3);
+}
+
+/// Bodies that stand on the cord beside a wheel, wind, and a wheel that moves.
+TEST(Pulleys, RunOnAMovingBodyInTheWind) {
+  ribbon::WeatherDef windy;
+  windy.wind = {15.0, 0.0};
+  const ribbon::Weather weather(windy);
+  BodiesOverAWheel scene(10.0, 10.0);
+  scene.coupling.remove(scene.cord);
+  const ReevedCord reeved = ribbon::reeve({-0.25, 1.5}, {&scene.wheel, 1}, {0.25, 1.5}, 61);
+  CordDef def;
+  def.points = 61;
+  def.length = reeved.length;
+  def.positions = reeved.positions;
+  def.drag_across = 1.2;
+  const CordId cord = scene.coupling.add(Cord(def));
+  b2Body* const crane = scene.add_body({0.0, 5.0}, 1.0, b2_kinematicBody);
+  crane->SetLinearVelocity({0.0F, 0.2F});
+  const PulleyId pulley = scene.coupling.add_pulley(cord, *crane, reeved.pulleys[0]);
+  for (b2Body* const body : {scene.left, scene.right}) {
+    scene.coupling.hold(*body, {.cord = cord, .arc = body == scene.left ? 0.0 : reeved.length});
+  }
+  scene.coupling.set_medium(&weather);
+  scene.tick(120);
+  EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
+  EXPECT_NEAR(scene.coupling.pulley(pulley).state().center.y, 5.4, 1e-3);
+  for (const b2Body* const body : {scene.left, scene.right}) {
+    EXPECT_NEAR(static_cast<double>(body->GetPosition().y), 1.9, 0.15);
+  }
+  EXPECT_NEAR(scene.coupling.pulley(pulley).state().tension_before / (10.0 * g), 1.0, 0.1);
+}
+
+TEST(Pulleys, RefuseWhatIsHeldOnAWheel) {
+  BodiesOverAWheel scene;
+  const PulleyDef wheel = scene.state().def;
+  const auto arc = 0.5 * (wheel.before + wheel.after) * scene.coupling.cord(scene.cord).direct().rest_length(0);
+  b2Body* const hand = scene.add_body({0.0, 5.25}, 1.0);
+  EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.hold(*hand, {.cord = scene.cord, .arc = arc}); }),
+                   "a grip is on a wheel of cord 0"));
+  const CordId other = scene.coupling.add(Cord(hanging(3.0)));
+  const ribbon::box2d::TieDef tie{scene.cord, wheel.before + 1, other, 3};
+  EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.tie(tie); }), "a tie is on a wheel of cord 0"));
+  scene.coupling.pulley(scene.pulley).remove();
+  const auto grip = scene.coupling.hold(*hand, {.cord = scene.cord, .arc = arc});
+  EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.add_pulley(scene.cord, *scene.wall, wheel); }),
+                   "grip 3 is between points"));
+  scene.coupling.grip(grip).release();
+  scene.coupling.tie(tie);
+  EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.add_pulley(scene.cord, *scene.wall, wheel); }),
+                   "tie 1 is between points"));
+  EXPECT_TRUE(scene.coupling.cord(scene.cord).direct().pulleys().empty()) << "nothing was changed";
+}
+
 TEST(Pulleys, RefuseWhatCannotBe) {
   BodiesOverAWheel scene;
   const PulleyDef wheel = scene.state().def;
@@ -270,6 +345,8 @@ TEST(Pulleys, RefuseWhatCannotBe) {
   EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.pulley(1).remove(); }), "between gather and apply"));
   scene.coupling.step();
   scene.coupling.apply();
+  EXPECT_TRUE(scene.coupling.pulley(1).is_valid());
+  EXPECT_TRUE(says(refusal_in_step<CallError>(scene, [&] { scene.coupling.pulley(1).remove(); }), "world is locked"));
   EXPECT_TRUE(scene.coupling.pulley(1).is_valid());
 }
 
