@@ -73,6 +73,9 @@ void CompliantContacts::load(const ContactState& state, const ContactForces& for
 ///
 ///     force      −∇(½·k·depth²) = k·depth·∇d
 ///     Hessian    k·∇d·∇dᵀ + f·(rotation_row)²/d + max(0, f·n·lever), the last at the angle of the disc's body
+///
+/// −δ²d is 0 for a segment that cannot turn. Its positive part would slow down what slides along the segment, as long
+/// as it is not iterated away.
 void CompliantContacts::load_normal(const ContactState& state, const ActiveContact& contact, double predicted,
                                     BlockLdlt& matrix, std::span<Vec2> force) {
   const ContactPair& pair = state.scene.pairs[contact.pair];
@@ -81,7 +84,8 @@ void CompliantContacts::load_normal(const ContactState& state, const ActiveConta
   const SlotRow& normal = normal_rows_.emplace_back(normal_row(anchors, pair, gap));
   normal.push(pair.stiffness * state.scene.pairs.depth(contact.pair, gap), force);
   matrix.add_outer(pair.stiffness, normal.slots(), normal.derivatives());
-  if (gap.is_interior() && gap.distance > 0.0) {
+  const bool turns = !(anchors.anchors.is_kinematic(pair.a) && anchors.anchors.is_kinematic(pair.b));
+  if (turns && gap.is_interior() && gap.distance > 0.0) {
     const SlotRow rotation = rotation_row(anchors, pair, gap);
     matrix.add_outer(predicted / gap.distance, rotation.slots(), rotation.derivatives());
   }

@@ -31,8 +31,7 @@ bool Contacts::changed_at(std::span<const Vec2> x) {
 
 void Contacts::store(std::span<const Vec2> x) {
   active.update(scene, x);
-  for (std::size_t k = 0; k < scene.pairs.size(); ++k) scene.pairs[k].touch.impulse += impacts.impulse(k);
-  if (impacts.records_pushes()) store_pushes();
+  store_impacts();
   // The depth does not determine the force of a linearised contact, because its normal and position are fixed.
   std::span<const double> known;
   if (linearised.has_forces()) known = forces.normal;
@@ -40,15 +39,16 @@ void Contacts::store(std::span<const Vec2> x) {
 }
 
 /// A pair that was hit and is apart now gets the normal and the point of the hit.
-void Contacts::store_pushes() {
+void Contacts::store_impacts() {
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
-    const Impacts::Push& push = impacts.push(k);
-    if (push.impulse == Vec2{}) continue;
+    const double impulse = impacts.impulse(k);
+    const Vec2 push = impacts.push(k);
+    if (impulse == 0.0 && push == Vec2{}) continue;
     ContactPair& pair = scene.pairs[k];
-    const bool is_of_cord = scene.anchors.is_point(pair.disc);
-    pair.touch.push += is_of_cord ? -push.impulse : push.impulse;
-    pair.touch.normal = push.normal;
-    pair.touch.point = push.point;
+    pair.touch.impulse += impulse;
+    pair.touch.push += scene.anchors.is_point(pair.disc) ? -push : push;
+    pair.touch.normal = impacts.place(k).normal;
+    pair.touch.point = impacts.place(k).point;
   }
 }
 
@@ -62,36 +62,17 @@ double Contacts::energy_of_forces() const {
 }
 
 void Contacts::record_impacts(std::span<const Vec2> x, double duration) {
-  if (impacts.records_pushes()) record_pushes(x, duration);
-  if (linearised.has_forces()) {
-    for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
-      if (forces.normal[k] > 0.0) impacts.record(k, duration * forces.normal[k]);
-    }
-    return;
-  }
-  for (const ActiveContact& contact : active.all()) {
-    const double depth = scene.pairs.depth(contact.pair, contact.gap);
-    impacts.record(contact.pair, duration * scene.pairs[contact.pair].stiffness * depth);
-  }
-}
-
-void Contacts::record_pushes(std::span<const Vec2> x, double duration) {
   const AnchorState anchors = active.state(scene.anchors, x);
-  const auto record = [&](const ActiveContact& contact, double normal, double friction) {
-    const ContactPair& pair = scene.pairs[contact.pair];
-    const Vec2 force = normal * contact.gap.normal + friction * contact.gap.tangent;
-    const Vec2 point = anchors[pair.disc] - pair.disc_radius * contact.gap.normal;
-    impacts.record_push(contact.pair, {duration * force, contact.gap.normal, point});
-  };
-  if (linearised.has_forces()) {
-    for (const ActiveContact& contact : linearised.all()) {
-      record(contact, forces.normal[contact.pair], forces.friction[contact.pair]);
-    }
-    return;
-  }
-  for (const ActiveContact& contact : active.all()) {
-    const double normal = scene.pairs[contact.pair].stiffness * scene.pairs.depth(contact.pair, contact.gap);
-    record(contact, normal, CompliantContacts::friction_force(state(x), contact, normal));
+  const bool linear = linearised.has_forces();
+  for (const ActiveContact& contact : linear ? linearised.all() : active.all()) {
+    const auto& [k, gap] = contact;
+    const ContactPair& pair = scene.pairs[k];
+    const double normal = linear ? forces.normal[k] : pair.stiffness * scene.pairs.depth(k, gap);
+    const Impacts::Place place{gap.normal, anchors[pair.disc] - pair.disc_radius * gap.normal};
+    if (!linear || normal > 0.0) impacts.record(k, duration * normal, place);
+    if (!impacts.records_pushes()) continue;
+    const double friction = linear ? forces.friction[k] : CompliantContacts::friction_force(state(x), contact, normal);
+    impacts.record_push(k, duration * (normal * gap.normal + friction * gap.tangent), place);
   }
 }
 

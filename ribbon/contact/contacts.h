@@ -74,8 +74,7 @@ struct Contacts {
 
  private:
   ContactState state(std::span<const Vec2> x) const { return {scene, active, slip_reference, x}; }
-  void record_pushes(std::span<const Vec2> x, double duration);
-  void store_pushes();
+  void store_impacts();
   void set_path(std::span<const Vec2> from, std::span<const Vec2> to);
 };
 

@@ -11,42 +11,52 @@ constexpr double min_restitution_speed = 0.5;  // m/s
 }  // namespace
 
 void Impacts::clear() {
-  is_hit_.clear();
-  impulses_.clear();
-  pushes_.clear();
+  for (auto* values : {&impulses_, &start_impulses_}) values->clear();
+  for (auto* values : {&pushes_, &start_pushes_}) values->clear();
+  places_.clear();
 }
 
 void Impacts::begin_substep(const ContactPairs& pairs) {
-  assign_by_pair(is_hit_, pairs, '\0');
-  impulses_.reserve(pairs.capacity());
-  impulses_.resize(pairs.size());
-  if (!records_pushes_) return;
-  pushes_.reserve(pairs.capacity());
-  pushes_.resize(pairs.size());
+  const auto begin = [&pairs](auto& values, auto& start) {
+    values.reserve(pairs.capacity());
+    values.resize(pairs.size());
+    start.reserve(pairs.capacity());
+    start = values;
+  };
+  begin(impulses_, start_impulses_);
+  places_.reserve(pairs.capacity());
+  places_.resize(pairs.size());
+  if (records_pushes_) begin(pushes_, start_pushes_);
 }
 
-void Impacts::record(std::size_t pair, double impulse) {
-  is_hit_[pair] = 1;
+void Impacts::return_to_start() {
+  impulses_ = start_impulses_;
+  if (records_pushes_) pushes_ = start_pushes_;
+}
+
+void Impacts::record(std::size_t pair, double impulse, const Place& place) {
   impulses_[pair] += impulse;
+  places_[pair] = place;
 }
 
-void Impacts::record_push(std::size_t pair, const Push& push) {
-  const Vec2 before = pushes_[pair].impulse;
-  pushes_[pair] = push;
-  pushes_[pair].impulse += before;
+void Impacts::record_push(std::size_t pair, Vec2 push, const Place& place) {
+  pushes_[pair] += push;
+  places_[pair] = place;
 }
 
 void Impacts::scale_impulses(double factor) {
   for (double& impulse : impulses_) impulse = factor == 0.0 ? 0.0 : factor * impulse;
-  for (Push& push : pushes_) push.impulse = factor == 0.0 ? Vec2{} : factor * push.impulse;
+  for (Vec2& push : pushes_) push = factor == 0.0 ? Vec2{} : factor * push;
 }
 
-bool Impacts::any() const { return std::find(is_hit_.begin(), is_hit_.end(), 1) != is_hit_.end(); }
+bool Impacts::any() const {
+  return std::any_of(impulses_.begin(), impulses_.end(), [](double impulse) { return impulse > 0.0; });
+}
 
 bool Impacts::touch_kinematic(const ContactScene& scene) const {
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];
-    if (is_hit_[k] == 0) continue;
+    if (!is_hit(k)) continue;
     if (scene.anchors.is_kinematic(pair.disc) || scene.anchors.is_kinematic(pair.a)) return true;
   }
   return false;
@@ -60,7 +70,7 @@ bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> 
   const AnchorState state = active.state(scene.anchors, x);
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];
-    if (is_hit_[k] == 0) continue;
+    if (!is_hit(k)) continue;
     const Separation gap = find_separation(state[pair.disc], state[pair.a], state[pair.b]);
     if (!(gap.distance < 2.0 * pair.contact_distance) || !is_local_minimum(pair, gap, state.positions)) continue;
     const SlotRow normal = normal_row(state, pair, gap);
@@ -105,15 +115,13 @@ void Impacts::take_restitution(const ContactPairs& pairs, const ActiveContacts& 
     const auto& [k, gap] = contacts[i];
     const double left = separations_[i] - normal_row(state, pairs[k], gap).along(step);
     const Vec2 point = state[pairs[k].disc] - pairs[k].disc_radius * gap.normal;
-    restitution_.emplace_back(k, Push{(pairs[k].stiffness * left) * gap.normal, gap.normal, point});
+    restitution_.push_back({k, (pairs[k].stiffness * left) * gap.normal, {gap.normal, point}});
   }
 }
 
 void Impacts::record_restitution(double share, double dt) {
   if (!records_pushes_) return;
-  for (const auto& [pair, push] : restitution_) {
-    record_push(pair, {(share * dt) * push.impulse, push.normal, push.point});
-  }
+  for (const Push& push : restitution_) record_push(push.pair, (share * dt) * push.force, push.place);
 }
 
 }  // namespace ribbon

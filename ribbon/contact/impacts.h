@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "ribbon/contact/active_contacts.h"
@@ -14,27 +13,30 @@ namespace ribbon {
 class Impacts {
  public:
   void clear();
-  /// Starts a substep: no pair has had a force yet. Impulses remain, because a substep may be a part of another.
+  /// Starts a substep, or a part of one. Impulses remain.
   void begin_substep(const ContactPairs& pairs);
+  /// Returns to the impulses at its start.
+  void return_to_start();
+  /// Where a pair was hit last.
+  struct Place {
+    Vec2 normal;  // see Touch
+    Vec2 point;   // m, the same
+  };
   /// Adds to the impulse of a pair, N·s.
-  void record(std::size_t pair, double impulse);
+  void record(std::size_t pair, double impulse, const Place& place);
   /// Starts a step: pushes are recorded in it or not.
   void record_pushes(bool wanted) { records_pushes_ = wanted; }
   bool records_pushes() const { return records_pushes_; }
-  /// An impulse on the disc of a pair, and where it acted last.
-  struct Push {
-    Vec2 impulse;  // N·s
-    Vec2 normal;   // see Touch
-    Vec2 point;    // m, the same
-  };
-  /// Adds to the impulse that the disc of a pair gets.
-  void record_push(std::size_t pair, const Push& push);
+  /// Adds to the whole impulse that the disc of a pair gets, N·s.
+  void record_push(std::size_t pair, Vec2 push, const Place& place);
   /// Multiplies all impulses; 0 clears them.
   void scale_impulses(double factor);
   /// N·s.
   double impulse(std::size_t pair) const { return impulses_[pair]; }
-  /// What the disc of a pair got. Pushes must be recorded.
-  const Push& push(std::size_t pair) const { return pushes_[pair]; }
+  /// Returns what the disc of a pair got, N·s; zero unless pushes are recorded.
+  Vec2 push(std::size_t pair) const { return records_pushes_ ? pushes_[pair] : Vec2{}; }
+  /// The pair must have been hit.
+  const Place& place(std::size_t pair) const { return places_[pair]; }
   bool any() const;
   /// Returns whether any of the pairs contains a kinematic body.
   bool touch_kinematic(const ContactScene& scene) const;
@@ -59,12 +61,22 @@ class Impacts {
  private:
   static double kinematic_speed(const ContactPair& pair, const Separation& gap, const AnchorState& state);
 
-  std::vector<char> is_hit_;         // by pair
-  std::vector<double> impulses_;     // N·s, by pair
-  std::vector<double> separations_;  // m, of the active contacts, during restitution
+  struct Push {
+    std::size_t pair;
+    Vec2 force;  // N, on its disc in the solution
+    Place place;
+  };
+
+  bool is_hit(std::size_t pair) const { return impulses_[pair] > 0.0; }
+
+  std::vector<double> impulses_;        // N·s, by pair
+  std::vector<double> start_impulses_;  // N·s, at the start of the substep
+  std::vector<Place> places_;           // by pair
+  std::vector<double> separations_;     // m, of the active contacts, during restitution
   bool records_pushes_ = false;
-  std::vector<Push> pushes_;                               // by pair
-  std::vector<std::pair<std::size_t, Push>> restitution_;  // pairs, and what their discs get in the solution, in N
+  std::vector<Vec2> pushes_;        // N·s, by pair
+  std::vector<Vec2> start_pushes_;  // N·s, at the start of the substep
+  std::vector<Push> restitution_;
 };
 
 }  // namespace ribbon

@@ -114,8 +114,8 @@ double LinearisedStep::next_piece(const StepContext& context, double time, doubl
 LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, double time, double dt,
                                                  ContactSolve solve) const {
   IslandState& state = context.state;
-  context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
+  context.begin_substep(time, dt);
   Piece piece{};
   if (!state.driven) {
     piece.before = EnergyGuard::total_energy(state, context.contacts);

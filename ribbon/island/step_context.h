@@ -30,7 +30,7 @@ struct StepContext {
   /// Returns to the start of the substep.
   void return_to_start() const {
     contacts.scene.anchors.place_kinematics(state.start.time);
-    contacts.impacts.scale_impulses(0.0);
+    contacts.impacts.return_to_start();
     state.return_to_start();
   }
   /// Counts a substep that is kept although it did not converge, with the residuals of the island and of each member.

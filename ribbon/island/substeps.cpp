@@ -40,8 +40,8 @@ void Substeps::resize(std::size_t slots, std::size_t tensions) {
 }
 
 bool Substeps::take(const StepContext& context, double time, double dt, Restitution& restitution) {
-  context.begin_substep(time, dt);
   context.contacts.impacts.scale_impulses(0.0);
+  context.begin_substep(time, dt);
   const Cord::Energy before = context.energy_before();
   if (!take_second_order(context, time, dt, before)) {
     if (take_damped(context, time, dt, before)) {
@@ -134,6 +134,7 @@ bool Substeps::take_halved(const StepContext& context, double time, double dt, c
     if (k == max_tighter_retries || work.halving_is_over(state.unlocking)) break;
     ++work.report.energy_gains;
     context.return_to_start();
+    context.contacts.impacts.scale_impulses(0.0);
     state.tolerance = std::max(1e-2 * state.tolerance, state.min_tolerance);
   }
   state.tolerance = tolerance;

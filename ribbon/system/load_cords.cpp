@@ -213,11 +213,11 @@ void load_body(IslandState& state, std::size_t k) {
   state.positions[angle] = {};
   state.velocities[center] = body.velocity + body.inverse_mass * body.impulse;
   state.velocities[angle] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
-  state.accelerations[center] = {};
+  const bool kinematic = body.inverse_mass == 0.0;
+  state.accelerations[center] = kinematic ? Vec2{} : body.acceleration;  // that of a body which holds no cord
   state.accelerations[angle] = {};
   state.free_accelerations[center] = body.acceleration;
   state.free_accelerations[angle] = {};
-  const bool kinematic = body.inverse_mass == 0.0;
   state.masses[center] = kinematic ? 0.0 : 1.0 / body.inverse_mass;
   state.masses[angle] = kinematic ? 0.0 : solved.turns ? 1.0 / body.inverse_inertia : 1.0;
   state.constrained[center] = kinematic ? 1 : 0;

@@ -28,7 +28,7 @@ std::vector<Move> round_the_pegs() {
 std::vector<Move> rolling_bridge() { return {run_past(29.0), run_past(42.0), until_goal(right)}; }
 
 std::vector<Move> trampoline() {
-  return {run_past(6.2), jump(right, 20), bounce(12.5, 13.2), run_past(24.2), jump(right), until_goal(right)};
+  return {run_past(6.2), jump(right, 20), bounce(13.0, 12.9), run_past(24.2), jump(right), until_goal(right)};
 }
 
 std::vector<Move> curtains() {

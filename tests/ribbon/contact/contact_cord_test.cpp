@@ -75,6 +75,48 @@ TEST_P(CordBridge, ABallRestsOnItWithoutDriftOrJitter) {
 INSTANTIATE_TEST_SUITE_P(MassRatios, CordBridge, testing::Values(0.01, 0.1, 1.0, 10.0, 100.0));
 
 /// A cord of 50 points falls over 20 circles in a valley, and comes to rest on them.
+/// A body near a cord falls as any other one.
+TEST(CordContact, LeavesABallThatDoesNotTouchItAlone) {
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    CordDef def = bridge_def();
+    def.accuracy = accuracy;
+    ContactWorld world(def);
+    world.add_ball(def.positions[20] + Vec2{0.0, 0.28}, 0.25, 1.0, 0.5);
+    world.body(0).velocity = {0.3, 0.5};
+    int solved = 0;  // with the cord
+    for (int k = 1; k <= 6; ++k) {
+      world.step();
+      solved += world.body(0).solved ? 1 : 0;
+      EXPECT_LE(length(world.body(0).velocity - Vec2{0.3, 0.5 - 9.81 * k * world.dt}), 1e-12) << k;
+    }
+    EXPECT_GE(solved, 3);
+    EXPECT_TRUE(world.cord.touches().empty());
+  }
+}
+
+/// Also of a contact that begins and ends within a step.
+TEST(CordContact, ReportsWhereABallWasHit) {
+  int parted = 0;
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    CordDef def = bridge_def();
+    def.accuracy = accuracy;
+    for (const double mass : {0.01, 0.1, 1.0}) {
+      ContactWorld world(def);
+      world.add_ball(def.positions[20] + Vec2{0.0, 0.5}, 0.25, mass, 0.5);
+      world.circles[0].restitution = 0.8;
+      for (int k = 0; k < 120; ++k) {
+        world.step();
+        for (const Touch& touch : world.cord.touches()) {
+          parted += touch.force == 0.0 ? 1 : 0;
+          EXPECT_NEAR(length(touch.normal), 1.0, 1e-12);
+          EXPECT_NEAR(length(touch.point - world.body(0).position), 0.25, 0.1) << k;
+        }
+      }
+    }
+  }
+  EXPECT_GT(parted, 0) << "no contact began and ended within a step";
+}
+
 TEST(CordContact, ComesToRestOverTwentyCircles) {
   CordDef def;
   def.points = 50;

