@@ -71,6 +71,7 @@ void EnergyGuard::store(const IslandState& state) const {
 Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   Energy sum;
   sum.elastic = wheel_energy(state);
+  sum.potential = wheel_load_energy(state);
   const std::vector<Vec2>& x = state.positions;
   for (const Member& member : state.members) {
     const CordParts& cord = *member.cord;

@@ -66,9 +66,11 @@ struct Wheel {
   double wheel_mass = 0.0;       ///< kg, moment of inertia by the square of the radius
   double torque_force = 0.0;     ///< N, of the motor along the cord
   double weight = 0.0;           ///< N, of the points on the wheel, along the cord
-  double slip_sign = 0.0;        ///< sign of the friction on the cord along it while it slips; 0 while it does not
-  double ratio = 1.0;            ///< e^(μ·α), of the tensions while it slips
-  bool driven = false;           ///< the motor holds its speed
+  double gravity = 0.0;          ///< N, of them along the cord, at the start of the step
+  Vec2 load;               ///< N, on the axle, beside the tensions and what the mass of the cord has as the body's
+  double slip_sign = 0.0;  ///< sign of the friction on the cord along it while it slips; 0 while it does not
+  double ratio = 1.0;      ///< e^(μ·α), of the tensions while it slips
+  bool driven = false;     ///< the motor holds its speed
 };
 
 /// A gap between tied slots, which the step closes in part.

@@ -58,7 +58,7 @@ double wheel_mass(const PulleyDef& def) { return def.inertia / (def.radius * def
 Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
   check(def, cord.def.points);
   if (cord.def.rows > 1 || cord.def.bending_stiffness > 0.0) {
-    throw CallError("a pulley is for a rope without bending stiffness");
+    throw CallError("a ribbon or a stiff cord has no pulley; accepted is a rope without bending stiffness");
   }
   for (int p = def.before + 1; p < def.after; ++p) {
     if (cord.state.kinds[at(p)] == PointKind::free) continue;
@@ -180,12 +180,16 @@ class PointMover {
   }
 
   /// The cord is kept from where its angle of contact has become negative until it bends towards the wheel again. Both
-  /// lines meet the groove at one place then.
+  /// lines meet the groove at one place then: in the middle, unless less of a part is there than that takes.
   void meet_keeper() {
     if (!pulley_.kept && pulley_.arc < 0.0) {
-      const Vec2 middle = pulley_.arrival + pulley_.departure;
-      pulley_.lead += 0.5 * radius() * pulley_.arc;
-      pulley_.arrival = pulley_.departure = (1.0 / length(middle)) * middle;
+      const double taken = -radius() * pulley_.arc;
+      const double most = pulley_.lead - left_of_link * rest(pulley_.def.before);
+      const double least = taken - (trail() - left_of_link * rest(pulley_.def.after - 1));
+      const double share = std::clamp(std::max(least, std::min(most, 0.5 * taken)) / taken, 0.0, 1.0);
+      const Vec2 between = (1.0 - share) * pulley_.arrival + share * pulley_.departure;
+      pulley_.lead -= share * taken;
+      pulley_.arrival = pulley_.departure = (1.0 / length(between)) * between;
       pulley_.arc = 0.0;
       pulley_.kept = true;
     } else if (pulley_.kept && sense_ * cross(in().along, out().along) > 0.0) {

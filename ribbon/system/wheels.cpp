@@ -64,6 +64,36 @@ double common_speed(const Wheel& wheel, const Pulley& pulley) {
   return pulley.speed + wheel.wheel_mass / (wheel.cord_mass + wheel.wheel_mass) * (rim - pulley.speed);
 }
 
+/// Returns the sum of the forces on the points of a wheel along the cord, N.
+template <typename Force>
+double along_wheel(const IslandState& state, const Wheel& wheel, Force&& force) {
+  const CordParts& cord = *state.members[wheel.member].cord;
+  const WheelPath path = path_of(state, wheel, pulley_of(state, wheel));
+  double distance = 0.0;
+  double sum = 0.0;
+  for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
+    distance += cord.state.rest[p - 1 - state.members[wheel.member].first_point];
+    sum += dot(force(p), place_on_path(path, distance).along);
+  }
+  return sum;
+}
+
+/// The cord that turns around the wheel presses against it by μ·v² less, on either side, than its tension, down to
+/// nothing, and it may have a weight that its mass has not as a part of the body.
+Vec2 load_of(const IslandState& state, const Wheel& wheel) {
+  const WheelSides sides = sides_of(state, wheel, state.positions);
+  const double speed = state.velocities[state.groove_of(wheel)].x;
+  const Pulley& pulley = pulley_of(state, wheel);
+  const double tension = std::max(0.0, std::min(pulley.tension_before, pulley.tension_after));
+  const double flux = std::min(def_of(state, wheel).mass_per_length * speed * speed, tension);
+  const Vec2 fall = state.free_accelerations[state.center(wheel.solved_index)];
+  Vec2 load = flux * (sides.before.line.along - sides.after.line.along);
+  for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
+    load += state.masses[p] * (state.free_accelerations[p] - fall);
+  }
+  return load;
+}
+
 }  // namespace
 
 void load_wheels(IslandState& state) {
@@ -88,6 +118,9 @@ void load_wheels(IslandState& state) {
     state.constrained[groove] = blocked || wheel.driven ? 1 : 0;
     state.drive_starts[groove] = {};
     state.drive_velocities[groove] = state.velocities[groove];
+    wheel.gravity =
+        along_wheel(state, wheel, [&state](std::size_t p) { return state.masses[p] * state.free_accelerations[p]; });
+    wheel.load = load_of(state, wheel);
     state.jolted = state.jolted || std::abs(state.velocities[groove].x - pulley.speed) > least_jolt;
     if (wheel.slip_sign == 0.0 && pulley.motor_sign != 0.0) {
       wheel.torque_force = wheel.sense * pulley.motor_sign * pulley.def.motor_torque / wheel.radius;
@@ -103,18 +136,10 @@ void load_wheels(IslandState& state) {
 void load_wheel_forces(IslandState& state, std::span<Vec2> force) {
   for (std::size_t k = 0; k < state.wheels.size(); ++k) {
     Wheel& wheel = state.wheels[k];
-    const CordParts& cord = *state.members[wheel.member].cord;
-    const Pulley& pulley = pulley_of(state, wheel);
-    const WheelPath path = path_of(state, wheel, pulley);
-    const std::size_t groove = state.groove(k);
-    double distance = 0.0;
-    wheel.weight = 0.0;
-    for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
-      distance += cord.state.rest[p - 1 - state.members[wheel.member].first_point];
-      const PathPlace place = place_on_path(path, distance);
-      wheel.weight += dot(force[p], place.along);
-    }
-    force[groove].x += wheel.weight + wheel.torque_force;
+    wheel.weight = along_wheel(state, wheel, [force](std::size_t p) { return force[p]; });
+    force[state.center(wheel.solved_index)] += wheel.load;
+    force[state.angle(wheel.solved_index)].x += cross(arm_of(state, wheel, state.positions), wheel.load);
+    force[state.groove(k)].x += wheel.weight + wheel.torque_force;
   }
 }
 
@@ -216,6 +241,19 @@ double wheel_energy(const IslandState& state) {
     const std::size_t tension = state.wheel_tension(k);
     sum += elastic_energy(state.tensions[tension], compliance_of(def, wheel.lead - run), 0.0, 0.0) +
            elastic_energy(state.tensions[tension + 1], compliance_of(def, wheel.trail + run), 0.0, 0.0);
+  }
+  return sum;
+}
+
+double wheel_load_energy(const IslandState& state) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < state.wheels.size(); ++k) {
+    const Wheel& wheel = state.wheels[k];
+    const Vec2 axle = state.positions[state.center(wheel.solved_index)] + arm_of(state, wheel, state.positions);
+    sum -= wheel.gravity * state.positions[state.groove(k)].x + dot(wheel.load, axle);
+    for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {
+      sum += state.masses[p] * dot(state.free_accelerations[p], state.positions[p]);
+    }
   }
   return sum;
 }

@@ -37,6 +37,9 @@ double wheel_potential(const IslandState& state, std::span<const double> max_ten
 
 /// Returns the elastic energy of the parts before and behind the wheels, J.
 double wheel_energy(const IslandState& state);
+/// Returns the potential energy of the cord in the grooves and of the loads of the axles, J, less that of its points:
+/// these are driven in the step, while their masses are in the grooves and the bodies.
+double wheel_load_energy(const IslandState& state);
 
 /// Returns the largest work, J, that the motors can have done in the substep: twice the force along the cord times how
 /// far it ran.

@@ -63,6 +63,8 @@ const Known scenes[] = {
     {"TensionsOfHeapsAreThoseOfTheirShapes", gentle(Family::heap_held, 5, Preset::balanced), "gain of energy", gain,
      2e-2},
     {"BalancedHeapsAreTruncated", gentle(Family::heap_held, 6, Preset::balanced), "gain of energy", gain, 1e-3},
+    {"KeepersLeaveSomeOfTheCord", gentle(Family::reeved, 39, Preset::balanced), "unconverged substeps", unconverged,
+     20},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 

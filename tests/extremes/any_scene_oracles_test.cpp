@@ -169,7 +169,7 @@ TEST(AnySceneOracles, FindAStretchedLink) {
   scene.cords[0].def.positions[10].x += 0.01;
   scene.cords[1].def.positions[10].x += 0.02;
   scene.cords[1].def.stretch_stiffness = 1e3;
-  const Lengths worst = lengths(World(scene).coupling());
+  const Lengths worst = lengths(World(scene));
   EXPECT_NEAR(worst.stretch, 0.1, 1e-12);
   EXPECT_NEAR(worst.strain, 0.2, 1e-12);
 }

@@ -43,7 +43,7 @@ TEST_P(AnyFamily, NothingOverlapsAtTheStartOfAGentleScene) {
 TEST_P(AnyFamily, LinksOfAGentleSceneHaveTheirRestLength) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const World world(generate({seed, GetParam(), Difficulty::gentle, {}}));
-    const Lengths worst = lengths(world.coupling());
+    const Lengths worst = lengths(world);
     EXPECT_LT(worst.stretch, 1e-12) << seed;
     for (int c = 0; c < world.coupling().size(); ++c) {
       // The rows of a ribbon on an arc have different lengths.
@@ -118,6 +118,7 @@ Scene full_scene() {
   scene.cords = {cord, {}};
   scene.solids = {{Motion::kinematic, Shape::box, {1.0, 2.0}, 0.1, {0.3, 0.4}, 3.0, 0.5, 0.7, {1.0, -1.0}, 2.0}};
   scene.holds = {{2, 3, 0.5, 1, {0.1, 0.2}, 44.0, true, 0.75, 3.0}};
+  scene.wheels = {{5, 4, {{0.5, 6.0}, 0.25, false, 2, 7, 9, 0.375, 0.35, -3.5, 12.5}}};
   scene.drags = {{1, 4, 6, 2.5, {{1.0, 2.0}, {3.0, 4.0}}}};
   scene.reels = {{4, 3, 5, 6, 0.25, 0.125}};
   scene.cuts = {{19, 0.25, 0.75, true, true}};
@@ -179,6 +180,18 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            "holds[0].lets_go = true;",
            "holds[0].climb_to = 0.75;",
            "holds[0].climb_speed = 3.0;",
+           "wheels[0].cord = 5;",
+           "wheels[0].solid = 4;",
+           "wheels[0].def.center = {0.5, 6.0};",
+           "wheels[0].def.radius = 0.25;",
+           "wheels[0].def.counterclockwise = false;",
+           "wheels[0].def.turns = 2;",
+           "wheels[0].def.before = 7;",
+           "wheels[0].def.after = 9;",
+           "wheels[0].def.inertia = 0.375;",
+           "wheels[0].def.friction = 0.35;",
+           "wheels[0].def.motor_speed = -3.5;",
+           "wheels[0].def.motor_torque = 12.5;",
            "drags[0].cord = 1;",
            "drags[0].point = 4;",
            "drags[0].from_tick = 6;",

@@ -48,13 +48,24 @@ void change_cord(Bytes& bytes, any_scene::SceneCord& cord) {
   }
 }
 
+void change_wheel(Bytes& bytes, ribbon::PulleyDef& def) {
+  switch (bytes.below(3)) {
+    case 0: def.inertia = bytes.number(1e-6, 10.0); break;
+    case 1: def.friction = bytes.number(1e-3, 10.0); break;
+    default: def.motor_speed = bytes.number(-100.0, 100.0); def.motor_torque = bytes.number(0.1, 1e3);
+  }
+}
+
 void change(Bytes& bytes, Scene& scene) {
-  switch (bytes.below(4)) {
+  switch (bytes.below(5)) {
     case 0:
       if (any_scene::Solid* solid = some(scene.solids, bytes)) solid->density = bytes.below(200) + 0.5;
       break;
     case 1:
       if (any_scene::Hold* hold = some(scene.holds, bytes)) hold->strength = bytes.number(0.1, 1e3);
+      break;
+    case 2:
+      if (any_scene::Wheel* wheel = some(scene.wheels, bytes)) change_wheel(bytes, wheel->def);
       break;
     default:
       if (any_scene::SceneCord* cord = some(scene.cords, bytes)) change_cord(bytes, *cord);

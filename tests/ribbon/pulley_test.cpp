@@ -383,7 +383,9 @@ TEST(Pulley, IsHeldByABrakeUpToItsTorque) {
 
 /// The tackle and what it carries.
 struct Tackle {
-  explicit Tackle(double hand_mass, double load = 40.0, const Accuracy& accuracy = {}) : cord(make(accuracy)) {
+  explicit Tackle(double hand_mass, double load = 40.0, const Accuracy& accuracy = {})
+      : Tackle(make(accuracy), hand_mass, load) {}
+  Tackle(const CordDef& def, double hand_mass, double load) : cord(def) {
     cord.attach_mass(0, hand_mass);
     const ReevedCord reeved = test_support::reeve_tackle(points);
     for (const PulleyDef& pulley : reeved.pulleys) cord.add_pulley(pulley);
@@ -392,7 +394,7 @@ struct Tackle {
     blocks[1].inverse_mass = 1.0 / load;
     blocks[1].acceleration = gravity;
   }
-  static Cord make(const Accuracy& accuracy) {
+  static CordDef make(const Accuracy& accuracy) {
     const ReevedCord reeved = test_support::reeve_tackle(points);
     CordDef def;
     def.points = points;
@@ -401,7 +403,16 @@ struct Tackle {
     def.mass_per_length = 1e-5;
     def.pins = {points - 1};
     def.accuracy = accuracy;
-    return Cord(def);
+    return def;
+  }
+  /// Returns the kinetic energy of all, J.
+  double kinetic() const {
+    const RigidBody& block = blocks[1];
+    return cord.energy(gravity).kinetic + 0.5 / block.inverse_mass * dot(block.velocity, block.velocity);
+  }
+  /// Returns the energy of all, J.
+  double energy() const {
+    return cord.energy(gravity).potential + kinetic() + g / blocks[1].inverse_mass * blocks[1].position.y;
   }
   void step(int times) {
     const std::vector<Axle> axles = test_support::axles_of_tackle();
@@ -440,6 +451,22 @@ TEST(Pulley, DividesALoadInATackle) {
     }
     EXPECT_NEAR(lifting.blocks[1].position.x, test_support::moving_block.x, 1e-3);
     EXPECT_EQ(lifting.unconverged, 0);
+  }
+}
+
+/// The cord on the wheels of the block rises and falls with it, and turns around it. Its gravity may be another one.
+TEST(Pulley, KeepsTheEnergyOfATackleWithAHeavyCord) {
+  for (const double scale : {1.0, 2.5}) {
+    for (const double load : {10.0, 60.0}) {
+      CordDef def = Tackle::make({});
+      def.mass_per_length = 0.5;
+      def.gravity_scale = scale;
+      Tackle tackle(def, load < 20.0 ? 8.0 : 2.0, load);
+      const double start = tackle.energy();
+      tackle.step(20);
+      EXPECT_EQ(tackle.blocks[1].velocity.y > 0.1, load < 20.0);
+      EXPECT_NEAR((tackle.energy() - start) / tackle.kinetic(), 0.0, 0.005) << scale << ' ' << load;
+    }
   }
 }
 
@@ -589,7 +616,7 @@ TEST(Pulley, IsNotForRibbonsAndStiffRopes) {
   EXPECT_EQ(refusal<std::exception>([&] {
               stiff.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 12});
             }),
-            "a pulley is for a rope without bending stiffness");
+            "a ribbon or a stiff cord has no pulley; accepted is a rope without bending stiffness");
 }
 
 }  // namespace

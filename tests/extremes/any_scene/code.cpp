@@ -140,6 +140,24 @@ std::string code_of(const Hold& hold, const std::string& object) {
   return lines.all();
 }
 
+std::string code_of(const Wheel& wheel, const std::string& object) {
+  const Wheel plain;
+  Lines lines(object);
+  lines.set("cord", wheel.cord, plain.cord);
+  lines.set("solid", wheel.solid, plain.solid);
+  lines.set("def.center", wheel.def.center, plain.def.center);
+  lines.set("def.radius", wheel.def.radius, plain.def.radius);
+  lines.set("def.counterclockwise", wheel.def.counterclockwise, plain.def.counterclockwise);
+  lines.set("def.turns", wheel.def.turns, plain.def.turns);
+  lines.set("def.before", wheel.def.before, plain.def.before);
+  lines.set("def.after", wheel.def.after, plain.def.after);
+  lines.set("def.inertia", wheel.def.inertia, plain.def.inertia);
+  lines.set("def.friction", wheel.def.friction, plain.def.friction);
+  lines.set("def.motor_speed", wheel.def.motor_speed, plain.def.motor_speed);
+  lines.set("def.motor_torque", wheel.def.motor_torque, plain.def.motor_torque);
+  return lines.all();
+}
+
 std::string code_of(const Drag& drag, const std::string& object) {
   const Drag plain;
   Lines lines(object);
@@ -204,8 +222,8 @@ std::string to_code(const Scene& scene, std::string_view name) {
   lines.set("sleeping", scene.sleeping, plain.sleeping);
   return std::string("any_scene::Scene ") + std::string(name) + "() {\n  any_scene::Scene scene;\n" + lines.all() +
          code_of_all(scene.cords, "cords") + code_of_all(scene.solids, "solids") + code_of_all(scene.holds, "holds") +
-         code_of_all(scene.drags, "drags") + code_of_all(scene.reels, "reels") + code_of_all(scene.cuts, "cuts") +
-         code_of_all(scene.knots, "knots") + "  return scene;\n}\n";
+         code_of_all(scene.wheels, "wheels") + code_of_all(scene.drags, "drags") + code_of_all(scene.reels, "reels") +
+         code_of_all(scene.cuts, "cuts") + code_of_all(scene.knots, "knots") + "  return scene;\n}\n";
 }
 
 }  // namespace any_scene

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ribbon/cord.h"
 #include "tests/extremes/any_scene/geometry.h"
 
 namespace any_scene {
@@ -60,6 +61,14 @@ void shift_drives(Scene& scene, int cord, int first, double link) {
                                             (drag.point < 0 || drag.point >= def.points * def.rows);
                                    }),
                     scene.drags.end());
+  for (Wheel& wheel : scene.wheels) {
+    if (wheel.cord != cord) continue;
+    wheel.def.before -= first;
+    wheel.def.after -= first;
+  }
+  std::erase_if(scene.wheels, [&](const Wheel& wheel) {
+    return wheel.cord == cord && (wheel.def.before < 0 || wheel.def.after >= def.points);
+  });
   forget(scene.reels, &Reel::cord, cord);
   for (Reel& reel : scene.reels) reel.cord += reel.cord >= cord ? 1 : 0;
 }
@@ -97,6 +106,7 @@ void straighten(SceneCord& cord) {
 void remove_cord(Scene& scene, int cord) {
   scene.cords.erase(scene.cords.begin() + cord);
   forget(scene.holds, &Hold::cord, cord);
+  forget(scene.wheels, &Wheel::cord, cord);
   forget(scene.drags, &Drag::cord, cord);
   forget(scene.reels, &Reel::cord, cord);
 }
@@ -104,6 +114,7 @@ void remove_cord(Scene& scene, int cord) {
 void remove_solid(Scene& scene, int solid) {
   scene.solids.erase(scene.solids.begin() + solid);
   forget(scene.holds, &Hold::solid, solid);
+  forget(scene.wheels, &Wheel::solid, solid);
 }
 
 void cut_cord(Scene& scene, int cord, int columns, bool front) {
@@ -120,7 +131,9 @@ void halve_points(Scene& scene, int cord) {
   if (def.points < 5 || def.points % 2 == 0) return;
   const bool is_driven =
       std::any_of(scene.drags.begin(), scene.drags.end(), [&](const Drag& drag) { return drag.cord == cord; });
-  if (is_driven) return;
+  const bool is_reeved =
+      std::any_of(scene.wheels.begin(), scene.wheels.end(), [&](const Wheel& wheel) { return wheel.cord == cord; });
+  if (is_driven || is_reeved) return;
   std::vector<Vec2> positions;
   for (int i = 0; i < def.points; i += 2) {
     for (int j = 0; j < def.rows; ++j) positions.push_back(def.positions[slot(i * def.rows + j)]);
@@ -149,6 +162,19 @@ void hold_again(Scene& scene) {
   for (Hold& hold : scene.holds) {
     hold.local_anchor = pose_of(scene.solids[slot(hold.solid)]).to_local(place_of(scene, hold));
   }
+}
+
+void drop_misfits(Scene& scene) {
+  std::erase_if(scene.wheels, [&scene](const Wheel& wheel) {
+    try {
+      ribbon::Cord(scene.cords[slot(wheel.cord)].def).add_pulley(wheel.def);
+      return false;
+    } catch (const ribbon::DefinitionError&) {
+      return true;
+    } catch (const ribbon::CallError&) {
+      return true;
+    }
+  });
 }
 
 std::span<const CordEdit> term_edits() {
@@ -208,6 +234,16 @@ std::span<const HoldEdit> hold_edits() {
   return edits;
 }
 
+std::span<const WheelEdit> wheel_edits() {
+  static const std::array<WheelEdit, 4> edits = {
+      [](Wheel& wheel) { wheel.def.motor_torque = wheel.def.motor_speed = 0.0; },
+      [](Wheel& wheel) { wheel.def.inertia = 0.0; },
+      [](Wheel& wheel) { wheel.def.friction = std::numeric_limits<double>::infinity(); },
+      [](Wheel& wheel) { wheel.def.friction = 0.0; },
+  };
+  return edits;
+}
+
 void round_cord(SceneCord& cord, double parts) {
   CordDef& def = cord.def;
   round_to(cord.velocity, parts);
@@ -217,6 +253,11 @@ void round_cord(SceneCord& cord, double parts) {
                         &def.drag_along, &def.displaced_area, &def.friction, &def.restitution}) {
     round_digits(*value, parts);
   }
+}
+
+void round_wheel(Wheel& wheel, double parts) {
+  for (double* value : {&wheel.def.inertia, &wheel.def.friction, &wheel.def.motor_torque}) round_digits(*value, parts);
+  round_to(wheel.def.motor_speed, parts);
 }
 
 void round_solid(Solid& solid, double parts) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace any_scene {
@@ -40,20 +41,58 @@ EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) 
   return scale > 0.0 ? Gain{gained / scale, risen / scale} : Gain{};
 }
 
-Lengths lengths(const ribbon::box2d::Coupling& coupling) {
+namespace {
+
+/// Returns the length from the point before a wheel to the one behind it, m.
+double path_length(const ribbon::Cord& cord, const ribbon::box2d::PulleyState& pulley) {
+  const double radius = pulley.def.radius;
+  const double sense = pulley.def.counterclockwise ? 1.0 : -1.0;
+  const Vec2 first = cord.positions()[slot(pulley.def.before)] - pulley.center;
+  const Vec2 last = cord.positions()[slot(pulley.def.after)] - pulley.center;
+  const auto tangent = [radius](Vec2 r) { return std::sqrt(std::max(0.0, dot(r, r) - radius * radius)); };
+  const double turned = sense * (std::atan2(last.y, last.x) - std::atan2(first.y, first.x)) -
+                        std::atan2(tangent(first), radius) - std::atan2(tangent(last), radius);
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double arc = turned + turn * std::round((pulley.arc - turned) / turn);
+  return tangent(first) + radius * arc + tangent(last);
+}
+
+/// Returns the strain of that part. It is 0 where a keeper holds the cord, and where Box2D pushes the wheel: it is not
+/// where the solver put it.
+double strain_at(const ribbon::Cord& cord, const World::Reeving& reeving) {
+  if (reeving.pressed || reeving.pulley.arc == 0.0) return 0.0;
+  double rest = 0.0;
+  for (int link = reeving.pulley.def.before; link < reeving.pulley.def.after; ++link) rest += cord.rest_length(link);
+  return path_length(cord, reeving.pulley) / rest - 1.0;
+}
+
+void take(const ribbon::CordDef& def, double strain, Lengths& worst) {
+  const double counted = def.tension_only ? strain : std::abs(strain);
+  double& most = std::isinf(def.stretch_stiffness) ? worst.stretch : worst.strain;
+  if (!(counted <= most)) most = counted;
+}
+
+}  // namespace
+
+Lengths lengths(const World& world) {
+  const ribbon::box2d::Coupling& coupling = world.coupling();
   Lengths worst;
   for (const ribbon::box2d::CordId c : coupling.cords()) {
     const ribbon::Cord& cord = coupling.cord(c).direct();
     const ribbon::CordDef& def = cord.def();
     for (int i = 0; i + 1 < def.points; ++i) {
-      for (int j = 0; j < def.rows; ++j) {
+      const bool on_wheel = std::any_of(cord.pulleys().begin(), cord.pulleys().end(), [i](const auto& pulley) {
+        return i >= pulley.def.before && i < pulley.def.after;
+      });
+      for (int j = 0; j < def.rows && !on_wheel; ++j) {
         const Vec2 link = cord.positions()[slot(cord.index(i + 1, j))] - cord.positions()[slot(cord.index(i, j))];
-        const double strain = length(link) / cord.rest_length(i) - 1.0;
-        const double counted = def.tension_only ? strain : std::abs(strain);
-        double& most = std::isinf(def.stretch_stiffness) ? worst.stretch : worst.strain;
-        if (!(counted <= most)) most = counted;
+        take(def, length(link) / cord.rest_length(i) - 1.0, worst);
       }
     }
+  }
+  for (const World::Reeving& reeving : world.reevings()) {
+    const ribbon::Cord& cord = coupling.cord(reeving.pulley.cord).direct();
+    take(cord.def(), strain_at(cord, reeving), worst);
   }
   return worst;
 }

@@ -30,12 +30,13 @@ class EnergyBalance {
   double before_;
 };
 
-/// Holds the greatest relative length error of inextensible ropes, and the greatest strain of all other cords.
+/// Holds the greatest relative length error of inextensible ropes, and the greatest strain of all other cords. What is
+/// at a wheel, from the point before it to the one behind it, counts as one link along the tangents and the arc.
 struct Lengths {
   double stretch = 0.0;
   double strain = 0.0;
 };
-Lengths lengths(const ribbon::box2d::Coupling& coupling);
+Lengths lengths(const World& world);
 /// Mass and momentum of all cords.
 struct Inertia {
   double mass = 0.0;  ///< kg

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/extremes/any_scene/placement.h"
+#include "tests/extremes/any_scene/reeving.h"
 #include "tests/extremes/any_scene/wild.h"
 
 namespace any_scene {
@@ -52,6 +53,8 @@ Recipe recipe_of(Family family, Dice& dice) {
     case Family::heap_held: return {8, 16, false, true, true, 3, 6, 3, dice.coin(), dice.coin()};
     case Family::tied:
       return {2, 5, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
+    case Family::reeved:
+      return {0, 2, false, false, false, 0, 6, random_integer(dice, 0, 2), dice.coin(), chance(dice, 0.3)};
     default: break;
   }
   return {1, 4, false, dice.coin(), dice.coin(), 0, 8, random_integer(dice, 0, 3), dice.coin(), chance(dice, 0.3)};
@@ -154,11 +157,11 @@ Solid some_ground(Dice& dice) {
   return solid;
 }
 
-/// Moves the last bodies to cords and lets them hold these.
-void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
+/// Moves the last bodies, none before the solid `first`, to cords and lets them hold these.
+void add_holders(Dice& dice, const Recipe& recipe, int first, Scene& scene) {
   Placer placer(scene);
   std::vector<int> free;
-  for (int k = 0; k < static_cast<int>(scene.solids.size()); ++k) {
+  for (int k = first; k < static_cast<int>(scene.solids.size()); ++k) {
     if (scene.solids[static_cast<std::size_t>(k)].motion == Motion::dynamic) free.push_back(k);
   }
   for (int held = 0; held < recipe.holders && !free.empty(); ++held) {
@@ -170,6 +173,7 @@ void add_holders(Dice& dice, const Recipe& recipe, Scene& scene) {
       Hold hold;
       if (recipe.slips) hold.strength = log_uniform(dice, 1.0, 300.0);
       hold.lets_go = recipe.slips && chance(dice, 0.2);
+      if (is_reeved(scene, cord)) continue;  // it has its loads
       if (!placer.place_holder(dice, free.back(), cord, column * def.length / (def.points - 1), hold)) continue;
       scene.holds.push_back(hold);
       free.pop_back();
@@ -234,9 +238,10 @@ void add_belts(Dice& dice, Scene& scene) {
 }  // namespace
 
 std::string_view name(Family family) {
-  constexpr std::string_view names[] = {"rope_falls",   "rope_self",  "ropes_mutual", "ropes_both",   "hold_points",
-                                        "hold_between", "grips_slip", "ribbon_falls", "ribbons_both", "mixed",
-                                        "heap",         "heap_held",  "cut",          "tied",         "belts"};
+  constexpr std::string_view names[] = {"rope_falls",   "rope_self",    "ropes_mutual", "ropes_both",
+                                        "hold_points",  "hold_between", "grips_slip",   "ribbon_falls",
+                                        "ribbons_both", "mixed",        "heap",         "heap_held",
+                                        "cut",          "tied",         "belts",        "reeved"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -246,12 +251,16 @@ Scene generate(const SceneId& which) {
   Dice dice(which.seed * 32U + static_cast<unsigned>(which.family) * 2U + static_cast<unsigned>(which.difficulty) +
             12345U);
   const bool mixed = which.family == Family::mixed || which.family == Family::cut || which.family == Family::tied ||
-                     which.family == Family::belts;
+                     which.family == Family::belts || which.family == Family::reeved;
   const Recipe recipe = recipe_of(which.family, dice);
   Scene scene;
   scene.preset = which.preset.value_or(static_cast<Preset>(which.seed % 3));
   scene.sleeping = mixed && dice.coin();
   Placer placer(scene);
+  if (which.family == Family::reeved) {
+    for (int k = random_integer(dice, 1, 2); k > 0; --k) add_reeved_rope(dice, scene);
+  }
+  const int reeved = static_cast<int>(scene.solids.size());
   const bool heap = which.family == Family::heap || which.family == Family::heap_held;
   if (heap) {
     add_pit(dice, scene);
@@ -275,7 +284,7 @@ Scene generate(const SceneId& which) {
       placer.add_solid(dice, solid, bodies_low, bodies_high);
     }
   }
-  add_holders(dice, recipe, scene);
+  add_holders(dice, recipe, reeved, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);
   if (which.difficulty == Difficulty::wild) make_wild(dice, scene);
   if (which.family == Family::cut || which.family == Family::tied) {
@@ -284,6 +293,11 @@ Scene generate(const SceneId& which) {
   }
   if (which.family == Family::tied) add_knots(dice, scene);
   if (which.family == Family::belts) add_belts(dice, scene);
+  if (which.family == Family::reeved) add_a_cut_or_a_knot(dice, scene);
+  if (which.family == Family::reeved && which.difficulty == Difficulty::wild) {
+    add_motors(dice, scene);
+    clear_wheels(scene);
+  }
   return scene;
 }
 

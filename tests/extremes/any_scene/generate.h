@@ -25,17 +25,19 @@ enum class Family : unsigned char {
   cut,           ///< as mixed; cords are cut, across or along, and break in every tenth tick
   tied,          ///< as cut; cords are also tied and untied in every tenth tick
   belts,         ///< as mixed; the surfaces of half of the solids are conveyor belts
+  reeved,        ///< one or two ropes around wheels with loads, and as in mixed; rarely a cut and a tie
 };
-constexpr std::array<Family, 15> all_families = {
-    Family::rope_falls,   Family::rope_self,  Family::ropes_mutual, Family::ropes_both,   Family::hold_points,
-    Family::hold_between, Family::grips_slip, Family::ribbon_falls, Family::ribbons_both, Family::mixed,
-    Family::heap,         Family::heap_held,  Family::cut,          Family::tied,         Family::belts};
+constexpr std::array<Family, 16> all_families = {
+    Family::rope_falls,   Family::rope_self,    Family::ropes_mutual, Family::ropes_both,
+    Family::hold_points,  Family::hold_between, Family::grips_slip,   Family::ribbon_falls,
+    Family::ribbons_both, Family::mixed,        Family::heap,         Family::heap_held,
+    Family::cut,          Family::tied,         Family::belts,        Family::reeved};
 std::string_view name(Family family);
 
 /// The difficulty of a scene.
 enum class Difficulty : unsigned char {
   gentle,  ///< no overlaps, no drives
-  wild,    ///< overlaps at the start, kinematic bodies, drags, reels, climbers, and speeds up to 100 m/s
+  wild,    ///< overlaps at the start, kinematic bodies, drags, reels, climbers, motors, and speeds up to 100 m/s
 };
 std::string_view name(Difficulty difficulty);
 

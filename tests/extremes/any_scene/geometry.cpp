@@ -113,6 +113,15 @@ double depth(const Solid& solid, const Pose& pose, Vec2 a, Vec2 b) {
   }
 }
 
+void Outline::lay_on_wheel(int before, int after) {
+  on_wheel.resize(slot(links()));
+  std::fill(on_wheel.begin() + before, on_wheel.begin() + after, char{1});
+}
+
+bool Outline::is_at_wheel(int point) const {
+  return (point > 0 && is_on_wheel(point - 1)) || (point < links() && is_on_wheel(point));
+}
+
 Outline outline(const ribbon::CordDef& def, std::span<const Vec2> positions) {
   Outline around{{}, def.rows > 1};
   if (def.rows == 1) {

@@ -47,9 +47,13 @@ double skin(const Solid& solid);
 struct Outline {
   std::vector<ribbon::Vec2> points;
   bool closed = false;
+  std::vector<char> on_wheel{};  ///< by link: it is at a wheel, where a cord touches nothing; empty without wheels
   int links() const { return static_cast<int>(points.size()) - (closed ? 0 : 1); }
   ribbon::Vec2 start(int link) const { return points[static_cast<std::size_t>(link)]; }
   ribbon::Vec2 end(int link) const { return points[static_cast<std::size_t>(link + 1) % points.size()]; }
+  void lay_on_wheel(int before, int after);  ///< the links from a point to one behind it
+  bool is_on_wheel(int link) const { return !on_wheel.empty() && on_wheel[static_cast<std::size_t>(link)] != 0; }
+  bool is_at_wheel(int point) const;  ///< a link of the point is on one
 };
 /// Returns the distance of a point from the segment from a to b, m.
 double distance(ribbon::Vec2 p, ribbon::Vec2 a, ribbon::Vec2 b);

@@ -174,7 +174,8 @@ int main(int argc, char** argv) {
   app.add_option("--family", options.family, "One family")->check(CLI::IsMember(families));
   app.add_option("--preset", options.preset, "fast, balanced, accurate; all: one a seed; each: all three a seed")
       ->check(CLI::IsMember({"fast", "balanced", "accurate", "all", "each"}));
-  app.add_flag("--wild,!--gentle", options.wild, "With overlaps, kinematic bodies, drags, reels, climbers and speed");
+  app.add_flag("--wild,!--gentle", options.wild,
+               "With overlaps, kinematic bodies, drags, reels, climbers, motors and speed");
   app.add_option("--out,--csv", options.out, "Appends a line of CSV a scene, and skips what is there");
   auto* plot = app.add_option("--plot", options.plot, "Draws work and what was left unsolved into this .svg file");
   app.add_option("--before", options.before, "A file of --out, of another solver, that is drawn beside")

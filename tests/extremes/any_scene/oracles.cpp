@@ -30,8 +30,9 @@ int apart(int i, int j, const Outline& line) {
 std::vector<Pair> crossing_pairs(const Outline& a, const Outline& b, bool itself) {
   std::vector<Pair> found;
   for (int i = 0; i < a.links(); ++i) {
+    if (a.is_on_wheel(i)) continue;
     for (int j = itself ? i + 2 : 0; j < b.links(); ++j) {
-      if (crosses(a.start(i), a.end(i), b.start(j), b.end(j))) found.push_back({i, j});
+      if (!b.is_on_wheel(j) && crosses(a.start(i), a.end(i), b.start(j), b.end(j))) found.push_back({i, j});
     }
   }
   return found;
@@ -53,7 +54,7 @@ bool is_at_end(const Outline& line, int link, double s, double margin) {
 template <typename Skip>
 bool passes_line(Swept p, const Outline& before, const Outline& after, double margin, Skip&& skip) {
   for (int j = 0; j < before.links(); ++j) {
-    if (skip(j)) continue;
+    if (before.is_on_wheel(j) || skip(j)) continue;
     const auto where = passes(p, swept(before, after, j), swept(before, after, j + 1));
     if (where && !is_at_end(after, j, *where, margin)) return true;
   }
@@ -88,6 +89,24 @@ bool Oracles::meet(int a, int b) const {
 }
 
 std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapshot& after) const {
+  const auto has_wheel = [](const Outline& line) { return !line.on_wheel.empty(); };
+  const bool any = std::any_of(before.cords.begin(), before.cords.end(), has_wheel) ||
+                   std::any_of(after.cords.begin(), after.cords.end(), has_wheel);
+  if (!any) return crossings_off_wheels(before, after);
+  Snapshot first = before;
+  Snapshot second = after;
+  for (std::size_t c = 0; c < first.cords.size(); ++c) {
+    std::vector<char>& on = first.cords[c].on_wheel;
+    on.resize(slot(first.cords[c].links()));
+    for (int link = 0; link < first.cords[c].links(); ++link) {
+      on[slot(link)] = before.cords[c].is_on_wheel(link) || after.cords[c].is_on_wheel(link) ? 1 : 0;
+    }
+    second.cords[c].on_wheel = on;
+  }
+  return crossings_off_wheels(first, second);
+}
+
+std::vector<CrossedPair> Oracles::crossings_off_wheels(const Snapshot& before, const Snapshot& after) const {
   std::vector<CrossedPair> found;
   const int cords = static_cast<int>(scene_.cords.size());
   for (int a = 0; a < cords; ++a) {
@@ -105,12 +124,12 @@ std::vector<CrossedPair> Oracles::crossings(const Snapshot& before, const Snapsh
   return found;
 }
 
-/// Returns whether a solid holds a cord or another piece of the same one.
+/// Returns whether a solid holds a cord or another piece of the same one, or carries a wheel of it.
 bool Oracles::is_held_by(int cord, int solid) const {
   const int family = scene_.cords[slot(cord)].family;
   for (int other = 0; other < static_cast<int>(scene_.cords.size()); ++other) {
     const bool same = other == cord || (family >= 0 && family == scene_.cords[slot(other)].family);
-    if (same && holds(scene_, solid, other)) return true;
+    if (same && (holds(scene_, solid, other) || carries(scene_, solid, other))) return true;
   }
   return false;
 }
@@ -158,6 +177,7 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   const auto passes_other = [&](const Outline& p0, const Outline& p1, const Outline& q0, const Outline& q1,
                                 const auto& is_close) {
     for (int k = 0; k < static_cast<int>(p0.points.size()); ++k) {
+      if (p0.is_at_wheel(k)) continue;
       const auto skip = [&](int j) {
         const int n = static_cast<int>(p0.points.size());
         const int last = p0.closed ? k : std::min(k, n - 2);
@@ -177,6 +197,7 @@ double Oracles::depth_of(int cord, int solid, const Snapshot& now) const {
   const Outline& line = now.cords[slot(cord)];
   double deepest = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < line.links(); ++k) {
+    if (line.is_on_wheel(k)) continue;
     deepest = std::max(deepest, depth(scene_.solids[slot(solid)], now.solids[slot(solid)], line.start(k), line.end(k)));
   }
   return deepest;
@@ -206,7 +227,8 @@ bool Oracles::edge_crossed(int cord, int solid, const Snapshot& before, const Sn
   if (was > 0) return false;
   const double margin = scene_.cords[slot(cord)].def.radius;
   for (int k = 0; k < static_cast<int>(line0.points.size()); ++k) {
-    if (passes_line(swept(line0, line1, k), edge, edge, margin, [](int) { return false; })) return true;
+    if (!line0.is_at_wheel(k) && passes_line(swept(line0, line1, k), edge, edge, margin, [](int) { return false; }))
+      return true;
   }
   return false;
 }
@@ -217,10 +239,12 @@ double Oracles::nearest(int a, int b, const Snapshot& now, double within) const 
   const Outline& second = now.cords[slot(b)];
   double least = within;
   for (int i = 0; i < first.links(); ++i) {
+    if (first.is_on_wheel(i)) continue;
     const Vec2 middle = 0.5 * (first.start(i) + first.end(i));
     const double size = 0.5 * length(first.end(i) - first.start(i));
     for (int j = a == b ? i + 2 : 0; j < second.links(); ++j) {
       const double far = size + 0.5 * length(second.end(j) - second.start(j)) + least;
+      if (second.is_on_wheel(j)) continue;
       if (length(0.5 * (second.start(j) + second.end(j)) - middle) > far) continue;
       if (a == b ? near_[slot(a)][slot(i * second.links() + j)] != 0 : were_close(a, i, b, j)) continue;
       least = std::min(least, distance(first.start(i), first.end(i), second.start(j), second.end(j)));

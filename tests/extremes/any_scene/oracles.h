@@ -29,7 +29,8 @@ class Oracles {
   /// - Lines of cords that both declare contact, or of one that declares self-contact, cross and did not before, or a
   ///   point passed through a link. Links that are close at rest are exempt.
   /// - A line came nearer to a circle's centre than half of the contact distance, deeper into a box than its radius
-  ///   and a fifth of the half thickness, or to the other side of an edge. A solid that ever holds the cord is exempt.
+  ///   and a fifth of the half thickness, or to the other side of an edge. A solid that ever holds the cord, or carries
+  ///   a wheel of it, is exempt, and so are links that were at a wheel before or after the tick.
   std::vector<CrossedPair> crossings(const Snapshot& before, const Snapshot& after) const;
   /// Returns the deepest penetration divided by the contact distance. For a cord and a solid this is the cord's radius
   /// plus the polygon's skin, so that 1 is a line on the surface; for two cords it is the sum of their radii.
@@ -38,6 +39,7 @@ class Oracles {
   double overlap(const Snapshot& now) const;
 
  private:
+  std::vector<CrossedPair> crossings_off_wheels(const Snapshot& before, const Snapshot& after) const;
   bool meet(int a, int b) const;
   bool is_held_by(int cord, int solid) const;
   bool were_close(int a, int i, int b, int j) const;

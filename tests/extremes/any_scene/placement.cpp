@@ -172,8 +172,29 @@ bool Placer::place_holder(Dice& dice, int solid, int cord, double arc, Hold& hol
   const Vec2 n = (left ? 1.0 : -1.0) * perp(unit(b - a));
   Solid moved = scene_.solids[slot(solid)];
   moved.position = hand + (support(moved, n) + skin(moved) + def.radius) * n;
+  return hold_at(solid, moved, hand, hold);
+}
+
+bool Placer::add_load(Solid solid, int cord, bool last) {
+  const CordDef& def = scene_.cords[slot(cord)].def;
+  const Vec2 hand = last ? def.positions.back() : def.positions.front();
+  const Vec2 n = unit(hand - (last ? def.positions[def.positions.size() - 2] : def.positions[1]));
+  solid.position = hand + (support(solid, n) + skin(solid) + def.radius) * n;
+  Hold hold;
+  hold.solid = static_cast<int>(scene_.solids.size());
+  hold.cord = cord;
+  hold.arc = last ? def.length : 0.0;
+  scene_.solids.push_back(solid);
+  if (!hold_at(hold.solid, solid, hand, hold)) return false;
+  scene_.holds.push_back(hold);
+  return true;
+}
+
+/// Moves a solid to where it is to hold a cord, unless it would overlap something.
+bool Placer::hold_at(int solid, const Solid& moved, Vec2 hand, Hold& hold) {
+  const CordDef& def = scene_.cords[slot(hold.cord)].def;
   Scene others = scene_;
-  others.cords.erase(others.cords.begin() + cord);
+  others.cords.erase(others.cords.begin() + hold.cord);
   if (!Placer(others).is_clear(moved, solid)) return false;
   if (overlap(def, outline(def, def.positions), moved) > touching) return false;
   scene_.solids[slot(solid)] = moved;

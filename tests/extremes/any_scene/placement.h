@@ -30,8 +30,13 @@ class Placer {
   /// Moves a solid to a cord so that it touches the cord at the arc on either side, and sets the hold. Returns false if
   /// the solid would overlap another object.
   bool place_holder(Dice& dice, int solid, int cord, double arc, Hold& hold);
+  /// Adds a solid that hangs at the first or the last point of a rope, in its direction, and the hold. Returns false if
+  /// the solid would overlap another object.
+  bool add_load(Solid solid, int cord, bool last);
 
  private:
+  bool hold_at(int solid, const Solid& moved, ribbon::Vec2 hand, Hold& hold);
+
   Scene& scene_;
 };
 

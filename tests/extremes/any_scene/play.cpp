@@ -20,7 +20,7 @@ void look(const World& world, const Oracles& oracles, const Snapshot& before, co
   sample.left = world.coupling().tick_report().position_error;
   sample.speed = world.fastest();
   sample.gaps = world.grip_gaps();
-  const Lengths worst = lengths(world.coupling());
+  const Lengths worst = lengths(world);
   sample.stretch = worst.stretch;
   sample.strain = worst.strain;
   sample.penetration = oracles.penetration(after);
@@ -92,8 +92,9 @@ Outcome play(const Scene& scene, double max_seconds) {
   try {
     run(scene, max_seconds, outcome);
   } catch (const ribbon::DefinitionError& error) {
-    outcome.end = End::refused;
-    outcome.message = error.what();
+    outcome = {{}, End::refused, error.what()};
+  } catch (const ribbon::CallError& error) {  // what holds a cord on a wheel, or a pulley of a stiff one
+    outcome = {{}, End::refused, error.what()};
   }
   return outcome;
 }

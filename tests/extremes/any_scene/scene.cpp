@@ -21,12 +21,26 @@ bool is_driven(const Scene& scene) {
     if (solid.belt_speed != 0.0) return true;
     return solid.motion == Motion::kinematic && (solid.velocity != ribbon::Vec2{} || solid.angular_velocity != 0.0);
   });
-  return climbs || moves || !scene.drags.empty() || !scene.reels.empty();
+  const bool turns = std::any_of(scene.wheels.begin(), scene.wheels.end(), [](const Wheel& wheel) {
+    return wheel.def.motor_torque > 0.0 && wheel.def.motor_speed != 0.0;
+  });
+  return climbs || moves || turns || !scene.drags.empty() || !scene.reels.empty();
 }
 
 bool holds(const Scene& scene, int solid, int cord) {
   return std::any_of(scene.holds.begin(), scene.holds.end(),
                      [&](const Hold& hold) { return hold.solid == solid && hold.cord == cord; });
+}
+
+bool carries(const Scene& scene, int solid, int cord) {
+  return std::any_of(scene.wheels.begin(), scene.wheels.end(),
+                     [&](const Wheel& wheel) { return wheel.solid == solid && wheel.cord == cord; });
+}
+
+bool is_on_wheel(const Scene& scene, int cord, double column) {
+  return std::any_of(scene.wheels.begin(), scene.wheels.end(), [&](const Wheel& wheel) {
+    return wheel.cord == cord && column > wheel.def.before && column < wheel.def.after;
+  });
 }
 
 int points(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/cord_def.h"
+#include "ribbon/pulley.h"
 #include "ribbon/vec2.h"
 
 /// Random scenes: definition, generation, playing, judging, shrinking and printing.
@@ -63,6 +64,15 @@ struct Hold {
   bool operator==(const Hold&) const = default;
 };
 
+/// A wheel that a cord runs around, on a solid.
+struct Wheel {
+  int cord = 0;           ///< index
+  int solid = 0;          ///< index of the one that carries it
+  ribbon::PulleyDef def;  ///< with the centre at the start
+
+  bool operator==(const Wheel&) const = default;
+};
+
 /// Drags a point along a path from corner to corner, then releases it.
 struct Drag {
   int cord = 0;                    ///< index
@@ -116,6 +126,7 @@ struct Scene {
   std::vector<SceneCord> cords;
   std::vector<Solid> solids;
   std::vector<Hold> holds;
+  std::vector<Wheel> wheels;
   std::vector<Drag> drags;
   std::vector<Reel> reels;
   std::vector<Cut> cuts;
@@ -126,10 +137,14 @@ struct Scene {
 
 constexpr double dt = 1.0 / 60.0;  // s, of every scene
 
-/// Returns whether anything adds energy: moving kinematic bodies, belts, drags, reels or climbers.
+/// Returns whether anything adds energy: moving kinematic bodies, belts, motors, drags, reels or climbers.
 bool is_driven(const Scene& scene);
 /// Returns whether the solid holds the cord at any time.
 bool holds(const Scene& scene, int solid, int cord);
+/// Returns whether the solid carries a wheel of the cord.
+bool carries(const Scene& scene, int solid, int cord);
+/// Returns whether a place of a cord, in links from its first column, is on a wheel.
+bool is_on_wheel(const Scene& scene, int cord, double column);
 /// Returns the number of points of all cords.
 int points(const Scene& scene);
 

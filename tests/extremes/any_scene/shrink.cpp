@@ -84,6 +84,9 @@ bool Shrinker::drop_parts() {
   any = attempt_each([](const Scene& s) { return s.knots.size(); },
                      [](Scene& s, int k) { s.knots.erase(s.knots.begin() + k); }) ||
         any;
+  any = attempt_each([](const Scene& s) { return s.wheels.size(); },
+                     [](Scene& s, int k) { s.wheels.erase(s.wheels.begin() + k); }) ||
+        any;
   any = attempt_each([](const Scene& s) { return s.holds.size(); },
                      [](Scene& s, int k) { s.holds.erase(s.holds.begin() + k); }) ||
         any;
@@ -103,6 +106,7 @@ bool Shrinker::drop_terms() {
       const auto edited = [&](Scene& s) {
         edit(s.cords[slot(k)]);
         hold_again(s);
+        drop_misfits(s);
       };
       any = attempt(edited) || any;
     }
@@ -115,6 +119,11 @@ bool Shrinker::drop_terms() {
   for (int k = 0; k < static_cast<int>(scene_.holds.size()); ++k) {
     for (const HoldEdit edit : hold_edits()) {
       any = attempt([&](Scene& s) { edit(s.holds[slot(k)]); }) || any;
+    }
+  }
+  for (int k = 0; k < static_cast<int>(scene_.wheels.size()); ++k) {
+    for (const WheelEdit edit : wheel_edits()) {
+      any = attempt([&](Scene& s) { edit(s.wheels[slot(k)]); }) || any;
     }
   }
   return any;
@@ -141,16 +150,19 @@ bool Shrinker::thin_out() {
 /// Rounds to fewer and fewer decimals: first all numbers of a kind, then one at a time.
 bool Shrinker::round_numbers() {
   bool any = false;
-  for (int k = 0; k < static_cast<int>(scene_.cords.size() + scene_.solids.size()); ++k) {
+  for (int k = 0; k < static_cast<int>(scene_.cords.size() + scene_.solids.size() + scene_.wheels.size()); ++k) {
     for (const double parts : {10.0, 100.0, 1e3, 1e4, 1e6}) {
       const auto edit = [&](Scene& s) {
         const std::size_t cords = s.cords.size();
         if (slot(k) < cords) {
           round_cord(s.cords[slot(k)], parts);
-        } else {
+        } else if (slot(k) < cords + s.solids.size()) {
           round_solid(s.solids[slot(k) - cords], parts);
+        } else {
+          round_wheel(s.wheels[slot(k) - cords - s.solids.size()], parts);
         }
         hold_again(s);
+        drop_misfits(s);
       };
       if (!attempt(edit)) continue;
       any = true;
@@ -187,7 +199,7 @@ bool starts_clear(const Scene& scene) {
   try {
     const World world(scene);
     return Oracles(scene).overlap(world.snapshot()) <= touching && world.grip_gaps().free <= touching &&
-           lengths(world.coupling()).stretch <= stretched;
+           lengths(world).stretch <= stretched;
   } catch (const ribbon::DefinitionError&) {
     return false;
   }

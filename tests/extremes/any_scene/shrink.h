@@ -25,8 +25,8 @@ using Fails = std::function<bool(const Scene& scene)>;
 /// Returns whether a scene can be built, has no overlaps, has holders at their cords, and has links of the rest length.
 bool starts_clear(const Scene& scene);
 
-/// Returns the smallest failing scene that it finds. Removes cords, solids, holds, drags, reels, cuts, ties, terms,
-/// points and ticks, and rounds numbers. `scene` has to fail.
+/// Returns the smallest failing scene that it finds. Removes cords, solids, holds, wheels, drags, reels, cuts, ties,
+/// terms, points and ticks, and rounds numbers. `scene` has to fail.
 Scene shrink(const Scene& scene, const Fails& fails);
 
 }  // namespace any_scene

@@ -10,7 +10,6 @@ namespace any_scene {
 
 using ribbon::Vec2;
 using ribbon::box2d::CordId;
-using ribbon::box2d::CouplingState;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
@@ -49,17 +48,11 @@ Vec2 along(const std::vector<Vec2>& path, Vec2 start, double arc, bool& arrived)
 
 }  // namespace
 
-/// The state of motion of a body.
-struct World::Moving {
-  Vec2 center;     // m
-  Vec2 velocity;   // m/s
-  double turning;  // rad/s
-};
-
 World::World(const Scene& scene) : scene_(scene), world_(to_float(scene.gravity)) {
   world_.SetAllowSleeping(scene.sleeping);
   for (const Solid& solid : scene.solids) add(solid);
   for (const SceneCord& cord : scene.cords) add(cord, scene.preset);
+  for (const Wheel& wheel : scene.wheels) add(wheel);
   for (const Hold& hold : scene.holds) add(hold);
   drag_starts_.resize(scene.drags.size());
   pushed_.resize(scene.holds.size());
@@ -110,6 +103,10 @@ void World::add(const SceneCord& cord, Preset preset) {
     if (made.kind(p) == ribbon::PointKind::free) made.set_velocity(p, cord.velocity);
   }
   coupling_.add(std::move(made));
+}
+
+void World::add(const Wheel& wheel) {
+  pulleys_.push_back(coupling_.add_pulley(wheel.cord, *bodies_[slot(wheel.solid)], wheel.def));
 }
 
 void World::add(const Hold& hold) {
@@ -203,7 +200,7 @@ double World::tick() {
   coupling_.step();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
-  const CouplingState planned = coupling_.save(world_);
+  const ribbon::box2d::CouplingState planned = coupling_.save(world_);
   const double before = energy_of_free_bodies(planned);
   world_.Step(static_cast<float>(dt), 8, 3);
   box2d_work_ += energy_of_free_bodies(planned) - before + work_on_moved_bodies(planned);
@@ -226,6 +223,7 @@ Scene World::present_scene() const {
   Scene scene = scene_;
   scene.cords.clear();
   scene.holds.clear();
+  scene.wheels.clear();
   const auto cords = coupling_.cords();
   // The ids of the solver are those of the coupling, with the highest bit.
   const auto solver_id = [](CordId id) { return (std::uint64_t{1} << 63U) + static_cast<std::uint64_t>(id); };
@@ -242,12 +240,19 @@ Scene World::present_scene() const {
     }
     scene.cords.push_back(std::move(cord));
   }
+  const auto index_of = [&cords](CordId id) {
+    return static_cast<int>(std::lower_bound(cords.begin(), cords.end(), id) - cords.begin());
+  };
   for (std::size_t k = 0; k < grips_.size(); ++k) {
     if (!coupling_.grip(grips_[k]).is_valid()) continue;
     Hold hold = scene_.holds[k];
-    hold.cord = static_cast<int>(std::lower_bound(cords.begin(), cords.end(), coupling_.grip(grips_[k]).state().cord) -
-                                 cords.begin());
+    hold.cord = index_of(coupling_.grip(grips_[k]).state().cord);
     scene.holds.push_back(hold);
+  }
+  for (std::size_t k = 0; k < pulleys_.size(); ++k) {
+    if (!coupling_.pulley(pulleys_[k]).is_valid()) continue;
+    const ribbon::box2d::PulleyState state = coupling_.pulley(pulleys_[k]).state();
+    scene.wheels.push_back({index_of(state.cord), scene_.wheels[k].solid, state.def});
   }
   return scene;
 }
@@ -255,7 +260,10 @@ Scene World::present_scene() const {
 Snapshot World::snapshot() const {
   Snapshot now;
   for (const CordId c : coupling_.cords()) {
-    now.cords.push_back(outline(coupling_.cord(c).direct().def(), coupling_.cord(c).positions()));
+    const ribbon::Cord& cord = coupling_.cord(c).direct();
+    now.cords.push_back(outline(cord.def(), coupling_.cord(c).positions()));
+    for (const ribbon::Pulley& pulley : cord.pulleys())
+      now.cords.back().lay_on_wheel(pulley.def.before, pulley.def.after);
   }
   for (const b2Body* body : bodies_) {
     const b2Rot& turned = body->GetTransform().q;
@@ -269,84 +277,13 @@ Snapshot World::snapshot() const {
   return now;
 }
 
-World::Moving World::now(const b2Body& body) const {
-  return {to_double(body.GetWorldCenter()), coupling_.body(body).velocity(), coupling_.body(body).angular_velocity()};
-}
-
-/// Returns the kinetic and potential energy of a body, J.
-double World::energy(const b2Body& body, const Moving& moving) const {
-  const double mass = static_cast<double>(body.GetMass());
-  const double inertia = static_cast<double>(body.GetInertia());  // about its centre, which is its origin
-  return 0.5 * mass * dot(moving.velocity, moving.velocity) + 0.5 * inertia * moving.turning * moving.turning -
-         mass * dot(scene_.gravity, moving.center);
-}
-
-/// Returns the energy of bodies that no cord affects, J.
-double World::energy_of_free_bodies(const CouplingState& planned) const {
-  std::vector<char> is_moved(bodies_.size(), 0);
-  for (const auto& carry : planned.carries) is_moved[slot(carry.body)] = 1;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    if (bodies_[k]->GetType() == b2_dynamicBody && is_moved[k] == 0) sum += energy(*bodies_[k], now(*bodies_[k]));
+std::vector<World::Reeving> World::reevings() const {
+  std::vector<Reeving> all;
+  for (std::size_t k = 0; k < pulleys_.size(); ++k) {
+    const auto pulley = coupling_.pulley(pulleys_[k]);
+    if (pulley.is_valid()) all.push_back({pulley.state(), is_pressed(*bodies_[slot(scene_.wheels[k].solid)])});
   }
-  return sum;
-}
-
-/// Returns the energy that Box2D's contacts gave the bodies that cords move, J, from the velocities that Box2D works
-/// with. What a collision takes from one body and gives another one is no gain. A collision takes no more kinetic
-/// energy from a body than it had at that moment: Box2D's velocities are means of a tick, and may be higher.
-double World::work_on_moved_bodies(const CouplingState& planned) const {
-  double sum = 0.0;
-  for (const auto& carry : planned.carries) {
-    const b2Body& body = *bodies_[slot(carry.body)];
-    if (body.GetType() != b2_dynamicBody) continue;
-    const ribbon::box2d::CarryState& memory = carry.memory;
-    const Moving plan{memory.position, memory.velocity + memory.expected_delta_v, memory.angular_velocity};
-    const Moving momentary{plan.center, plan.velocity + memory.carry, plan.turning + memory.angular_carry};
-    const Moving done{to_double(body.GetWorldCenter()), to_double(body.GetLinearVelocity()),
-                      static_cast<double>(body.GetAngularVelocity())};
-    const double lifting = energy(body, {done.center, {}, 0.0}) - energy(body, {plan.center, {}, 0.0});
-    const double speeding = energy(body, done) - energy(body, plan) - lifting;
-    const double kinetic = energy(body, momentary) - energy(body, {plan.center, {}, 0.0});
-    sum += lifting + std::max(speeding, -kinetic);
-  }
-  return sum;
-}
-
-World::Energy World::energy() const {
-  Energy sum;
-  for (const CordId c : coupling_.cords()) {
-    const ribbon::Cord::Energy of_cord = coupling_.cord(c).direct().energy(scene_.gravity);
-    sum.total += of_cord.total();
-    sum.kinetic += of_cord.kinetic;
-  }
-  for (const b2Body* body : bodies_) {
-    if (body->GetType() != b2_dynamicBody) continue;
-    const double all = energy(*body, now(*body));
-    sum.total += all;
-    sum.kinetic += all + static_cast<double>(body->GetMass()) * dot(scene_.gravity, to_double(body->GetWorldCenter()));
-  }
-  sum.box2d = box2d_work_;
-  return sum;
-}
-
-double World::weight() const {
-  double mass = 0.0;
-  for (const SceneCord& cord : scene_.cords) mass += cord.def.mass_per_length * cord.def.length;
-  for (const b2Body* body : bodies_) mass += static_cast<double>(body->GetMass());
-  return mass * length(scene_.gravity);
-}
-
-Vec2 World::heights() const {
-  Vec2 range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  const auto take = [&](double y) { range = {std::min(range.x, y), std::max(range.y, y)}; };
-  for (const CordId c : coupling_.cords()) {
-    for (const Vec2 x : coupling_.cord(c).positions()) take(x.y);
-  }
-  for (const b2Body* body : bodies_) {
-    if (body->GetType() == b2_dynamicBody) take(static_cast<double>(body->GetPosition().y));
-  }
-  return range;
+  return all;
 }
 
 double World::fastest() const {

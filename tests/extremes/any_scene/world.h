@@ -52,6 +52,12 @@ class World {
   double weight() const;         ///< N, of all that moves
   ribbon::Vec2 heights() const;  ///< m, the lowest and the highest place of all that moves
   double fastest() const;        ///< m/s, of points of cords
+  /// A pulley, and whether Box2D pushes what carries it.
+  struct Reeving {
+    ribbon::box2d::PulleyState pulley;
+    bool pressed = false;
+  };
+  std::vector<Reeving> reevings() const;
   bool is_finite() const;
   /// The greatest distance between a hand and the place that it holds, m, without grips that slipped off an end:
   /// of solver-driven bodies, and of bodies that Box2D has pushed away since.
@@ -64,6 +70,7 @@ class World {
  private:
   void add(const Solid& solid);
   void add(const SceneCord& cord, Preset preset);
+  void add(const Wheel& wheel);
   void add(const Hold& hold);
   bool cut(const Cut& cut);
   bool tie(const Knot& knot);
@@ -88,6 +95,7 @@ class World {
   ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> bodies_;
   std::vector<ribbon::box2d::GripId> grips_;
+  std::vector<ribbon::box2d::PulleyId> pulleys_;
   std::vector<char> pushed_;  // by hold: Box2D has pushed its solid and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
   std::vector<ribbon::box2d::TieId> ties_;
