@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 #include <variant>
 
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/scene_cord.h"
 #include "engine/scene/scene_weather.h"
+#include "engine/scene/scene_wheels.h"
 #include "ribbon/box2d/convert.h"
 
 namespace engine {
@@ -73,38 +75,50 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
     weather_.emplace(*weather);
     coupling_.set_medium(&*weather_);
   }
-  for (const MapObject& object : map.objects) build(object, other_kinds, cord_filter);
+  std::vector<WheelDefinition> wheels;
+  for (const MapObject& object : map.objects) {
+    if (is_cord(object)) {
+      build_cord(object, map, cord_filter, wheels);
+    } else {
+      build(object, other_kinds);
+    }
+  }
+  for (const WheelDefinition& wheel : wheels) hang_wheel(wheel, map);
   for (const MapObject& object : map.objects) {  // these refer to cords
     if (object.kind == "anchor") fix_anchor(object, map);
     if (object.kind == "load" && object.properties.has("cord")) hang_load(object, map);
     if (object.kind == "tie") tie_cords(object, map);
+    if (object.kind == "wheel") (void)named_cord(object, map);  // refuses what is no cord
   }
 }
 
-void Scene::build(const MapObject& object, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter) {
+void Scene::build(const MapObject& object, const std::vector<std::string>& other_kinds) {
   if (object.kind == "ground") {
     bodies_.push_back({&build_ground(object, world_), BodyKind::ground, object.id});
   } else if (object.kind == "circle") {
     bodies_.push_back({&build_circle(object, world_), BodyKind::circle, object.id});
   } else if (object.kind == "load") {
     bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id});
-  } else if (is_cord(object)) {
-    build_cord(object, cord_filter);
-  } else if (object.kind != "anchor" && object.kind != "tie" &&
+  } else if (object.kind != "anchor" && object.kind != "tie" && object.kind != "wheel" &&
              std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
-    std::string accepted = "ground, circle, cord, ribbon, anchor, load, tie";
+    std::string accepted = "ground, circle, cord, ribbon, anchor, load, tie, wheel";
     for (const std::string& kind : other_kinds) accepted += ", " + kind;
     throw object.error("class is " + in_quotes(object.kind) + "; accepted is " + accepted);
   }
 }
 
-void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
-  const CordDefinition definition = read_cord(object);
+void Scene::build_cord(const MapObject& object, const TiledMap& map, const b2Filter& filter,
+                       std::vector<WheelDefinition>& wheels) {
+  CordDefinition definition = read_cord(object);
   const b2Filter wanted = is_solid(object) ? b2Filter{} : filter;
   ribbon::box2d::CordId cord = 0;
   try {
-    if (const auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+    if (auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+      const std::vector<WheelDefinition> own = reeve_around_wheels(object, map, *direct);
+      wheels.insert(wheels.end(), own.begin(), own.end());
       cord = coupling_.add(ribbon::Cord(*direct), wanted);
+    } else if (has_wheels(object, map)) {
+      throw object.error("is of the thesis's solver and has a wheel; accepted is a rope of the direct solver");
     } else {
       cord = coupling_.add(ribbon::ThesisCord(std::get<ribbon::ThesisDef>(definition)), wanted);
     }
@@ -113,6 +127,32 @@ void Scene::build_cord(const MapObject& object, const b2Filter& filter) {
   }
   coupling_.cord(cord).set_user_data(static_cast<std::uintptr_t>(object.id));
   cord_objects_.push_back(object.id);
+}
+
+/// Lays the cord on its wheel, which the body that it names carries, or a static one.
+void Scene::hang_wheel(const WheelDefinition& wheel, const TiledMap& map) {
+  const MapObject& object = *wheel.object;
+  b2Body* body = nullptr;
+  if (const std::int64_t id = object.properties.integer_or("body", 0); id != 0) {
+    const auto made = std::find_if(bodies_.begin(), bodies_.end(), [id](const SceneBody& b) { return b.object == id; });
+    if (made == bodies_.end()) {
+      const MapObject* other = map.find(static_cast<int>(id));
+      throw object.error(
+          "property \"body\" is " + std::to_string(id) + ", " +
+          (other == nullptr ? "and there is no such object" : "an object of class " + in_quotes(other->kind)) +
+          "; accepted is the id of a ground, circle or load");
+    }
+    body = made->body;
+  } else {
+    b2BodyDef wall;
+    wall.position = ribbon::box2d::to_float(object.position);
+    body = world_.CreateBody(&wall);
+  }
+  try {
+    wheels_.push_back({coupling_.add_pulley(named_cord(object, map), *body, wheel.pulley), object.id});
+  } catch (const std::logic_error& error) {
+    throw object.error(error.what());
+  }
 }
 
 /// Returns the cord whose id is a property of the object.

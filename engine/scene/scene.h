@@ -22,6 +22,13 @@ struct SceneBody {
   int object = 0;  ///< id of the object in the map
 };
 
+/// A wheel that was built from an object of the map, in the order in which cords and their wheels were built.
+struct SceneWheel {
+  ribbon::box2d::PulleyId pulley = 0;
+  int object = 0;  ///< id of the object in the map
+};
+struct WheelDefinition;
+
 /// A Box2D world with its cords, built from the objects of a map. The classes and their properties:
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
 /// - `circle`: ellipse with equal axes; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
@@ -46,6 +53,10 @@ struct SceneBody {
 ///     soft_contacts (by default true for implicit_euler). All links are straight and of equal length, so the cord is a
 ///     little shorter than a polyline with corners.
 /// - `ribbon`: like cord with 2 rows or more, by default 3.
+/// - `wheel`: ellipse with equal axes, the groove of a pulley; cord (the rope of the direct solver that runs around it,
+///   whose polyline has one corner at each of its wheels and no other between its ends), body (optional: the ground,
+///   circle or load that carries it), turns, inertia [kg·m²], friction (without it the cord does not slip),
+///   motor_speed [rad/s], motor_torque [N·m] (ribbon/pulley.h). The rope is laid taut around its wheels.
 /// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
 /// default; with wind_x, water_level and others it defines a weather (scene_weather.h, ribbon/weather.h).
 class Scene {
@@ -65,6 +76,7 @@ class Scene {
 
   /// The bodies in the order of the map.
   std::span<const SceneBody> bodies() const { return bodies_; }
+  std::span<const SceneWheel> wheels() const { return wheels_; }
   /// Returns the weather of the map, the medium of its cords; nothing if it has none.
   const std::optional<ribbon::Weather>& weather() const { return weather_; }
   /// Returns the id of the object that a cord or its uncut cord was built from, which is its user data; 0 for cords
@@ -84,9 +96,11 @@ class Scene {
   static constexpr int position_iterations = 3;
 
  private:
-  void build(const MapObject& object, const std::vector<std::string>& other_kinds, const b2Filter& cord_filter);
+  void build(const MapObject& object, const std::vector<std::string>& other_kinds);
   void add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId cord);
-  void build_cord(const MapObject& object, const b2Filter& filter);
+  void build_cord(const MapObject& object, const TiledMap& map, const b2Filter& filter,
+                  std::vector<WheelDefinition>& wheels);
+  void hang_wheel(const WheelDefinition& wheel, const TiledMap& map);
   void fix_anchor(const MapObject& object, const TiledMap& map);
   void hang_load(const MapObject& object, const TiledMap& map);
   void tie_cords(const MapObject& object, const TiledMap& map);
@@ -100,6 +114,7 @@ class Scene {
   std::optional<ribbon::Weather> weather_;
   ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
+  std::vector<SceneWheel> wheels_;
   std::vector<int> cord_objects_;  // by cord, as built
   ribbon::Cord::State hashed_;     // scratch of add_to
   ribbon::ThesisCord::State hashed_thesis_;

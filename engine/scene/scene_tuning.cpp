@@ -24,13 +24,18 @@ ribbon::Cord::State carry_over(const ribbon::Cord& old, const ribbon::Cord& made
   to.breaking_forces = from.breaking_forces;
   to.holders = from.holders;
   to.touches = from.touches;
+  to.pulleys = from.pulleys;
   for (std::size_t p = 0; p < to.masses.size(); ++p)
     to.masses[p] += from.masses[p] - bare.masses[p];  // attached masses
   to.restart = true;
   return to;
 }
 
-void retune(ribbon::Cord& cord, const ribbon::CordDef& def) {
+void retune(ribbon::Cord& cord, ribbon::CordDef def) {
+  if (!cord.pulleys().empty()) {  // its polyline does not have the length of the cord that lies around wheels
+    def.length = cord.def().length;
+    def.positions = cord.def().positions;
+  }
   ribbon::Cord made(def);
   made.restore(carry_over(cord, made));
   cord = std::move(made);

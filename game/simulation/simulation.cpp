@@ -39,6 +39,10 @@ Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
     between.bodies[b].position = from.bodies[b].position + alpha * (to.bodies[b].position - from.bodies[b].position);
     between.bodies[b].angle = from.bodies[b].angle + alpha * (to.bodies[b].angle - from.bodies[b].angle);
   }
+  for (std::size_t w = 0; w < to.wheels.size(); ++w) {
+    between.wheels[w].center = from.wheels[w].center + alpha * (to.wheels[w].center - from.wheels[w].center);
+    between.wheels[w].angle = from.wheels[w].angle + alpha * (to.wheels[w].angle - from.wheels[w].angle);
+  }
   return between;
 }
 
@@ -216,6 +220,14 @@ void Simulation::take_snapshot(Snapshot& snapshot) const {
   snapshot.bodies.resize(index);
   for (const b2Body* body = scene_->world().GetBodyList(); body != nullptr; body = body->GetNext()) {
     snapshot.bodies[--index] = {to_double(body->GetPosition()), static_cast<double>(body->GetAngle())};
+  }
+  snapshot.wheels.clear();
+  for (const engine::SceneWheel& wheel : scene_->wheels()) {
+    const ribbon::box2d::PulleyView pulley = coupling.pulley(wheel.pulley);
+    snapshot.wheels.emplace_back();
+    if (!pulley.is_valid()) continue;
+    const ribbon::box2d::PulleyState state = pulley.state();
+    snapshot.wheels.back() = {state.center, state.def.radius, state.angle};
   }
 }
 

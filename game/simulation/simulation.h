@@ -25,8 +25,14 @@ struct Snapshot {
     ribbon::Vec2 position;  ///< m
     double angle = 0.0;     ///< rad
   };
+  struct Wheel {
+    ribbon::Vec2 center;  ///< m
+    double radius = 0.0;  ///< m, of the groove; 0 for a wheel that is gone
+    double angle = 0.0;   ///< rad
+  };
   std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by id of the cord and point; empty for one that is gone
   std::vector<Body> bodies;                      ///< in the order of creation
+  std::vector<Wheel> wheels;                     ///< as engine::Scene::wheels
 };
 
 /// Interpolates linearly; `alpha` is 0 … 1 for `from` … `to`, which must be of the same world.

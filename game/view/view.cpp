@@ -17,6 +17,7 @@
 #include "game/view/pen.h"
 #include "game/view/strain_legend.h"
 #include "game/view/water.h"
+#include "game/view/wheels.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -126,6 +127,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_backdrop(pen);
   draw_marks(pen, *simulation_);
   draw_bodies(pen, bodies_of(*simulation_, now));
+  draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));

@@ -150,6 +150,7 @@ std::string chains_unsupported_reason(const game::Level& level, std::span<const 
   const auto scene = level.make_scene();
   const Coupling& coupling = scene->coupling();
   if (scene->weather()) return "no wind and water act on a chain, and the level has them";
+  if (!scene->wheels().empty()) return "a chain does not run around wheels, and the level has some";
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct || coupling.cord(c).shape().rows > 1) {
       return "a chain has no width, and cord " + std::to_string(c) + " of the level is a ribbon";

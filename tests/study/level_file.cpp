@@ -37,6 +37,7 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
   json_ = Json::parse(read_file(path_));
   int cords = 0;
   for_each_cord(json_, [&cords](const Json&) { ++cords; });
+  for_each_object(json_, "wheel", [this](const Json& wheel) { reeved_.push_back(find(wheel, "cord")->get<int>()); });
   if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
 }
 
@@ -94,13 +95,15 @@ void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
   if (is_box2d(setting)) return;  // the cords only give the geometry, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
+  const bool is_reeved = std::find(reeved_.begin(), reeved_.end(), cord["id"].get<int>()) != reeved_.end();
   if (setting.solver == "thesis") {
+    if (is_reeved) return;
     if (!is_thesis) make_thesis(cord, setting);
     set(cord, "substeps", setting.substeps);
     return;
   }
   if (is_thesis) return;  // its material is not that of the direct solver
-  if (setting.rows > 1) make_ribbon(cord, setting.rows);
+  if (setting.rows > 1 && !is_reeved) make_ribbon(cord, setting.rows);
   set(cord, "accuracy", nullptr);
   set(cord, "integrator", setting.integrator);
   set(cord, "substeps", setting.substeps);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "game/simulation/level.h"
 #include "tests/study/setting.h"
@@ -64,6 +65,7 @@ class LevelFile {
   static const Json* find(const Json& cord, const std::string& name);
   void displace(Json& cord, double offset) const;
   static void multiply_links(Json& cord, double times);
+  /// Ropes around wheels stay ropes of the direct solver.
   void apply_setting(Json& cord, const Setting& setting) const;
   void make_ribbon(Json& cord, int rows) const;
   static void make_thesis(Json& cord, const Setting& setting);
@@ -72,6 +74,7 @@ class LevelFile {
   std::uint64_t hash_;
   double pixels_per_metre_;
   Json json_;
+  std::vector<int> reeved_;  // ids of the cords around wheels
 };
 
 }  // namespace study

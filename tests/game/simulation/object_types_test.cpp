@@ -74,13 +74,23 @@ void set_required(json& object) {
   }
   if (kind == "load") set(object, "mass", "float", 50.0);
   if (kind == "text") set(object, "text", "string", "words");
+  if (kind == "wheel") set(object, "cord", "object", 5);
+}
+
+/// A rope over the wheel of one_of.
+json reeved_cord() {
+  json made = line(5, "cord", 12.0);
+  made["polyline"] = {{{"x", 0}, {"y", 192}}, {{"x", 32}, {"y", 64}}, {{"x", 64}, {"y", 192}}};
+  set_required(made);
+  set(made, "columns", "int", 31);
+  return made;
 }
 
 /// Returns a valid object of that class.
 json one_of(const std::string& kind) {
   json made;
   if (kind == "cord" || kind == "ribbon") made = line(9, kind, 8.0);
-  if (kind == "circle") made = ellipse(9, kind, 12.0);
+  if (kind == "circle" || kind == "wheel") made = ellipse(9, kind, 12.0);
   if (kind == "load" || kind == "ground" || kind == "checkpoint" || kind == "goal")
     made = object(9, kind, 12.0, 5.0, 1.0, 1.0);
   if (made.is_null()) made = object(9, kind, 5.0, 2.0);
@@ -88,7 +98,7 @@ json one_of(const std::string& kind) {
   return made;
 }
 
-/// Returns a level with cords from (5, 2) and (5.1, 2) downwards and that object, in place of a required one of the
+/// Returns a level with cords from (5, 2) and (5.1, 2) downwards, for a wheel its cord, and that object, in place of a required one of the
 /// same class.
 Level level_with(const json& added) {
   json objects = json::array();
@@ -100,6 +110,7 @@ Level level_with(const json& added) {
     set_required(cord);
     objects.push_back(cord);
   }
+  if (added["type"] == "wheel") objects.push_back(reeved_cord());
   objects.push_back(added);
   const json map = {{"type", "map"},
                     {"orientation", "orthogonal"},
@@ -171,6 +182,7 @@ bool has_no_default(const std::string& kind, const std::string& name) {
                                                  "bending_stiffness", "width",         "spring_stiffness",
                                                  "bar_damping",       "self_collision"};
   if (kind == "cord" || kind == "ribbon") return of_cords.contains(name);
+  if (kind == "wheel" && name == "friction") return true;
   return (kind == "load" && name == "mass") || kind == "text" || name == "cord" || name == "other_cord";
 }
 
