@@ -32,6 +32,12 @@ void check_pulley(const CordParts& cord, int pulley) {
 void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
   check_point(cord, point);
   check_coordinates("target", target);
+  for (const Pulley& pulley : cord.state.pulleys) {
+    if (point <= pulley.def.before || point >= pulley.def.after) continue;
+    throw CallError("point " + std::to_string(point) + " is on a wheel, between points " +
+                    std::to_string(pulley.def.before) + " and " + std::to_string(pulley.def.after) +
+                    "; accepted is one off the wheels");
+  }
   cord.state.targets[slot(point)] = target;
   cord.state.kinds[slot(point)] = kind;
   cord.disturb();

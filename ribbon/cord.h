@@ -116,7 +116,7 @@ class Cord {
   /// Sets a constant force on a point [N], each component within ±1e9.
   void set_load(int point, Vec2 force);
   /// Pins a point to `target` [m, within ±1e9]. The point moves there at constant velocity during the next step and
-  /// then stays.
+  /// then stays. Throws CallError for a point on the wheel of a pulley.
   void constrain(int point, Vec2 target);
   /// Drags a point to `target` in the same way. Call it before each step while dragging.
   void operate(int point, Vec2 target);

@@ -100,14 +100,21 @@ void CoupledCord::reserve() {
   touching_before.reserve(usual_touches);
 }
 
+const Pulley* CoupledCord::wheel_at(double column) const {
+  if (!is_direct()) return nullptr;
+  const std::span<const Pulley> pulleys = direct().pulleys();
+  const auto found = std::find_if(pulleys.begin(), pulleys.end(), [column](const Pulley& pulley) {
+    return column > pulley.def.before && column < pulley.def.after;
+  });
+  return found == pulleys.end() ? nullptr : &*found;
+}
+
 void CoupledCord::check_off_wheels(const char* what, double column) const {
-  if (!is_direct()) return;
-  for (const Pulley& pulley : direct().pulleys()) {
-    if (column <= pulley.def.before || column >= pulley.def.after) continue;
-    throw CallError(std::string(what) + " is on a wheel of cord " + std::to_string(id) + ", between points " +
-                    std::to_string(pulley.def.before) + " and " + std::to_string(pulley.def.after) +
-                    "; accepted is one off its wheels");
-  }
+  const Pulley* const pulley = wheel_at(column);
+  if (pulley == nullptr) return;
+  throw CallError(std::string(what) + " is on a wheel of cord " + std::to_string(id) + ", between points " +
+                  std::to_string(pulley->def.before) + " and " + std::to_string(pulley->def.after) +
+                  "; accepted is one off its wheels");
 }
 
 double CoupledCord::free_of_wheels(double from, double to) const {

@@ -75,6 +75,8 @@ struct CoupledCord {
   double arc_at(double column) const;
   /// The inverse, for the direct solver.
   double column_at(double arc) const;
+  /// Returns the pulley on whose wheel a column is, or null.
+  const Pulley* wheel_at(double column) const;
   /// Throws CallError unless a column is off the wheels of the cord's pulleys. `what` names what would be there.
   void check_off_wheels(const char* what, double column) const;
   /// Returns how far something gets from a column to another one, off the wheels: at most to a point beside one.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
@@ -129,24 +128,6 @@ void release_lost(CouplingParts& parts) {
       parts.release(grip.id);
     } else {
       ++k;
-    }
-  }
-}
-
-/// Throws CallError if a body holds the cord, or it is tied, where it would be on a wheel.
-void check_nothing_held(const CouplingParts& parts, const CoupledCord& cord, const PulleyDef& def) {
-  const auto check_place = [&](const char* what, int id, double column) {
-    if (column <= def.before || column >= def.after) return;
-    throw CallError(std::string(what) + " " + std::to_string(id) + " is between points " + std::to_string(def.before) +
-                    " and " + std::to_string(def.after) + " of cord " + std::to_string(cord.id) +
-                    "; accepted is a wheel where nothing holds the cord");
-  };
-  for (const BodyGrip& grip : parts.grips.all()) {
-    if (grip.cord == cord.id) check_place("grip", grip.id, column_of(grip, cord));
-  }
-  for (const TieMemory& tie : parts.ties.all()) {
-    for (const TiePlace& place : {tie.place, tie.other}) {
-      if (place.cord == cord.id) check_place("tie", tie.id, place.point);
     }
   }
 }

@@ -107,6 +107,8 @@ struct CouplingParts {
 
 /// Throws CallError for a cord that has pulleys already.
 void check_without_pulleys(const CoupledCord& cord);
+/// Throws CallError if a body holds the cord, or it is tied, where it would be on a wheel.
+void check_nothing_held(const CouplingParts& parts, const CoupledCord& cord, const PulleyDef& def);
 /// Throws CallError inside world.Step and between gather and apply, for a call named `what`.
 void check_between_ticks(const CouplingParts& parts, const char* what);
 

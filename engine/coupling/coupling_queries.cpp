@@ -12,12 +12,14 @@ namespace {
 std::size_t slot(int point) { return static_cast<std::size_t>(point); }
 
 /// Returns the place on the link from a point to the next column that is nearest to `position`, or nothing if that is
-/// the end of the link.
+/// the end of the link, or if the point is on a wheel. Of a link that runs onto a wheel it is the point before that.
 std::optional<CordPoint> nearest_on_link(const CoupledCord& cord, int point, Vec2 position) {
   const auto x = cord.positions();
   CordPoint place{cord.id, point};
+  if (cord.wheel_at(point) != nullptr) return std::nullopt;
   const std::size_t next = slot(point + cord.shape().rows);
-  if (next < x.size() && cord.is_direct()) {
+  const bool is_link = next < x.size() && cord.is_direct() && cord.wheel_at(point + 0.5) == nullptr;
+  if (is_link) {
     const Vec2 link = x[next] - x[slot(point)];
     const double share = dot(position - x[slot(point)], link) / dot(link, link);
     if (share >= 1.0) return std::nullopt;
@@ -36,6 +38,7 @@ std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) co
     const auto positions = cord.positions();
     for (std::size_t p = 0; p < positions.size(); ++p) {
       const double distance = length(positions[p] - position);
+      if (cord.wheel_at(static_cast<double>(p)) != nullptr) continue;
       if (!(distance <= reach) || (nearest && distance >= nearest->distance)) continue;
       nearest = CordPoint{cord.id, static_cast<int>(p), distance};
     }

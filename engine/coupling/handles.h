@@ -90,7 +90,7 @@ class CordRef : public CordView {
   Cord& direct() const;        ///< see CordView
   ThesisCord& thesis() const;  ///< see CordView
   /// Drags a point to `target` [m] in the next tick. Call it in each tick while dragging. Throws DefinitionError for an
-  /// unknown point and for a coordinate beyond ±1e9.
+  /// unknown point and for a coordinate beyond ±1e9, and CallError for a point on the wheel of a pulley.
   void drag(int point, Vec2 target) const;
   /// Pins a point to `target` [m]. The point moves there in the next tick and then stays. Throws as `drag` does.
   void pin(int point, Vec2 target) const;

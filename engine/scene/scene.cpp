@@ -180,7 +180,11 @@ void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
     throw object.error("is further from its cord than an anchor reaches; accepted is one within " +
                        number_in_words(max_anchor_distance) + " m of a cord's point");
   }
-  coupling_.cord(nearest->cord).pin(nearest->point, object.position);
+  try {
+    coupling_.cord(nearest->cord).pin(nearest->point, object.position);
+  } catch (const ribbon::CallError& error) {
+    throw object.error(error.what());
+  }
 }
 
 std::optional<ribbon::box2d::CordPoint> Scene::nearest_of(ribbon::box2d::CordId cord, Vec2 position,

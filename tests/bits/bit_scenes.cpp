@@ -533,7 +533,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0x1b7ab2564863a4c1},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
     {"listener", build_listener, nullptr, 180, 0xc76d9ec4cce20555},
-    {"pulleys", build_pulleys, drive_pulleys, 120, 0x24d2c2a81c5fcd12},
+    {"pulleys", build_pulleys, drive_pulleys, 120, 0x8ff62e0570d9c884},
     {"wind", build_wind, drive_wind, 150, 0xf09d88afaacb4248},
 }};
 

@@ -328,6 +328,39 @@ TEST(Pulleys, RefuseWhatIsHeldOnAWheel) {
   EXPECT_TRUE(scene.coupling.cord(scene.cord).direct().pulleys().empty()) << "nothing was changed";
 }
 
+TEST(Pulleys, CannotBeDraggedWhereTheyAre) {
+  BodiesOverAWheel scene;
+  const PulleyDef wheel = scene.state().def;
+  const ribbon::box2d::CordRef cord = scene.coupling.cord(scene.cord);
+  ASSERT_GT(wheel.after - wheel.before, 2);
+  for (int p = wheel.before + 1; p < wheel.after; ++p) {
+    const std::string wanted = "point " + std::to_string(p) + " is on a wheel";
+    EXPECT_TRUE(says(refusal<CallError>([&] { cord.drag(p, {0.0, 6.0}); }), wanted));
+    EXPECT_TRUE(says(refusal<CallError>([&] { cord.pin(p, {0.0, 6.0}); }), wanted));
+    EXPECT_EQ(cord.kind(p), ribbon::PointKind::free);
+  }
+  for (const int p : {wheel.before, wheel.after}) cord.drag(p, cord.positions()[static_cast<std::size_t>(p)]);
+}
+
+/// What nearest_point and nearest_place return can be held, wherever they are asked.
+TEST(Pulleys, AreNotTheNearestPlace) {
+  BodiesOverAWheel scene;
+  b2Body* const hand = scene.add_body({0.0, 5.25}, 1.0);
+  const PulleyDef wheel = scene.state().def;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = 0.1 * k;
+    const Vec2 at = wheel.center + 0.3 * Vec2{std::cos(angle), std::sin(angle)};
+    const auto point = scene.coupling.nearest_point(at, 10.0);
+    const auto place = scene.coupling.nearest_place(at, 10.0);
+    ASSERT_TRUE(point && place);
+    EXPECT_TRUE(point->point <= wheel.before || point->point >= wheel.after) << angle;
+    EXPECT_LE(place->distance, point->distance);
+    const double arc = scene.coupling.cord(scene.cord).arc(place->point, place->along);
+    const auto grip = scene.coupling.hold(*hand, {.cord = scene.cord, .arc = arc});  // throws on a wheel
+    scene.coupling.grip(grip).release();
+  }
+}
+
 TEST(Pulleys, RefuseWhatCannotBe) {
   BodiesOverAWheel scene;
   const PulleyDef wheel = scene.state().def;

@@ -4,24 +4,13 @@
 
 #include <string>
 
-#include "engine/scene/scene.h"
 #include "ribbon/box2d/convert.h"
-#include "tests/support/refusal.h"
+#include "tests/engine/scene/scene_map.h"
 
 namespace engine {
 namespace {
 
 using ribbon::Vec2;
-
-MapObject thing(int id, const std::string& kind, MapShape shape, Vec2 position) {
-  MapObject object;
-  object.id = id;
-  object.kind = kind;
-  object.shape = shape;
-  object.position = position;
-  object.properties = Properties("test.tmj: object " + std::to_string(id));
-  return object;
-}
 
 /// A cord of 2 m that hangs from (5, 9), pinned unless an anchor does that.
 MapObject cord(int id, bool pinned = true) {
@@ -40,19 +29,6 @@ MapObject load(int id, std::int64_t of_cord) {
   object.properties.insert("mass", 400.0);
   if (of_cord != 0) object.properties.insert("cord", of_cord);
   return object;
-}
-
-TiledMap map_of(std::vector<MapObject> objects) {
-  TiledMap map;
-  map.file = "test.tmj";
-  map.size = {10.0, 10.0};
-  map.objects = std::move(objects);
-  return map;
-}
-
-/// Returns the message with which a map is refused.
-std::string refusal(const TiledMap& map) {
-  return test_support::refusal<MapError>([&] { const Scene scene(map); });
 }
 
 TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "engine/scene/scene.h"
 #include "engine/scene/scene_tuning.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/engine/scene/scene_map.h"
 #include "tests/support/refusal.h"
 
 namespace engine {
@@ -14,19 +14,9 @@ namespace {
 
 using ribbon::Vec2;
 using ribbon::box2d::PulleyState;
+using test_support::says;
 
 constexpr double dt = 1.0 / 60.0;
-
-MapObject thing(int id, const std::string& kind, MapShape shape, Vec2 position, Vec2 size = {}) {
-  MapObject object;
-  object.id = id;
-  object.kind = kind;
-  object.shape = shape;
-  object.position = position;
-  object.size = size;
-  object.properties = Properties("test.tmj: object " + std::to_string(id));
-  return object;
-}
 
 MapObject wheel(int id, std::int64_t of_cord, Vec2 position) {
   MapObject object = thing(id, "wheel", MapShape::ellipse, position, {0.5, 0.5});
@@ -48,20 +38,6 @@ MapObject load(int id, Vec2 position, double mass) {
   object.properties.insert("cord", std::int64_t{7});
   return object;
 }
-
-TiledMap map_of(std::vector<MapObject> objects) {
-  TiledMap map;
-  map.file = "test.tmj";
-  map.size = {10.0, 10.0};
-  map.objects = std::move(objects);
-  return map;
-}
-
-std::string refusal(const TiledMap& map) {
-  return test_support::refusal<MapError>([&] { const Scene scene(map); });
-}
-
-bool says(const std::string& message, const std::string& part) { return message.find(part) != std::string::npos; }
 
 /// A rope over a wheel at (5, 8) whose ends are at (4.75, 5) and (5.25, 5).
 MapObject over_a_wheel() { return rope({{4.75, 5.0}, {5.0, 8.25}, {5.25, 5.0}}); }
@@ -144,6 +120,9 @@ TEST(SceneWheel, IsRefusedWhereItCannotBe) {
   EXPECT_TRUE(says(refusal(map_of({cord, without})), "cord"));
   const MapObject short_rope = rope({{4.8, 8.0}, {5.0, 8.25}, {5.25, 5.0}});
   EXPECT_TRUE(says(refusal(map_of({short_rope, wheel(9, 7, {5.0, 8.0})})), "object 7"));
+  MapObject anchor = thing(12, "anchor", MapShape::point, {5.0, 8.25});
+  anchor.properties.insert("cord", std::int64_t{7});
+  EXPECT_TRUE(says(refusal(map_of({cord, wheel(9, 7, {5.0, 8.0}), anchor})), "is on a wheel"));
   MapObject thesis = over_a_wheel();
   thesis.properties.insert("solver", std::string("thesis"));
   thesis.properties.insert("spring_stiffness", 1e4);

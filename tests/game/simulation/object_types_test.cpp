@@ -98,8 +98,8 @@ json one_of(const std::string& kind) {
   return made;
 }
 
-/// Returns a level with cords from (5, 2) and (5.1, 2) downwards, for a wheel its cord, and that object, in place of a required one of the
-/// same class.
+/// Returns a level with cords from (5, 2) and (5.1, 2) downwards, for a wheel its cord, and that object, in place of a
+/// required one of the same class.
 Level level_with(const json& added) {
   json objects = json::array();
   for (const json& own : {object(1, "player", 2.0, 9.0), object(2, "goal", 18.0, 8.0, 1.0, 1.0)}) {

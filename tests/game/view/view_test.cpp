@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -126,6 +128,62 @@ TEST(View, TheDebugViewShowsContacts) {
   options.debug = true;
   View(simulation).draw(debug, 1.0, options);
   EXPECT_EQ(debug.shapes - playing.shapes, 1 + 4 + 4 * (41 + 40) + 2 * contacts);
+}
+
+/// A level with a rope that runs over a wheel above the player, to the right, where it is longer.
+Level reeved_swing() {
+  using nlohmann::json;
+  json map = json::parse(std::ifstream(assets_folder() + "/levels/first_swing.tmj"));
+  const double scale = load_level("first_swing").map.pixels_per_metre;
+  json& objects = map["layers"][0]["objects"];
+  double x = 0.0;
+  double y = 0.0;
+  for (const json& object : objects) {
+    if (object["type"] != "player") continue;
+    x = object["x"];
+    y = object["y"];
+  }
+  const auto property = [](const char* name, const char* type, const json& value) {
+    return json{{"name", name}, {"type", type}, {"value", value}};
+  };
+  const auto made = [&](int id, const char* kind, double left, double up, const json& properties) {
+    return json{{"id", id},     {"name", ""},    {"type", kind},  {"x", x + left * scale}, {"y", y - up * scale},
+                {"width", 0.0}, {"height", 0.0}, {"rotation", 0}, {"visible", true},       {"properties", properties}};
+  };
+  json cord = made(900, "cord", 1.0, 4.0, {property("columns", "int", 41), property("mass", "float", 2.0)});
+  const auto corner = [&](double right, double up) { return json{{"x", right * scale}, {"y", -up * scale}}; };
+  cord["polyline"] = {corner(0.0, 0.0), corner(0.5, 2.0), corner(1.0, -1.0)};
+  json wheel = made(901, "wheel", 1.0, 6.0, {property("cord", "int", 900), property("inertia", "float", 0.1)});
+  wheel["width"] = wheel["height"] = scale;
+  wheel["ellipse"] = true;
+  objects.push_back(cord);
+  objects.push_back(wheel);
+  return level_of(engine::parse_tiled_map(map.dump(), "reeved_swing.tmj"));
+}
+
+/// A wheel turns clockwise with the rope that runs over it to the right, in the picture as in the world.
+TEST(View, ShowsWheels) {
+  const Level level = reeved_swing();
+  Simulation simulation(level);
+  for (int k = 0; k < 20; ++k) simulation.tick({});
+  ASSERT_EQ(simulation.current().wheels.size(), 1U);
+  const Snapshot::Wheel before = simulation.previous().wheels[0];
+  const Snapshot::Wheel after = simulation.current().wheels[0];
+  EXPECT_EQ(after.radius, 0.5);
+  EXPECT_LT(length(after.center - before.center), 1e-6);
+  EXPECT_LT(after.angle, before.angle);
+  EXPECT_LT(before.angle, 0.0);
+  EXPECT_NEAR(interpolate(simulation.previous(), simulation.current(), 0.25).wheels[0].angle,
+              0.75 * before.angle + 0.25 * after.angle, 1e-12);
+  RecordingCanvas canvas;
+  View(simulation).draw(canvas, 1.0, {});
+  const int shown = canvas.shapes;
+  simulation.scene().coupling().pulley(simulation.scene().wheels()[0].pulley).remove();
+  simulation.tick({});
+  EXPECT_EQ(simulation.current().wheels[0].radius, 0.0);
+  RecordingCanvas without;
+  View(simulation).draw(without, 1.0, {});
+  EXPECT_LT(without.shapes, shown);
 }
 
 std::vector<std::uint32_t> picture(const ViewOptions& options, int ticks, int frames_apart) {
