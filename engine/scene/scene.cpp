@@ -129,7 +129,8 @@ void Scene::build_cord(const MapObject& object, const TiledMap& map, const b2Fil
   cord_objects_.push_back(object.id);
 }
 
-/// Lays the cord on its wheel, which the body that it names carries, or a static one.
+/// Lays the cord on its wheel, which the body that it names carries, or a static disc within the groove: a load that is
+/// hoisted to the wheel stops there.
 void Scene::hang_wheel(const WheelDefinition& wheel, const TiledMap& map) {
   const MapObject& object = *wheel.object;
   b2Body* body = nullptr;
@@ -147,6 +148,11 @@ void Scene::hang_wheel(const WheelDefinition& wheel, const TiledMap& map) {
     b2BodyDef wall;
     wall.position = ribbon::box2d::to_float(object.position);
     body = world_.CreateBody(&wall);
+    if (wheel.disc_radius > 0.0) {
+      b2CircleShape disc;
+      disc.m_radius = static_cast<float>(wheel.disc_radius);
+      body->CreateFixture(&disc, 0.0F);
+    }
   }
   try {
     wheels_.push_back({coupling_.add_pulley(named_cord(object, map), *body, wheel.pulley), object.id});

@@ -100,7 +100,10 @@ std::vector<WheelDefinition> reeve_around_wheels(const MapObject& cord, const Ti
     const ribbon::ReevedCord reeved = ribbon::reeve(cord.points.front(), pulleys, cord.points.back(), def.points);
     def.length = reeved.length;
     def.positions = reeved.positions;
-    for (std::size_t k = 0; k < wheels.size(); ++k) wheels[k].pulley = reeved.pulleys[k];
+    for (std::size_t k = 0; k < wheels.size(); ++k) {
+      wheels[k].pulley = reeved.pulleys[k];
+      wheels[k].disc_radius = wheels[k].pulley.radius - def.radius;
+    }
   } catch (const ribbon::DefinitionError& error) {
     throw cord.error(error.what());
   }

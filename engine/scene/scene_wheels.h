@@ -13,6 +13,7 @@ namespace engine {
 struct WheelDefinition {
   const MapObject* object = nullptr;
   ribbon::PulleyDef pulley;
+  double disc_radius = 0.0;  ///< m, of what fits in the groove under the cord
 };
 
 /// Returns the wheels that name the cord, in the order in which it runs around them, and lays the cord taut around

@@ -27,8 +27,8 @@ std::string property(const Property& p) {
   return R"({"name":")" + p.first + R"(","type":")" + type + R"(","value":)" + p.second + "}";
 }
 
-/// A level with one object with these fields and properties; of equal names the last one counts.
-std::string level(const std::string& fields, const std::vector<Property>& properties) {
+/// A level with one object with these fields and properties, behind others; of equal names the last one counts.
+std::string level(const std::string& fields, const std::vector<Property>& properties, const std::string& others = {}) {
   std::string list;
   for (std::size_t k = 0; k < properties.size(); ++k) {
     bool again = false;
@@ -40,7 +40,7 @@ std::string level(const std::string& fields, const std::vector<Property>& proper
     list += property(properties[k]);
   }
   return R"({"type":"map","orientation":"orthogonal","width":10,"height":10,"tilewidth":10,"tileheight":10,)"
-         R"("layers":[{"type":"objectgroup","objects":[{"id":7,"name":"thing","x":20,"y":30,)" +
+         R"("layers":[{"type":"objectgroup","objects":[)" + others + R"({"id":7,"name":"thing","x":20,"y":30,)" +
          fields + R"(,"properties":[)" + list + "]}]}]}";
 }
 
@@ -78,10 +78,22 @@ struct Kind {
   std::string fields;
   std::vector<Property> properties;
   std::vector<std::string> numbers;
+  std::string others = {};
 };
 
 const std::string polyline = R"("class":"cord","polyline":[{"x":0,"y":0},{"x":0,"y":40}])";
 const std::string circle = R"("class":"circle","width":10,"height":10,"ellipse":true)";
+
+std::string wheel(const std::string& size) {
+  return R"("class":"wheel","ellipse":true,"width":)" + size + R"(,"height":)" + size;
+}
+
+/// A rope with its corner at the wheel, and a load.
+const std::string around_the_wheel =
+    R"({"id":8,"class":"cord","x":20,"y":80,"polyline":[{"x":0,"y":0},{"x":5,"y":-55},{"x":10,"y":0}],"properties":[)"
+    R"({"name":"columns","type":"int","value":41},{"name":"mass","type":"float","value":1.8}]},)"
+    R"({"id":9,"class":"load","x":15,"y":80,"width":10,"height":10,"properties":[)"
+    R"({"name":"mass","type":"float","value":5.0},{"name":"cord","type":"object","value":8}]},)";
 
 const std::vector<Kind> kinds = {
     {polyline,
@@ -104,6 +116,10 @@ const std::vector<Kind> kinds = {
       "self_collision"}},
     {circle, {}, {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin"}},
     {R"("class":"ground","width":40,"height":10)", {}, {"friction"}},
+    {wheel("10"),
+     {{"cord", "8"}},
+     {"cord", "body", "turns", "inertia", "friction", "motor_speed", "motor_torque"},
+     around_the_wheel},
 };
 
 TEST(HostileLevel, EveryPropertyIsAcceptedOrRefusedByName) {
@@ -112,10 +128,18 @@ TEST(HostileLevel, EveryPropertyIsAcceptedOrRefusedByName) {
       for (const std::string& value : hostile) {
         std::vector<Property> properties = kind.properties;
         properties.emplace_back(name, value);
-        expect_runs_or_is_refused(level(kind.fields, properties), name);
+        expect_runs_or_is_refused(level(kind.fields, properties, kind.others), name);
       }
     }
   }
+}
+
+/// The wheel is where its rope is: what is refused above is refused for its value.
+TEST(HostileLevel, AWheelWithoutAHostileValueTurns) {
+  Scene scene(parse_tiled_map(level(wheel("10"), {{"cord", "8"}}, around_the_wheel), "plain.tmj"));
+  ASSERT_EQ(scene.wheels().size(), 1U);
+  for (int k = 0; k < 10; ++k) scene.tick(1.0 / 60.0);
+  EXPECT_NE(scene.coupling().pulley(scene.wheels()[0].pulley).state().turning, 0.0);
 }
 
 std::string ground_with(const std::string& name, const std::string& value) {
@@ -137,6 +161,7 @@ TEST(HostileLevel, EveryPositionAndSizeIsAcceptedOrRefusedByName) {
       expect_runs_or_is_refused(level(ground_with(name, value), {}), name);
     }
     expect_runs_or_is_refused(level(turned_circle(value), {}), "rotation");
+    expect_runs_or_is_refused(level(wheel(value), {{"cord", "8"}}, around_the_wheel), "");
     expect_runs_or_is_refused(level(cord_to(value), {{"columns", "9"}, {"mass", "1.8"}}), "");
   }
 }
@@ -167,7 +192,7 @@ std::string reference_to_99(const std::string& name) {
   return R"({"name":")" + name + R"(","type":"object","value":99},)";
 }
 
-/// No property of a level refers to another object. One that does is unknown, and the message lists the known ones.
+/// No property of a cord refers to another object. One that does is unknown, and the message lists the known ones.
 TEST(HostileLevel, AReferenceToAnObjectIsRefusedByItsName) {
   for (const std::string reference : {"anchor", "load", "target"}) {
     std::string referring = level(polyline, {{"columns", "9"}, {"mass", "1.8"}});

@@ -42,6 +42,25 @@ MapObject load(int id, Vec2 position, double mass) {
 /// A rope over a wheel at (5, 8) whose ends are at (4.75, 5) and (5.25, 5).
 MapObject over_a_wheel() { return rope({{4.75, 5.0}, {5.0, 8.25}, {5.25, 5.0}}); }
 
+/// The heavier load pulls the lighter one up to the disc of the wheel.
+TEST(SceneWheel, StopsALoadThatReachesIt) {
+  Scene scene(
+      map_of({wheel(9, 7, {5.0, 8.0}), load(10, {4.75, 4.85}, 10.0), over_a_wheel(), load(11, {5.25, 4.85}, 30.0)}));
+  const b2Body& lifted = *scene.bodies()[0].body;
+  const auto distance = [&lifted] { return length(ribbon::box2d::to_double(lifted.GetPosition()) - Vec2{5.0, 8.0}); };
+  double nearest = distance();
+  int unconverged = 0;
+  for (int k = 0; k < 300; ++k) {
+    scene.tick(dt);
+    nearest = std::min(nearest, distance());
+    unconverged += scene.coupling().tick_report().unconverged;
+  }
+  EXPECT_EQ(unconverged, 0);
+  EXPECT_GT(nearest, 0.25 + 0.15);
+  EXPECT_LT(distance(), 0.25 + 0.25);
+  EXPECT_NEAR(lifted.GetLinearVelocity().Length(), 0.0F, 1e-3F);
+}
+
 /// Atwood's machine: the heavier load falls by (m₂ − m₁)·g/(m₁ + m₂ + I/R²).
 TEST(SceneWheel, CarriesARopeWithLoads) {
   MapObject turning = wheel(9, 7, {5.0, 8.0});

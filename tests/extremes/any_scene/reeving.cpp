@@ -111,15 +111,16 @@ Solid some_load(Dice& dice, double mass) {
   return load;
 }
 
-/// Adds what carries a wheel: a circle within its groove. That of a block hangs a little below the axle or not.
+/// Adds what carries a wheel: a circle within its groove, half of them as large as the groove lets them be. That of a
+/// block hangs a little below the axle or not.
 bool add_carrier(Dice& dice, Scene& scene, const Layout& layout, std::size_t k, double mass) {
   const PulleyDef& wheel = layout.wheels[k];
   const double room = wheel.radius - scene.cords.back().def.radius;
-  const double half = dice(0.3, 0.8) * room;
+  const double half = std::min(0.98, dice(0.3, 1.66)) * room;
   Solid solid;
   if (static_cast<int>(k) == layout.block) {
     solid = weight(Shape::circle, {half, half}, mass);
-    if (dice.coin()) solid.position.y = -dice(0.0, 0.8 * room - half);
+    if (dice.coin()) solid.position.y = -dice(0.0, std::max(0.0, 0.8 * room - half));
   } else {
     solid.half = {half, half};
   }
