@@ -183,7 +183,7 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     const Vec2 d = unit_or(ab, size, {0.0, -1.0});
     const Vec2 u = perp(d);
     const MixedBar mixed = bar(stage, x, e, size, -d);
-    blocks.make_dual(dual);
+    blocks.make_scalar_dual(dual);
     right_side[at(dual)] = {};
     if (is_left_out(e) || (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size))) {
       blocks.add(dual, -1.0, 0.0, -1.0);

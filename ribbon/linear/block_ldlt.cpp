@@ -1,8 +1,10 @@
 #include "ribbon/linear/block_ldlt.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 #include "ribbon/linear/pair.h"
 
@@ -54,6 +56,7 @@ void BlockLdlt::reorder(std::span<const int> order) {
 void BlockLdlt::end_pattern() {
   sort_couplings();
   find_columns();
+  find_widths();
   resize_blocks();
 }
 
@@ -126,6 +129,22 @@ void BlockLdlt::merge_other_columns(std::size_t first) {
     const std::size_t place = left + other - 1;
     const bool from_left = left > first && columns_[left - 1] > other_columns_[other - 1];
     columns_[place] = from_left ? columns_[--left] : other_columns_[--other];
+  }
+}
+
+/// Finds which rows are eliminated together: four or two that follow each other, of which each has those behind it as
+/// its first columns, and no column that the last does not have.
+void BlockLdlt::find_widths() {
+  const std::size_t n = order_.size();
+  const auto columns_of = [this](std::size_t row) { return first_[row + 1] - first_[row]; };
+  widths_.assign(n, 1);
+  for (std::size_t k = 0; k < n; k += widths_[k]) {
+    std::size_t width = 1;
+    while (width < 4 && columns_of(k + width - 1) > 0 && at(columns_[first_[k + width - 1]]) == k + width &&
+           columns_of(k + width - 1) == columns_of(k + width) + 1) {
+      ++width;
+    }
+    widths_[k] = width == 3 ? 2 : width;
   }
 }
 
@@ -225,8 +244,11 @@ void BlockLdlt::load_right_side(std::span<const Vec2> b) {
 bool BlockLdlt::solve(std::span<Vec2> b) {
   const std::size_t n = order_.size();
   load_right_side(b);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!eliminate(k)) return false;
+  for (std::size_t k = 0; k < n; k += widths_[k]) {
+    const bool done = widths_[k] == 4   ? eliminate_rows<4>(k)
+                      : widths_[k] == 2 ? eliminate_rows<2>(k)
+                                        : eliminate_rows<1>(k);
+    if (!done) return false;
   }
   substitute(b);
   return true;
@@ -263,58 +285,122 @@ inline void BlockLdlt::substitute(std::span<Vec2> b) {
   for (const TiedSlot& tied : tied_) b[at(tied.slot)] = b[at(tied.with)];
 }
 
-/// Eliminates a row. With its diagonal block D and the blocks B_i right of it,
-///
-///     A_ij ← A_ij − B_iᵀ·D⁻¹·B_j      r_i ← r_i − B_iᵀ·D⁻¹·r
-///
-/// for all pairs of its columns i ≤ j; the pattern has a block for each pair. The row keeps D⁻¹ and L_i = D⁻¹·B_i.
-inline bool BlockLdlt::eliminate(std::size_t row) {
-  const std::size_t end = first_[row + 1];
+/// Inverts the diagonal block of a row. Returns false if its sign is not that of the row.
+inline bool BlockLdlt::invert_pivot(std::size_t row) {
+  Diagonal& d = diagonals_[row];
   if (held_[row] != 0) {
-    diagonals_[row] = {1.0, 0.0, 1.0};
+    d = {1.0, 0.0, 1.0};
     std::fill(blocks_.begin() + static_cast<std::ptrdiff_t>(first_[row]),
-              blocks_.begin() + static_cast<std::ptrdiff_t>(end), Block{});
+              blocks_.begin() + static_cast<std::ptrdiff_t>(first_[row + 1]), Block{});
     return true;
   }
-  Diagonal& d = diagonals_[row];
   const double inverse_det = 1.0 / (d.xx * d.yy - d.xy * d.xy);
   if (!((dual_[row] != 0 ? -d.xx : d.xx) > 0.0 && inverse_det > 0.0 &&
         inverse_det < std::numeric_limits<double>::infinity()))
     return false;
-  const Diagonal inverse{inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
-  d = inverse;
-  const Vec2 r = right_side_[row];
+  d = {inverse_det * d.yy, -inverse_det * d.xy, inverse_det * d.xx};
+  return true;
+}
+
+/// Eliminates rows that follow each other and have the same columns behind them. With the diagonal block D of a row and
+/// the blocks B_i right of it,
+///
+///     A_ij ← A_ij − B_iᵀ·D⁻¹·B_j      r_i ← r_i − B_iᵀ·D⁻¹·r
+///
+/// for all pairs of its columns i ≤ j; the pattern has a block for each pair. The row keeps D⁻¹ and L_i = D⁻¹·B_i. A
+/// block behind all of the rows is read and written once for all of them, in their order: the bits are those of one row
+/// after the other.
+/// Of rows that are scalars, bits of the template argument, the second components are left out: they are 0.
+template <std::size_t rows, std::size_t scalars>
+bool BlockLdlt::eliminate(std::size_t first_row) {
+  for (std::size_t k = 0; k < rows; ++k) {
+    if (!invert_pivot(first_row + k)) return false;
+    for (std::size_t i = 0; i + 1 + k < rows; ++i) {
+      if (((scalars >> k) & 1U) != 0) {
+        subtract_rows<1, 1>(first_row + k, i);
+      } else {
+        subtract_rows<1, 0>(first_row + k, i);
+      }
+    }
+  }
+  const std::size_t last = first_row + rows - 1;
+  for (std::size_t i = 0; i < first_[last + 1] - first_[last]; ++i) subtract_rows<rows, scalars>(first_row, i);
+  return true;
+}
+
+/// Eliminates rows from this one on, with the function for their scalars.
+template <std::size_t rows>
+bool BlockLdlt::eliminate_rows(std::size_t first_row) {
+  using Eliminate = bool (BlockLdlt::*)(std::size_t);
+  static constexpr auto functions = []<std::size_t... scalars>(std::index_sequence<scalars...>) {
+    return std::array<Eliminate, sizeof...(scalars)>{&BlockLdlt::eliminate<rows, scalars>...};
+  }(std::make_index_sequence<std::size_t{1} << rows>{});
+  std::size_t scalars = 0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    if (dual_[first_row + k] == scalar_dual) scalars |= std::size_t{1} << k;
+  }
+  return (this->*functions[scalars])(first_row);
+}
+
+/// Subtracts what pivots, in rows that follow each other, contribute to the row of the i-th of the columns that they
+/// share.
+template <std::size_t rows, std::size_t scalars>
+void BlockLdlt::subtract_rows(std::size_t first_row, std::size_t i) {
   // Local pointers: the compiler knows that no store below changes them.
   const int* const columns = columns_.data();
-  const char* const held = held_.data();
   Block* const blocks = blocks_.data();
-  for (std::size_t i = first_[row]; i < end; ++i) {
-    const std::size_t target = at(columns[i]);
-    Block& block = blocks[i];
-    if (held[target] != 0) {
-      block = {};
-      continue;
-    }
-    const Pair b_x = load_pair(&block.xx);
-    const Pair b_y = load_pair(&block.yx);
+  std::array<Block*, rows> of;  // the blocks of the rows in that column; those in later ones follow
+  for (std::size_t k = 0; k < rows; ++k) of[k] = blocks + first_[first_row + k] + (rows - 1 - k) + i;
+  const std::size_t begin = first_[first_row + rows - 1] + i;
+  const std::size_t count = first_[first_row + rows] - begin;
+  const std::size_t target = at(columns[begin]);
+  if (held_[target] != 0) {
+    for (Block* block : of) *block = {};
+    return;
+  }
+  std::array<std::array<Pair, 2>, rows> l;
+  for (std::size_t k = 0; k < rows; ++k) {
+    const Diagonal inverse = diagonals_[first_row + k];
+    const Vec2 r = right_side_[first_row + k];
+    const Pair b_x = load_pair(&of[k]->xx);
+    const Pair b_y = load_pair(&of[k]->yx);
     const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
     const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
-    store_pair(l_x, &block.xx);
-    store_pair(l_y, &block.yx);
+    store_pair(l_x, &of[k]->xx);
+    store_pair(l_y, &of[k]->yx);
     subtract_pair(l_x * r.x + l_y * r.y, &right_side_[target].x);
     Diagonal& diagonal = diagonals_[target];
     subtract_pair(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
     diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
-    std::size_t place = first_[target];
-    for (std::size_t j = i + 1; j < end; ++j) {
-      while (columns[place] != columns[j]) ++place;
-      const Pair c_x = load_pair(&blocks[j].xx);
-      const Pair c_y = load_pair(&blocks[j].yx);
-      subtract_pair(l_x[0] * c_x + l_y[0] * c_y, &blocks[place].xx);
-      subtract_pair(l_x[1] * c_x + l_y[1] * c_y, &blocks[place].yx);
-    }
+    l[k] = {l_x, l_y};
   }
-  return true;
+  const auto subtract_from = [&](Block& block, std::size_t j) {
+    Pair x = load_pair(&block.xx);
+    Pair y = load_pair(&block.yx);
+    for (std::size_t k = 0; k < rows; ++k) {
+      const Pair c_x = load_pair(&of[k][j].xx);
+      if (((scalars >> k) & 1U) != 0) {
+        x = x - l[k][0][0] * c_x;
+        y = y - l[k][0][1] * c_x;
+        continue;
+      }
+      const Pair c_y = load_pair(&of[k][j].yx);
+      x = x - (l[k][0][0] * c_x + l[k][1][0] * c_y);
+      y = y - (l[k][0][1] * c_x + l[k][1][1] * c_y);
+    }
+    store_pair(x, &block.xx);
+    store_pair(y, &block.yx);
+  };
+  Block* block = blocks + first_[target];
+  if (first_[target + 1] - first_[target] == count - 1) {  // the target has no other columns than these
+    for (std::size_t j = 1; j < count; ++j) subtract_from(*block++, j);
+    return;
+  }
+  const int* column = columns + first_[target];
+  for (std::size_t j = 1; j < count; ++j, ++block, ++column) {
+    while (*column != columns[begin + j]) ++column, ++block;
+    subtract_from(*block, j);
+  }
 }
 
 }  // namespace ribbon

@@ -51,6 +51,8 @@ class BlockLdlt {
   void set_zero();
   /// Declares that the slot has a negative definite pivot: a Lagrange multiplier such as a tension.
   void make_dual(int slot) { dual_[at(row_of_[at(slot)])] = 1; }
+  /// Declares the same of a slot whose second component is coupled with nothing.
+  void make_scalar_dual(int slot) { dual_[at(row_of_[at(slot)])] = scalar_dual; }
   /// Adds [xx, xy; yx, yy] to the block (a, b), b ≠ a, and its transpose to (b, a).
   void add(int a, int b, double xx, double xy, double yx, double yy);
   /// Adds [xx, xy; xy, yy] to the diagonal block (a, a).
@@ -77,6 +79,8 @@ class BlockLdlt {
   struct Diagonal {
     double xx, xy, yy;
   };
+  static constexpr char scalar_dual = 2;  // a value of dual_
+
   /// Returns the index of the block (row, column) in blocks_, or its size if the pattern has no such block.
   std::size_t find(int row, int column) const;
   void assign_rows(std::span<const int> order);
@@ -84,8 +88,15 @@ class BlockLdlt {
   void sort_couplings();
   void find_columns();
   void merge_other_columns(std::size_t first);
+  void find_widths();
   void resize_blocks();
-  bool eliminate(std::size_t row);
+  bool invert_pivot(std::size_t row);
+  template <std::size_t rows>
+  bool eliminate_rows(std::size_t first_row);
+  template <std::size_t rows, std::size_t scalars>
+  bool eliminate(std::size_t first_row);
+  template <std::size_t rows, std::size_t scalars>
+  void subtract_rows(std::size_t first_row, std::size_t i);
   void substitute(std::span<Vec2> b);
 
   std::vector<int> order_;  // slot by row
@@ -99,6 +110,7 @@ class BlockLdlt {
   std::vector<int> mark_;                      // by column: the last row that listed it
   std::vector<std::size_t> first_;             // index in columns_ and blocks_ of each row, and the end of the last
   std::vector<int> columns_;                   // ascending within a row
+  std::vector<std::size_t> widths_;            // number of rows that are eliminated together, by the first of them
   std::vector<Block> blocks_;
   std::vector<Diagonal> diagonals_;
   std::vector<char> held_, dual_;

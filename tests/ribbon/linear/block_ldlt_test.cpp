@@ -19,8 +19,10 @@ struct Pair {
   Eigen::MatrixXd dense;
 };
 
-/// A chain of n slots, some of them coupled with far ones, some held, eliminated in a random order.
-Pair random_pair(int n, int far, std::mt19937& random) {
+/// A chain of n slots, some of them coupled with far ones, some held, eliminated in a random order. Each slot k with k
+/// mod `scalar_every` = 1 is a scalar multiplier.
+Pair random_pair(int n, int far, std::mt19937& random, int scalar_every = 0) {
+  const auto is_scalar = [scalar_every](int k) { return scalar_every > 0 && k % scalar_every == 1; };
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
   std::uniform_int_distribution<int> slot(0, n - 1);
   std::vector<int> order(static_cast<std::size_t>(n));
@@ -39,6 +41,12 @@ Pair random_pair(int n, int far, std::mt19937& random) {
   const double dominant = 2.0 * (far + 4.0);
   for (int k = 0; k < n; ++k) {
     const double xy = entry(random);
+    if (is_scalar(k)) {
+      pair.sparse.make_scalar_dual(k);
+      pair.sparse.add(k, -dominant, 0.0, -1.0);
+      pair.dense.block<2, 2>(row(k), row(k)) << -dominant, 0.0, 0.0, -1.0;
+      continue;
+    }
     pair.sparse.add(k, dominant, xy, dominant);
     pair.dense.block<2, 2>(row(k), row(k)) << dominant, xy, xy, dominant;
   }
@@ -46,6 +54,8 @@ Pair random_pair(int n, int far, std::mt19937& random) {
     if (a == b) continue;
     Eigen::Matrix2d block;
     block << entry(random), entry(random), entry(random), entry(random);
+    if (is_scalar(a)) block.row(1).setZero();
+    if (is_scalar(b)) block.col(1).setZero();
     pair.sparse.add(a, b, block(0, 0), block(0, 1), block(1, 0), block(1, 1));
     pair.dense.block<2, 2>(row(a), row(b)) += block;
     pair.dense.block<2, 2>(row(b), row(a)) += block.transpose();
@@ -53,32 +63,43 @@ Pair random_pair(int n, int far, std::mt19937& random) {
   return pair;
 }
 
+void expect_as_eigen(Pair pair, int n, int held, std::mt19937& random) {
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  std::vector<Vec2> b(static_cast<std::size_t>(n));
+  for (Vec2& value : b) value = {entry(random), entry(random)};
+  if (held >= 0) {
+    pair.sparse.hold(held);
+    b[static_cast<std::size_t>(held)] = {};
+    pair.dense.middleRows(row(held), 2).setZero();
+    pair.dense.middleCols(row(held), 2).setZero();
+    pair.dense.block<2, 2>(row(held), row(held)).setIdentity();
+  }
+  Eigen::VectorXd right(row(n));
+  for (int k = 0; k < n; ++k)
+    right.segment<2>(row(k)) << b[static_cast<std::size_t>(k)].x, b[static_cast<std::size_t>(k)].y;
+  const Eigen::VectorXd expected = pair.dense.partialPivLu().solve(right);
+  ASSERT_TRUE(pair.sparse.solve(b));
+  for (int k = 0; k < n; ++k) {
+    EXPECT_NEAR(b[static_cast<std::size_t>(k)].x, expected(row(k)), 1e-12);
+    EXPECT_NEAR(b[static_cast<std::size_t>(k)].y, expected(row(k) + 1), 1e-12);
+  }
+}
+
 TEST(BlockLdlt, AgreesWithEigenForAnyCouplingsAndConstraints) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> entry(-1.0, 1.0);
   for (const int n : {1, 2, 7, 40}) {
     for (const int far : {0, 1, 5, 60}) {
-      for (const int held : {-1, 0, n / 2}) {
-        Pair pair = random_pair(n, far, random);
-        std::vector<Vec2> b(static_cast<std::size_t>(n));
-        for (Vec2& value : b) value = {entry(random), entry(random)};
-        if (held >= 0) {
-          pair.sparse.hold(held);
-          b[static_cast<std::size_t>(held)] = {};
-          pair.dense.middleRows(row(held), 2).setZero();
-          pair.dense.middleCols(row(held), 2).setZero();
-          pair.dense.block<2, 2>(row(held), row(held)).setIdentity();
-        }
-        Eigen::VectorXd right(row(n));
-        for (int k = 0; k < n; ++k)
-          right.segment<2>(row(k)) << b[static_cast<std::size_t>(k)].x, b[static_cast<std::size_t>(k)].y;
-        const Eigen::VectorXd expected = pair.dense.ldlt().solve(right);
-        ASSERT_TRUE(pair.sparse.solve(b));
-        for (int k = 0; k < n; ++k) {
-          EXPECT_NEAR(b[static_cast<std::size_t>(k)].x, expected(row(k)), 1e-12);
-          EXPECT_NEAR(b[static_cast<std::size_t>(k)].y, expected(row(k) + 1), 1e-12);
-        }
-      }
+      for (const int held : {-1, 0, n / 2}) expect_as_eigen(random_pair(n, far, random), n, held, random);
+    }
+  }
+}
+
+/// Scalar multipliers are eliminated without their second component, alone and between rows that have the same columns.
+TEST(BlockLdlt, AgreesWithEigenForScalarMultipliers) {
+  std::mt19937 random(12);
+  for (const int every : {2, 3, 4, 5}) {
+    for (const int far : {0, 5, 60, 400}) {
+      for (const int held : {-1, 0, 21}) expect_as_eigen(random_pair(40, far, random, every), 40, held, random);
     }
   }
 }
