@@ -12,6 +12,7 @@ namespace ribbon {
 namespace {
 
 constexpr std::ptrdiff_t max_linear_search = 8;  // columns; a binary search is faster above
+constexpr std::size_t min_shared = 4;            // columns, from which on rows are eliminated together
 
 }  // namespace
 
@@ -138,13 +139,14 @@ void BlockLdlt::find_widths() {
   const std::size_t n = order_.size();
   const auto columns_of = [this](std::size_t row) { return first_[row + 1] - first_[row]; };
   widths_.assign(n, 1);
-  for (std::size_t k = 0; k < n; k += widths_[k]) {
+  for (std::size_t k = 0; k < n; k += at(widths_[k])) {
     std::size_t width = 1;
     while (width < 4 && columns_of(k + width - 1) > 0 && at(columns_[first_[k + width - 1]]) == k + width &&
            columns_of(k + width - 1) == columns_of(k + width) + 1) {
       ++width;
     }
-    widths_[k] = width == 3 ? 2 : width;
+    if (columns_of(k + width - 1) < min_shared) width = 1;
+    widths_[k] = width == 3 ? 2 : static_cast<int>(width);
   }
 }
 
@@ -244,10 +246,11 @@ void BlockLdlt::load_right_side(std::span<const Vec2> b) {
 bool BlockLdlt::solve(std::span<Vec2> b) {
   const std::size_t n = order_.size();
   load_right_side(b);
-  for (std::size_t k = 0; k < n; k += widths_[k]) {
-    const bool done = widths_[k] == 4   ? eliminate_rows<4>(k)
-                      : widths_[k] == 2 ? eliminate_rows<2>(k)
-                                        : eliminate_rows<1>(k);
+  for (std::size_t k = 0; k < n; k += at(widths_[k])) {
+    const bool done = widths_[k] == 4               ? eliminate_rows<4>(k)
+                      : widths_[k] == 2             ? eliminate_rows<2>(k)
+                      : dual_[k] == scalar_dual ? eliminate<1, 1>(k)
+                                                    : eliminate<1, 0>(k);
     if (!done) return false;
   }
   substitute(b);
@@ -312,19 +315,27 @@ inline bool BlockLdlt::invert_pivot(std::size_t row) {
 /// after the other.
 /// Of rows that are scalars, bits of the template argument, the second components are left out: they are 0.
 template <std::size_t rows, std::size_t scalars>
-bool BlockLdlt::eliminate(std::size_t first_row) {
+inline bool BlockLdlt::eliminate(std::size_t first_row) {
+  std::array<Pivot, rows> pivots;
   for (std::size_t k = 0; k < rows; ++k) {
-    if (!invert_pivot(first_row + k)) return false;
+    const std::size_t row = first_row + k;
+    if (!invert_pivot(row)) return false;
+    pivots[k] = {diagonals_[row], right_side_[row], blocks_.data() + first_[row]};
+    const int* const columns = columns_.data() + first_[row];
+    const std::size_t count = first_[row + 1] - first_[row];
     for (std::size_t i = 0; i + 1 + k < rows; ++i) {
       if (((scalars >> k) & 1U) != 0) {
-        subtract_rows<1, 1>(first_row + k, i);
+        subtract_rows<1, 1>(&pivots[k], columns + i, count - i);
       } else {
-        subtract_rows<1, 0>(first_row + k, i);
+        subtract_rows<1, 0>(&pivots[k], columns + i, count - i);
       }
     }
   }
   const std::size_t last = first_row + rows - 1;
-  for (std::size_t i = 0; i < first_[last + 1] - first_[last]; ++i) subtract_rows<rows, scalars>(first_row, i);
+  const int* const end = columns_.data() + first_[last + 1];
+  for (const int* column = columns_.data() + first_[last]; column != end; ++column) {
+    subtract_rows<rows, scalars>(pivots.data(), column, static_cast<std::size_t>(end - column));
+  }
   return true;
 }
 
@@ -342,34 +353,29 @@ bool BlockLdlt::eliminate_rows(std::size_t first_row) {
   return (this->*functions[scalars])(first_row);
 }
 
-/// Subtracts what pivots, in rows that follow each other, contribute to the row of the i-th of the columns that they
-/// share.
+/// Subtracts what pivots contribute to the row of the first of `count` columns, and moves them on to their next blocks.
 template <std::size_t rows, std::size_t scalars>
-void BlockLdlt::subtract_rows(std::size_t first_row, std::size_t i) {
-  // Local pointers: the compiler knows that no store below changes them.
-  const int* const columns = columns_.data();
-  Block* const blocks = blocks_.data();
-  std::array<Block*, rows> of;  // the blocks of the rows in that column; those in later ones follow
-  for (std::size_t k = 0; k < rows; ++k) of[k] = blocks + first_[first_row + k] + (rows - 1 - k) + i;
-  const std::size_t begin = first_[first_row + rows - 1] + i;
-  const std::size_t count = first_[first_row + rows] - begin;
-  const std::size_t target = at(columns[begin]);
+[[gnu::always_inline]] inline void BlockLdlt::subtract_rows(Pivot* pivots, const int* columns, std::size_t count) {
+  const std::size_t target = at(columns[0]);
   if (held_[target] != 0) {
-    for (Block* block : of) *block = {};
+    for (std::size_t k = 0; k < rows; ++k) *pivots[k].block++ = {};
     return;
   }
   std::array<std::array<Pair, 2>, rows> l;
+  std::array<const Block*, rows> later;
+  Diagonal& diagonal = diagonals_[target];
   for (std::size_t k = 0; k < rows; ++k) {
-    const Diagonal inverse = diagonals_[first_row + k];
-    const Vec2 r = right_side_[first_row + k];
-    const Pair b_x = load_pair(&of[k]->xx);
-    const Pair b_y = load_pair(&of[k]->yx);
+    const Diagonal inverse = pivots[k].inverse;
+    const Vec2 r = pivots[k].right_side;
+    Block& block = *pivots[k].block++;
+    later[k] = pivots[k].block;
+    const Pair b_x = load_pair(&block.xx);
+    const Pair b_y = load_pair(&block.yx);
     const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
     const Pair l_y = inverse.xy * b_x + inverse.yy * b_y;
-    store_pair(l_x, &of[k]->xx);
-    store_pair(l_y, &of[k]->yx);
+    store_pair(l_x, &block.xx);
+    store_pair(l_y, &block.yx);
     subtract_pair(l_x * r.x + l_y * r.y, &right_side_[target].x);
-    Diagonal& diagonal = diagonals_[target];
     subtract_pair(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
     diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
     l[k] = {l_x, l_y};
@@ -378,27 +384,28 @@ void BlockLdlt::subtract_rows(std::size_t first_row, std::size_t i) {
     Pair x = load_pair(&block.xx);
     Pair y = load_pair(&block.yx);
     for (std::size_t k = 0; k < rows; ++k) {
-      const Pair c_x = load_pair(&of[k][j].xx);
+      const Pair c_x = load_pair(&later[k][j].xx);
       if (((scalars >> k) & 1U) != 0) {
         x = x - l[k][0][0] * c_x;
         y = y - l[k][0][1] * c_x;
         continue;
       }
-      const Pair c_y = load_pair(&of[k][j].yx);
+      const Pair c_y = load_pair(&later[k][j].yx);
       x = x - (l[k][0][0] * c_x + l[k][1][0] * c_y);
       y = y - (l[k][0][1] * c_x + l[k][1][1] * c_y);
     }
     store_pair(x, &block.xx);
     store_pair(y, &block.yx);
   };
-  Block* block = blocks + first_[target];
-  if (first_[target + 1] - first_[target] == count - 1) {  // the target has no other columns than these
-    for (std::size_t j = 1; j < count; ++j) subtract_from(*block++, j);
+  const std::size_t first = first_[target];
+  Block* block = blocks_.data() + first;
+  if (rows > 1 && first_[target + 1] - first == count - 1) {  // the target has no other columns than these
+    for (std::size_t j = 0; j + 1 < count; ++j) subtract_from(*block++, j);
     return;
   }
-  const int* column = columns + first_[target];
-  for (std::size_t j = 1; j < count; ++j, ++block, ++column) {
-    while (*column != columns[begin + j]) ++column, ++block;
+  const int* column = columns_.data() + first;
+  for (std::size_t j = 0; j + 1 < count; ++j) {
+    while (*column != columns[j + 1]) ++column, ++block;
     subtract_from(*block, j);
   }
 }

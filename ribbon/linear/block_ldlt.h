@@ -79,6 +79,12 @@ class BlockLdlt {
   struct Diagonal {
     double xx, xy, yy;
   };
+  /// A row that is eliminated.
+  struct Pivot {
+    Diagonal inverse;
+    Vec2 right_side;
+    Block* block;  ///< the next to be eliminated
+  };
   static constexpr char scalar_dual = 2;  // a value of dual_
 
   /// Returns the index of the block (row, column) in blocks_, or its size if the pattern has no such block.
@@ -96,7 +102,7 @@ class BlockLdlt {
   template <std::size_t rows, std::size_t scalars>
   bool eliminate(std::size_t first_row);
   template <std::size_t rows, std::size_t scalars>
-  void subtract_rows(std::size_t first_row, std::size_t i);
+  void subtract_rows(Pivot* pivots, const int* columns, std::size_t count);
   void substitute(std::span<Vec2> b);
 
   std::vector<int> order_;  // slot by row
@@ -110,7 +116,7 @@ class BlockLdlt {
   std::vector<int> mark_;                      // by column: the last row that listed it
   std::vector<std::size_t> first_;             // index in columns_ and blocks_ of each row, and the end of the last
   std::vector<int> columns_;                   // ascending within a row
-  std::vector<std::size_t> widths_;            // number of rows that are eliminated together, by the first of them
+  std::vector<int> widths_;                    // number of rows that are eliminated together, by the first of them
   std::vector<Block> blocks_;
   std::vector<Diagonal> diagonals_;
   std::vector<char> held_, dual_;
