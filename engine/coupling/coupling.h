@@ -135,11 +135,11 @@ class Coupling {
   /// Lays a cord around a wheel that a body carries: a static or kinematic body, or a dynamic one such as the block of
   /// a tackle. The centre is where the wheel is now, and stays at that place of the body; see Cord::add_pulley and
   /// reeve. The wheel is part of the pulley, not a body: its angle is in PulleyState. The cord touches nothing on the
-  /// wheel. Give the body a circle there, of the radius of the groove less that of the cord and not more: what is pulled
-  /// to the wheel stops at it. A pulley ends when it is removed, when a cut goes through the cord on its wheel, when its
-  /// cord is removed, replaced or disabled, and when its body is gone or disabled. Throws CallError and DefinitionError
-  /// as Cord::add_pulley does, and CallError for a cord that does not exist, is disabled or of the thesis's solver,
-  /// where a grip or a tie would be on the wheel, inside world.Step and between gather and apply.
+  /// wheel. Give the body a circle there, of the radius of the groove less that of the cord and not more: what is
+  /// pulled to the wheel stops at it. A pulley ends when it is removed, when a cut goes through the cord on its wheel,
+  /// when its cord is removed, replaced or disabled, and when its body is gone or disabled. Throws CallError and
+  /// DefinitionError as Cord::add_pulley does, and CallError for a cord that does not exist, is disabled or of the
+  /// thesis's solver, where a grip or a tie would be on the wheel, inside world.Step and between gather and apply.
   PulleyId add_pulley(CordId cord, b2Body& body, const PulleyDef& def);
   /// Returns the handle of a pulley, existing or not.
   PulleyRef pulley(PulleyId pulley) { return {*parts_, pulley}; }

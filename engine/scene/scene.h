@@ -56,8 +56,8 @@ struct WheelDefinition;
 /// - `wheel`: ellipse with equal axes, the groove of a pulley; cord (the rope of the direct solver that runs around it,
 ///   whose polyline has one corner at each of its wheels and no other between its ends), body (optional: the ground,
 ///   circle or load that carries it), turns, inertia [kg·m²], friction (without it the cord does not slip),
-///   motor_speed [rad/s], motor_torque [N·m] (ribbon/pulley.h). The rope is laid taut around its wheels. A wheel without
-///   a body is a static disc that bodies meet.
+///   motor_speed [rad/s], motor_torque [N·m] (ribbon/pulley.h). The rope is laid taut around its wheels. A wheel
+///   without a body is a static disc that bodies meet.
 /// A map has at most 2000 objects, and 100,000 points in all cords. Its own property gravity_y [m/s²] is −9.81 by
 /// default; with wind_x, water_level and others it defines a weather (scene_weather.h, ribbon/weather.h).
 class Scene {

@@ -247,10 +247,10 @@ bool BlockLdlt::solve(std::span<Vec2> b) {
   const std::size_t n = order_.size();
   load_right_side(b);
   for (std::size_t k = 0; k < n; k += at(widths_[k])) {
-    const bool done = widths_[k] == 4               ? eliminate_rows<4>(k)
-                      : widths_[k] == 2             ? eliminate_rows<2>(k)
+    const bool done = widths_[k] == 4           ? eliminate_rows<4>(k)
+                      : widths_[k] == 2         ? eliminate_rows<2>(k)
                       : dual_[k] == scalar_dual ? eliminate<1, 1>(k)
-                                                    : eliminate<1, 0>(k);
+                                                : eliminate<1, 0>(k);
     if (!done) return false;
   }
   substitute(b);
@@ -345,7 +345,8 @@ bool BlockLdlt::eliminate_rows(std::size_t first_row) {
   using Eliminate = bool (BlockLdlt::*)(std::size_t);
   static constexpr auto functions = []<std::size_t... scalars>(std::index_sequence<scalars...>) {
     return std::array<Eliminate, sizeof...(scalars)>{&BlockLdlt::eliminate<rows, scalars>...};
-  }(std::make_index_sequence<std::size_t{1} << rows>{});
+  }
+  (std::make_index_sequence<std::size_t{1} << rows>{});
   std::size_t scalars = 0;
   for (std::size_t k = 0; k < rows; ++k) {
     if (dual_[first_row + k] == scalar_dual) scalars |= std::size_t{1} << k;

@@ -40,8 +40,8 @@ std::string level(const std::string& fields, const std::vector<Property>& proper
     list += property(properties[k]);
   }
   return R"({"type":"map","orientation":"orthogonal","width":10,"height":10,"tilewidth":10,"tileheight":10,)"
-         R"("layers":[{"type":"objectgroup","objects":[)" + others + R"({"id":7,"name":"thing","x":20,"y":30,)" +
-         fields + R"(,"properties":[)" + list + "]}]}]}";
+         R"("layers":[{"type":"objectgroup","objects":[)" +
+         others + R"({"id":7,"name":"thing","x":20,"y":30,)" + fields + R"(,"properties":[)" + list + "]}]}]}";
 }
 
 bool all_finite(const Scene& scene) {
