@@ -215,9 +215,9 @@ class Coupling {
   /// the bounding box of each cord and the points of cords that may be in range. Points on wheels of pulleys do not
   /// count, because nothing can hold or drag them.
   std::optional<CordPoint> nearest_point(Vec2 position, double reach) const;
-  /// Returns the nearest place on an enabled cord other than `except`, also between two points; for cords of the
+  /// Returns the nearest place on an enabled cord that is not in `except`, also between two points; for cords of the
   /// thesis's solver, the nearest point. Places on wheels do not count.
-  std::optional<CordPoint> nearest_place(Vec2 position, double reach, std::optional<CordId> except = {}) const;
+  std::optional<CordPoint> nearest_place(Vec2 position, double reach, std::span<const CordId> except = {}) const;
 
   /// Releases what a body holds and destroys it. Use it for bodies that hold or touch cords. (Otherwise the next gather
   /// notices the destruction, with the exceptions named above.)

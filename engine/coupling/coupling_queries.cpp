@@ -46,10 +46,11 @@ std::optional<CordPoint> Coupling::nearest_point(Vec2 position, double reach) co
   return nearest;
 }
 
-std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, std::optional<CordId> except) const {
+std::optional<CordPoint> Coupling::nearest_place(Vec2 position, double reach, std::span<const CordId> except) const {
   std::optional<CordPoint> nearest;
   for (const CoupledCord& cord : std::as_const(parts_->cords)) {
-    if (cord.id == except || !cord.may_be_within(position, nearest ? nearest->distance : reach)) continue;
+    if (std::find(except.begin(), except.end(), cord.id) != except.end()) continue;
+    if (!cord.may_be_within(position, nearest ? nearest->distance : reach)) continue;
     const int points = static_cast<int>(cord.positions().size());
     for (int p = 0; p < points; ++p) {
       const std::optional<CordPoint> place = nearest_on_link(cord, p, position);

@@ -13,6 +13,7 @@
 #include "engine/scene/scene_weather.h"
 #include "engine/scene/scene_wheels.h"
 #include "ribbon/box2d/convert.h"
+#include "ribbon/rest_shape.h"
 
 namespace engine {
 namespace {
@@ -114,6 +115,9 @@ void Scene::build_cord(const MapObject& object, const TiledMap& map, const b2Fil
   ribbon::box2d::CordId cord = 0;
   try {
     if (auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+      if (object.properties.boolean_or("at_rest", false)) {
+        ribbon::lay_at_rest(*direct, ribbon::box2d::to_double(world_.GetGravity()));
+      }
       const std::vector<WheelDefinition> own = reeve_around_wheels(object, map, *direct);
       wheels.insert(wheels.end(), own.begin(), own.end());
       cord = coupling_.add(ribbon::Cord(*direct), wanted);

@@ -22,7 +22,7 @@ const Choices direct_properties = {
     "width",         "accuracy",       "integrator",    "substeps",      "tolerance",         "max_iterations",
     "pin_first",     "pin_last",       "friction",      "restitution",   "self_contact",      "cord_contact",
     "allow_sleep",   "max_work",       "solid",         "soft_contacts", "gravity_scale",     "breaking_force",
-    "drag_across",   "drag_along",     "displaced_area"};
+    "drag_across",   "drag_along",     "displaced_area", "at_rest"};
 
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,18 +7,10 @@
 
 #include "engine/scene/scene.h"
 #include "engine/scene/tiled_map.h"
+#include "game/simulation/area.h"
 #include "game/simulation/assists.h"
 
 namespace game {
-
-/// A rectangle of the level that triggers something when the player enters it.
-struct Area {
-  ribbon::Vec2 center;  ///< m
-  ribbon::Vec2 size;    ///< m
-  bool contains(ribbon::Vec2 point) const {
-    return std::abs(point.x - center.x) <= 0.5 * size.x && std::abs(point.y - center.y) <= 0.5 * size.y;
-  }
-};
 
 /// A sign with text in the world.
 struct Sign {
@@ -61,7 +52,7 @@ std::string assets_folder();
 /// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. In addition to the objects of
 /// engine/scene/scene.h a map has
 /// - one `player`: point, the middle of its feet; mass [kg], by default that of PlayerTuning
-/// - one `goal`: rectangle
+/// - one `goal`: rectangle, at the foot of the flag; the player wins by touching the flag
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text

@@ -1,7 +1,10 @@
 #include "game/simulation/player.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include "game/simulation/buttons.h"
 #include "game/simulation/player_body.h"
@@ -25,6 +28,14 @@ int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::Co
     if (pin < 0 || std::abs(p - held.point) < std::abs(pin - held.point)) pin = p;
   }
   return pin;
+}
+
+/// Returns the index of the point that is nearest to a place.
+std::size_t nearest_point(std::span<const Vec2> points, Vec2 place) {
+  const auto nearest = std::min_element(points.begin(), points.end(), [place](Vec2 a, Vec2 b) {
+    return dot(a - place, a - place) < dot(b - place, b - place);
+  });
+  return static_cast<std::size_t>(nearest - points.begin());
 }
 
 /// Returns the position from which the held position hangs: the nearest constrained point, else the cord's first point.
@@ -66,6 +77,15 @@ Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, const Line
 
 Vec2 Player::position() const { return to_double(body_->GetPosition()); }
 
+/// The body is the set of places within `radius` of an upright line.
+bool Player::touches(const Area& area) const {
+  const Vec2 off = position() - area.center;
+  const double straight = 0.5 * tuning_.height - tuning_.radius;
+  const Vec2 gap{std::max(0.0, std::abs(off.x) - 0.5 * area.size.x),
+                 std::max(0.0, std::abs(off.y) - 0.5 * area.size.y - straight)};
+  return length(gap) <= tuning_.radius;
+}
+
 Vec2 Player::hand() const { return position() + Vec2{0.0, tuning_.hand_height}; }
 
 void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
@@ -74,6 +94,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
   if (!command.grab) may_catch_ = true;
   if (command.direction != 0) faces_left_ = command.direction < 0;
   update_ground(coupling);
+  forget_left_cord(coupling);
   ticks_since_jump_pressed_ = command.jump ? 0 : std::min(ticks_since_jump_pressed_ + 1, long_ago);
   ticks_since_release_ = std::min(ticks_since_release_ + 1, long_ago);
   climbs_ = false;
@@ -90,7 +111,11 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
   }
   if (line_.state() == Line::State::held && !is_on_ground()) {
     pump(command.direction, line_.hook(), dt);
-    if (command.jump && line_.release(coupling)) hop();
+    if (command.jump) {
+      leave(*line_.cord());
+      line_.release(coupling);
+      hop();
+    }
   } else {
     run(command.direction, dt);
     jump_if_possible();
@@ -102,6 +127,7 @@ void Player::put(Vec2 feet, ribbon::box2d::Coupling& coupling) {
   line_.release(coupling);
   coupling.body(*body_).release();
   grip_id_.reset();
+  left_cord_.reset();
   may_catch_ = false;
   body_->SetTransform(to_float(feet + Vec2{0.0, 0.5 * tuning_.height}), 0.0F);
   body_->SetLinearVelocity({0.0F, 0.0F});
@@ -114,8 +140,17 @@ bool Player::holds_cord(const ribbon::box2d::Coupling& coupling) const {
 
 void Player::update_ground(const ribbon::box2d::Coupling& coupling) {
   if (!detected_ground_) detect_ground(coupling);
+  if (!*detected_ground_ && is_on_ground()) stay_low();
   ticks_off_ground_ = *detected_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
   detected_ground_.reset();
+}
+
+/// Running up a step or a steep end of a bridge must not throw the player into the air. What the ground itself gives, as
+/// a trampoline does, it keeps.
+void Player::stay_low() {
+  const b2Vec2 velocity = body_->GetLinearVelocity();
+  const auto most = static_cast<float>(std::max(0.0, ground_rise_) + tuning_.step_speed);
+  if (velocity.y > most) body_->SetLinearVelocity({velocity.x, most});
 }
 
 /// Throws, releases, flies and reels the line. A player that holds another cord releases it when the line arrives.
@@ -131,6 +166,10 @@ void Player::handle_line(const Command& command, std::optional<Vec2> aim, ribbon
 void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
   bool on_ground = false;
   on_firm_ground_ = false;
+  const auto take = [this, &on_ground](double rise) {
+    ground_rise_ = on_ground ? std::max(ground_rise_, rise) : rise;
+    on_ground = true;
+  };
   for (const b2ContactEdge* edge = body_->GetContactList(); edge != nullptr; edge = edge->next) {
     if (!edge->contact->IsTouching() || edge->contact->GetFixtureA()->IsSensor() ||
         edge->contact->GetFixtureB()->IsSensor()) {
@@ -140,25 +179,30 @@ void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
     edge->contact->GetWorldManifold(&manifold);
     const bool is_b = edge->contact->GetFixtureB()->GetBody() == body_;
     const double up = static_cast<double>(is_b ? manifold.normal.y : -manifold.normal.y);
-    on_ground = on_ground || up > tuning_.ground_slope;
     const b2Body* other = (is_b ? edge->contact->GetFixtureA() : edge->contact->GetFixtureB())->GetBody();
+    if (up > tuning_.ground_slope) take(static_cast<double>(other->GetLinearVelocityFromWorldPoint(manifold.points[0]).y));
     on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
   }
-  detected_ground_ = on_ground || stands_on_cord(coupling);
+  if (const std::optional<double> rise = rise_of_cord_below(coupling)) take(*rise);
+  detected_ground_ = on_ground;
 }
 
-/// Returns whether a solid cord below the feet has stopped the fall. A jump before that would waste the energy that the
-/// cord stores.
-bool Player::stands_on_cord(const ribbon::box2d::Coupling& coupling) const {
-  if (coupling.body(*body_).velocity().y < tuning_.sinking_speed) return false;
+/// Returns the upward speed [m/s] of a solid cord below the feet that has stopped the fall, or nothing. A jump before
+/// that would waste the energy that the cord stores.
+std::optional<double> Player::rise_of_cord_below(const ribbon::box2d::Coupling& coupling) const {
+  if (coupling.body(*body_).velocity().y < tuning_.sinking_speed) return std::nullopt;
   for (const ribbon::box2d::CordId c : coupling.cords()) {
     for (const ribbon::box2d::FixtureTouch& touch : coupling.cord(c).touching()) {
       const b2Fixture* fixture = coupling.fixture(touch.fixture);
       if (fixture == nullptr || fixture->GetBody() != body_ || touch.impulse <= 0.0) continue;
-      if (touch.point.y < position().y - 0.5 * tuning_.height + tuning_.radius) return true;
+      if (touch.point.y >= position().y - 0.5 * tuning_.height + tuning_.radius) continue;
+      const ribbon::box2d::CordView cord = coupling.cord(c);
+      const auto velocities = cord.solver() == ribbon::box2d::Solver::direct ? cord.direct().velocities()
+                                                                             : cord.thesis().velocities();
+      return velocities[nearest_point(cord.positions(), touch.point)].y;
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 void Player::run(int direction, double dt) {
@@ -188,8 +232,11 @@ void Player::jump_if_possible() {
 }
 
 void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
-  const bool on_line = line_.state() == Line::State::held;
-  const auto nearest = coupling.nearest_place(hand(), tuning_.grab_range, on_line ? line_.cord() : std::nullopt);
+  std::array<ribbon::box2d::CordId, 2> except{};
+  std::size_t excepted = 0;
+  if (line_.state() == Line::State::held) except[excepted++] = *line_.cord();
+  if (left_cord_) except[excepted++] = *left_cord_;
+  const auto nearest = coupling.nearest_place(hand(), tuning_.grab_range, std::span(except).first(excepted));
   if (!nearest) return;
   line_.release(coupling);
   const ribbon::box2d::CordRef cord = coupling.cord(nearest->cord);
@@ -253,11 +300,28 @@ void Player::pump(int direction, Vec2 from, double dt) {
 }
 
 void Player::release_cord(ribbon::box2d::Coupling& coupling) {
+  if (const auto held = coupling.body(*body_).held_place()) leave(held->cord);
   coupling.body(*body_).release();
   grip_id_.reset();
   may_catch_ = false;
   ticks_since_jump_pressed_ = long_ago;
   ticks_since_release_ = 0;
+}
+
+/// Remembers a cord that the hand has let go of. It flies on beside the hand, which reaches for another one.
+void Player::leave(ribbon::box2d::CordId cord) {
+  left_cord_ = cord;
+  ticks_since_left_ = 0;
+}
+
+void Player::forget_left_cord(const ribbon::box2d::Coupling& coupling) {
+  if (!left_cord_) return;
+  const bool is_there = coupling.cord(*left_cord_).is_valid();
+  if (is_there && ++ticks_since_left_ <= tuning_.forget_ticks) {
+    const auto points = coupling.cord(*left_cord_).positions();
+    if (length(points[nearest_point(points, hand())] - hand()) < tuning_.forget_distance) return;
+  }
+  left_cord_.reset();
 }
 
 /// Jumps off a cord: adds hop_speed to the velocity of the swing.
@@ -275,6 +339,9 @@ void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(ticks_since_jump_);
   hasher.add(buttons_before_);
   hasher.add(static_cast<int>(may_catch_));
+  hasher.add(left_cord_.value_or(-1));
+  hasher.add(ticks_since_left_);
+  hasher.add(ground_rise_);
   hasher.add(static_cast<int>(faces_left_));
   hasher.add(can_climb_ ? grip_id_.value_or(-1) : -1);  // recordings have −1 for cords of the thesis's solver
   hasher.add(grip_);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "game/simulation/area.h"
 #include "game/simulation/line.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
@@ -40,6 +41,9 @@ struct PlayerTuning {
   int jump_buffer_ticks = 6;          ///< a jump is remembered this long before landing
   int jump_pause_ticks = 20;          ///< min. pause between two jumps, so that a bounce is used once
   int hop_ticks = 6;                  ///< a jump this long after releasing a cord is a jump off the cord
+  int forget_ticks = 30;              ///< a cord that was released is not caught this long, unless the hand was
+  double forget_distance = 1.5;       ///< m, away from it
+  double step_speed = 1.0;            ///< m/s, upwards, at which the player leaves ground without a jump, at most
 };
 
 /// The player: a Box2D body, its line, and the state of its controls.
@@ -60,6 +64,8 @@ class Player {
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
   ribbon::Vec2 position() const;               ///< m, the centre of the body
+  /// Returns whether the body overlaps the area.
+  bool touches(const Area& area) const;
   ribbon::Vec2 hand() const;                   ///< m, the target of a held cord point
   ribbon::Vec2 grip() const { return grip_; }  ///< m, the held point relative to the centre of the body
   const Line& line() const { return line_; }
@@ -78,7 +84,8 @@ class Player {
   struct Command;
 
   bool holds_cord(const ribbon::box2d::Coupling& coupling) const;
-  bool stands_on_cord(const ribbon::box2d::Coupling& coupling) const;
+  std::optional<double> rise_of_cord_below(const ribbon::box2d::Coupling& coupling) const;
+  void stay_low();
   void update_ground(const ribbon::box2d::Coupling& coupling);
   void handle_line(const Command& command, std::optional<ribbon::Vec2> aim, ribbon::box2d::Coupling& coupling,
                    double dt);
@@ -89,6 +96,8 @@ class Player {
   void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
   void pump(int direction, ribbon::Vec2 from, double dt);
   void release_cord(ribbon::box2d::Coupling& coupling);
+  void leave(ribbon::box2d::CordId cord);
+  void forget_left_cord(const ribbon::box2d::Coupling& coupling);
   void hop();
 
   PlayerTuning tuning_;
@@ -98,12 +107,15 @@ class Player {
   bool can_climb_ = true;                         // the held cord is one of the direct solver
   std::optional<bool> detected_ground_;           // since the last apply
   bool on_firm_ground_ = false;
+  double ground_rise_ = 0.0;  // m/s, upwards, of what the player stands on
   int ticks_off_ground_ = 0;
   int ticks_since_jump_pressed_;
   int ticks_since_release_;
   int ticks_since_jump_;
   std::uint16_t buttons_before_ = 0;
   bool may_catch_ = true;  // false from a release until the grab button was up
+  std::optional<ribbon::box2d::CordId> left_cord_;  // the cord that was released last, until it may be caught again
+  int ticks_since_left_ = 0;
   bool faces_left_ = false;
   bool climbs_ = false;
   ribbon::Vec2 grip_{};  // m, the held point relative to the centre of the body; moves towards the hand

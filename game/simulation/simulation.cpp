@@ -72,7 +72,8 @@ void Simulation::skip(const engine::TickInput& input) {
 
   aim(engine::pointer(input));
   std::uint16_t buttons = input.buttons;
-  if ((pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
+  if (goal_ticks_) buttons = buttons_after_goal();
+  if ((buttons & pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
   const auto hook = aimed_hook_ ? std::optional(level_->hooks[*aimed_hook_]) : std::nullopt;
   player_->apply(buttons, hook, scene_->coupling(), tick_dt);
   drag_.apply(input, *scene_, player_->body(), tick_dt);
@@ -133,6 +134,7 @@ void Simulation::restart() {
   falls_ = 0;
   goal_ticks_.reset();
   ++restarts_;
+  save(start_);
   take_snapshot(previous_);
   take_snapshot(current_);
 }
@@ -169,8 +171,20 @@ bool Simulation::drop_load() {
   return dropped;
 }
 
-/// Puts the player at the last checkpoint, or at the start.
+/// At the goal the player stops, or goes on holding what it holds.
+std::uint16_t Simulation::buttons_after_goal() const {
+  const bool holds = scene_->coupling().body(player_->body()).held_place().has_value();
+  return holds ? static_cast<std::uint16_t>(button_grab) : std::uint16_t{0};
+}
+
+/// Puts the player at the last checkpoint, or at the start. Cords and bodies are as at the start of the level, so that
+/// each try meets the same.
 void Simulation::put_player_back() {
+  if (!make_mover_) {
+    start_.world.restore(scene_->world(), nullptr);
+    scene_->coupling().restore(start_.cords, scene_->world());
+    *player_ = *start_.player;
+  }
   Vec2 feet = level_->player_start;
   if (checkpoint_) {
     const Area& area = level_->checkpoints[*checkpoint_];
@@ -182,7 +196,8 @@ void Simulation::put_player_back() {
 /// Updates goal, checkpoint and falls after the player has moved.
 void Simulation::check_player() {
   const Vec2 at = player_->position();
-  if (level_->goal.contains(at) && !goal_ticks_) goal_ticks_ = run_ticks_;
+  const Flag flag = flag_of(level_->goal);
+  if (!goal_ticks_ && (player_->touches(flag.pole) || player_->touches(flag.cloth))) goal_ticks_ = run_ticks_;
   for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
     if (level_->checkpoints[k].contains(at)) checkpoint_ = k;
   }

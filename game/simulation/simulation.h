@@ -96,6 +96,7 @@ class Simulation {
   void aim(ribbon::Vec2 pointer);
   bool drop_load();
   void put_player_back();
+  std::uint16_t buttons_after_goal() const;
   void check_player();
   void update_foothold();
   void take_snapshot(Snapshot& snapshot) const;
@@ -119,6 +120,7 @@ class Simulation {
   Snapshot current_;
   ribbon::box2d::StateHash hash_;
   Drag drag_;
+  SavedTick start_;  // what cords and bodies return to after a fall
   std::optional<std::size_t> checkpoint_;
   std::optional<std::size_t> aimed_hook_;
   ribbon::Vec2 foothold_;       // m, feet: the position after a fall with the assist no_fall

@@ -21,8 +21,8 @@ void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
   pen.canvas.circle(top, 0.8 * width - 0.03, pen.colors.goal);
 }
 
-/// A flag on a pole. Lengths in m.
-struct Flag {
+/// The cloth of a flag. Lengths in m.
+struct Cloth {
   Vec2 top;
   Vec2 size;
   double swing;      // amplitude of the waves at the free end
@@ -30,7 +30,7 @@ struct Flag {
   double narrowing;  // of the free end, 0 … 1
 };
 
-void draw_flag(Pen& pen, const Flag& flag, Color color) {
+void draw_flag(Pen& pen, const Cloth& flag, Color color) {
   constexpr int columns = 14;
   std::vector<Vec2> upper;
   std::vector<Vec2> lower;
@@ -65,15 +65,15 @@ void draw_flag(Pen& pen, const Flag& flag, Color color) {
 
 }  // namespace
 
-void draw_goal(Pen& pen, Vec2 center, Vec2 size, bool reached) {
-  const Vec2 foot = center - Vec2{0.0, 0.5 * size.y};
-  if (!pen.sees(center, 4.0)) return;
-  const Vec2 top = foot + Vec2{0.0, std::max(size.y, 1.2) + 0.9};
+void draw_goal(Pen& pen, const Area& goal, bool reached) {
+  if (!pen.sees(goal.center, 4.0)) return;
+  const Flag flag = flag_of(goal);
+  const Vec2 top = flag.top;
   pen.sprite(pen.images.glow, pen.canvas.to_pixels(top + Vec2{0.5, -0.5}), pen.scale() * Vec2{4.0, 4.0},
              with_alpha(pen.colors.sun, reached ? 190 : 110));
-  draw_flag(pen, {top - Vec2{0.0, 0.06}, {1.45, 0.9}, reached ? 0.16 : 0.09, reached ? 0.0 : 0.12, 0.25},
-            pen.colors.goal);
-  draw_pole(pen, foot, top, 0.13);
+  const Vec2 corner = flag.cloth.center + Vec2{-0.5 * flag.cloth.size.x, 0.5 * flag.cloth.size.y};
+  draw_flag(pen, {corner, flag.cloth.size, reached ? 0.16 : 0.09, reached ? 0.0 : 0.12, 0.25}, pen.colors.goal);
+  draw_pole(pen, flag.foot, top, flag.pole.size.x);
 }
 
 void draw_checkpoint(Pen& pen, Vec2 center, Vec2 size, bool reached) {

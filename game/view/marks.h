@@ -3,12 +3,13 @@
 #include <span>
 #include <string_view>
 
+#include "game/simulation/area.h"
 #include "game/view/pen.h"
 
 namespace game {
 
 /// Draws a flag whose foot is the middle of the lower edge of the goal. It waves more when the goal is reached.
-void draw_goal(Pen& pen, ribbon::Vec2 center, ribbon::Vec2 size, bool reached);
+void draw_goal(Pen& pen, const Area& goal, bool reached);
 
 /// Draws a banner on a post whose foot is the middle of the lower edge of the checkpoint. It is up when reached.
 void draw_checkpoint(Pen& pen, ribbon::Vec2 center, ribbon::Vec2 size, bool reached);

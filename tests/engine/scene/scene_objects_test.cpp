@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "ribbon/box2d/convert.h"
@@ -257,7 +258,7 @@ TEST(NearestPlace, IsBetweenPointsOfADirectCordAndNotOnTheExcludedCord) {
   EXPECT_NEAR(scene.coupling().cord(place->cord).arc(place->point, place->along), 0.77, 1e-9);
   EXPECT_NEAR(scene.coupling().cord(place->cord).position(place->point, place->along).y, 8.23, 1e-9);
   EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 0.2));
-  EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 1.0, 0));
+  EXPECT_FALSE(scene.coupling().nearest_place({5.3, 8.23}, 1.0, std::array{ribbon::box2d::CordId{0}}));
 }
 
 TEST(MovingAHand, MovesTheBodyAndRefusesAGripThatDoesNotExist) {

@@ -159,7 +159,7 @@ bool World::tie(const Knot& knot) {
   const CordId id = cords[static_cast<std::size_t>(knot.cord * static_cast<double>(cords.size()))];
   const auto points = coupling_.cord(id).positions();
   const auto point = static_cast<std::size_t>(knot.place * static_cast<double>(points.size()));
-  const auto nearest = coupling_.nearest_place(points[point], max_knot, id);
+  const auto nearest = coupling_.nearest_place(points[point], max_knot, {&id, 1});
   if (!nearest) return false;
   try {
     ties_.push_back(coupling_.tie({id, static_cast<int>(point), nearest->cord, nearest->point}));
