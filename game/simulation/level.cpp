@@ -23,8 +23,9 @@ void check_shape(const MapObject& object, engine::MapShape shape) {
                      "; accepted is " + std::string(engine::shape_name(shape)));
 }
 
-const MapObject& only_object(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape,
-                             engine::Choices properties) {
+/// Returns the only object of a class, or null if there is none.
+const MapObject* find_only(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape,
+                           engine::Choices properties) {
   const MapObject* found = nullptr;
   for (const MapObject& object : map.objects) {
     if (object.kind != kind) continue;
@@ -32,9 +33,14 @@ const MapObject& only_object(const engine::TiledMap& map, const std::string& kin
     check_shape(object, shape);
     found = &object;
   }
-  if (found == nullptr) throw engine::MapError(map.file + ": no object of class " + kind + "; a level needs one");
-  found->properties.check_known_properties(properties);
-  return *found;
+  if (found != nullptr) found->properties.check_known_properties(properties);
+  return found;
+}
+
+const MapObject& only_object(const engine::TiledMap& map, const std::string& kind, engine::MapShape shape,
+                             engine::Choices properties) {
+  if (const MapObject* found = find_only(map, kind, shape, properties)) return *found;
+  throw engine::MapError(map.file + ": no object of class " + kind + "; a level needs one");
 }
 
 std::string short_text(const engine::Properties& properties, const char* key) {
@@ -122,9 +128,11 @@ Level level_of(engine::TiledMap map) {
   const MapObject& player = only_object(level.map, "player", engine::MapShape::point, {"mass"});
   level.player_start = player.position;
   level.player_mass = player.properties.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4});
-  const MapObject& goal = only_object(level.map, "goal", engine::MapShape::rectangle, {});
-  level.goal = {goal.position, goal.size};
   read_map_properties(level);
+  if (const MapObject* goal = level.sandbox ? find_only(level.map, "goal", engine::MapShape::rectangle, {})
+                                            : &only_object(level.map, "goal", engine::MapShape::rectangle, {})) {
+    level.goal = Area{goal->position, goal->size};
+  }
   read_markers(level);
   level.make_scene();  // throws if the scene cannot be built
   return level;

@@ -37,7 +37,7 @@ struct Level {
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
   double player_mass = 0.0;   ///< kg
   Assists assists;
-  Area goal;
+  std::optional<Area> goal;  ///< none in a sandbox
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, targets for a thrown line
   std::vector<Sign> signs;
@@ -52,7 +52,7 @@ std::string assets_folder();
 /// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. In addition to the objects of
 /// engine/scene/scene.h a map has
 /// - one `player`: point, the middle of its feet; mass [kg], by default that of PlayerTuning
-/// - one `goal`: rectangle, at the foot of the flag; the player wins by touching the flag
+/// - one `goal`, or none in a sandbox: rectangle, at the foot of the flag; the player wins by touching the flag
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text

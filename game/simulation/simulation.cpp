@@ -196,8 +196,10 @@ void Simulation::put_player_back() {
 /// Updates goal, checkpoint and falls after the player has moved.
 void Simulation::check_player() {
   const Vec2 at = player_->position();
-  const Flag flag = flag_of(level_->goal);
-  if (!goal_ticks_ && (player_->touches(flag.pole) || player_->touches(flag.cloth))) goal_ticks_ = run_ticks_;
+  if (level_->goal && !goal_ticks_) {
+    const Flag flag = flag_of(*level_->goal);
+    if (player_->touches(flag.pole) || player_->touches(flag.cloth)) goal_ticks_ = run_ticks_;
+  }
   for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
     if (level_->checkpoints[k].contains(at)) checkpoint_ = k;
   }

@@ -73,9 +73,9 @@ void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
   }
   const bool has_goal = simulation_->goal_ticks().has_value();
   if (has_goal && !had_goal_) {
-    const Level& level = simulation_->level();
-    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.goal);
-    add_sparkle(particles_, level.goal.center + Vec2{0.6, 1.2}, palette.sun);
+    const Vec2 cloth = flag_of(*simulation_->level().goal).cloth.center;
+    add_sparkle(particles_, cloth, palette.goal);
+    add_sparkle(particles_, cloth, palette.sun);
   }
   had_goal_ = has_goal;
   const auto checkpoint = simulation_->checkpoint();

@@ -179,7 +179,8 @@ void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_to
 
 /// Draws the distance to the goal at the edge of the screen, if the goal is outside.
 void draw_goal_distance(Canvas& canvas, const Simulation& simulation, double scale) {
-  const Vec2 goal = simulation.level().goal.center;
+  if (!simulation.level().goal) return;
+  const Vec2 goal = simulation.level().goal->center;
   const Vec2 there = canvas.to_pixels(goal);
   const double width = canvas.width();
   if (there.x >= 0.0 && there.x <= width) return;

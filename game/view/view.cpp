@@ -78,7 +78,7 @@ void draw_marks(Pen& pen, const Simulation& simulation) {
   for (const Sign& sign : level.signs) draw_sign(pen, sign.at, sign.text);
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
-  draw_goal(pen, level.goal, simulation.goal_ticks().has_value());
+  if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
   for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
 }
 

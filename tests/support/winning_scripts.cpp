@@ -25,7 +25,33 @@ std::vector<Move> round_the_pegs() {
           run_past(26.2), jump_and_catch(right), pump_and_let_go(right, 0.55), until_goal(right)};
 }
 
-std::vector<Move> rolling_bridge() { return {run_past(29.0), run_past(42.0), until_goal(right)}; }
+std::vector<Move> rolling_bridge() {
+  return {run_past(29.0),
+          run_past(46.0),
+          jump_and_catch(right),
+          climb(game::button_up, 230),
+          pump_and_let_go(left, 0.5),
+          run_past(31.0),
+          jump(left, 60),
+          run_past(24.0),
+          jump(left, 60),
+          until_goal(left)};
+}
+
+std::vector<Move> over_the_wall() {
+  return {run_past(10.8),         jump_and_catch(right),           climb(game::button_up, 200),
+          pump_and_let_go(right, 0.6), run_past(18.6), jump_and_catch(right), pump_and_let_go(right, 0.5), until_goal(right)};
+}
+
+std::vector<Move> gently() {
+  return {run_past(7.2), stand(), jump_and_catch(right), pump_and_let_go(right, 0.25),
+          fly_and_catch(right, 0), pump_and_let_go(right, 0.25), fly_and_catch(right, 0), pump_and_let_go(right, 0.25), run_past(24.2), stand(),
+          jump_and_catch(right), pump_and_let_go(right, 0.25), fly_and_catch(right, 0), pump_and_let_go(right, 0.25), until_goal(right)};
+}
+
+std::vector<Move> open_the_gate() {
+  return {run_past(10.2), jump_and_catch(right), hold(game::button_grab, [](const game::Simulation&, int k) { return k >= 240; }), until_goal(right)};
+}
 
 std::vector<Move> trampoline() {
   return {run_past(6.2), jump(right, 20), bounce(13.0, 12.9), run_past(24.2), jump(right), until_goal(right)};
@@ -82,6 +108,9 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "round_the_pegs") return round_the_pegs();
   if (level == "rolling_bridge") return rolling_bridge();
   if (level == "trampoline") return trampoline();
+  if (level == "over_the_wall") return over_the_wall();
+  if (level == "gently") return gently();
+  if (level == "open_the_gate") return open_the_gate();
   if (level == "curtains") return curtains();
   if (level == "heavy_load") return heavy_load();
   if (level == "long_line") return long_line();
