@@ -93,6 +93,8 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
   buttons_before_ = buttons;
   if (!command.grab) may_catch_ = true;
   if (command.direction != 0) faces_left_ = command.direction < 0;
+  pump_ticks_left_ = command.direction == direction_ ? std::max(0, pump_ticks_left_ - 1) : tuning_.pump_ticks;
+  direction_ = command.direction;
   update_ground(coupling);
   forget_left_cord(coupling);
   ticks_since_jump_pressed_ = command.jump ? 0 : std::min(ticks_since_jump_pressed_ + 1, long_ago);
@@ -110,7 +112,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
     return;
   }
   if (line_.state() == Line::State::held && !is_on_ground()) {
-    pump(command.direction, line_.hook(), dt);
+    pump(line_.hook(), dt);
     if (command.jump) {
       leave(*line_.cord());
       line_.release(coupling);
@@ -140,7 +142,7 @@ bool Player::holds_cord(const ribbon::box2d::Coupling& coupling) const {
 
 void Player::update_ground(const ribbon::box2d::Coupling& coupling) {
   if (!detected_ground_) detect_ground(coupling);
-  if (!*detected_ground_ && is_on_ground()) stay_low();
+  if (!*detected_ground_ && is_on_ground() && ticks_since_jump_ > tuning_.coyote_ticks) stay_low();
   ticks_off_ground_ = *detected_ground_ ? 0 : std::min(ticks_off_ground_ + 1, long_ago);
   detected_ground_.reset();
 }
@@ -266,7 +268,7 @@ void Player::hang(const Command& command, ribbon::box2d::Coupling& coupling, dou
   }
   coupling.grip(*grip_id_).move_anchor(to_float(grip_));
   if (can_climb_) climb(command.climb, held, coupling);
-  pump(command.direction, anchor_of(coupling, held), dt);
+  pump(anchor_of(coupling, held), dt);
 }
 
 /// Climbs (1), slides (−1) or stops (0). Up is towards the nearest constrained point, or, without one, towards the
@@ -289,13 +291,13 @@ void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::
                                  direction > 0 ? tuning_.climb_speed : tuning_.slide_speed);
 }
 
-/// Pushes the body perpendicular to the direction from it to `from`.
-void Player::pump(int direction, Vec2 from, double dt) {
+/// Pushes the body perpendicular to the direction from it to `from`, for a moment after each press: a swing wants rhythm.
+void Player::pump(Vec2 from, double dt) {
   const Vec2 along = from - position();
   const double distance = length(along);
-  if (direction == 0 || distance == 0.0) return;
+  if (direction_ == 0 || pump_ticks_left_ == 0 || distance == 0.0) return;
   const Vec2 across = (1.0 / distance) * Vec2{along.y, -along.x};  // to the right for a cord that hangs
-  const double impulse = direction * tuning_.pump_acceleration * tuning_.mass * dt;
+  const double impulse = direction_ * tuning_.pump_acceleration * tuning_.mass * dt;
   body_->ApplyLinearImpulseToCenter(to_float(impulse * across), true);
 }
 
@@ -343,6 +345,8 @@ void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(ticks_since_left_);
   hasher.add(ground_rise_);
   hasher.add(static_cast<int>(faces_left_));
+  hasher.add(direction_);
+  hasher.add(pump_ticks_left_);
   hasher.add(can_climb_ ? grip_id_.value_or(-1) : -1);  // recordings have −1 for cords of the thesis's solver
   hasher.add(grip_);
   line_.add_to(hasher);

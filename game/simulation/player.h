@@ -27,7 +27,8 @@ struct PlayerTuning {
   double jump_speed = 6.5;            ///< m/s, upwards: 2.1 m high
   double sinking_speed = -0.5;        ///< m/s, vertical; below it the player does not stand on a cord yet
   double bounce_fraction = 0.5;       ///< of jump_speed, added to the velocity on a bouncing surface
-  double pump_acceleration = 4.5;     ///< m/s², across the cord while hanging
+  double pump_acceleration = 8.0;     ///< m/s², across the cord while hanging
+  int pump_ticks = 30;                ///< after a press of left or right; a key that is held gives no more
   double grab_range = 1.0;            ///< m, from the hand to a cord
   double max_arm_length = 1.2;        ///< m, from the hand to a held point that is pulled away; beyond it is released
   double pull_in = 0.25;              ///< fraction of the distance from the held point to the hand, per tick
@@ -94,7 +95,7 @@ class Player {
   void catch_cord(ribbon::box2d::Coupling& coupling);
   void hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt);
   void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
-  void pump(int direction, ribbon::Vec2 from, double dt);
+  void pump(ribbon::Vec2 from, double dt);
   void release_cord(ribbon::box2d::Coupling& coupling);
   void leave(ribbon::box2d::CordId cord);
   void forget_left_cord(const ribbon::box2d::Coupling& coupling);
@@ -104,6 +105,8 @@ class Player {
   b2Body* body_;
   Line line_;
   std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of the line
+  int direction_ = 0;                             // 1 right, −1 left, in the last tick
+  int pump_ticks_left_ = 0;
   bool can_climb_ = true;                         // the held cord is one of the direct solver
   std::optional<bool> detected_ground_;           // since the last apply
   bool on_firm_ground_ = false;

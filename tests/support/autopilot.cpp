@@ -3,6 +3,7 @@
 #include "game/simulation/buttons.h"
 #include "game/simulation/level.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/support/scripted_player.h"
 
 namespace test_support {
 namespace {
@@ -48,8 +49,7 @@ std::uint16_t Autopilot::hang(const game::Simulation& simulation, const ribbon::
   const Vec2 v = velocity(simulation);
   const bool far_out = from_top.x > let_go_angle * length(from_top);
   if ((far_out && v.x > 0.0 && v.y > let_go_climb) || ticks_on_cord_ > most_ticks_on_cord) return game::button_right;
-  const std::uint16_t pump = v.x >= 0.0 ? game::button_right : game::button_left;
-  return static_cast<std::uint16_t>(game::button_grab | pump);
+  return static_cast<std::uint16_t>(game::button_grab | pumping(simulation, top));
 }
 
 std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {

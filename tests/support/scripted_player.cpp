@@ -1,5 +1,7 @@
 #include "tests/support/scripted_player.h"
 
+#include <cmath>
+
 #include "game/simulation/buttons.h"
 #include "ribbon/box2d/convert.h"
 
@@ -32,10 +34,6 @@ Vec2 top_of_cord(const Simulation& simulation) {
   return held ? coupling.cord(held->cord).positions()[0] : position(simulation);
 }
 
-int pumping(const Simulation& simulation) {
-  return velocity(simulation).x >= 0.0 ? game::button_right : game::button_left;
-}
-
 bool has_swung_out(const Simulation& simulation, Vec2 top, int side, double lean, double climb) {
   const Vec2 from_top = position(simulation) - top;
   const Vec2 v = velocity(simulation);
@@ -43,6 +41,13 @@ bool has_swung_out(const Simulation& simulation, Vec2 top, int side, double lean
 }
 
 }  // namespace
+
+int pumping(const Simulation& simulation, Vec2 top) {
+  const Vec2 from_top = position(simulation) - top;
+  const double v = velocity(simulation).x;
+  const bool is_low = std::abs(from_top.x) < 0.3 * length(from_top);
+  return !is_low || v == 0.0 ? 0 : v > 0.0 ? game::button_right : game::button_left;
+}
 
 Move wait(int ticks) {
   return hold(0, [ticks](const Simulation&, int k) { return k >= ticks; });
@@ -89,12 +94,12 @@ Move fly_and_catch(int side, int ticks_before) {
 }
 
 Move pump_and_let_go(int side, double lean, double climb) {
-  return {[](const Simulation& s) { return game::button_grab | pumping(s); },
+  return {[](const Simulation& s) { return game::button_grab | pumping(s, top_of_cord(s)); },
           [=](const Simulation& s, int) { return has_swung_out(s, top_of_cord(s), side, lean, climb); }};
 }
 
 Move pump_for(int ticks) {
-  return {[](const Simulation& s) { return game::button_grab | pumping(s); },
+  return {[](const Simulation& s) { return game::button_grab | pumping(s, top_of_cord(s)); },
           [ticks](const Simulation&, int k) { return k >= ticks; }};
 }
 
@@ -135,7 +140,7 @@ Move reel_to(double length, int side) {
 Move swing_line_and_let_go(int side, double lean, double climb) {
   return {[=, out = false](const Simulation& s) mutable {
             out = out || has_swung_out(s, s.player().line().hook(), side, lean, climb);
-            return out ? side | game::button_jump : pumping(s);
+            return out ? side | game::button_jump : pumping(s, s.player().line().hook());
           },
           [](const Simulation& s, int) { return !line_is_held(s); }};
 }

@@ -20,6 +20,9 @@ struct Move {
   ribbon::Vec2 pointer{};  ///< m
 };
 
+/// Returns the key that pumps a swing below `top` [m]: that of its direction as it passes below, none on the way up.
+int pumping(const game::Simulation& simulation, ribbon::Vec2 top);
+
 // Moves for the scripts of levels. `side` is game::button_left or game::button_right.
 Move wait(int ticks);
 Move hold(int buttons, Move::Until until);

@@ -21,8 +21,8 @@ std::vector<Move> pump_it_up() {
 }
 
 std::vector<Move> round_the_pegs() {
-  return {run_past(7.4),  jump_and_catch(right), pump_and_let_go(right, 0.55), jump(right),
-          run_past(26.2), jump_and_catch(right), pump_and_let_go(right, 0.55), until_goal(right)};
+  return {run_past(7.4),  jump_and_catch(right), pump_and_let_go(right, 0.45, 2.0), jump(right),
+          run_past(26.2), jump_and_catch(right), pump_and_let_go(right, 0.5, 4.0), until_goal(right)};
 }
 
 std::vector<Move> rolling_bridge() {
@@ -67,7 +67,7 @@ std::vector<Move> heavy_load() {
           jump(right, 30),
           run_past(8.0),
           jump_and_catch(right),
-          pump_for(240),
+          pump_for(420),
           hold(game::button_grab | game::button_throw, [](const game::Simulation&, int k) { return k >= 2; }),
           jump_off(left),
           jump(left, 60),

@@ -322,5 +322,21 @@ TEST_P(EitherLevel, PumpingAtTheRightTimeRaisesTheSwing) {
   EXPECT_LT(height_after(-1), idle);
 }
 
+/// A swing wants rhythm: each press pushes for half a second, and a key that is held pushes no more.
+TEST_P(EitherLevel, AKeyThatIsHeldDoesNotPump) {
+  const auto place_after = [](int last_buttons) {
+    Simulation simulation(level());
+    test_support::Autopilot autopilot;
+    const auto held = [&] { return simulation.scene().coupling().body(simulation.player().body()).held_place(); };
+    while (!held() && simulation.ticks() < 300) simulation.tick(press(autopilot.buttons(simulation)));
+    const int push = simulation.player().tuning().pump_ticks + 2;
+    for (int k = 0; k < push; ++k) simulation.tick(press(button_grab | button_left));
+    for (int k = 0; k < 90; ++k) simulation.tick(press(button_grab | last_buttons));
+    return simulation.player().position();
+  };
+  EXPECT_EQ(place_after(button_left), place_after(0));
+  EXPECT_GT(length(place_after(button_right) - place_after(0)), 0.1);  // a press
+}
+
 }  // namespace
 }  // namespace game
