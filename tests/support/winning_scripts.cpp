@@ -98,7 +98,8 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
-std::vector<Move> sandbox() { return {until_goal(right)}; }
+/// There is no flag: it runs through the yard.
+std::vector<Move> sandbox() { return {run_past(46.0), wait(30)}; }
 
 }  // namespace
 

@@ -101,7 +101,7 @@ const std::vector<Kind> kinds = {
      {"columns",        "rows",         "mass",        "stretch_stiffness", "bending_stiffness", "damping",  "drag",
       "gravity_scale",  "radius",       "substeps",    "tolerance",         "max_iterations",    "max_work", "friction",
       "restitution",    "self_contact", "allow_sleep", "accuracy",          "integrator",        "solver",   "pin_last",
-      "breaking_force", "drag_across",  "drag_along",  "displaced_area"}},
+      "breaking_force", "drag_across",  "drag_along",  "displaced_area",    "at_rest"}},
     {polyline,
      {{"columns", "9"},
       {"rows", "3"},

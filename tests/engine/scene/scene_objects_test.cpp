@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -203,6 +204,39 @@ TEST(SceneCord, IfSolidCollidesOutsideTheFilterOfOtherCords) {
 }
 
 /// The overlap cannot be removed. It once made ticks a thousand times as expensive, and unconverged.
+/// A rope that is laid along two straight lines swings by half a metre, unless it starts at rest.
+TEST(SceneCord, StartsAtRestIfItIsToldTo) {
+  const auto moved = [](bool at_rest) {
+    MapObject rope = thing(7, "cord", MapShape::polyline, {1.0, 8.0});
+    rope.points = {{1.0, 8.0}, {4.0, 5.0}, {8.0, 8.0}};
+    rope.properties.insert("columns", std::int64_t{41});
+    rope.properties.insert("mass", 2.0);
+    rope.properties.insert("pin_first", true);
+    rope.properties.insert("pin_last", true);
+    rope.properties.insert("at_rest", at_rest);
+    Scene scene(map_of({rope}));
+    const Vec2 start = scene.coupling().cord(0).positions()[10];
+    double most = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      scene.tick(1.0 / 60.0);
+      most = std::max(most, length(scene.coupling().cord(0).positions()[10] - start));
+    }
+    return most;
+  };
+  EXPECT_GT(moved(false), 0.1);
+  EXPECT_LT(moved(true), 1e-3);
+}
+
+TEST(SceneCord, StartsAtRestOnlyFromAPin) {
+  MapObject rope = thing(7, "cord", MapShape::polyline, {1.0, 8.0});
+  rope.points = {{1.0, 8.0}, {4.0, 5.0}};
+  rope.properties.insert("columns", std::int64_t{41});
+  rope.properties.insert("mass", 2.0);
+  rope.properties.insert("at_rest", true);
+  EXPECT_EQ(refusal(map_of({rope})),
+            "test.tmj: object 7: pins are empty; accepted is a cord that hangs from one point or more");
+}
+
 TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   MapObject bridge = cord(7);
   bridge.points = {{3.0, 5.0}, {5.0, 4.6}, {7.0, 5.0}};

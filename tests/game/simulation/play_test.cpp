@@ -111,6 +111,26 @@ TEST(LettingGo, AllowsAHopForAMoment) {
   EXPECT_LT(velocity_after(10), 0.0);
 }
 
+/// Lets go of the rope while rising, and presses grab again after `pause` ticks, for `ticks`.
+ribbon::box2d::CordPoint caught_again(int pause, int ticks) {
+  const Level level = load_level("pump_it_up");
+  Simulation simulation(level);
+  play(simulation, {test_support::run_past(7.0), test_support::jump_and_catch(button_right)});
+  const auto has_risen = [&] { return simulation.player().body().GetLinearVelocity().y > 1.0F; };
+  while (!has_risen()) tick(simulation, button_grab);
+  tick(simulation, 0, pause);
+  for (int k = 0; k < ticks && held(simulation).cord < 0; ++k) tick(simulation, button_grab);
+  return held(simulation);
+}
+
+/// The rope flies on beside the hand that has let go of it. It is there for another catch only after half a second.
+TEST(LettingGo, LeavesTheRopeForHalfASecond) {
+  EXPECT_EQ(caught_again(12, 1).cord, -1);
+  EXPECT_EQ(caught_again(12, 17).cord, -1);
+  EXPECT_EQ(caught_again(24, 5).cord, -1);
+  EXPECT_EQ(caught_again(12, 40).cord, 0);
+}
+
 /// On a level with rings, standing near the first.
 class ThrownLine : public testing::Test {
  protected:

@@ -72,7 +72,7 @@ TEST(Level, ThePlayerIsAsHeavyAsTheMapSays) {
 TEST_P(EitherLevel, CanBeWon) {
   Simulation simulation(level());
   test_support::Autopilot autopilot;
-  while (!simulation.goal_ticks() && simulation.ticks() < 1800) simulation.tick(press(autopilot.buttons(simulation)));
+  while (!simulation.goal_ticks() && simulation.ticks() < 2400) simulation.tick(press(autopilot.buttons(simulation)));
   EXPECT_TRUE(simulation.goal_ticks());
 }
 
