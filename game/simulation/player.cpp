@@ -53,6 +53,7 @@ struct Player::Command {
         reel(axis(buttons, button_reel_out, button_reel_in)),
         grab((buttons & button_grab) != 0),
         jump((buttons & ~before & button_jump) != 0),
+        holds_jump((buttons & button_jump) != 0),
         throws((buttons & ~before & button_throw) != 0) {}
 
   static int axis(std::uint16_t buttons, Button plus, Button minus) {
@@ -64,6 +65,7 @@ struct Player::Command {
   int reel;
   bool grab;
   bool jump;    // pressed in this tick
+  bool holds_jump;
   bool throws;  // pressed in this tick
 };
 
@@ -120,6 +122,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
     }
   } else {
     run(command.direction, dt);
+    cut_jump(command.holds_jump);
     jump_if_possible();
   }
   if (command.grab && may_catch_) catch_cord(coupling);
@@ -185,7 +188,9 @@ void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
     if (up > tuning_.ground_slope) take(static_cast<double>(other->GetLinearVelocityFromWorldPoint(manifold.points[0]).y));
     on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
   }
-  if (const std::optional<double> rise = rise_of_cord_below(coupling)) take(*rise);
+  const std::optional<double> rise = rise_of_cord_below(coupling);
+  if (rise) take(*rise);
+  if (on_ground) was_on_cord_ = rise.has_value();
   detected_ground_ = on_ground;
 }
 
@@ -228,9 +233,19 @@ void Player::jump_if_possible() {
   const double up =
       std::max(tuning_.jump_speed, static_cast<double>(velocity.y) + tuning_.bounce_fraction * tuning_.jump_speed);
   body_->SetLinearVelocity({velocity.x, static_cast<float>(up)});
+  jump_can_be_cut_ = !was_on_cord_;
   ticks_since_jump_pressed_ = long_ago;
   ticks_since_jump_ = 0;
   ticks_off_ground_ = tuning_.coyote_ticks + 1;
+}
+
+/// A jump off the ground is as high as its key is held. What a cord gives stays.
+void Player::cut_jump(bool key_is_down) {
+  const b2Vec2 velocity = body_->GetLinearVelocity();
+  if (velocity.y <= 0.0F) jump_can_be_cut_ = false;
+  if (!jump_can_be_cut_ || key_is_down || is_on_ground()) return;
+  jump_can_be_cut_ = false;
+  body_->SetLinearVelocity({velocity.x, std::min(velocity.y, static_cast<float>(tuning_.cut_speed))});
 }
 
 void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
@@ -344,6 +359,8 @@ void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(left_cord_.value_or(-1));
   hasher.add(ticks_since_left_);
   hasher.add(ground_rise_);
+  hasher.add(static_cast<int>(jump_can_be_cut_));
+  hasher.add(static_cast<int>(was_on_cord_));
   hasher.add(static_cast<int>(faces_left_));
   hasher.add(direction_);
   hasher.add(pump_ticks_left_);

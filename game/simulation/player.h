@@ -25,6 +25,7 @@ struct PlayerTuning {
   double ground_acceleration = 40.0;  ///< m/s², towards the run speed
   double air_acceleration = 9.0;      ///< m/s², in the air; never reduces the speed gained by a swing
   double jump_speed = 6.5;            ///< m/s, upwards: 2.1 m high
+  double cut_speed = 2.5;             ///< m/s, upwards, of a jump whose key is let go: from 0.3 m high on
   double sinking_speed = -0.5;        ///< m/s, vertical; below it the player does not stand on a cord yet
   double bounce_fraction = 0.5;       ///< of jump_speed, added to the velocity on a bouncing surface
   double pump_acceleration = 8.0;     ///< m/s², across the cord while hanging
@@ -92,6 +93,7 @@ class Player {
                    double dt);
   void run(int direction, double dt);
   void jump_if_possible();
+  void cut_jump(bool key_is_down);
   void catch_cord(ribbon::box2d::Coupling& coupling);
   void hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt);
   void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
@@ -110,11 +112,13 @@ class Player {
   bool can_climb_ = true;                         // the held cord is one of the direct solver
   std::optional<bool> detected_ground_;           // since the last apply
   bool on_firm_ground_ = false;
+  bool was_on_cord_ = false;  // it stands on a cord, or stood on one last
   double ground_rise_ = 0.0;  // m/s, upwards, of what the player stands on
   int ticks_off_ground_ = 0;
   int ticks_since_jump_pressed_;
   int ticks_since_release_;
   int ticks_since_jump_;
+  bool jump_can_be_cut_ = false;  // it rises from a body
   std::uint16_t buttons_before_ = 0;
   bool may_catch_ = true;  // false from a release until the grab button was up
   std::optional<ribbon::box2d::CordId> left_cord_;  // the cord that was released last, until it may be caught again

@@ -62,6 +62,7 @@ std::uint16_t Autopilot::fly_or_run(const game::Simulation& simulation) const {
   const bool at_step = x > step_up && velocity(simulation).x < 1.0;
   if (player.is_on_ground() && (at_edge || at_step)) buttons |= game::button_jump;
   if (!player.is_on_ground()) {
+    if (velocity(simulation).y > 0.0) buttons |= game::button_jump;
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const auto near = coupling.nearest_point(player.hand(), player.tuning().grab_range);
     // Not the cord that it has just left, which is still in range; and only cords with a free end.

@@ -146,7 +146,11 @@ Move swing_line_and_let_go(int side, double lean, double climb) {
 }
 
 Move until_goal(int buttons) {
-  return hold(buttons, [](const Simulation& s, int) { return s.goal_ticks().has_value(); });
+  return {[buttons](const Simulation& s) {
+            const bool is_stuck = s.player().is_on_ground() && std::abs(velocity(s).x) < 0.1;
+            return buttons | (is_stuck ? game::button_jump : 0);
+          },
+          [](const Simulation& s, int) { return s.goal_ticks().has_value(); }};
 }
 
 engine::TickInput ScriptedPlayer::input(const Simulation& simulation) {

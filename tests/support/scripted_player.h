@@ -53,6 +53,7 @@ Move throw_at(ribbon::Vec2 hook, int side = 0);
 Move reel_to(double length, int side = 0);
 /// On the line: pumps until it leans to `side` by `lean` while the player rises, then releases it.
 Move swing_line_and_let_go(int side, double lean, double climb = 0.5);
+/// Holds buttons until the goal is reached, and jumps where it is stuck.
 Move until_goal(int buttons);
 
 /// Plays one move after another; one that takes more than a minute has failed.

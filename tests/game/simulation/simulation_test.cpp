@@ -282,6 +282,26 @@ TEST(Player, JumpsOnceAPressAndOnlyFromTheGround) {
   EXPECT_EQ(on_ground, 99);
 }
 
+/// Returns how high a jump is whose key is down for a number of ticks, m.
+double height_of_jump(int ticks_down) {
+  Simulation simulation(first_swing_level());
+  for (int k = 0; k < 10; ++k) simulation.tick({});
+  const double ground = simulation.player().position().y;
+  double highest = ground;
+  for (int k = 0; k < 60; ++k) {
+    simulation.tick(press(k < ticks_down ? button_jump : 0));
+    highest = std::max(highest, simulation.player().position().y);
+  }
+  return highest - ground;
+}
+
+TEST(Player, JumpsAsHighAsTheKeyIsHeld) {
+  EXPECT_NEAR(height_of_jump(2), 0.5, 0.1);
+  EXPECT_GT(height_of_jump(10), height_of_jump(2) + 0.5);
+  EXPECT_GT(height_of_jump(40), height_of_jump(10) + 0.3);
+  EXPECT_NEAR(height_of_jump(40), height_of_jump(60), 1e-6);
+}
+
 TEST_P(EitherLevel, ThePlayerCatchesHangsPumpsAndReleasesWithItsVelocity) {
   Simulation simulation(level());
   test_support::Autopilot autopilot;
