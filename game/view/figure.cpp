@@ -31,7 +31,6 @@ struct Limb {
 
 /// Returns the limbs from far to near.
 std::vector<Limb> limbs_of(const Pose& pose) {
-  const Vec2 shoulder = pose.neck - Vec2{0.0, 0.06};
   const Vec2 chest = 0.5 * (pose.hip + pose.neck);
   const auto boot = [&pose](std::size_t k) {
     return Limb{
@@ -39,13 +38,13 @@ std::vector<Limb> limbs_of(const Pose& pose) {
         0.13,
         boots};
   };
-  return {{{shoulder, pose.elbow[0], pose.hand[0]}, 0.115, jacket_far},
+  return {{{pose.shoulder[0], pose.elbow[0], pose.hand[0]}, 0.115, jacket_far},
           {{pose.hip, pose.knee[0], pose.foot[0]}, 0.15, trousers_far},
           boot(0),
           {{pose.hip, pose.knee[1], pose.foot[1]}, 0.16, trousers},
           boot(1),
-          {{pose.hip, chest, shoulder}, 0.32, jacket},
-          {{shoulder, pose.elbow[1], pose.hand[1]}, 0.12, jacket}};
+          {{pose.hip, chest, pose.neck - Vec2{0.0, 0.06}}, 0.32, jacket},
+          {{pose.shoulder[1], pose.elbow[1], pose.hand[1]}, 0.12, jacket}};
 }
 
 void add_limb(Pen& pen, std::span<const Vec2> joints, double width) {
