@@ -99,7 +99,7 @@ void hang(Pose& pose, const FigureState& state) {
     set_holding_arm(pose, 0, cord.held(), pose.side);
     set_arm(pose, 1, pose.shoulder[1] + Vec2{0.2 * pose.side, -0.4}, -pose.side);
   } else {
-    for (const std::size_t k : {0U, 1U}) set_holding_arm(pose, k, cord.at(hands[k]), k == 0 ? pose.side : -pose.side);
+    for (const std::size_t k : {0U, 1U}) set_holding_arm(pose, k, cord.at(hands[k]), k == 0 ? -pose.side : pose.side);
   }
   set_trailing_legs(pose, state, up, rope);
   if (climbing != 0.0) set_feet_on_cord(pose, cord, climbing_up, std::abs(climbing));

@@ -62,7 +62,7 @@ void cheer(Pose& pose, const FigureState& state) {
   for (const std::size_t k : {0U, 1U}) {
     if (state.cord && k == holding_hand(state)) continue;
     const double outwards = k == 0 ? -pose.side : pose.side;
-    const Vec2 up = turned({0.0, 0.5}, -outwards * (0.5 + 0.22 * std::sin(cheer_rate * *state.cheers)));
+    const Vec2 up = turned({0.0, 0.5}, -outwards * (0.75 + 0.25 * std::sin(cheer_rate * *state.cheers)));
     set_arm(pose, k, pose.hand[k] + raised * (pose.shoulder[k] + up - pose.hand[k]), -outwards);
   }
 }
