@@ -102,12 +102,17 @@ void draw_figure(Pen& pen, const Pose& pose) {
   pen.canvas.circle(pose.hand[1], 0.065, skin);
 }
 
+GhostColors ghost_colors(const Palette& colors) {
+  return {with_alpha(colors.ink, 180), with_alpha(mix(colors.sky_middle, {255, 255, 255}, 0.7), 165)};
+}
+
 void draw_ghost(Pen& pen, const Pose& pose) {
+  const GhostColors colors = ghost_colors(pen.colors);
   const std::vector<Limb> limbs = limbs_of(pose);
   add_silhouette(pen, pose, limbs, outline);
-  pen.canvas.mesh(pen.shape, {255, 255, 255, 70});
+  pen.canvas.mesh(pen.shape, colors.outline);
   add_silhouette(pen, pose, limbs, -0.02);
-  pen.canvas.mesh(pen.shape, {96, 170, 214, 110});
+  pen.canvas.mesh(pen.shape, colors.body);
 }
 
 }  // namespace game
