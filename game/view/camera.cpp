@@ -30,9 +30,9 @@ constexpr double edge_zone = 2.5;       // m
 constexpr double usual_aspect = 16.0 / 9.0;
 constexpr double steady_height = 0.5 * (slow_height + fast_height);  // m, with reduced motion
 constexpr double max_acceleration = 45.0;                            // m/s²
-constexpr double hard_landing = 7.0;    // m/s
-constexpr double shake_size = 0.012;    // m per m/s above hard_landing
-constexpr double shake_decay = 0.86;    // per tick
+constexpr double hard_landing = 7.0;                                 // m/s
+constexpr double shake_size = 0.012;                                 // m per m/s above hard_landing
+constexpr double shake_decay = 0.86;                                 // per tick
 
 Vec2 clamp_length(Vec2 v, double max_length) {
   const double l = length(v);
@@ -126,8 +126,7 @@ void Camera::tick(const CameraSubject& subject) {
 engine::View Camera::view(double alpha, int width, int height, bool reduced_motion) const {
   const auto between = [alpha](Vec2 a, Vec2 b) { return a + alpha * (b - a); };
   // A level that is lower or narrower than the view is enlarged, so that its outside is never visible.
-  const double wanted_height =
-      reduced_motion ? steady_height : before_.height + alpha * (now_.height - before_.height);
+  const double wanted_height = reduced_motion ? steady_height : before_.height + alpha * (now_.height - before_.height);
   const double metres_high = std::min({wanted_height, level_.y, level_.x * height / width});
   const double scale = height / metres_high;
   Vec2 center = between(before_.at, now_.at);

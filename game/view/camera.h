@@ -50,7 +50,7 @@ class Camera {
   double facing_ = 1.0;              // −1 left … 1 right, smoothed
   double level_height_ = 0.0;        // m, the height that it follows: of the player, but not of its jumps
   std::optional<double> ground_{};   // m, the soles of the player when it was last on the ground, until it hangs
-  double shaking_ = 0.0;           // m, amplitude
+  double shaking_ = 0.0;             // m, amplitude
   int ticks_ = 0;
 };
 

@@ -55,8 +55,7 @@ void set_arm(Pose& pose, std::size_t k, Vec2 hand, double bend) {
 }
 
 void set_holding_arm(Pose& pose, std::size_t k, Vec2 hand, double bend) {
-  const Limb arm =
-      solve_limb(pose.shoulder[k], hand, std::max(arm_bone, 0.5 * length(hand - pose.shoulder[k])), bend);
+  const Limb arm = solve_limb(pose.shoulder[k], hand, std::max(arm_bone, 0.5 * length(hand - pose.shoulder[k])), bend);
   pose.elbow[k] = arm.joint;
   pose.hand[k] = arm.end;
 }

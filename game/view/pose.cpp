@@ -28,7 +28,8 @@ void stand_or_run(Pose& pose, const FigureState& state) {
   const double bob = 0.05 * run * std::abs(std::sin(phase));
   const Vec2 lean = turned({0.0, 1.0}, -0.26 * run * pose.side);
   const double bounce = state.cheers ? 0.06 * std::pow(std::sin(0.5 * cheer_rate * *state.cheers), 2) : 0.0;
-  set_torso(pose, state.at + Vec2{0.0, hip_height + bob + breath - 0.02 * run - bounce}, lean, state.cord ? shrug : 0.0);
+  set_torso(pose, state.at + Vec2{0.0, hip_height + bob + breath - 0.02 * run - bounce}, lean,
+            state.cord ? shrug : 0.0);
   const double ground = state.at.y - half_height + 0.06;
   for (const std::size_t k : {0U, 1U}) {
     const double leg = phase + (k == 0 ? std::numbers::pi : 0.0);
@@ -62,7 +63,7 @@ void cheer(Pose& pose, const FigureState& state) {
   for (const std::size_t k : {0U, 1U}) {
     if (state.cord && k == holding_hand(state)) continue;
     const double outwards = k == 0 ? -pose.side : pose.side;
-    const Vec2 up = turned({0.0, 0.5}, -outwards * (0.75 + 0.25 * std::sin(cheer_rate * *state.cheers)));
+    const Vec2 up = turned({0.0, 0.5}, -outwards * (0.7 + 0.2 * std::sin(cheer_rate * *state.cheers)));
     set_arm(pose, k, pose.hand[k] + raised * (pose.shoulder[k] + up - pose.hand[k]), -outwards);
   }
 }

@@ -17,7 +17,7 @@ using ribbon::Vec2;
 constexpr int width = 1280;
 constexpr int height = 720;
 constexpr double max_acceleration = 50.0;  // m/s²: 0.8 m/s in a frame
-constexpr double max_zoom = 0.004;           // per frame
+constexpr double max_zoom = 0.004;         // per frame
 
 class CameraInRuns : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Recorded, CameraInRuns, testing::ValuesIn(level_names()),

@@ -22,8 +22,8 @@ double luminance(Color color) {
 }
 
 double contrast(Color a, Color b) {
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + 0.05) / (low + 0.05);
+  const double ratio = (luminance(a) + 0.05) / (luminance(b) + 0.05);
+  return std::max(ratio, 1.0 / ratio);
 }
 
 Color over(Color top, Color below) { return mix(below, top, top.a / 255.0); }

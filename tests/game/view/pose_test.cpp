@@ -14,9 +14,7 @@ using ribbon::Vec2;
 constexpr double soles = 0.75;  // m below the middle
 
 /// A cord that hangs at rest, held at `held`.
-HeldCord cord_at(Vec2 held) {
-  return {{held, held + Vec2{0.0, 1.0}}, {held, held - Vec2{0.0, 2.0}}, 0.3 * held.x};
-}
+HeldCord cord_at(Vec2 held) { return {{held, held + Vec2{0.0, 1.0}}, {held, held - Vec2{0.0, 2.0}}, 0.3 * held.x}; }
 
 FigureState some_state(std::mt19937& random) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
