@@ -20,9 +20,9 @@ const std::vector<Vec2>& points_of(const Snapshot& now, const CordPoint& held) {
 
 Vec2 position(const ribbon::box2d::CordView& cord, const Snapshot& now, const CordPoint& held) {
   const std::vector<Vec2>& x = points_of(now, held);
-  const Vec2 point = x[static_cast<std::size_t>(held.point)];
-  if (held.along == 0.0) return point;
-  return point + held.along * (x[static_cast<std::size_t>(held.point + cord.shape().rows)] - point);
+  const auto point = static_cast<std::size_t>(held.point);
+  if (held.along == 0.0) return x[point];
+  return x[point] + held.along * (x[point + static_cast<std::size_t>(cord.shape().rows)] - x[point]);
 }
 
 /// Returns whether a held place hangs from the first end of its cord: there is the nearest pin, or, without a pin, this
