@@ -15,12 +15,24 @@ constexpr double facing_ahead = 1.2;    // m, ahead in the direction that the pl
 constexpr double seconds_ahead = 0.32;  // s, ahead at the player's velocity
 constexpr double max_ahead = 3.6;       // m
 constexpr double above = 0.8;           // m, above the centre of the player
-constexpr double follow = 0.10;         // fraction of the remaining distance per tick
-constexpr double follow_height = 0.03;  // the same for the height of the view
-constexpr double smoothing = 0.08;      // the same for the velocity
-constexpr double hard_landing = 7.0;    // m/s
-constexpr double shake_size = 0.012;    // m per m/s above hard_landing
-constexpr double shake_decay = 0.86;    // per tick
+constexpr double tick_dt = 1.0 / 60.0;  // s
+constexpr double stiffness = 6.0;       // rad/s, of the spring
+constexpr double zooming = 0.03;        // fraction of the remaining height of the view per tick
+constexpr double smoothing = 0.08;      // the same for the velocity and the direction that the player faces
+constexpr double rise_zone = 2.3;       // m, by which a player in the air rises without moving the camera: a jump
+constexpr double fall_zone = 0.4;       // m, by which it falls
+constexpr double catch_up = 0.12;       // fraction per tick of the remaining distance after a jump
+constexpr double soles = 0.75;          // m, below the centre of the player
+constexpr double below_ground = 0.8;    // m, of ground in the picture during a jump
+constexpr double above_player = 1.4;    // m, from its centre to the edge of the picture
+constexpr double jump_height = 16.0;    // m, max. height of the view to show the ground
+constexpr double edge_zone = 2.5;       // m
+constexpr double usual_aspect = 16.0 / 9.0;
+constexpr double steady_height = 0.5 * (slow_height + fast_height);  // m, with reduced motion
+constexpr double max_acceleration = 45.0;                            // m/s²
+constexpr double hard_landing = 7.0;                                 // m/s
+constexpr double shake_size = 0.012;                                 // m per m/s above hard_landing
+constexpr double shake_decay = 0.86;                                 // per tick
 
 Vec2 clamp_length(Vec2 v, double max_length) {
   const double l = length(v);
@@ -32,32 +44,79 @@ double clamp_center(double x, double half_view, double size) {
   return 2.0 * half_view >= size ? 0.5 * size : std::clamp(x, half_view, size - half_view);
 }
 
+/// Does so smoothly: the centre approaches the limit exponentially from edge_zone before it.
+double ease_center(double x, double half_view, double size) {
+  const double room = 0.5 * size - half_view;  // to either side of the middle
+  if (room <= 0.0) return 0.5 * size;
+  const double zone = std::min(edge_zone, room);
+  const double beyond = std::abs(x - 0.5 * size) - (room - zone);
+  if (beyond <= 0.0) return x;
+  return 0.5 * size + std::copysign(room - zone * std::exp(-beyond / zone), x - 0.5 * size);
+}
+
 }  // namespace
 
-Camera::Place Camera::wanted(const CameraSubject& subject) {
-  const Vec2 ahead = clamp_length(seconds_ahead * subject.velocity, max_ahead);
-  const double side = subject.faces_left ? -facing_ahead : facing_ahead;
-  const double speed = std::min(length(subject.velocity) / full_speed, 1.0);
-  return {
-      subject.at + Vec2{side + ahead.x, above + 0.8 * ahead.y}, slow_height + (fast_height - slow_height) * speed, {}};
+/// Updates the height to follow and the ground below. Returns the vertical velocity of that height, m/s, without what
+/// it catches up.
+double Camera::follow_height(const CameraSubject& subject) {
+  if (subject.hangs) ground_.reset();
+  if (subject.on_ground) ground_ = subject.at.y - soles;
+  if (subject.on_ground || subject.hangs) {
+    level_height_ += tick_dt * subject.velocity.y;
+    level_height_ += catch_up * (subject.at.y - level_height_);
+    return subject.velocity.y;
+  }
+  const double before = level_height_;
+  level_height_ = std::clamp(before, subject.at.y - rise_zone, subject.at.y + fall_zone);
+  return (level_height_ - before) / tick_dt;
+}
+
+Camera::Place Camera::wanted(const CameraSubject& subject) const {
+  const Vec2 ahead = clamp_length(seconds_ahead * subject_velocity_, max_ahead);
+  const double speed = std::min(length(subject_velocity_) / full_speed, 1.0);
+  Place place;
+  place.height = slow_height + (fast_height - slow_height) * speed;
+  // The spring lags behind a constant velocity: aim ahead by as much.
+  const Vec2 lag = (2.0 / stiffness) * subject_velocity_;
+  place.at = Vec2{subject.at.x + facing_ahead * facing_ + ahead.x, level_height_ + above + 0.8 * ahead.y} + lag;
+  if (ground_) {
+    const double lowest = *ground_ - below_ground;
+    const double highest = subject.at.y + above_player;
+    place.height = std::max(place.height, std::min(highest - lowest, jump_height));
+    // The player has priority.
+    place.at.y = std::max(std::min(place.at.y, lowest + 0.5 * now_.height), highest - 0.5 * now_.height);
+  }
+  // The edge of the level does not stop the camera at once.
+  const double view_height = std::max(now_.height, steady_height);
+  place.at.x = ease_center(place.at.x, 0.5 * usual_aspect * view_height, level_.x);
+  place.at.y = ease_center(place.at.y, 0.5 * view_height, level_.y);
+  return place;
 }
 
 void Camera::jump_to(const CameraSubject& subject) {
-  ahead_velocity_ = subject.velocity;
-  now_ = before_ = wanted(subject);
+  subject_velocity_ = {subject.velocity.x, subject.hangs ? subject.velocity.y : 0.0};
+  facing_ = subject.faces_left ? -1.0 : 1.0;
+  level_height_ = subject.at.y;
+  ground_.reset();
+  velocity_ = subject_velocity_;
+  const Place goal = wanted(subject);
+  now_.height = goal.height;
+  now_.at = goal.at - (2.0 / stiffness) * velocity_;
+  now_.shake = {};
+  before_ = now_;
   shaking_ = 0.0;
 }
 
 void Camera::tick(const CameraSubject& subject) {
   before_ = now_;
-  ahead_velocity_ += smoothing * (subject.velocity - ahead_velocity_);
-  CameraSubject smoothed = subject;
-  smoothed.velocity = ahead_velocity_;
-  const Place goal = wanted(smoothed);
-  // Exponential smoothing lags behind a constant velocity by 1 / follow − 1 ticks: aim ahead by as much.
-  const Vec2 lag = (1.0 / 60.0) * (1.0 / follow - 1.0) * ahead_velocity_;
-  now_.at += follow * (goal.at + lag - now_.at);
-  now_.height += follow_height * (goal.height - now_.height);
+  const Vec2 moving{subject.velocity.x, follow_height(subject)};
+  subject_velocity_ += smoothing * (moving - subject_velocity_);
+  facing_ += smoothing * ((subject.faces_left ? -1.0 : 1.0) - facing_);
+  const Place goal = wanted(subject);
+  const Vec2 pull = stiffness * (stiffness * (goal.at - now_.at) - 2.0 * velocity_);
+  velocity_ += tick_dt * clamp_length(pull, max_acceleration);
+  now_.at += tick_dt * velocity_;
+  now_.height += zooming * (goal.height - now_.height);
   if (subject.lands && subject.impact > hard_landing) shaking_ += shake_size * (subject.impact - hard_landing);
   shaking_ = std::min(shake_decay * shaking_, 0.25);
   ++ticks_;
@@ -67,8 +126,7 @@ void Camera::tick(const CameraSubject& subject) {
 engine::View Camera::view(double alpha, int width, int height, bool reduced_motion) const {
   const auto between = [alpha](Vec2 a, Vec2 b) { return a + alpha * (b - a); };
   // A level that is lower or narrower than the view is enlarged, so that its outside is never visible.
-  const double wanted_height =
-      reduced_motion ? 0.5 * (slow_height + fast_height) : before_.height + alpha * (now_.height - before_.height);
+  const double wanted_height = reduced_motion ? steady_height : before_.height + alpha * (now_.height - before_.height);
   const double metres_high = std::min({wanted_height, level_.y, level_.x * height / width});
   const double scale = height / metres_high;
   Vec2 center = between(before_.at, now_.at);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/draw/canvas.h"
 
 namespace game {
@@ -9,12 +11,15 @@ struct CameraSubject {
   ribbon::Vec2 at;        ///< m, the player
   ribbon::Vec2 velocity;  ///< m/s
   bool faces_left = false;
+  bool on_ground = false;
+  bool hangs = false;   ///< from a cord
   bool lands = false;   ///< in this tick
   double impact = 0.0;  ///< m/s, the speed of the landing
 };
 
-/// Follows the player with a lead in its direction of motion. It moves by ticks, not by frames, stays within the level,
-/// and shows more of it at high speed.
+/// Follows the player with a lead in its direction of motion, as a critically damped spring does. A jump does not move
+/// it up or down, and the ground from which the player jumped stays in the picture, as far as it has room for both. It
+/// moves by ticks, not by frames, stays within the level, and shows more of it at high speed.
 class Camera {
  public:
   /// `level`: the size of the level in m, from (0, 0).
@@ -35,12 +40,17 @@ class Camera {
     double height = 13.0;  // m, of the view
     ribbon::Vec2 shake{};
   };
-  static Place wanted(const CameraSubject& subject);
+  Place wanted(const CameraSubject& subject) const;
+  double follow_height(const CameraSubject& subject);
 
   ribbon::Vec2 level_;
   Place now_, before_;
-  ribbon::Vec2 ahead_velocity_{};  // m/s, smoothed
-  double shaking_ = 0.0;           // m, amplitude
+  ribbon::Vec2 velocity_{};          // m/s, of the camera
+  ribbon::Vec2 subject_velocity_{};  // m/s, smoothed; vertically that of level_height_
+  double facing_ = 1.0;              // −1 left … 1 right, smoothed
+  double level_height_ = 0.0;        // m, the height that it follows: of the player, but not of its jumps
+  std::optional<double> ground_{};   // m, the soles of the player when it was last on the ground, until it hangs
+  double shaking_ = 0.0;             // m, amplitude
   int ticks_ = 0;
 };
 

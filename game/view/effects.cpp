@@ -28,6 +28,8 @@ CameraSubject Effects::subject() const {
   now.at = player.position();
   now.velocity = ribbon::box2d::to_double(player.body().GetLinearVelocity());
   now.faces_left = player.faces_left();
+  now.on_ground = player.is_on_ground();
+  now.hangs = simulation_->scene().coupling().body(player.body()).held_place().has_value();
   return now;
 }
 

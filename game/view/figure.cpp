@@ -31,7 +31,6 @@ struct Limb {
 
 /// Returns the limbs from far to near.
 std::vector<Limb> limbs_of(const Pose& pose) {
-  const Vec2 shoulder = pose.neck - Vec2{0.0, 0.06};
   const Vec2 chest = 0.5 * (pose.hip + pose.neck);
   const auto boot = [&pose](std::size_t k) {
     return Limb{
@@ -39,13 +38,13 @@ std::vector<Limb> limbs_of(const Pose& pose) {
         0.13,
         boots};
   };
-  return {{{shoulder, pose.elbow[0], pose.hand[0]}, 0.115, jacket_far},
+  return {{{pose.shoulder[0], pose.elbow[0], pose.hand[0]}, 0.115, jacket_far},
           {{pose.hip, pose.knee[0], pose.foot[0]}, 0.15, trousers_far},
           boot(0),
           {{pose.hip, pose.knee[1], pose.foot[1]}, 0.16, trousers},
           boot(1),
-          {{pose.hip, chest, shoulder}, 0.32, jacket},
-          {{shoulder, pose.elbow[1], pose.hand[1]}, 0.12, jacket}};
+          {{pose.hip, chest, pose.neck - Vec2{0.0, 0.06}}, 0.32, jacket},
+          {{pose.shoulder[1], pose.elbow[1], pose.hand[1]}, 0.12, jacket}};
 }
 
 void add_limb(Pen& pen, std::span<const Vec2> joints, double width) {
@@ -103,12 +102,17 @@ void draw_figure(Pen& pen, const Pose& pose) {
   pen.canvas.circle(pose.hand[1], 0.065, skin);
 }
 
+GhostColors ghost_colors(const Palette& colors) {
+  return {with_alpha(colors.ink, 180), with_alpha(mix(colors.sky_middle, {255, 255, 255}, 0.7), 165)};
+}
+
 void draw_ghost(Pen& pen, const Pose& pose) {
+  const GhostColors colors = ghost_colors(pen.colors);
   const std::vector<Limb> limbs = limbs_of(pose);
   add_silhouette(pen, pose, limbs, outline);
-  pen.canvas.mesh(pen.shape, {255, 255, 255, 70});
+  pen.canvas.mesh(pen.shape, colors.outline);
   add_silhouette(pen, pose, limbs, -0.02);
-  pen.canvas.mesh(pen.shape, {96, 170, 214, 110});
+  pen.canvas.mesh(pen.shape, colors.body);
 }
 
 }  // namespace game

@@ -11,6 +11,7 @@
 #include "game/view/cords.h"
 #include "game/view/debug_view.h"
 #include "game/view/figure.h"
+#include "game/view/figure_state.h"
 #include "game/view/hud.h"
 #include "game/view/marks.h"
 #include "game/view/palette.h"
@@ -18,25 +19,12 @@
 #include "game/view/strain_legend.h"
 #include "game/view/water.h"
 #include "game/view/wheels.h"
-#include "ribbon/box2d/convert.h"
 
 namespace game {
 namespace {
 
 using engine::Color;
 using ribbon::Vec2;
-using ribbon::box2d::to_double;
-
-/// Returns the position on a cord that a body holds in m, or nothing.
-std::optional<Vec2> held_position(const ribbon::box2d::Coupling& coupling, const Snapshot& now, const b2Body& body) {
-  const auto held = coupling.body(body).held_place();
-  if (!held) return std::nullopt;
-  const std::vector<Vec2>& x = now.cords[static_cast<std::size_t>(held->cord)];
-  const Vec2 point = x[static_cast<std::size_t>(held->point)];
-  if (held->along == 0.0) return point;
-  const int after = held->point + coupling.cord(held->cord).shape().rows;
-  return point + held->along * (x[static_cast<std::size_t>(after)] - point);
-}
 
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
@@ -83,35 +71,8 @@ void draw_marks(Pen& pen, const Simulation& simulation) {
 }
 
 /// Draws the player's line during a throw. A held or released line is drawn as a cord.
-void draw_flight(Pen& pen, const Simulation& simulation, Vec2 player_at) {
-  const Player& player = simulation.player();
-  if (player.line().state() != Line::State::flying) return;
-  const Vec2 hand = player_at + (player.hand() - player.position());
-  draw_thrown_line(pen, hand, player.line().tip(hand), 0.3);
-}
-
-FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time) {
-  const Player& player = simulation.player();
-  FigureState state;
-  state.at = now.bodies.back().position;  // the player is the newest body
-  state.velocity = to_double(player.body().GetLinearVelocity());
-  state.faces_left = player.faces_left();
-  state.on_ground = player.is_on_ground();
-  state.time = time;
-  if (player.is_climbing()) state.climbing = state.velocity.y;
-  state.held = held_position(simulation.scene().coupling(), now, player.body());
-  return state;
-}
-
-FigureState figure_of(const GhostPose& ghost, double time) {
-  FigureState state;
-  state.at = ghost.at;
-  state.velocity = ghost.velocity;
-  state.faces_left = ghost.faces_left;
-  state.on_ground = ghost.on_ground;
-  state.held = ghost.held;
-  state.time = time;
-  return state;
+void draw_flight(Pen& pen, const Line& line, Vec2 hand) {
+  if (line.state() == Line::State::flying) draw_thrown_line(pen, hand, line.tip(hand), 0.3);
 }
 
 }  // namespace
@@ -131,9 +92,9 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  const FigureState figure = figure_of(*simulation_, now, time);
-  draw_flight(pen, *simulation_, figure.at);
-  draw_figure(pen, pose_of(figure));
+  const Pose pose = pose_of(figure_of(*simulation_, now, time));
+  draw_flight(pen, simulation_->player().line(), pose.throwing_hand());
+  draw_figure(pen, pose);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
   if (options.debug) {

@@ -16,6 +16,7 @@ constexpr int height = 720;
 
 CameraSubject at(Vec2 place, Vec2 velocity = {}) {
   CameraSubject subject;
+  subject.on_ground = true;
   subject.at = place;
   subject.velocity = velocity;
   return subject;
@@ -61,9 +62,12 @@ TEST(Camera, LooksAheadInTheDirectionOfMotion) {
 
 TEST(Camera, LooksUpASwing) {
   const auto height_above = [](double speed) {
-    Camera camera(level);
-    camera.jump_to(at({24.0, 9.0}, {0.0, speed}));
-    return camera.view(1.0, width, height, true).center.y - 9.0;
+    Camera camera({48.0, 40.0});
+    CameraSubject subject = at({24.0, 20.0}, {0.0, speed});
+    subject.on_ground = false;
+    subject.hangs = true;
+    camera.jump_to(subject);
+    return camera.view(1.0, width, height, true).center.y - 20.0;
   };
   EXPECT_GT(height_above(6.0), height_above(0.0) + 1.0);
   EXPECT_LT(height_above(-6.0), height_above(0.0) - 1.0);
@@ -102,10 +106,44 @@ TEST(Camera, MovesSmoothly) {
     if (k > 100) subject.velocity.y = 0.0;
     camera.tick(subject);
     const Vec2 now = camera.view(1.0, width, height, true).center;
-    EXPECT_LT(length(now - before - step_before), 0.45) << k;
+    EXPECT_LT(length(now - before - step_before), 0.04) << k;
     step_before = now - before;
     before = now;
   }
+}
+
+/// Three jumps of 6.5 m/s on level ground.
+TEST(Camera, DoesNotBobWithJumps) {
+  Camera camera(level);
+  CameraSubject subject = at({15.0, 9.0}, {6.0, 0.0});
+  camera.jump_to(subject);
+  for (int k = 0; k < 60; ++k) camera.tick(subject);
+  const double still = camera.view(1.0, width, height, false).center.y;
+  for (int k = 0; k < 260; ++k) {
+    if (k % 85 == 0) subject.velocity.y = 6.5;
+    subject.at += (1.0 / 60.0) * subject.velocity;
+    subject.velocity.y -= 10.0 / 60.0;
+    subject.on_ground = subject.at.y <= 9.0;
+    if (subject.on_ground) {
+      subject.at.y = 9.0;
+      subject.velocity.y = 0.0;
+    }
+    camera.tick(subject);
+    EXPECT_NEAR(camera.view(1.0, width, height, false).center.y, still, 0.05) << k;
+  }
+}
+
+TEST(Camera, LooksDownInAFastFall) {
+  Camera camera({48.0, 60.0});
+  CameraSubject subject = at({24.0, 50.0});
+  camera.jump_to(subject);
+  subject.on_ground = false;
+  for (int k = 0; k < 90; ++k) {
+    subject.velocity.y -= 10.0 / 60.0;
+    subject.at.y += subject.velocity.y / 60.0;
+    camera.tick(subject);
+  }
+  EXPECT_LT(camera.view(1.0, width, height, false).center.y, subject.at.y - 0.5);
 }
 
 TEST(Camera, ShakesOnAHardLandingOnly) {

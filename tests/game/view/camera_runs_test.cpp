@@ -1,0 +1,71 @@
+// The camera in all recorded runs.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/replay/replay.h"
+#include "game/simulation/level.h"
+#include "game/view/effects.h"
+
+namespace game {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr int width = 1280;
+constexpr int height = 720;
+constexpr double max_acceleration = 50.0;  // m/s²: 0.8 m/s in a frame
+constexpr double max_zoom = 0.004;         // per frame
+
+class CameraInRuns : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Recorded, CameraInRuns, testing::ValuesIn(level_names()),
+                         [](const auto& level) { return level.param; });
+
+TEST_P(CameraInRuns, MovesWithoutJerks) {
+  const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
+  const Level level = load_level(GetParam());
+  Simulation simulation(level);
+  Effects effects(simulation);
+  effects.follow(palette(false), true);
+  Vec2 before = effects.view(1.0, width, height, true).center;
+  Vec2 step_before{};
+  double scale_before = effects.view(1.0, width, height, false).pixels_per_metre;
+  for (const engine::RecordedTick& tick : replay.ticks) {
+    simulation.tick(tick.input);
+    effects.follow(palette(false), true);
+    const Vec2 now = effects.view(1.0, width, height, true).center;
+    const double scale = effects.view(1.0, width, height, false).pixels_per_metre;
+    EXPECT_LT(3600.0 * length(now - before - step_before), max_acceleration) << simulation.ticks();
+    EXPECT_NEAR(scale / scale_before, 1.0, max_zoom) << simulation.ticks();
+    step_before = now - before;
+    before = now;
+    scale_before = scale;
+  }
+}
+
+TEST(CameraOnTheTrampoline, ShowsTheClothDuringAJump) {
+  const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/trampoline.replay");
+  const Level level = load_level("trampoline");
+  Simulation simulation(level);
+  Effects effects(simulation);
+  double ground = level.player_start.y;
+  double highest = 0.0;
+  for (const engine::RecordedTick& tick : replay.ticks) {
+    simulation.tick(tick.input);
+    effects.follow(palette(false), false);
+    const Player& player = simulation.player();
+    const double soles = player.position().y - 0.5 * player.tuning().height;
+    if (player.is_on_ground()) ground = soles;
+    const engine::View view = effects.view(1.0, width, height, false);
+    const double half = 0.5 * height / view.pixels_per_metre;
+    EXPECT_LT(view.center.y - half, std::min(ground, soles)) << simulation.ticks();
+    EXPECT_GT(view.center.y + half, player.position().y + 0.75) << simulation.ticks();
+    highest = std::max(highest, soles - ground);
+  }
+  EXPECT_GT(highest, 4.0);
+}
+
+}  // namespace
+}  // namespace game

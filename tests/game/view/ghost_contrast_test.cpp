@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "game/view/figure.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+
+/// The relative luminance of WCAG 2.1.
+double luminance(Color color) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+double contrast(Color a, Color b) {
+  const double ratio = (luminance(a) + 0.05) / (luminance(b) + 0.05);
+  return std::max(ratio, 1.0 / ratio);
+}
+
+Color over(Color top, Color below) { return mix(below, top, top.a / 255.0); }
+
+std::vector<Color> backdrops(const Palette& colors) {
+  std::vector<Color> all{colors.sky_top, colors.sky_middle, colors.horizon, colors.sun,  colors.cloud,
+                         colors.mist,    colors.soil,       colors.grass,   colors.wood, colors.stone};
+  all.insert(all.end(), colors.hills.begin(), colors.hills.end());
+  all.push_back(mix({0, 0, 0}, colors.soil, colors.deep_light / 255.0));
+  return all;
+}
+
+TEST(Ghost, DiffersFromEveryBackdrop) {
+  for (const bool safe : {false, true}) {
+    const Palette& colors = palette(safe);
+    const GhostColors ghost = ghost_colors(colors);
+    for (const Color& backdrop : backdrops(colors)) {
+      const Color outline = over(ghost.outline, backdrop);
+      const Color body = over(ghost.body, outline);
+      EXPECT_GE(std::max(contrast(outline, backdrop), contrast(body, backdrop)), 1.5) << luminance(backdrop);
+      EXPECT_GE(contrast(outline, body), 1.5) << luminance(backdrop);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace game
