@@ -123,7 +123,9 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
   } else {
     run(command.direction, dt);
     cut_jump(command.holds_jump);
+    const double speed_up = static_cast<double>(body_->GetLinearVelocity().y);
     jump_if_possible();
+    speed_up_before_ = speed_up;
   }
   if (command.grab && may_catch_) catch_cord(coupling);
 }
@@ -229,6 +231,13 @@ void Player::jump_if_possible() {
   if (ticks_since_jump_pressed_ > tuning_.jump_buffer_ticks || ticks_off_ground_ > tuning_.coyote_ticks) return;
   if (ticks_since_jump_ < tuning_.jump_pause_ticks) return;
   const b2Vec2 velocity = body_->GetLinearVelocity();
+  // A cord that still throws the player up is used to the end.
+  const bool is_thrown = was_on_cord_ && is_on_ground() &&
+                         static_cast<double>(velocity.y) > std::max(tuning_.sinking_speed, speed_up_before_ + 0.05);
+  if (is_thrown) {
+    ticks_since_jump_pressed_ = 0;
+    return;
+  }
   // A jump off a bouncing surface adds a fraction of its speed.
   const double up =
       std::max(tuning_.jump_speed, static_cast<double>(velocity.y) + tuning_.bounce_fraction * tuning_.jump_speed);
@@ -361,6 +370,7 @@ void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(ground_rise_);
   hasher.add(static_cast<int>(jump_can_be_cut_));
   hasher.add(static_cast<int>(was_on_cord_));
+  hasher.add(speed_up_before_);
   hasher.add(static_cast<int>(faces_left_));
   hasher.add(direction_);
   hasher.add(pump_ticks_left_);

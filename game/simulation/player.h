@@ -27,7 +27,7 @@ struct PlayerTuning {
   double jump_speed = 6.5;            ///< m/s, upwards: 2.1 m high
   double cut_speed = 2.5;             ///< m/s, upwards, of a jump whose key is let go: from 0.3 m high on
   double sinking_speed = -0.5;        ///< m/s, vertical; below it the player does not stand on a cord yet
-  double bounce_fraction = 0.5;       ///< of jump_speed, added to the velocity on a bouncing surface
+  double bounce_fraction = 0.8;       ///< of jump_speed, added to the velocity on a bouncing surface
   double pump_acceleration = 8.0;     ///< m/s², across the cord while hanging
   int pump_ticks = 30;                ///< after a press of left or right; a key that is held gives no more
   double grab_range = 1.0;            ///< m, from the hand to a cord
@@ -112,6 +112,7 @@ class Player {
   bool can_climb_ = true;                         // the held cord is one of the direct solver
   std::optional<bool> detected_ground_;           // since the last apply
   bool on_firm_ground_ = false;
+  double speed_up_before_ = 0.0;  // m/s, upwards, in the last tick
   bool was_on_cord_ = false;  // it stands on a cord, or stood on one last
   double ground_rise_ = 0.0;  // m/s, upwards, of what the player stands on
   int ticks_off_ground_ = 0;

@@ -54,7 +54,7 @@ std::vector<Move> open_the_gate() {
 }
 
 std::vector<Move> trampoline() {
-  return {run_past(6.2), jump(right, 44), bounce(14.0, 13.0), run_past(24.2), jump(right), until_goal(right)};
+  return {run_past(6.2), jump(right, 44), bounce(13.0, 12.9), run_past(24.2), jump(right), until_goal(right)};
 }
 
 std::vector<Move> curtains() {
