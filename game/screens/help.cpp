@@ -10,19 +10,24 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
   std::vector<std::string> lines = {
       both(Action::left, Action::right) + ": run, swing",
       keys(Action::jump) + ": jump, let go",
-      (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": catch a cord",
+      (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": grab a rope",
       both(Action::up, Action::down) + ": climb",
       keys(Action::throw_line, 1) + ": throw a line",
-      both(Action::reel_in, Action::reel_out) + ": reel it in, out",
-      keys(Action::restart) + ": start again   " + keys(Action::retry, 1) + ": checkpoint",
+      both(Action::reel_in, Action::reel_out) + ": reel in, out",
+      keys(Action::restart) + ": restart   " + keys(Action::retry, 1) + ": checkpoint",
       keys(Action::pause, 1) + ": pause"};
   if (pad) return lines;
   lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
-  lines.push_back(keys(Action::debug_view) + ": points, drag by mouse   " + keys(Action::panel) + ": parameters");
+  lines.push_back(keys(Action::debug_view) + ": debug view, drag   " + keys(Action::panel) + ": parameters");
   lines.push_back(keys(Action::film) + ": film   " + keys(Action::fullscreen) + ": full screen   " +
                   keys(Action::screenshot) + ": picture");
   lines.push_back(keys(Action::mute) + ": sound   " + keys(Action::help) + ": hide this");
   return lines;
+}
+
+std::vector<std::string> help_line(const Settings& settings, bool pad) {
+  if (pad) return {};
+  return {codes_in_words(settings.bindings, Action::help, false, 1) + ": help"};
 }
 
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad) {

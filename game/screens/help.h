@@ -10,7 +10,10 @@ namespace game {
 /// Returns lines that explain the keys, or the buttons of a gamepad, in a run.
 std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
-/// Returns the hint of a level with names of actions in braces, as in "hold {grab}", replaced by their first key. Other
+/// Returns the line that names the key for these lines; none for a gamepad, which has no such button.
+std::vector<std::string> help_line(const Settings& settings, bool pad);
+
+/// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first key. Other
 /// braces stay.
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad);
 

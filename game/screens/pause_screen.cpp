@@ -16,12 +16,12 @@ enum Item { resume, again, options, levels, quit };
 PauseScreen::PauseScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
   card_.headline = "Paused";
   card_.lines = {level_title(play.run().level())};
-  std::vector<MenuItem> items = {{"Go on"}, {"Restart the level"}, {"Options"}};
+  std::vector<MenuItem> items = {{"Resume"}, {"Restart level"}, {"Options"}};
   if (play.is_direct()) {
     items.push_back({"Quit"});
   } else {
     items.push_back({"Levels"});
-    items.push_back({"Title"});
+    items.push_back({"Title screen"});
   }
   menu_.set_items(std::move(items));
 }

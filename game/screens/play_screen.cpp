@@ -14,7 +14,6 @@ namespace game {
 namespace {
 
 constexpr int results_delay = 45;                    // ticks, from the goal to the results
-constexpr int hint_ticks = 8 * ticks_per_second;     // for which the hint of a level is shown
 constexpr std::int64_t ghost_budget_ns = 1'500'000;  // per frame
 
 }  // namespace
@@ -44,6 +43,7 @@ void PlayScreen::shown() {
 /// Starts a new run with a recording of its own and the ghost of the best run.
 void PlayScreen::begin_run() {
   finish_recording();
+  hint_.begin(run_.level().hint);
   assisted_ = won_ = false;
   recording_ = session_->runs.next_path(run_.level().name);
   if (run_.level_is_tuned()) {
@@ -176,6 +176,7 @@ void PlayScreen::tick() {
   }
   const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
+  hint_.tick(input.buttons);
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t start = engine::now_ns();
   try {
@@ -212,34 +213,38 @@ void PlayScreen::choose_message() {
   const auto key = [this](Action action) {
     return codes_in_words(session_->settings.bindings, action, session_->uses_pad, 1);
   };
-  const std::string leave = session_->uses_pad ? "B: leave" : "Esc: leave";
+  const std::string leave = session_->uses_pad ? "B: back" : "Esc: back";
   if (is_over() && options_.verify) {
     const bool same = run_.exit_status() == 0;
     return set(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
   }
   if (is_over()) return set("End of the recording", leave);
   const auto goal = simulation().goal_ticks();
-  if (stopped_) return set("Stopped", key(Action::pause) + ": go on   " + key(Action::step) + ": one tick");
+  if (stopped_) return set("Stopped", key(Action::pause) + ": resume   " + key(Action::step) + ": one tick");
   if (goal && !won_) return set("You made it!", "in " + seconds_in_words(*goal));
   if (run_.has_replay()) return set("", "");
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
-  if (slowed_ == 1 && simulation().run_ticks() < hint_ticks && simulation().run_ticks() == simulation().ticks()) {
-    return set("", hint);
-  }
+  if (slowed_ == 1 && hint_.is_shown() && !goal) return set("", hint);
   set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
-  draw_run(canvas, text_scale, session_->settings.help);
+  draw_run(canvas, text_scale, true);
 }
 
-void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool help) {
+void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_keys) {
   const Settings& settings = session_->settings;
-  keys_ = run_.has_replay() ? std::vector<std::string>{"A replay: nothing steers it"}
-                            : help_lines(settings, session_->uses_pad);
+  const bool help = settings.help;
+  const bool pad = session_->uses_pad;
+  keys_ = run_.has_replay() ? std::vector<std::string>{"Replay: the controls are off"}
+          : help            ? help_lines(settings, pad)
+                            : help_line(settings, pad);
+  signs_.clear();
+  for (const Sign& sign : run_.level().signs) signs_.push_back(hint_in_words(sign.text, settings, pad));
   choose_message();
   view_options_.text_scale = text_scale;
-  view_options_.keys = help ? &keys_ : nullptr;
+  view_options_.keys = shows_keys && !keys_.empty() ? &keys_ : nullptr;
+  view_options_.signs = &signs_;
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;

@@ -7,6 +7,7 @@
 
 #include "engine/files/file_watch.h"
 #include "engine/tick/tick.h"
+#include "game/screens/hint.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
 #include "game/settings/controls.h"
@@ -70,7 +71,7 @@ class PlayScreen : public Screen {
   void finish_recording();
   void report_recording_failure(const engine::ReplayError& error);
   void choose_message();
-  void draw_run(engine::Canvas& canvas, double text_scale, bool help);
+  void draw_run(engine::Canvas& canvas, double text_scale, bool shows_keys);
 
   Session* session_;
   RunOptions options_;
@@ -85,6 +86,8 @@ class PlayScreen : public Screen {
   engine::FixedTick clock_{ticks_per_second};
   std::unique_ptr<Ghost> ghost_;
   std::vector<std::string> keys_;
+  std::vector<std::string> signs_;
+  Hint hint_;
   std::string recording_;
   bool started_ = false;
   bool stopped_ = false;  // runs single ticks only

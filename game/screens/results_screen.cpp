@@ -58,7 +58,7 @@ void ResultsScreen::fill_menu() {
   };
   if (!play_->is_direct()) next_ = level_after(play_->run().level().name);
   if (!next_.empty()) add(next_level, "Next level");
-  add(again, "Play again");
+  add(again, "Retry");
   if (!play_->own_recording().empty()) add(watch, "Watch this run");
   if (!play_->is_direct()) add(levels, "Levels");
   if (play_->is_direct()) add(quit, "Quit");

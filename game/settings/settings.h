@@ -25,7 +25,7 @@ struct Settings {
   bool colour_safe = false;     ///< colours that also differ in brightness
   bool strain_tint = false;     ///< cords are coloured by their strain
   bool ghost = true;            ///< the best run is shown beside the current one
-  bool help = true;             ///< the list of keys is shown
+  bool help = false;            ///< the list of keys is shown
   bool fullscreen = false;
   SoundSettings sound;
 

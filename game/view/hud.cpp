@@ -209,7 +209,8 @@ void draw_notice(Canvas& canvas, const std::string& notice, double scale) {
   const double margin = 14.0 * scale;
   const double size = 18.0 * scale;
   const Vec2 box{canvas.text_width(notice, size) + 2.0 * margin, canvas.line_height(size) + margin};
-  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - margin - box.y};
+  // Above the line of keys that menus have at the bottom.
+  const Vec2 corner{canvas.width() - margin - box.x, canvas.height() - 44.0 * scale - box.y};
   canvas.panel(corner, box, 0.5 * size, paper);
   canvas.text(corner + Vec2{margin, 0.5 * margin}, notice, size, gold);
 }

@@ -61,9 +61,11 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
-void draw_marks(Pen& pen, const Simulation& simulation) {
+void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>* signs) {
   const Level& level = simulation.level();
-  for (const Sign& sign : level.signs) draw_sign(pen, sign.at, sign.text);
+  for (std::size_t k = 0; k < level.signs.size(); ++k) {
+    draw_sign(pen, level.signs[k].at, signs != nullptr ? (*signs)[k] : level.signs[k].text);
+  }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
@@ -86,7 +88,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
 
   draw_backdrop(pen);
-  draw_marks(pen, *simulation_);
+  draw_marks(pen, *simulation_, options.signs);
   draw_bodies(pen, bodies_of(*simulation_, now));
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);

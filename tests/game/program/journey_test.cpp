@@ -134,7 +134,7 @@ void Journey::play_by_gamepad() {
       for (int idle = 0; idle < 10; ++idle) frame();
       pad = std::make_unique<VirtualPad>();
       frame();
-      press(PadButton::a);  // Go on
+      press(PadButton::a);  // Resume
       ASSERT_EQ(screen(), "first_swing");
       EXPECT_EQ(play().simulation().ticks(), ticks) << "it stood still";
       before = 0;

@@ -1,0 +1,29 @@
+#include "game/screens/hint.h"
+
+#include "game/settings/action.h"
+#include "game/simulation/simulation.h"
+
+namespace game {
+namespace {
+
+constexpr int ticks_longer = 3 * ticks_per_second;
+
+}  // namespace
+
+void Hint::begin(const std::string& hint) {
+  wanted_ = 0;
+  for (const Action action : all_actions()) {
+    const std::string name = "{" + std::string(action_name(action)) + "}";
+    if (hint.find(name) != std::string::npos) wanted_ = static_cast<std::uint16_t>(wanted_ | button_of(action));
+  }
+  any_ = wanted_ == 0;
+  ticks_left_ = ticks_longer;
+}
+
+void Hint::tick(std::uint16_t buttons) {
+  wanted_ = static_cast<std::uint16_t>(wanted_ & ~buttons);
+  if (buttons != 0) any_ = false;
+  if (wanted_ == 0 && !any_ && ticks_left_ > 0) --ticks_left_;
+}
+
+}  // namespace game
