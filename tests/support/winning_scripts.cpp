@@ -17,7 +17,7 @@ std::vector<Move> first_swing() {
 }
 
 std::vector<Move> pump_it_up() {
-  return {run_past(7.0), jump_and_catch(right), pump_and_let_go(right, 0.84), until_goal(right)};
+  return {run_past(7.0), jump_and_catch(right), pump_and_let_go(right, 0.88), until_goal(right)};
 }
 
 std::vector<Move> round_the_pegs() {
@@ -181,7 +181,7 @@ std::vector<Move> wrecking_ball() {
 }
 
 std::vector<Move> trampoline() {
-  return {run_past(6.2), jump(right, 20), bounce(13.0, 12.9), run_past(24.2), jump(right), until_goal(right)};
+  return {run_past(6.2), jump(right, 44), bounce(13.0, 12.9), run_past(24.2), jump(right), until_goal(right)};
 }
 
 std::vector<Move> curtains() {
@@ -225,7 +225,8 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
-std::vector<Move> sandbox() { return {until_goal(right)}; }
+/// There is no flag: it runs through the yard.
+std::vector<Move> sandbox() { return {run_past(46.0), wait(30)}; }
 
 }  // namespace
 
