@@ -22,7 +22,7 @@ std::vector<Move> pump_it_up() {
 
 std::vector<Move> round_the_pegs() {
   return {run_past(7.4),  jump_and_catch(right), pump_and_let_go(right, 0.45, 2.0), jump(right),
-          run_past(26.2), jump_and_catch(right), pump_and_let_go(right, 0.5, 4.0), until_goal(right)};
+          run_past(26.2), jump_and_catch(right), pump_and_let_go(right, 0.5, 4.0),  until_goal(right)};
 }
 
 std::vector<Move> rolling_bridge() {
@@ -39,18 +39,145 @@ std::vector<Move> rolling_bridge() {
 }
 
 std::vector<Move> over_the_wall() {
-  return {run_past(10.8),         jump_and_catch(right),           climb(game::button_up, 200),
-          pump_and_let_go(right, 0.6), run_past(18.6), jump_and_catch(right), pump_and_let_go(right, 0.5), until_goal(right)};
+  return {run_past(10.8), jump_and_catch(right), climb(game::button_up, 200), pump_and_let_go(right, 0.6),
+          run_past(18.6), jump_and_catch(right), pump_and_let_go(right, 0.5), until_goal(right)};
+}
+
+/// Swings without more speed than a weak rope bears [m/s], until the cord leans to the right by `lean`.
+Move swing_gently(double lean, double most_speed) {
+  Move move = pump_and_let_go(right, lean, -1.0);
+  move.buttons = [most_speed, pumped = move.buttons](const game::Simulation& s) {
+    return static_cast<double>(s.player().body().GetLinearVelocity().Length()) < most_speed ? pumped(s)
+                                                                                            : game::button_grab;
+  };
+  return move;
 }
 
 std::vector<Move> gently() {
-  return {run_past(7.2), stand(), jump_and_catch(right), pump_and_let_go(right, 0.25),
-          fly_and_catch(right, 0), pump_and_let_go(right, 0.25), fly_and_catch(right, 0), pump_and_let_go(right, 0.25), run_past(24.2), stand(),
-          jump_and_catch(right), pump_and_let_go(right, 0.25), fly_and_catch(right, 0), pump_and_let_go(right, 0.25), until_goal(right)};
+  return {run_past(7.2),
+          stand(),
+          jump(right, 12),
+          fly_and_catch(0, 20),
+          swing_gently(0.33, 3.8),
+          fly_and_catch(right, 4),
+          swing_gently(0.33, 3.8),
+          fly_and_catch(right, 4),
+          swing_gently(0.33, 3.8),
+          run_past(24.2),
+          stand(),
+          jump(right, 12),
+          fly_and_catch(0, 20),
+          swing_gently(0.33, 3.8),
+          fly_and_catch(right, 4),
+          swing_gently(0.33, 3.8),
+          until_goal(right)};
 }
 
 std::vector<Move> open_the_gate() {
-  return {run_past(10.2), jump_and_catch(right), hold(game::button_grab, [](const game::Simulation&, int k) { return k >= 240; }), until_goal(right)};
+  return {run_past(6.6),
+          stand(),
+          jump_and_catch(right, 25),
+          hold(game::button_grab, [](const game::Simulation&, int k) { return k >= 400; }),
+          wait(4),
+          jump(right, 60),
+          until_goal(right)};
+}
+
+/// Holds buttons until the player is on one side of x [m].
+Move hold_past(int buttons, double x) {
+  return hold(buttons, [x, from = 0.0](const game::Simulation& s, int k) mutable {
+    const double at = s.player().position().x;
+    if (k == 0) from = at;
+    return (from < x) == (at >= x);
+  });
+}
+
+/// Climbs until the player's middle has risen past y [m].
+Move climb_past(double y) {
+  return hold(game::button_grab | game::button_up,
+              [y](const game::Simulation& s, int) { return s.player().position().y > y; });
+}
+
+/// Waits until the end of a cord is left of x [m] and on its way to the left.
+Move wait_for_tip(int cord, double x) {
+  return hold(0, [=, last = 1e9](const game::Simulation& s, int) mutable {
+    const double at = s.scene().coupling().cord(cord).positions().back().x;
+    const bool comes = at < last;
+    last = at;
+    return comes && at < x;
+  });
+}
+
+/// Pumps until the player moves to the right past x, above y [m].
+Move pump_past(double x, double y) {
+  Move move = pump_for(0);
+  move.until = [x, y](const game::Simulation& s, int) {
+    const b2Vec2 v = s.player().body().GetLinearVelocity();
+    return v.x > 0.0f && s.player().position().x > x && s.player().position().y > y;
+  };
+  return move;
+}
+
+std::vector<Move> up_the_shaft() {
+  return {throw_at({7.6, 15.0}),
+          reel_to(1.8),
+          swing_line_and_let_go(left, 0.45),
+          stand(),
+          run_past(4.2),
+          stand(),
+          throw_at({11.5, 19.5}),
+          reel_to(3.0, right),
+          swing_line_and_let_go(right, 0.2),
+          throw_at({15.0, 24.0}),
+          reel_to(1.5),
+          swing_line_and_let_go(right, 0.4),
+          until_goal(right)};
+}
+
+std::vector<Move> hand_over_hand() {
+  return {run_past(9.0),    jump_and_catch(right, 0), hold_past(game::button_grab | game::button_up, 28.4),
+          run_past(31.8),   jump_and_catch(right),    hold_past(game::button_grab | game::button_up, 46.8),
+          until_goal(right)};
+}
+
+std::vector<Move> zip_line() {
+  return {run_past(3.6),
+          jump_and_catch(left),
+          climb_past(12.8),
+          pump_and_let_go(right, 0.25),
+          run_past(8.6),
+          jump_and_catch(right),
+          hold_past(game::button_grab, 40.5),
+          until_goal(right)};
+}
+
+std::vector<Move> the_lift() {
+  return {hold_past(left, 4.6), run_past(14.6), jump_and_catch(right, 5), pump_past(16.8, 12.2), until_goal(right)};
+}
+
+std::vector<Move> wait_for_the_wind() {
+  return {run_past(3.0),         stand(),
+          wait_for_tip(0, 15.0), run_past(8.7),
+          jump_and_catch(right), pump_and_let_go(right, 0.6),
+          run_past(30.0),        stand(),
+          wait_for_tip(2, 42.5), run_past(36.2),
+          jump_and_catch(right), pump_and_let_go(right, 0.6),
+          until_goal(right)};
+}
+
+std::vector<Move> wrecking_ball() {
+  return {run_past(3.8),
+          jump_and_catch(left),
+          climb_past(12.2),
+          pump_and_let_go(right, 0.25),
+          run_past(8.2),
+          jump_and_catch(right),
+          hold(game::button_grab, [](const game::Simulation&, int k) { return k >= 20; }),
+          wait(240),
+          run_past(24.0),
+          jump(right),
+          jump(right),
+          until_goal(right)};
 }
 
 std::vector<Move> trampoline() {
@@ -113,6 +240,12 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "gently") return gently();
   if (level == "open_the_gate") return open_the_gate();
   if (level == "curtains") return curtains();
+  if (level == "up_the_shaft") return up_the_shaft();
+  if (level == "hand_over_hand") return hand_over_hand();
+  if (level == "zip_line") return zip_line();
+  if (level == "the_lift") return the_lift();
+  if (level == "wait_for_the_wind") return wait_for_the_wind();
+  if (level == "wrecking_ball") return wrecking_ball();
   if (level == "heavy_load") return heavy_load();
   if (level == "long_line") return long_line();
   if (level == "sandbox") return sandbox();
