@@ -13,6 +13,9 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad);
 /// Returns the line that names the key for these lines; none for a gamepad, which has no such button.
 std::vector<std::string> help_line(const Settings& settings, bool pad);
 
+/// Returns how a hint names an action: "{grab}".
+std::string placeholder(Action action);
+
 /// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first key. Other
 /// braces stay.
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad);

@@ -1,5 +1,6 @@
 #include "game/screens/hint.h"
 
+#include "game/screens/help.h"
 #include "game/settings/action.h"
 #include "game/simulation/simulation.h"
 
@@ -13,8 +14,7 @@ constexpr int ticks_longer = 3 * ticks_per_second;
 void Hint::begin(const std::string& hint) {
   wanted_ = 0;
   for (const Action action : all_actions()) {
-    const std::string name = "{" + std::string(action_name(action)) + "}";
-    if (hint.find(name) != std::string::npos) wanted_ = static_cast<std::uint16_t>(wanted_ | button_of(action));
+    if (hint.find(placeholder(action)) != std::string::npos) wanted_ = static_cast<std::uint16_t>(wanted_ | button_of(action));
   }
   any_ = wanted_ == 0;
   ticks_left_ = ticks_longer;

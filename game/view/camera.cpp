@@ -90,6 +90,10 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
   const double view_height = std::max(now_.height, steady_height);
   place.at.x = ease_center(place.at.x, 0.5 * usual_aspect * view_height, level_.x);
   place.at.y = ease_center(place.at.y, 0.5 * view_height, level_.y);
+  if (ground_) {
+    const double highest = std::min(subject.at.y + above_player, level_.y);
+    place.at.y = std::max(place.at.y, highest - 0.5 * now_.height);
+  }
   return place;
 }
 

@@ -211,7 +211,7 @@ TEST(Line, ALineReleasedUnderTensionConvergesInEveryTickUntilItHangs) {
   Simulation simulation(level);
   ScriptedPlayer player(test_support::winning_script(level.name));
   while (simulation.player().line().state() != Line::State::released) {
-    ASSERT_LT(simulation.ticks(), 600);
+    ASSERT_LT(simulation.ticks(), 1800);
     simulation.tick(player.input(simulation));
   }
   const ribbon::box2d::CordId cord = *simulation.player().line().cord();
@@ -269,7 +269,7 @@ TEST(Checkpoint, IsTheStartAfterAFallAndARetry) {
   tick(simulation, button_retry);
   EXPECT_NEAR(simulation.player().position().x, level.player_start.x, 0.2);
   play(simulation, {test_support::run_past(7.4), test_support::jump_and_catch(button_right),
-                    test_support::pump_and_let_go(button_right, 0.55), test_support::jump(button_right),
+                    test_support::pump_and_let_go(button_right, 0.45, 2.0), test_support::jump(button_right),
                     test_support::run_past(21.0), test_support::stand()});
   ASSERT_EQ(simulation.checkpoint(), 0U);
   while (simulation.falls() == 0) tick(simulation, button_right);  // over the edge
