@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <tuple>
 
@@ -39,6 +40,8 @@ struct DullPlayer {
   const char* name;
   int (*buttons)(const Simulation&);
 };
+void PrintTo(const DullPlayer& player, std::ostream* out) { *out << player.name; }
+
 constexpr DullPlayer dull_players[] = {
     {"Runs", runs}, {"RunsAndJumps", runs_and_jumps}, {"RunsJumpsAndCatches", runs_jumps_and_catches}};
 

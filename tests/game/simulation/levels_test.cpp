@@ -72,11 +72,14 @@ int ticks_to_goal(const Level& level, int delay) {
   return simulation.goal_ticks().value_or(0);
 }
 
-class FirstLevels : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(ScriptedPlayer, FirstLevels, testing::Values("first_swing", "pump_it_up", "round_the_pegs"),
+class ScriptedLevels : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(ScriptedPlayer, ScriptedLevels,
+                         testing::Values("first_swing", "pump_it_up", "round_the_pegs", "over_the_wall", "up_the_shaft",
+                                         "hand_over_hand", "gently", "wait_for_the_wind", "open_the_gate", "zip_line",
+                                         "the_lift", "wrecking_ball"),
                          [](const auto& level) { return std::string(level.param); });
 
-TEST_P(FirstLevels, AreWonAfterRandomDelays) {
+TEST_P(ScriptedLevels, AreWonAfterRandomDelays) {
   const Level level = load_level(GetParam());
   test_support::Dice dice(7);
   for (int trial = 0; trial < 6; ++trial) {
