@@ -32,8 +32,8 @@ Bindings Bindings::defaults() {
   bind(Action::pause, {Key::p, Key::escape, PadButton::start});
   bind(Action::step, {Key::n});
   bind(Action::slow_motion, {Key::x, PadButton::right_stick});
-  bind(Action::help, {Key::h});
-  bind(Action::debug_view, {Key::f1});
+  bind(Action::help, {Key::f1, Key::h});
+  bind(Action::debug_view, {Key::f3});
   bind(Action::panel, {Key::f2});
   bind(Action::mute, {Key::m});
   bind(Action::fullscreen, {Key::f11});

@@ -27,7 +27,7 @@ void show_legend() {
   const std::array<std::pair<const char*, ImVec4>, 3> points = {{{"free", {0.35F, 0.55F, 1.0F, 1.0F}},
                                                                  {"dragged", {1.0F, 0.85F, 0.25F, 1.0F}},
                                                                  {"constrained", {1.0F, 0.35F, 0.3F, 1.0F}}}};
-  ImGui::TextUnformatted("points (F1):");
+  ImGui::TextUnformatted("points (F3):");
   for (const auto& [name, color] : points) {
     ImGui::SameLine();
     ImGui::TextColored(color, "%s", name);

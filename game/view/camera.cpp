@@ -25,6 +25,7 @@ constexpr double catch_up = 0.12;       // fraction per tick of the remaining di
 constexpr double soles = 0.75;          // m, below the centre of the player
 constexpr double below_ground = 0.8;    // m, of ground in the picture during a jump
 constexpr double above_player = 1.4;    // m, from its centre to the edge of the picture
+constexpr double up_ahead = 0.15;       // s, ahead of a player that rises, for the same
 constexpr double jump_height = 16.0;    // m, max. height of the view to show the ground
 constexpr double edge_zone = 2.5;       // m
 constexpr double usual_aspect = 16.0 / 9.0;
@@ -37,6 +38,11 @@ constexpr double shake_decay = 0.86;                                 // per tick
 Vec2 clamp_length(Vec2 v, double max_length) {
   const double l = length(v);
   return l > max_length ? (max_length / l) * v : v;
+}
+
+/// Returns the height that has to be in the picture during a jump, m.
+double highest_shown(const CameraSubject& subject) {
+  return subject.at.y + above_player + up_ahead * std::max(0.0, subject.velocity.y);
 }
 
 /// Clamps the centre of the view to the level; returns the middle of a level that is smaller than the view.
@@ -81,7 +87,7 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
   place.at = Vec2{subject.at.x + facing_ahead * facing_ + ahead.x, level_height_ + above + 0.8 * ahead.y} + lag;
   if (ground_) {
     const double lowest = *ground_ - below_ground;
-    const double highest = subject.at.y + above_player;
+    const double highest = highest_shown(subject);
     place.height = std::max(place.height, std::min(highest - lowest, jump_height));
     // The player has priority.
     place.at.y = std::max(std::min(place.at.y, lowest + 0.5 * now_.height), highest - 0.5 * now_.height);
@@ -91,7 +97,7 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
   place.at.x = ease_center(place.at.x, 0.5 * usual_aspect * view_height, level_.x);
   place.at.y = ease_center(place.at.y, 0.5 * view_height, level_.y);
   if (ground_) {
-    const double highest = std::min(subject.at.y + above_player, level_.y);
+    const double highest = std::min(highest_shown(subject), level_.y);
     place.at.y = std::max(place.at.y, highest - 0.5 * now_.height);
   }
   return place;

@@ -79,10 +79,13 @@ TEST_P(Screens, NoTextOfRunsIsCutOff) {
   asked.level = "first_swing";
   PlayScreen play(session, asked, false);
   play.shown();
+  EXPECT_NE(texts_of(play).find("F1: help"), std::string::npos);
+  EXPECT_EQ(texts_of(play).find("Space: jump, let go"), std::string::npos);
+  session.settings.help = true;
   const std::string playing = texts_of(play);
-  EXPECT_NE(playing.find("Space: jump"), std::string::npos) << playing;
+  EXPECT_NE(playing.find("Space: jump, let go"), std::string::npos) << playing;
   session.uses_pad = true;
-  EXPECT_NE(texts_of(play).find("A: jump"), std::string::npos) << "of the device that is used";
+  EXPECT_NE(texts_of(play).find("A: jump, let go"), std::string::npos) << "of the device that is used";
   PauseScreen pause(session, play);
   EXPECT_NE(texts_of(pause).find("Options"), std::string::npos);
 }
