@@ -8,9 +8,9 @@ namespace ribbon {
 namespace {
 
 constexpr int max_steps = 2000;
-constexpr double step = 0.5;         // s
-constexpr double tolerance = 1e-7;   // of the length: a step moves no point further
-constexpr double smallest = 1e-12;   // m, tolerance of the solve
+constexpr double step = 0.5;        // s
+constexpr double tolerance = 1e-7;  // of the length: a step moves no point further
+constexpr double smallest = 1e-12;  // m, tolerance of the solve
 
 /// What the cord is made of, with terms left out that do no work at rest.
 CordDef quasi_static(const CordDef& def) {

@@ -17,11 +17,11 @@ const Choices thesis_properties = {"solver",      "columns",  "rows",           
                                    "bar_damping", "drag",     "area_stiffness", "self_collision", "substeps",
                                    "pin_first",   "pin_last", "solid"};
 const Choices direct_properties = {
-    "solver",        "columns",        "rows",          "mass",          "stretch_stiffness", "bending_stiffness",
-    "poisson_ratio", "area_stiffness", "damping",       "drag",          "tension_only",      "radius",
-    "width",         "accuracy",       "integrator",    "substeps",      "tolerance",         "max_iterations",
-    "pin_first",     "pin_last",       "friction",      "restitution",   "self_contact",      "cord_contact",
-    "allow_sleep",   "max_work",       "solid",         "soft_contacts", "gravity_scale",     "breaking_force",
+    "solver",        "columns",        "rows",           "mass",          "stretch_stiffness", "bending_stiffness",
+    "poisson_ratio", "area_stiffness", "damping",        "drag",          "tension_only",      "radius",
+    "width",         "accuracy",       "integrator",     "substeps",      "tolerance",         "max_iterations",
+    "pin_first",     "pin_last",       "friction",       "restitution",   "self_contact",      "cord_contact",
+    "allow_sleep",   "max_work",       "solid",          "soft_contacts", "gravity_scale",     "breaking_force",
     "drag_across",   "drag_along",     "displaced_area", "at_rest"};
 
 bool contains(Choices choices, std::string_view text) {

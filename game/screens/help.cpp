@@ -7,15 +7,14 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
     return codes_in_words(settings.bindings, action, pad, max_codes);
   };
   const auto both = [&](Action one, Action other) { return keys(one, 1) + " " + keys(other, 1); };
-  std::vector<std::string> lines = {
-      both(Action::left, Action::right) + ": run, swing",
-      keys(Action::jump) + ": jump, let go",
-      (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": grab a rope",
-      both(Action::up, Action::down) + ": climb",
-      keys(Action::throw_line, 1) + ": throw a line",
-      both(Action::reel_in, Action::reel_out) + ": reel in, out",
-      keys(Action::restart) + ": restart   " + keys(Action::retry, 1) + ": checkpoint",
-      keys(Action::pause, 1) + ": pause"};
+  std::vector<std::string> lines = {both(Action::left, Action::right) + ": run, swing",
+                                    keys(Action::jump) + ": jump, let go",
+                                    (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": grab a rope",
+                                    both(Action::up, Action::down) + ": climb",
+                                    keys(Action::throw_line, 1) + ": throw a line",
+                                    both(Action::reel_in, Action::reel_out) + ": reel in, out",
+                                    keys(Action::restart) + ": restart   " + keys(Action::retry, 1) + ": checkpoint",
+                                    keys(Action::pause, 1) + ": pause"};
   if (pad) return lines;
   lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
   lines.push_back(keys(Action::debug_view) + ": debug view, drag   " + keys(Action::panel) + ": parameters");

@@ -16,8 +16,8 @@ std::vector<std::string> help_line(const Settings& settings, bool pad);
 /// Returns how a hint names an action: "{grab}".
 std::string placeholder(Action action);
 
-/// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first key. Other
-/// braces stay.
+/// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first
+/// key. Other braces stay.
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad);
 
 }  // namespace game

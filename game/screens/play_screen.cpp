@@ -228,9 +228,7 @@ void PlayScreen::choose_message() {
   set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
 }
 
-void PlayScreen::draw(engine::Canvas& canvas, double text_scale) {
-  draw_run(canvas, text_scale, true);
-}
+void PlayScreen::draw(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, true); }
 
 void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_keys) {
   const Settings& settings = session_->settings;

@@ -64,7 +64,7 @@ struct Player::Command {
   int climb;
   int reel;
   bool grab;
-  bool jump;    // pressed in this tick
+  bool jump;  // pressed in this tick
   bool holds_jump;
   bool throws;  // pressed in this tick
 };
@@ -152,8 +152,8 @@ void Player::update_ground(const ribbon::box2d::Coupling& coupling) {
   detected_ground_.reset();
 }
 
-/// Running up a step or a steep end of a bridge must not throw the player into the air. What the ground itself gives, as
-/// a trampoline does, it keeps.
+/// Running up a step or a steep end of a bridge must not throw the player into the air. What the ground itself gives,
+/// as a trampoline does, it keeps.
 void Player::stay_low() {
   const b2Vec2 velocity = body_->GetLinearVelocity();
   const auto most = static_cast<float>(std::max(0.0, ground_rise_) + tuning_.step_speed);
@@ -187,7 +187,8 @@ void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
     const bool is_b = edge->contact->GetFixtureB()->GetBody() == body_;
     const double up = static_cast<double>(is_b ? manifold.normal.y : -manifold.normal.y);
     const b2Body* other = (is_b ? edge->contact->GetFixtureA() : edge->contact->GetFixtureB())->GetBody();
-    if (up > tuning_.ground_slope) take(static_cast<double>(other->GetLinearVelocityFromWorldPoint(manifold.points[0]).y));
+    if (up > tuning_.ground_slope)
+      take(static_cast<double>(other->GetLinearVelocityFromWorldPoint(manifold.points[0]).y));
     on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
   }
   const std::optional<double> rise = rise_of_cord_below(coupling);
@@ -206,8 +207,8 @@ std::optional<double> Player::rise_of_cord_below(const ribbon::box2d::Coupling& 
       if (fixture == nullptr || fixture->GetBody() != body_ || touch.impulse <= 0.0) continue;
       if (touch.point.y >= position().y - 0.5 * tuning_.height + tuning_.radius) continue;
       const ribbon::box2d::CordView cord = coupling.cord(c);
-      const auto velocities = cord.solver() == ribbon::box2d::Solver::direct ? cord.direct().velocities()
-                                                                             : cord.thesis().velocities();
+      const auto velocities =
+          cord.solver() == ribbon::box2d::Solver::direct ? cord.direct().velocities() : cord.thesis().velocities();
       return velocities[nearest_point(cord.positions(), touch.point)].y;
     }
   }
@@ -315,7 +316,8 @@ void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::
                                  direction > 0 ? tuning_.climb_speed : tuning_.slide_speed);
 }
 
-/// Pushes the body perpendicular to the direction from it to `from`, for a moment after each press: a swing wants rhythm.
+/// Pushes the body perpendicular to the direction from it to `from`, for a moment after each press: a swing wants
+/// rhythm.
 void Player::pump(Vec2 from, double dt) {
   const Vec2 along = from - position();
   const double distance = length(along);

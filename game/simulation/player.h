@@ -65,7 +65,7 @@ class Player {
 
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
-  ribbon::Vec2 position() const;               ///< m, the centre of the body
+  ribbon::Vec2 position() const;  ///< m, the centre of the body
   /// Returns whether the body overlaps the area.
   bool touches(const Area& area) const;
   ribbon::Vec2 hand() const;                   ///< m, the target of a held cord point
@@ -109,19 +109,19 @@ class Player {
   std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of the line
   int direction_ = 0;                             // 1 right, −1 left, in the last tick
   int pump_ticks_left_ = 0;
-  bool can_climb_ = true;                         // the held cord is one of the direct solver
-  std::optional<bool> detected_ground_;           // since the last apply
+  bool can_climb_ = true;                // the held cord is one of the direct solver
+  std::optional<bool> detected_ground_;  // since the last apply
   bool on_firm_ground_ = false;
   double speed_up_before_ = 0.0;  // m/s, upwards, in the last tick
-  bool was_on_cord_ = false;  // it stands on a cord, or stood on one last
-  double ground_rise_ = 0.0;  // m/s, upwards, of what the player stands on
+  bool was_on_cord_ = false;      // it stands on a cord, or stood on one last
+  double ground_rise_ = 0.0;      // m/s, upwards, of what the player stands on
   int ticks_off_ground_ = 0;
   int ticks_since_jump_pressed_;
   int ticks_since_release_;
   int ticks_since_jump_;
   bool jump_can_be_cut_ = false;  // it rises from a body
   std::uint16_t buttons_before_ = 0;
-  bool may_catch_ = true;  // false from a release until the grab button was up
+  bool may_catch_ = true;                           // false from a release until the grab button was up
   std::optional<ribbon::box2d::CordId> left_cord_;  // the cord that was released last, until it may be caught again
   int ticks_since_left_ = 0;
   bool faces_left_ = false;
