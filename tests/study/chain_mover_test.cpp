@@ -144,6 +144,7 @@ TEST(ChainMover, APlayerWithoutACordMovesAsWithCords) {
   for (const TickInput& input : pressed(26, game::button_right)) inputs.push_back(input);
   inputs[32] = inputs[31];
   inputs[31] = inputs[33];
+  for (std::size_t k = 32; k < inputs.size(); ++k) inputs[k].buttons |= game::button_jump;  // for a high jump
   const game::Level level = converged();
   const Trace cords = run(level, inputs);
   ASSERT_GT(cords.player[45].y, cords.player[29].y + 1.0);

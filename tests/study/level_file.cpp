@@ -165,7 +165,9 @@ void LevelFile::make_thesis(Json& cord, const Setting& setting) {
                            "gravity_scale",
                            "drag_across",
                            "drag_along",
-                           "displaced_area"}) {
+                           "displaced_area",
+                           "breaking_force",
+                           "at_rest"}) {
     set(cord, name, nullptr);
   }
   const int thesis_rows = std::max(own_rows, 2);

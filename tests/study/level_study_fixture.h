@@ -24,7 +24,8 @@ class LevelStudy : public testing::Test {
     level_path = home + "/swing.tmj";
     change_level(TEST_ASSETS "/levels/first_swing.tmj", [](Json& cord) {
       Json& properties = cord["properties"];
-      std::erase_if(properties.get_ref<Json::array_t&>(), [](const Json& p) { return p["name"] == "tension_only"; });
+      std::erase_if(properties.get_ref<Json::array_t&>(),
+                    [](const Json& p) { return p["name"] == "tension_only" || p["name"] == "at_rest"; });
     });
     replay_path = home + "/swing.replay";
     record(replay_path, 20);
