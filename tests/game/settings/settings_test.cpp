@@ -41,13 +41,18 @@ TEST(Bindings, AHintNamesTheKeysThatAreBound) {
   EXPECT_EQ(hint_in_words(hint, settings, true).find("{jump}"), std::string::npos);
 }
 
-/// With default keys and with a gamepad no hint of a level has an unknown word.
-TEST(Bindings, TheHintsOfAllLevelsHaveNoUnknownWords) {
+/// With default keys and with a gamepad no hint or sign of a level has an unknown word.
+TEST(Bindings, TheHintsAndSignsOfAllLevelsHaveNoUnknownWords) {
   for (const Level& level : levels_in_order()) {
     for (const bool pad : {false, true}) {
       const std::string words = hint_in_words(level.hint, Settings{}, pad);
       EXPECT_EQ(words.find_first_of("{}"), std::string::npos) << words;
       EXPECT_TRUE(level.sandbox || words.find("none") == std::string::npos) << words;
+      for (const Sign& sign : level.signs) {
+        const std::string text = hint_in_words(sign.text, Settings{}, pad);
+        EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
+        EXPECT_EQ(text.find("none"), std::string::npos) << text;
+      }
     }
   }
 }
