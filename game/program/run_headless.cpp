@@ -8,6 +8,7 @@
 #include "engine/draw/video_writer.h"
 #include "engine/window/sdl_canvas.h"
 #include "game/program/bad_ticks.h"
+#include "game/screens/help.h"
 #include "game/simulation/recorded_run.h"
 #include "game/simulation/run.h"
 #include "game/view/hud.h"
@@ -22,6 +23,7 @@ constexpr int picture_height = 720;
 void save_picture(const Simulation& simulation, const RunOptions& options) {
   engine::HeadlessCanvas canvas(picture_width, picture_height);
   ViewOptions view_options;
+  view_options.signs = signs_in_words(simulation.level(), Settings{}, false);
   if (const auto goal = simulation.goal_ticks()) {
     view_options.headline = "You made it!";
     view_options.below = "in " + seconds_in_words(*goal);
@@ -39,6 +41,7 @@ class HeadlessFilm {
         view_(simulation),
         writer_(options.video, options.video_width, options.video_height) {
     view_options_.text_scale = options.video_height / (1.0 * picture_height);
+    view_options_.signs = signs_in_words(simulation.level(), Settings{}, false);
   }
 
   void take(const Simulation& simulation) {

@@ -48,4 +48,10 @@ std::string hint_in_words(const std::string& hint, const Settings& settings, boo
   return words;
 }
 
+std::vector<std::string> signs_in_words(const Level& level, const Settings& settings, bool pad) {
+  std::vector<std::string> texts;
+  for (const Sign& sign : level.signs) texts.push_back(hint_in_words(sign.text, settings, pad));
+  return texts;
+}
+
 }  // namespace game

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "game/settings/settings.h"
+#include "game/simulation/level.h"
 
 namespace game {
 
@@ -12,6 +13,9 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
 /// Returns the line that names the key for these lines; none for a gamepad, which has no such button.
 std::vector<std::string> help_line(const Settings& settings, bool pad);
+
+/// Returns the signs of a level with the keys that they name.
+std::vector<std::string> signs_in_words(const Level& level, const Settings& settings, bool pad);
 
 /// Returns how a hint names an action: "{grab}".
 std::string placeholder(Action action);

@@ -83,6 +83,7 @@ void LevelScreen::draw(engine::Canvas& canvas, double text_scale) {
   if (view_) {
     ViewOptions options;
     options.hud = false;
+    options.signs = signs_in_words(preview_->level(), session_->settings, session_->uses_pad);
     view_->draw(canvas, clock_.alpha(), options);
   } else {
     canvas.clear(style::sky_top, style::sky_bottom);

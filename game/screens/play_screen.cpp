@@ -237,12 +237,10 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_
   keys_ = run_.has_replay() ? std::vector<std::string>{"Replay: the controls are off"}
           : help            ? help_lines(settings, pad)
                             : help_line(settings, pad);
-  signs_.clear();
-  for (const Sign& sign : run_.level().signs) signs_.push_back(hint_in_words(sign.text, settings, pad));
   choose_message();
   view_options_.text_scale = text_scale;
   view_options_.keys = shows_keys && !keys_.empty() ? &keys_ : nullptr;
-  view_options_.signs = &signs_;
+  view_options_.signs = signs_in_words(run_.level(), settings, pad);
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;

@@ -86,7 +86,6 @@ class PlayScreen : public Screen {
   engine::FixedTick clock_{ticks_per_second};
   std::unique_ptr<Ghost> ghost_;
   std::vector<std::string> keys_;
-  std::vector<std::string> signs_;
   Hint hint_;
   std::string recording_;
   bool started_ = false;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "game/screens/card.h"
+#include "game/screens/help.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"
 #include "game/screens/style.h"
@@ -61,6 +62,7 @@ void TitleScreen::draw_below(engine::Canvas& canvas, double) {
   options.hud = false;
   options.colour_safe = session_->settings.colour_safe;
   options.reduced_motion = session_->settings.reduced_motion;
+  options.signs = signs_in_words(run_->level(), session_->settings, session_->uses_pad);
   view_->draw(canvas, clock_.alpha(), options);
 }
 

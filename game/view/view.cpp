@@ -61,10 +61,10 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
-void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>* signs) {
+void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
-    draw_sign(pen, level.signs[k].at, signs != nullptr ? (*signs)[k] : level.signs[k].text);
+    draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k]);
   }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);

@@ -20,12 +20,12 @@ struct ViewOptions {
   bool colour_safe = false;     ///< colours for red-green colour blindness
   bool reduced_motion = false;  ///< no shaking, zooming, drifting clouds or particles
   std::optional<GhostPose> ghost{};
-  const std::vector<std::string>* keys = nullptr;   ///< lines that explain the keys, or null
-  const std::vector<std::string>* signs = nullptr;  ///< texts of the level's signs, or null for those of the level
-  std::string headline{}, below{};                  ///< a message in the middle; empty: none
-  const char* notice = nullptr;                     ///< an error message, or null
-  double text_scale = 1.0;                          ///< pixels per desktop unit
-  const Meter* meter = nullptr;                     ///< statistics for the debug view, or null
+  const std::vector<std::string>* keys = nullptr;  ///< lines that explain the keys, or null
+  std::vector<std::string> signs{};                ///< texts of the level's signs; empty: as in the level
+  std::string headline{}, below{};                 ///< a message in the middle; empty: none
+  const char* notice = nullptr;                    ///< an error message, or null
+  double text_scale = 1.0;                         ///< pixels per desktop unit
+  const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
 };
 
 /// Draws a run of a level. The camera follows the player within the level.
