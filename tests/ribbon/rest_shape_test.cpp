@@ -82,7 +82,7 @@ TEST(RestShape, OfARibbonDoesNotMove) {
 TEST(RestShape, RefusesWhatDoesNotHang) {
   const auto refused = [](CordDef def, Vec2 under) {
     const CordDef before = def;
-    const std::string words = refusal<DefinitionError>([&] { lay_at_rest(def, under); });
+    std::string words = refusal<DefinitionError>([&] { lay_at_rest(def, under); });
     EXPECT_EQ(def, before);
     return words;
   };
