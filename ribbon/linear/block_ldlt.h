@@ -1,23 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "ribbon/linear/banded_ldlt.h"
+#include "ribbon/linear/block_pattern.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
-
-/// A slot that has the same unknowns as another one.
-struct TiedSlot {
-  int slot;
-  int with;
-
-  bool operator==(const TiedSlot&) const = default;
-};
 
 /// A sparse symmetric matrix of 2 × 2 blocks, and its direct solver: LDLᵀ without pivoting. For systems whose couplings
 /// reach further than a band. A slot holds two unknowns; the slots are eliminated in a given order. Eliminating a slot
@@ -28,9 +20,9 @@ class BlockLdlt {
  public:
   /// Starts a pattern of diagonal blocks. The slot order[k] is eliminated as number k; each slot occurs once, except
   /// the `tied` ones: each of these is one with a slot of the order, and what is added to either is added to both.
-  void begin_pattern(std::span<const int> order, std::span<const TiedSlot> tied = {});
+  void begin_pattern(std::span<const int> order, std::span<const TiedSlot> tied = {}) { pattern_.begin(order, tied); }
   /// Adds the blocks (a, b) and (b, a) to the pattern. Repeated couplings count once.
-  void couple(int a, int b);
+  void couple(int a, int b) { pattern_.couple(a, b); }
   /// Completes the pattern with the fill-in of the elimination.
   void end_pattern();
   /// Changes the order of elimination, with the same tied slots, and completes the pattern again.
@@ -38,21 +30,21 @@ class BlockLdlt {
   /// Calls visit(a, b) for each call of couple(), with either slot first.
   template <typename Visit>
   void for_each_coupling(Visit&& visit) const {
-    for (const auto& [a, b] : couplings_) visit(order_[at(a)], order_[at(b)]);
+    pattern_.for_each_coupling(visit);
   }
   /// Returns whether the pattern has the block (a, b), as a coupling or as fill-in.
   bool is_coupled(int a, int b) const;
   /// Returns the number of slots that are not tied.
-  std::size_t size() const { return order_.size(); }
+  std::size_t size() const { return pattern_.size(); }
   /// Returns the number of blocks right of the diagonal, fill-in included.
-  std::size_t off_diagonal_blocks() const { return columns_.size(); }
+  std::size_t off_diagonal_blocks() const { return pattern_.blocks(); }
 
   /// Sets all blocks to 0; no slot is held and none is dual.
   void set_zero();
   /// Declares that the slot has a negative definite pivot: a Lagrange multiplier such as a tension.
-  void make_dual(int slot) { dual_[at(row_of_[at(slot)])] = 1; }
+  void make_dual(int slot) { dual_[at(pattern_.row_of(slot))] = 1; }
   /// Declares the same of a slot whose second component is coupled with nothing.
-  void make_scalar_dual(int slot) { dual_[at(row_of_[at(slot)])] = scalar_dual; }
+  void make_scalar_dual(int slot) { dual_[at(pattern_.row_of(slot))] = scalar_dual; }
   /// Adds [xx, xy; yx, yy] to the block (a, b), b ≠ a, and its transpose to (b, a).
   void add(int a, int b, double xx, double xy, double yx, double yy);
   /// Adds [xx, xy; xy, yy] to the diagonal block (a, a).
@@ -62,7 +54,7 @@ class BlockLdlt {
   /// Adds a banded matrix: its 2 × 2 block at (2p, 2q) to the block (first + p, first + q), for p ≤ q ≤ p + reach.
   void add_band(int first, const BandedMatrix& band, int reach);
   /// Replaces the rows and columns of the slot by those of the identity, until the next set_zero.
-  void hold(int slot) { held_[at(row_of_[at(slot)])] = 1; }
+  void hold(int slot) { held_[at(pattern_.row_of(slot))] = 1; }
 
   /// Overwrites b, by slot, with the solution of A·x = b, where b of slots that are tied is the sum of theirs, and the
   /// matrix with its factors. Returns false if a pivot in double precision is not positive definite, or not negative
@@ -87,14 +79,7 @@ class BlockLdlt {
   };
   static constexpr char scalar_dual = 2;  // a value of dual_
 
-  /// Returns the index of the block (row, column) in blocks_, or its size if the pattern has no such block.
-  std::size_t find(int row, int column) const;
-  void assign_rows(std::span<const int> order);
   void load_right_side(std::span<const Vec2> b);
-  void sort_couplings();
-  void find_columns();
-  void merge_other_columns(std::size_t first);
-  void find_widths();
   void resize_blocks();
   bool invert_pivot(std::size_t row);
   template <std::size_t rows>
@@ -105,20 +90,9 @@ class BlockLdlt {
   void subtract_rows(Pivot* pivots, const int* columns, std::size_t count);
   void substitute(std::span<Vec2> b);
 
-  std::vector<int> order_;  // slot by row
-  std::vector<TiedSlot> tied_;
-  std::vector<int> row_of_;                    // row by slot
-  std::vector<std::array<int, 2>> couplings_;  // rows a < b, in any order, some more than once
-  std::vector<std::size_t> coupling_first_;    // index in coupled_ of each row, and the end of the last
-  std::vector<int> coupled_;                   // columns of the couplings, row by row
-  std::vector<int> first_child_, next_child_;  // elimination tree, by row; −1: none
-  std::vector<int> other_columns_;             // of the row that is found, beside those of its largest child
-  std::vector<int> mark_;                      // by column: the last row that listed it
-  std::vector<std::size_t> first_;             // index in columns_ and blocks_ of each row, and the end of the last
-  std::vector<int> columns_;                   // ascending within a row
-  std::vector<int> widths_;                    // number of rows that are eliminated together, by the first of them
-  std::vector<Block> blocks_;
-  std::vector<Diagonal> diagonals_;
+  BlockPattern pattern_;
+  std::vector<Block> blocks_;        // by index in the pattern
+  std::vector<Diagonal> diagonals_;  // by row
   std::vector<char> held_, dual_;
   std::vector<Vec2> right_side_;
 };
