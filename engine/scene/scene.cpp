@@ -115,10 +115,12 @@ void Scene::build_cord(const MapObject& object, const TiledMap& map, const b2Fil
   ribbon::box2d::CordId cord = 0;
   try {
     if (auto* direct = std::get_if<ribbon::CordDef>(&definition)) {
+      const std::vector<WheelDefinition> own = reeve_around_wheels(object, map, *direct);
       if (object.properties.boolean_or("at_rest", false)) {
+        if (!own.empty())
+          throw object.error("property \"at_rest\" is of a cord without wheels; accepted is one or the other");
         ribbon::lay_at_rest(*direct, ribbon::box2d::to_double(world_.GetGravity()));
       }
-      const std::vector<WheelDefinition> own = reeve_around_wheels(object, map, *direct);
       wheels.insert(wheels.end(), own.begin(), own.end());
       cord = coupling_.add(ribbon::Cord(*direct), wanted);
     } else if (has_wheels(object, map)) {

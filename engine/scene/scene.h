@@ -51,8 +51,8 @@ struct WheelDefinition;
 ///     it), allow_sleep, accuracy ("fast", "balanced", the default, or "accurate"), and overrides of it: integrator
 ///     ("tr_bdf2", "implicit_euler"), substeps, tolerance [m], max_work, max_iterations (Newton steps per solve),
 ///     soft_contacts (by default true for implicit_euler), at_rest (it starts as it hangs from its pins, instead of
-///     along the polyline). All links are straight and of equal length, so the cord is a
-///     little shorter than a polyline with corners.
+///     along the polyline; not with wheels). All links are straight and of equal length, so the cord is a little
+///     shorter than a polyline with corners.
 /// - `ribbon`: like cord with 2 rows or more, by default 3.
 /// - `wheel`: ellipse with equal axes, the groove of a pulley; cord (the rope of the direct solver that runs around it,
 ///   whose polyline has one corner at each of its wheels and no other between its ends), body (optional: the ground,

@@ -203,7 +203,6 @@ TEST(SceneCord, IfSolidCollidesOutsideTheFilterOfOtherCords) {
   EXPECT_LT(lowest(false), 0.0);
 }
 
-/// The overlap cannot be removed. It once made ticks a thousand times as expensive, and unconverged.
 /// A rope that is laid along two straight lines swings by half a metre, unless it starts at rest.
 TEST(SceneCord, StartsAtRestIfItIsToldTo) {
   const auto moved = [](bool at_rest) {
@@ -237,6 +236,7 @@ TEST(SceneCord, StartsAtRestOnlyFromAPin) {
             "test.tmj: object 7: pins are empty; accepted is a cord that hangs from one point or more");
 }
 
+/// The overlap cannot be removed. It once made ticks a thousand times as expensive, and unconverged.
 TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
   MapObject bridge = cord(7);
   bridge.points = {{3.0, 5.0}, {5.0, 4.6}, {7.0, 5.0}};

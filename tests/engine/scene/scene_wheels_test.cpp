@@ -42,6 +42,14 @@ MapObject load(int id, Vec2 position, double mass) {
 /// A rope over a wheel at (5, 8) whose ends are at (4.75, 5) and (5.25, 5).
 MapObject over_a_wheel() { return rope({{4.75, 5.0}, {5.0, 8.25}, {5.25, 5.0}}); }
 
+TEST(SceneWheel, IsRefusedForARopeAtRest) {
+  MapObject at_rest = over_a_wheel();
+  at_rest.properties.insert("pin_first", true);
+  at_rest.properties.insert("at_rest", true);
+  EXPECT_EQ(refusal(map_of({wheel(9, 7, {5.0, 8.0}), at_rest})),
+            "test.tmj: object 7: property \"at_rest\" is of a cord without wheels; accepted is one or the other");
+}
+
 /// The heavier load pulls the lighter one up to the disc of the wheel.
 TEST(SceneWheel, StopsALoadThatReachesIt) {
   Scene scene(
