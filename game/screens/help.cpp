@@ -29,7 +29,7 @@ std::vector<std::string> help_line(const Settings& settings, bool pad) {
   return {codes_in_words(settings.bindings, Action::help, false, 1) + ": help"};
 }
 
-std::string placeholder(Action action) {
+std::string name_in_braces(Action action) {
   std::string name = "{";
   name += action_name(action);
   name += "}";
@@ -39,7 +39,7 @@ std::string placeholder(Action action) {
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad) {
   std::string words = hint;
   for (const Action action : all_actions()) {
-    const std::string name = placeholder(action);
+    const std::string name = name_in_braces(action);
     const std::string key = codes_in_words(settings.bindings, action, pad, 1);
     for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at + key.size())) {
       words.replace(at, name.size(), key);

@@ -18,7 +18,7 @@ std::vector<std::string> help_line(const Settings& settings, bool pad);
 std::vector<std::string> signs_in_words(const Level& level, const Settings& settings, bool pad);
 
 /// Returns how a hint names an action: "{grab}".
-std::string placeholder(Action action);
+std::string name_in_braces(Action action);
 
 /// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first
 /// key. Other braces stay.

@@ -14,7 +14,7 @@ constexpr int ticks_longer = 3 * ticks_per_second;
 void Hint::begin(const std::string& hint) {
   wanted_ = 0;
   for (const Action action : all_actions()) {
-    if (hint.find(placeholder(action)) != std::string::npos)
+    if (hint.find(name_in_braces(action)) != std::string::npos)
       wanted_ = static_cast<std::uint16_t>(wanted_ | button_of(action));
   }
   any_ = wanted_ == 0;

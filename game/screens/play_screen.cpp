@@ -32,6 +32,7 @@ void PlayScreen::shown() {
   if (std::exchange(started_, true)) return;
   run_.watch(session_->watcher);
   run_.use(session_->workers.parallel_for());
+  hint_.begin(run_.level().hint);
   if (records_runs()) {
     session_->last_level = run_.level().name;
     begin_run();
@@ -43,7 +44,6 @@ void PlayScreen::shown() {
 /// Starts a new run with a recording of its own and the ghost of the best run.
 void PlayScreen::begin_run() {
   finish_recording();
-  hint_.begin(run_.level().hint);
   assisted_ = won_ = false;
   recording_ = session_->runs.next_path(run_.level().name);
   if (run_.level_is_tuned()) {
@@ -160,6 +160,7 @@ void PlayScreen::step() {
 
 void PlayScreen::restart() {
   controls_.discard();
+  hint_.begin(run_.level().hint);
   if (records_runs()) {
     begin_run();
   } else {

@@ -64,9 +64,9 @@ struct Player::Command {
   int climb;
   int reel;
   bool grab;
-  bool jump;  // pressed in this tick
-  bool holds_jump;
-  bool throws;  // pressed in this tick
+  bool jump;        // pressed in this tick
+  bool holds_jump;  // its key is down
+  bool throws;      // pressed in this tick
 };
 
 Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, const LineTuning& line_tuning)

@@ -63,6 +63,7 @@ void RecordedRun::tick(const engine::TickInput& input) {
 Simulation& RecordedRun::tune() {
   is_tuned_ = true;
   end_recording();
+  simulation_->keep_changes();
   return *simulation_;
 }
 

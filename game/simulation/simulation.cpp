@@ -134,6 +134,7 @@ void Simulation::restart() {
   falls_ = 0;
   goal_ticks_.reset();
   ++restarts_;
+  keeps_changes_ = false;
   save(start_);
   take_snapshot(previous_);
   take_snapshot(current_);
@@ -180,7 +181,8 @@ std::uint16_t Simulation::buttons_after_goal() const {
 /// Puts the player at the last checkpoint, or at the start. Cords and bodies are as at the start of the level, so that
 /// each try meets the same.
 void Simulation::put_player_back() {
-  if (!make_mover_) {
+  if (!make_mover_ && !keeps_changes_) {
+    drag_.forget();  // what it holds is free again
     start_.world.restore(scene_->world(), nullptr);
     scene_->coupling().restore(start_.cords, scene_->world());
     *player_ = *start_.player;

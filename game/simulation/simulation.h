@@ -72,7 +72,9 @@ class Simulation {
   /// Steps the cords of this scene and of later ones in parallel: ribbon::box2d::Coupling::use.
   void use(const ribbon::ParallelFor& parallel_for);
   const Player& player() const { return *player_; }
-  Player& player() { return *player_; }                           ///< recordings do not include changes of it
+  Player& player() { return *player_; }  ///< recordings do not include changes of it
+  /// After a fall, cords and bodies stay as they are, until a restart: the scene was changed by hand.
+  void keep_changes() { keeps_changes_ = true; }
   const ribbon::box2d::StateHash& hash() const { return hash_; }  ///< after the last tick
   const Snapshot& previous() const { return previous_; }          ///< before the last tick
   const Snapshot& current() const { return current_; }            ///< after the last tick
@@ -120,7 +122,8 @@ class Simulation {
   Snapshot current_;
   ribbon::box2d::StateHash hash_;
   Drag drag_;
-  SavedTick start_;  // what cords and bodies return to after a fall
+  SavedTick start_;             // what cords and bodies return to after a fall
+  bool keeps_changes_ = false;  // and they do not
   std::optional<std::size_t> checkpoint_;
   std::optional<std::size_t> aimed_hook_;
   ribbon::Vec2 foothold_;       // m, feet: the position after a fall with the assist no_fall

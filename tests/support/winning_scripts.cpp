@@ -113,7 +113,7 @@ Move pump_past(double x, double y) {
   Move move = pump_for(0);
   move.until = [x, y](const game::Simulation& s, int) {
     const b2Vec2 v = s.player().body().GetLinearVelocity();
-    return v.x > 0.0f && s.player().position().x > x && s.player().position().y > y;
+    return v.x > 0.0F && s.player().position().x > x && s.player().position().y > y;
   };
   return move;
 }

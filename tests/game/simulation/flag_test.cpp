@@ -6,17 +6,12 @@
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/game/simulation/press.h"
 
 namespace game {
 namespace {
 
 using ribbon::Vec2;
-
-engine::TickInput press(int buttons) {
-  engine::TickInput input;
-  input.buttons = static_cast<std::uint16_t>(buttons);
-  return input;
-}
 
 /// Returns whether a player that is at rest in this place has won a tick later.
 bool wins_at(const Level& level, Vec2 place) {

@@ -9,17 +9,12 @@
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/game/simulation/press.h"
 
 namespace game {
 namespace {
 
 using ribbon::Vec2;
-
-engine::TickInput press(int buttons) {
-  engine::TickInput input;
-  input.buttons = static_cast<std::uint16_t>(buttons);
-  return input;
-}
 
 Vec2 feet(const Simulation& simulation) {
   return simulation.player().position() - Vec2{0.0, 0.5 * simulation.player().tuning().height};
@@ -94,6 +89,29 @@ TEST(Falling, BringsCordsAndBodiesBack) {
   }
   EXPECT_LT(length(feet(simulation) - level.player_start), 1e-6);
   EXPECT_GT(simulation.run_ticks(), 100);  // the clock goes on
+}
+
+/// What the pointer drags, a rope and a ball, is where it was at the start too, and free.
+TEST(Falling, EndsADrag) {
+  const Level level = load_level("first_swing");
+  for (const Vec2 from : {Vec2{11.0, 8.0}, Vec2{5.8, 5.81}}) {
+    Simulation simulation(level);
+    const Snapshot start = simulation.current();
+    engine::TickInput input = press(button_right | button_drag);
+    engine::set_pointer(input, from);
+    simulation.tick(input);
+    engine::set_pointer(input, from + Vec2{0.0, 2.0});
+    for (int k = 0; k < 30; ++k) simulation.tick(input);
+    ASSERT_TRUE(simulation.drag().cord_point() || simulation.drag().body() != nullptr) << from.x;
+    ASSERT_NE(simulation.current().cords, start.cords);
+    while (simulation.falls() == 0 && simulation.ticks() < 1200) simulation.tick(input);
+    ASSERT_EQ(simulation.falls(), 1);
+    EXPECT_EQ(simulation.current().cords, start.cords);
+    EXPECT_FALSE(simulation.drag().cord_point());
+    EXPECT_EQ(simulation.drag().body(), nullptr);
+    for (int k = 0; k < 60; ++k) simulation.tick({});
+    EXPECT_EQ(simulation.scene().coupling().cord(0).kind(20), ribbon::PointKind::free);
+  }
 }
 
 /// The cord of a line that was thrown is gone, and another can be thrown.

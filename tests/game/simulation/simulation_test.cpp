@@ -9,6 +9,7 @@
 #include "engine/tick/tick.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/level.h"
+#include "tests/game/simulation/press.h"
 #include "tests/support/autopilot.h"
 #include "tests/support/mixed_level.h"
 
@@ -27,12 +28,6 @@ class EitherLevel : public testing::TestWithParam<bool> {
 };
 INSTANTIATE_TEST_SUITE_P(Simulation, EitherLevel, testing::Bool(),
                          [](const auto& mixed) { return mixed.param ? "mixed_swing" : "first_swing"; });
-
-engine::TickInput press(int buttons) {
-  engine::TickInput input;
-  input.buttons = static_cast<std::uint16_t>(buttons);
-  return input;
-}
 
 /// The inputs of the autopilot's winning run.
 const std::vector<engine::TickInput>& winning_inputs() {

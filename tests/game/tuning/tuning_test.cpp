@@ -4,14 +4,17 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/replay/replay.h"
 #include "engine/window/sdl_canvas.h"
+#include "game/simulation/buttons.h"
 #include "game/tuning/parameters.h"
 #include "game/tuning/tables.h"
 #include "game/tuning/tuned_level.h"
 #include "game/tuning/tuning_panel.h"
 #include "tests/game/program.h"
+#include "tests/game/simulation/press.h"
 #include "tests/support/mixed_level.h"
 
 namespace game {
@@ -133,6 +136,18 @@ TEST(RecordedRun, ATunedRunIsMarkedAndItsRecordingEndsBeforeTheChange) {
   EXPECT_TRUE(left.complete);
   EXPECT_EQ(left.ticks.size(), 20U);
   EXPECT_EQ(test_support::ropeswing("--headless --verify --level " + level + " --replay " + path).status, 0);
+}
+
+/// A fall takes cords back to the start of the level, but not what was tuned.
+TEST(RecordedRun, AFallKeepsWhatWasTuned) {
+  RecordedRun run(play(assets_folder() + "/levels/first_swing.tmj"));
+  TunedLevel tuned(run.level());
+  engine::Scene& scene = run.tune().scene();
+  tuned.set(scene.cord_object(0), "mass", 9.0, scene);
+  const std::vector<double> masses = scene.coupling().cord(0).direct().save().masses;
+  while (run.simulation().falls() == 0 && run.simulation().ticks() < 1200) run.tick(press(button_right));
+  ASSERT_EQ(run.simulation().falls(), 1);
+  EXPECT_EQ(scene.coupling().cord(0).direct().save().masses, masses);
 }
 
 TEST(RecordedRun, ANewLevelStartsWithTheNextRun) {
