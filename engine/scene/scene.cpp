@@ -30,6 +30,8 @@ b2Vec2 gravity_of(const TiledMap& map) {
   return {0.0F, static_cast<float>(map.properties.number_or("gravity_y", -9.81, {-1000.0, 1000.0}))};
 }
 
+bool is_sticky(const MapObject& body) { return body.properties.boolean_or("sticky", false); }
+
 bool is_cord(const MapObject& object) { return object.kind == "cord" || object.kind == "ribbon"; }
 
 /// Limits the points of all cords before any is built: a few objects can define more than fits in memory.
@@ -95,11 +97,11 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
 
 void Scene::build(const MapObject& object, const std::vector<std::string>& other_kinds) {
   if (object.kind == "ground") {
-    bodies_.push_back({&build_ground(object, world_), BodyKind::ground, object.id});
+    bodies_.push_back({&build_ground(object, world_), BodyKind::ground, object.id, is_sticky(object)});
   } else if (object.kind == "circle") {
-    bodies_.push_back({&build_circle(object, world_), BodyKind::circle, object.id});
+    bodies_.push_back({&build_circle(object, world_), BodyKind::circle, object.id, is_sticky(object)});
   } else if (object.kind == "load") {
-    bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id});
+    bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id, is_sticky(object)});
   } else if (object.kind != "anchor" && object.kind != "tie" && object.kind != "wheel" &&
              std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
     std::string accepted = "ground, circle, cord, ribbon, anchor, load, tie, wheel";

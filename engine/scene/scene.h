@@ -19,7 +19,8 @@ enum class BodyKind : unsigned char { ground, circle, load };
 struct SceneBody {
   b2Body* body = nullptr;
   BodyKind kind = BodyKind::ground;
-  int object = 0;  ///< id of the object in the map
+  int object = 0;          ///< id of the object in the map
+  bool is_sticky = false;  ///< its property sticky, which is for the caller: something can be fixed to it
 };
 
 /// A wheel that was built from an object of the map, in the order in which cords and their wheels were built.
@@ -30,10 +31,11 @@ struct SceneWheel {
 struct WheelDefinition;
 
 /// A Box2D world with its cords, built from the objects of a map. The classes and their properties:
-/// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction.
+/// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction, sticky.
 /// - `circle`: ellipse with equal axes; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
-///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s].
+///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s], sticky.
 /// - `load`: rectangle, or ellipse with equal axes, dynamic; mass [kg], friction, restitution, angular_damping [1/s],
+/// sticky,
 ///   cord (optional: the cord or ribbon whose nearer end it holds, within 0.5 m of its rim).
 /// - `anchor`: point; pins the nearest cord point within 0.25 m; cord (optional: only points of this cord).
 /// - `tie`: point; ties the nearest point within 0.25 m to that of another cord, both of the direct solver; cord,

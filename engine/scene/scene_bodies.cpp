@@ -66,7 +66,7 @@ std::string size_in_words(const MapObject& object) {
 }  // namespace
 
 b2Body& build_ground(const MapObject& object, b2World& world) {
-  object.properties.check_known_properties({"friction"});
+  object.properties.check_known_properties({"friction", "sticky"});
   b2BodyDef definition;
   definition.position = ribbon::box2d::to_float(object.position);
   definition.angle = object.shape == MapShape::rectangle ? single(object.rotation) : 0.0F;
@@ -91,7 +91,7 @@ b2Body& build_ground(const MapObject& object, b2World& world) {
 b2Body& build_circle(const MapObject& object, b2World& world) {
   const Properties& p = object.properties;
   p.check_known_properties(
-      {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin"});
+      {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin", "sticky"});
   if (!is_round(object)) {
     throw object.error("the shape of a circle is " + size_in_words(object) +
                        "; accepted is an ellipse as wide as high");
@@ -117,7 +117,7 @@ b2Body& build_circle(const MapObject& object, b2World& world) {
 
 b2Body& build_load(const MapObject& object, b2World& world) {
   const Properties& p = object.properties;
-  p.check_known_properties({"mass", "cord", "friction", "restitution", "angular_damping"});
+  p.check_known_properties({"mass", "cord", "friction", "restitution", "angular_damping", "sticky"});
   if (object.shape != MapShape::rectangle && !is_round(object)) {
     throw object.error("the shape of a load is " + size_in_words(object) +
                        "; accepted is rectangle, or an ellipse as wide as high");

@@ -16,6 +16,8 @@ enum class Action : std::uint8_t {
   jump,
   grab,
   throw_line,
+  throw_second,
+  tie,
   reel_in,
   reel_out,
   retry,

@@ -13,7 +13,8 @@ namespace {
 using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
-const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze"};
+const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox",
+                                                 "lines", "gold", "silver", "bronze"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -57,6 +58,7 @@ void read_map_properties(Level& level) {
   level.hint = short_text(p, "hint");
   level.number = static_cast<int>(p.integer_or("number", 0, {0, 1000}));
   level.sandbox = p.boolean_or("sandbox", false);
+  level.lines = static_cast<int>(p.integer_or("lines", 1, {1, Lines::most}));
   level.medals = {p.number_or("gold", 0.0, medal_seconds), p.number_or("silver", 0.0, medal_seconds),
                   p.number_or("bronze", 0.0, medal_seconds)};
   const Medals& m = level.medals;

@@ -32,6 +32,7 @@ struct Level {
   std::string hint;      ///< one sentence, may be empty
   int number = 0;        ///< position in the list of levels, from 1; 0: last
   bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
+  int lines = 1;         ///< that the player can hold at once, 1 … 2
   Medals medals;
   engine::TiledMap map;
   ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
@@ -56,9 +57,9 @@ std::string assets_folder();
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text
-/// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, gold, silver, bronze
-/// [s]. Throws engine::MapError if the file does not exist, if the map has other or invalid objects or properties, or
-/// if the scene cannot be built.
+/// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines, gold, silver,
+/// bronze [s]. A line can be thrown at bodies with the property `sticky` too. Throws engine::MapError if the file does
+/// not exist, if the map has other or invalid objects or properties, or if the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// Returns the level of a map. Throws like load_level.

@@ -17,7 +17,8 @@ using ribbon::box2d::to_float;
 constexpr double rope_friction = 0.5;
 constexpr double air_drag = 0.3;  // 1/s
 
-ribbon::CordDef line_def(const LineTuning& tuning, double length) {
+/// `is_pinned`: to a place that does not move.
+ribbon::CordDef line_def(const LineTuning& tuning, double length, bool is_pinned) {
   ribbon::CordDef def;
   def.points = tuning.points;
   def.length = length;
@@ -28,28 +29,36 @@ ribbon::CordDef line_def(const LineTuning& tuning, double length) {
   def.drag = air_drag;
   def.tension_only = true;
   def.friction = rope_friction;
-  def.pins = {0};
+  if (is_pinned) def.pins = {0};
   return def;
 }
 
-/// Returns a straight line from the hook to the hand. Its velocities rise linearly to that of the hand.
-ribbon::Cord straight_cord(const LineTuning& tuning, Vec2 hook, Vec2 hand, double length, Vec2 velocity) {
-  ribbon::CordDef def = line_def(tuning, length);
+/// A place and its velocity.
+struct End {
+  Vec2 at;        // m
+  Vec2 velocity;  // m/s
+};
+
+/// Returns a straight line between two ends. Its velocities change linearly from one to the other.
+ribbon::Cord straight_cord(const LineTuning& tuning, const End& far, const End& hand, double length, bool is_pinned) {
+  ribbon::CordDef def = line_def(tuning, length, is_pinned);
   const double last = tuning.points - 1.0;
-  for (int p = 0; p < tuning.points; ++p) def.positions.push_back(hook + (p / last) * (hand - hook));
+  for (int p = 0; p < tuning.points; ++p) def.positions.push_back(far.at + (p / last) * (hand.at - far.at));
   ribbon::Cord cord(def);
-  for (int p = 1; p < tuning.points; ++p) cord.set_velocity(p, (p / last) * velocity);
+  for (int p = is_pinned ? 1 : 0; p < tuning.points; ++p)
+    cord.set_velocity(p, far.velocity + (p / last) * (hand.velocity - far.velocity));
   return cord;
 }
 
 /// Returns the same line with links that resist compression, for a line that was released. It recoils at 100 m/s, and
 /// without resistance to compression and bending the solution for its folds is not unique.
-ribbon::Cord released_cord(const LineTuning& tuning, double length, const ribbon::Cord& held) {
-  ribbon::CordDef def = line_def(tuning, length);
+ribbon::Cord released_cord(const LineTuning& tuning, double length, const ribbon::Cord& held, bool is_pinned) {
+  ribbon::CordDef def = line_def(tuning, length, is_pinned);
   def.tension_only = false;
   def.positions.assign(held.positions().begin(), held.positions().end());
   ribbon::Cord released(def);
-  for (int p = 1; p < tuning.points; ++p) released.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
+  for (int p = is_pinned ? 1 : 0; p < tuning.points; ++p)
+    released.set_velocity(p, held.velocities()[static_cast<std::size_t>(p)]);
   return released;
 }
 
@@ -62,33 +71,32 @@ b2Filter line_filter() {
 }  // namespace
 
 Vec2 Line::tip(Vec2 hand) const {
-  if (flight_ticks_ == 0) return hook_;
-  return hand + (1.0 - static_cast<double>(ticks_left_) / flight_ticks_) * (hook_ - hand);
+  if (flight_ticks_ == 0) return end();
+  return hand + (1.0 - static_cast<double>(ticks_left_) / flight_ticks_) * (end() - hand);
 }
 
-void Line::throw_at(Vec2 hook, Vec2 hand, double dt) {
+void Line::throw_at(const Target& target, Vec2 hand, double dt) {
   state_ = State::flying;
-  hook_ = hook;
-  flight_ticks_ = std::max(1, static_cast<int>(std::ceil(ribbon::length(hook - hand) / (tuning_.flight_speed * dt))));
+  target_ = target;
+  flight_ticks_ = std::max(1, static_cast<int>(std::ceil(ribbon::length(end() - hand) / (tuning_.flight_speed * dt))));
   ticks_left_ = flight_ticks_;
 }
 
 bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
   is_new_ = false;
   if (state_ != State::flying || --ticks_left_ > 0) return false;
-  const Vec2 end = to_double(body.GetPosition()) + hand;
-  const double distance = ribbon::length(hook_ - end);
+  const Vec2 at_hand = to_double(body.GetPosition()) + hand;
+  const double distance = ribbon::length(end() - at_hand);
   if (distance > tuning_.max_length) {  // the player moved too far during the flight
     state_ = cord_ ? State::released : State::stowed;
     return false;
   }
   length_ = std::max(distance, tuning_.min_length);
-  ribbon::Cord made = straight_cord(tuning_, hook_, end, length_, coupling.body(body).velocity());
-  if (cord_) {
-    coupling.cord(*cord_).replace(std::move(made), line_filter());
-  } else {
-    cord_ = coupling.add(std::move(made), line_filter());
-  }
+  const Vec2 drift =
+      target_.body == nullptr ? Vec2{} : to_double(target_.body->GetLinearVelocityFromLocalPoint(target_.local));
+  put_cord(straight_cord(tuning_, {end(), drift}, {at_hand, coupling.body(body).velocity()}, length_,
+                         target_.body == nullptr),
+           coupling);
   ribbon::box2d::GripDef grip;
   grip.cord = *cord_;
   grip.arc = length_;
@@ -117,9 +125,31 @@ void Line::follow(ribbon::box2d::Coupling& coupling) {
   if (state_ == State::held && !coupling.grip(*grip_).is_valid()) set_released(coupling);
 }
 
+ribbon::box2d::CordId Line::leave(ribbon::box2d::Coupling& coupling) {
+  const ribbon::box2d::CordId left = *cord_;
+  release(coupling);
+  cord_.reset();
+  state_ = State::stowed;
+  return left;
+}
+
+/// Makes this the cord of the line. A body that moves holds its far end.
+void Line::put_cord(ribbon::Cord cord, ribbon::box2d::Coupling& coupling) {
+  if (cord_) {
+    coupling.cord(*cord_).replace(std::move(cord), line_filter());
+  } else {
+    cord_ = coupling.add(std::move(cord), line_filter());
+  }
+  if (target_.body == nullptr) return;
+  ribbon::box2d::GripDef grip;
+  grip.cord = *cord_;
+  grip.local_anchor = target_.local;
+  coupling.hold(*target_.body, grip);
+}
+
 void Line::set_released(ribbon::box2d::Coupling& coupling) {
   if (grip_) {
-    coupling.cord(*cord_).replace(released_cord(tuning_, length_, coupling.cord(*cord_).direct()), line_filter());
+    put_cord(released_cord(tuning_, length_, coupling.cord(*cord_).direct(), target_.body == nullptr), coupling);
   }
   grip_.reset();
   state_ = cord_ ? State::released : State::stowed;
@@ -127,7 +157,8 @@ void Line::set_released(ribbon::box2d::Coupling& coupling) {
 
 void Line::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(static_cast<int>(state_));
-  hasher.add(hook_);
+  hasher.add(target_.at);
+  if (target_.body != nullptr) hasher.add(end());
   hasher.add(flight_ticks_);
   hasher.add(ticks_left_);
   hasher.add(length_);

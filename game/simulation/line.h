@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "game/simulation/target.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/vec2.h"
@@ -25,8 +26,8 @@ struct LineTuning {
   int points = 21;
 };
 
-/// The player's line: it is thrown at a hook, held, reeled in and out, and released. Then it hangs at the hook until
-/// the next throw.
+/// A line in a hand of the player: it is thrown at a target, held, reeled in and out, and released. Then it hangs at
+/// the target until the next throw. Its cord meets scenery and bodies, so that it wraps around corners.
 class Line {
  public:
   enum class State : unsigned char { stowed, flying, held, released };
@@ -36,7 +37,8 @@ class Line {
   State state() const { return state_; }
   /// The position of the end of a flying line in m. `hand`: the position of the hand, m.
   ribbon::Vec2 tip(ribbon::Vec2 hand) const;
-  ribbon::Vec2 hook() const { return hook_; }  ///< m, of the last throw
+  ribbon::Vec2 end() const { return target_.place(); }  ///< m, where the last throw fixes it
+  bool is_held() const { return state_ == State::held; }
   /// The cord of the line; nothing before the first throw.
   std::optional<ribbon::box2d::CordId> cord() const { return cord_; }
   /// Whether the cord was made in the last tick.
@@ -45,8 +47,8 @@ class Line {
   double length() const { return length_; }
   const LineTuning& tuning() const { return tuning_; }
 
-  /// Throws the line, in any state, at a hook within the throw range of `hand`.
-  void throw_at(ribbon::Vec2 hook, ribbon::Vec2 hand, double dt);
+  /// Throws the line, in any state, at a target within the throw range of `hand`.
+  void throw_at(const Target& target, ribbon::Vec2 hand, double dt);
   /// Returns whether a flying line arrives in this tick.
   bool arrives() const { return state_ == State::flying && ticks_left_ <= 1; }
   /// Advances a flying line by one tick. When it arrives, `body` holds it at `hand` (m, in the frame of the body).
@@ -56,17 +58,21 @@ class Line {
   void reel(int direction, ribbon::box2d::Coupling& coupling, double dt);
   /// Releases a held line or cancels a throw. Returns false if there is neither.
   bool release(ribbon::box2d::Coupling& coupling);
+  /// Lets go of a line that is held, for good: the cord stays where it is fixed, and another throw makes a new one.
+  /// Returns the cord. Precondition: is_held().
+  ribbon::box2d::CordId leave(ribbon::box2d::Coupling& coupling);
   /// Updates the state after something else removed the grip. Call it first in each tick.
   void follow(ribbon::box2d::Coupling& coupling);
 
   void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
+  void put_cord(ribbon::Cord cord, ribbon::box2d::Coupling& coupling);
   void set_released(ribbon::box2d::Coupling& coupling);
 
   LineTuning tuning_;
   State state_ = State::stowed;
-  ribbon::Vec2 hook_;
+  Target target_;
   int flight_ticks_ = 0;
   int ticks_left_ = 0;
   double length_ = 0.0;

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/footing.h"
+#include "game/simulation/nearest_point.h"
 #include "game/simulation/player_body.h"
 #include "ribbon/box2d/convert.h"
 
@@ -18,7 +20,6 @@ using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
 constexpr int long_ago = 1'000'000;  // ticks
-constexpr double firm_slope = 0.95;  // min. upward component of the normal of ground on which the player does not slide
 
 /// Returns the constrained point nearest to a held position along its cord, or −1.
 int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
@@ -28,14 +29,6 @@ int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::Co
     if (pin < 0 || std::abs(p - held.point) < std::abs(pin - held.point)) pin = p;
   }
   return pin;
-}
-
-/// Returns the index of the point that is nearest to a place.
-std::size_t nearest_point(std::span<const Vec2> points, Vec2 place) {
-  const auto nearest = std::min_element(points.begin(), points.end(), [place](Vec2 a, Vec2 b) {
-    return dot(a - place, a - place) < dot(b - place, b - place);
-  });
-  return static_cast<std::size_t>(nearest - points.begin());
 }
 
 /// Returns the position from which the held position hangs: the nearest constrained point, else the cord's first point.
@@ -50,11 +43,14 @@ struct Player::Command {
   Command(std::uint16_t buttons, std::uint16_t before)
       : direction(axis(buttons, button_right, button_left)),
         climb(axis(buttons, button_up, button_down)),
-        reel(axis(buttons, button_reel_out, button_reel_in)),
         grab((buttons & button_grab) != 0),
         jump((buttons & ~before & button_jump) != 0),
-        holds_jump((buttons & button_jump) != 0),
-        throws((buttons & ~before & button_throw) != 0) {}
+        holds_jump((buttons & button_jump) != 0) {
+    const unsigned pressed = buttons & ~static_cast<unsigned>(before);
+    lines.throws = {(pressed & button_throw) != 0, (pressed & button_throw_second) != 0};
+    lines.ties = (pressed & button_tie) != 0;
+    lines.reel = axis(buttons, button_reel_out, button_reel_in);
+  }
 
   static int axis(std::uint16_t buttons, Button plus, Button minus) {
     return ((buttons & plus) != 0 ? 1 : 0) - ((buttons & minus) != 0 ? 1 : 0);
@@ -62,17 +58,16 @@ struct Player::Command {
 
   int direction;
   int climb;
-  int reel;
   bool grab;
   bool jump;        // pressed in this tick
   bool holds_jump;  // its key is down
-  bool throws;      // pressed in this tick
+  Lines::Command lines;
 };
 
-Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, const LineTuning& line_tuning)
+Player::Player(b2World& world, Vec2 feet, const PlayerTuning& tuning, std::size_t lines, const LineTuning& line_tuning)
     : tuning_(tuning),
       body_(make_player_body(world, feet, tuning)),
-      line_(line_tuning),
+      lines_(line_tuning, lines),
       ticks_since_jump_pressed_(long_ago),
       ticks_since_release_(long_ago),
       ticks_since_jump_(long_ago) {}
@@ -90,7 +85,7 @@ bool Player::touches(const Area& area) const {
 
 Vec2 Player::hand() const { return position() + Vec2{0.0, tuning_.hand_height}; }
 
-void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling, double dt) {
+void Player::apply(std::uint16_t buttons, const Targets& targets, ribbon::box2d::Coupling& coupling, double dt) {
   const Command command(buttons, buttons_before_);
   buttons_before_ = buttons;
   if (!command.grab) may_catch_ = true;
@@ -103,7 +98,7 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
   ticks_since_release_ = std::min(ticks_since_release_ + 1, long_ago);
   climbs_ = false;
 
-  handle_line(command, aim, coupling, dt);
+  handle_lines(command, targets, coupling, dt);
   if (holds_cord(coupling)) {
     if (command.jump || !command.grab) {
       release_cord(coupling);
@@ -113,11 +108,12 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
     }
     return;
   }
-  if (line_.state() == Line::State::held && !is_on_ground()) {
-    pump(line_.hook(), dt);
+  if (ledge_) return hang_from_ledge(command, dt);
+  if (const Line* line = lines_.held(); line != nullptr && !is_on_ground()) {
+    pump(line->end(), dt);
     if (command.jump) {
-      leave(*line_.cord());
-      line_.release(coupling);
+      leave(*line->cord());
+      lines_.release(coupling);
       hop();
     }
   } else {
@@ -127,12 +123,13 @@ void Player::apply(std::uint16_t buttons, std::optional<Vec2> aim, ribbon::box2d
     jump_if_possible();
     speed_up_before_ = speed_up;
   }
-  if (command.grab && may_catch_) catch_cord(coupling);
+  if (command.grab && may_catch_ && !catch_cord(coupling)) catch_ledge();
 }
 
 void Player::put(Vec2 feet, ribbon::box2d::Coupling& coupling) {
-  line_.release(coupling);
+  lines_.release(coupling);
   coupling.body(*body_).release();
+  ledge_.reset();
   grip_id_.reset();
   left_cord_.reset();
   may_catch_ = false;
@@ -160,59 +157,21 @@ void Player::stay_low() {
   if (velocity.y > most) body_->SetLinearVelocity({velocity.x, most});
 }
 
-/// Throws, releases, flies and reels the line. A player that holds another cord releases it when the line arrives.
-void Player::handle_line(const Command& command, std::optional<Vec2> aim, ribbon::box2d::Coupling& coupling,
-                         double dt) {
-  line_.follow(coupling);
-  if (command.throws && !line_.release(coupling) && aim) line_.throw_at(*aim, hand(), dt);
-  if (line_.arrives() && holds_cord(coupling)) release_cord(coupling);
-  line_.fly(coupling, *body_, {0.0, tuning_.hand_height});
-  line_.reel(command.reel, coupling, dt);
+/// Throws, releases, flies, reels and knots the lines. A player that holds another cord releases it when one arrives.
+void Player::handle_lines(const Command& command, const Targets& targets, ribbon::box2d::Coupling& coupling,
+                          double dt) {
+  lines_.use(command.lines, targets, hand(), coupling, dt);
+  if (lines_.arrive() && holds_cord(coupling)) release_cord(coupling);
+  lines_.move(command.lines, coupling, *body_, {0.0, tuning_.hand_height}, dt);
 }
 
 void Player::detect_ground(const ribbon::box2d::Coupling& coupling) {
-  bool on_ground = false;
-  on_firm_ground_ = false;
-  const auto take = [this, &on_ground](double rise) {
-    ground_rise_ = on_ground ? std::max(ground_rise_, rise) : rise;
-    on_ground = true;
-  };
-  for (const b2ContactEdge* edge = body_->GetContactList(); edge != nullptr; edge = edge->next) {
-    if (!edge->contact->IsTouching() || edge->contact->GetFixtureA()->IsSensor() ||
-        edge->contact->GetFixtureB()->IsSensor()) {
-      continue;
-    }
-    b2WorldManifold manifold;
-    edge->contact->GetWorldManifold(&manifold);
-    const bool is_b = edge->contact->GetFixtureB()->GetBody() == body_;
-    const double up = static_cast<double>(is_b ? manifold.normal.y : -manifold.normal.y);
-    const b2Body* other = (is_b ? edge->contact->GetFixtureA() : edge->contact->GetFixtureB())->GetBody();
-    if (up > tuning_.ground_slope)
-      take(static_cast<double>(other->GetLinearVelocityFromWorldPoint(manifold.points[0]).y));
-    on_firm_ground_ = on_firm_ground_ || (up > firm_slope && other->GetType() == b2_staticBody);
-  }
-  const std::optional<double> rise = rise_of_cord_below(coupling);
-  if (rise) take(*rise);
-  if (on_ground) was_on_cord_ = rise.has_value();
-  detected_ground_ = on_ground;
-}
-
-/// Returns the upward speed [m/s] of a solid cord below the feet that has stopped the fall, or nothing. A jump before
-/// that would waste the energy that the cord stores.
-std::optional<double> Player::rise_of_cord_below(const ribbon::box2d::Coupling& coupling) const {
-  if (coupling.body(*body_).velocity().y < tuning_.sinking_speed) return std::nullopt;
-  for (const ribbon::box2d::CordId c : coupling.cords()) {
-    for (const ribbon::box2d::FixtureTouch& touch : coupling.cord(c).touching()) {
-      const b2Fixture* fixture = coupling.fixture(touch.fixture);
-      if (fixture == nullptr || fixture->GetBody() != body_ || touch.impulse <= 0.0) continue;
-      if (touch.point.y >= position().y - 0.5 * tuning_.height + tuning_.radius) continue;
-      const ribbon::box2d::CordView cord = coupling.cord(c);
-      const auto velocities =
-          cord.solver() == ribbon::box2d::Solver::direct ? cord.direct().velocities() : cord.thesis().velocities();
-      return velocities[nearest_point(cord.positions(), touch.point)].y;
-    }
-  }
-  return std::nullopt;
+  const Footing footing = find_footing(*body_, coupling, tuning_);
+  detected_ground_ = footing.is_ground;
+  on_firm_ground_ = footing.is_firm;
+  if (!footing.is_ground) return;
+  ground_rise_ = footing.rise;
+  was_on_cord_ = footing.is_cord;
 }
 
 void Player::run(int direction, double dt) {
@@ -258,20 +217,23 @@ void Player::cut_jump(bool key_is_down) {
   body_->SetLinearVelocity({velocity.x, std::min(velocity.y, static_cast<float>(tuning_.cut_speed))});
 }
 
-void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
-  std::array<ribbon::box2d::CordId, 2> except{};
+/// Catches the nearest cord. Returns false if none is in range.
+bool Player::catch_cord(ribbon::box2d::Coupling& coupling) {
+  std::array<ribbon::box2d::CordId, Lines::most + 1> except{};
   std::size_t excepted = 0;
-  if (line_.state() == Line::State::held) except[excepted++] = *line_.cord();
+  for (const Line& line : lines_.all()) {
+    if (line.is_held()) except[excepted++] = *line.cord();
+  }
   if (left_cord_) except[excepted++] = *left_cord_;
   const auto nearest = coupling.nearest_place(hand(), tuning_.grab_range, std::span(except).first(excepted));
-  if (!nearest) return;
-  line_.release(coupling);
+  if (!nearest) return false;
+  lines_.release(coupling);
   const ribbon::box2d::CordRef cord = coupling.cord(nearest->cord);
   grip_ = cord.position(nearest->point, nearest->along) - position();
   can_climb_ = cord.solver() == ribbon::box2d::Solver::direct;
   if (!can_climb_) {
     grip_id_ = coupling.hold(nearest->cord, nearest->point, *body_, to_float(grip_));
-    return;
+    return true;
   }
   ribbon::box2d::GripDef grip;
   grip.cord = nearest->cord;
@@ -279,6 +241,33 @@ void Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   grip.row = nearest->point % cord.shape().rows;
   grip.local_anchor = to_float(grip_);
   grip_id_ = coupling.hold(*body_, grip);
+  return true;
+}
+
+/// Catches the edge of a ledge on the side to which the player moves, while it falls.
+bool Player::catch_ledge() {
+  if (is_on_ground() || direction_ == 0 || lines_.held() != nullptr) return false;
+  if (body_->GetLinearVelocity().y > 0.0F) return false;
+  ledge_ = find_ledge(*body_, hand(), direction_, tuning_);
+  return ledge_.has_value();
+}
+
+/// Holds the body below the edge. A jump leaves it upwards.
+void Player::hang_from_ledge(const Command& command, double dt) {
+  if (!command.grab || command.jump) {
+    ledge_.reset();
+    may_catch_ = false;
+    if (!command.jump) return;
+    body_->SetLinearVelocity({0.0F, static_cast<float>(tuning_.jump_speed)});
+    ticks_since_jump_pressed_ = long_ago;
+    jump_can_be_cut_ = false;
+    return;
+  }
+  const Vec2 way = ledge_->edge - Vec2{ledge_->side * tuning_.radius, tuning_.hand_height} - position();
+  const double speed = std::min(tuning_.ledge_speed, length(way) / dt);
+  const Vec2 direction = length(way) > 0.0 ? (1.0 / length(way)) * way : Vec2{};
+  // Box2D adds gravity before it moves the body.
+  body_->SetLinearVelocity(to_float(speed * direction - dt * to_double(body_->GetWorld()->GetGravity())));
 }
 
 /// One tick of hanging: the held position moves towards the hand, up and down climb, and left and right push across the
@@ -378,7 +367,8 @@ void Player::add_to(ribbon::box2d::Hasher& hasher) const {
   hasher.add(pump_ticks_left_);
   hasher.add(can_climb_ ? grip_id_.value_or(-1) : -1);  // recordings have −1 for cords of the thesis's solver
   hasher.add(grip_);
-  line_.add_to(hasher);
+  lines_.add_to(hasher);
+  if (ledge_) hasher.add(ledge_->edge);
 }
 
 }  // namespace game

@@ -2,61 +2,32 @@
 
 #include <box2d/box2d.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "game/simulation/area.h"
-#include "game/simulation/line.h"
+#include "game/simulation/ledge.h"
+#include "game/simulation/lines.h"
+#include "game/simulation/player_tuning.h"
+#include "game/simulation/target.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/vec2.h"
 
 namespace game {
 
-/// The player's Box2D collision category. Cords do not collide with the player unless they are solid.
-inline constexpr std::uint16_t player_category = 0x0002;
-
-/// The parameters of the player's motion. Ticks are 1/60 s.
-struct PlayerTuning {
-  double radius = 0.3;                ///< m, of feet and head
-  double height = 1.5;                ///< m
-  double mass = 60.0;                 ///< kg, unless the level sets it
-  double run_speed = 6.0;             ///< m/s
-  double ground_acceleration = 40.0;  ///< m/s², towards the run speed
-  double air_acceleration = 9.0;      ///< m/s², in the air; never reduces the speed gained by a swing
-  double jump_speed = 6.5;            ///< m/s, upwards: 2.1 m high
-  double cut_speed = 2.5;             ///< m/s, upwards, of a jump whose key is let go: from 0.3 m high on
-  double sinking_speed = -0.5;        ///< m/s, vertical; below it the player does not stand on a cord yet
-  double bounce_fraction = 0.8;       ///< of jump_speed, added to the velocity on a bouncing surface
-  double pump_acceleration = 8.0;     ///< m/s², across the cord while hanging
-  int pump_ticks = 30;                ///< after a press of left or right; a key that is held gives no more
-  double grab_range = 1.0;            ///< m, from the hand to a cord
-  double max_arm_length = 1.2;        ///< m, from the hand to a held point that is pulled away; beyond it is released
-  double pull_in = 0.25;              ///< fraction of the distance from the held point to the hand, per tick
-  double climb_speed = 1.8;           ///< m/s, up a cord
-  double slide_speed = 4.0;           ///< m/s, down a cord
-  double top_margin = 0.5;            ///< m along the cord, from its pin to the end of a climb
-  double hop_speed = 2.5;             ///< m/s, upwards, added when the player jumps off a cord
-  double hand_height = 0.95;          ///< m above the centre of the body
-  double ground_slope = 0.5;          ///< min. upward component of the normal of ground
-  int coyote_ticks = 6;               ///< a jump is possible this long after leaving the ground
-  int jump_buffer_ticks = 6;          ///< a jump is remembered this long before landing
-  int jump_pause_ticks = 20;          ///< min. pause between two jumps, so that a bounce is used once
-  int hop_ticks = 6;                  ///< a jump this long after releasing a cord is a jump off the cord
-  int forget_ticks = 30;              ///< a cord that was released is not caught this long, unless the hand was
-  double forget_distance = 1.5;       ///< m, away from it
-  double step_speed = 1.0;            ///< m/s, upwards, at which the player leaves ground without a jump, at most
-};
-
-/// The player: a Box2D body, its line, and the state of its controls.
+/// The player: a Box2D body, its lines, and the state of its controls.
 class Player {
  public:
   /// `feet`: the middle of the soles, m.
-  Player(b2World& world, ribbon::Vec2 feet, const PlayerTuning& tuning = {}, const LineTuning& line_tuning = {});
+  /// `lines`: how many it can hold at once, 1 … Lines::most.
+  Player(b2World& world, ribbon::Vec2 feet, const PlayerTuning& tuning = {}, std::size_t lines = 1,
+         const LineTuning& line_tuning = {});
 
   /// Applies the buttons of one tick (game/simulation/buttons.h): run, jump, catch, climb, pump, release, and use the
-  /// line. `aim`: the hook for a throw, m.
-  void apply(std::uint16_t buttons, std::optional<ribbon::Vec2> aim, ribbon::box2d::Coupling& coupling, double dt);
+  /// lines.
+  void apply(std::uint16_t buttons, const Targets& targets, ribbon::box2d::Coupling& coupling, double dt);
   /// Detects ground from the contacts of the world's last step; the next apply() uses the result instead of its own.
   /// For callers that step the world several times per tick.
   void detect_ground(const ribbon::box2d::Coupling& coupling);
@@ -70,7 +41,10 @@ class Player {
   bool touches(const Area& area) const;
   ribbon::Vec2 hand() const;                   ///< m, the target of a held cord point
   ribbon::Vec2 grip() const { return grip_; }  ///< m, the held point relative to the centre of the body
-  const Line& line() const { return line_; }
+  const Line& line() const { return lines_.first(); }
+  const Lines& lines() const { return lines_; }
+  /// The edge of the ledge from which it hangs.
+  const std::optional<Ledge>& ledge() const { return ledge_; }
   bool is_on_ground() const { return ticks_off_ground_ == 0; }
   /// Returns whether the player stands on level static ground.
   bool is_on_firm_ground() const { return on_firm_ground_; }
@@ -86,15 +60,15 @@ class Player {
   struct Command;
 
   bool holds_cord(const ribbon::box2d::Coupling& coupling) const;
-  std::optional<double> rise_of_cord_below(const ribbon::box2d::Coupling& coupling) const;
   void stay_low();
   void update_ground(const ribbon::box2d::Coupling& coupling);
-  void handle_line(const Command& command, std::optional<ribbon::Vec2> aim, ribbon::box2d::Coupling& coupling,
-                   double dt);
+  void handle_lines(const Command& command, const Targets& targets, ribbon::box2d::Coupling& coupling, double dt);
   void run(int direction, double dt);
   void jump_if_possible();
   void cut_jump(bool key_is_down);
-  void catch_cord(ribbon::box2d::Coupling& coupling);
+  bool catch_cord(ribbon::box2d::Coupling& coupling);
+  bool catch_ledge();
+  void hang_from_ledge(const Command& command, double dt);
   void hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt);
   void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
   void pump(ribbon::Vec2 from, double dt);
@@ -105,8 +79,9 @@ class Player {
 
   PlayerTuning tuning_;
   b2Body* body_;
-  Line line_;
-  std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of the line
+  Lines lines_;
+  std::optional<Ledge> ledge_;
+  std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of a line
   int direction_ = 0;                             // 1 right, −1 left, in the last tick
   int pump_ticks_left_ = 0;
   bool can_climb_ = true;                // the held cord is one of the direct solver

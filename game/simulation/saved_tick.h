@@ -7,6 +7,7 @@
 
 #include "game/simulation/drag.h"
 #include "game/simulation/player.h"
+#include "game/simulation/target.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/world_snapshot.h"
 #include "ribbon/vec2.h"
@@ -15,10 +16,10 @@ namespace game {
 
 /// State of a Simulation between two ticks.
 struct SavedTick {
-  /// Drag, checkpoint, aimed hook, two footholds, ticks of standing, buttons, ticks, ticks of the run, falls, and ticks
-  /// at the goal: the members of Simulation with these names.
-  using Progress = std::tuple<Drag, std::optional<std::size_t>, std::optional<std::size_t>, ribbon::Vec2, ribbon::Vec2,
-                              int, std::uint16_t, int, int, int, std::optional<int>>;
+  /// Drag, checkpoint, targets of lines, two footholds, ticks of standing, buttons, ticks, ticks of the run, falls, and
+  /// ticks at the goal: the members of Simulation with these names.
+  using Progress = std::tuple<Drag, std::optional<std::size_t>, Targets, ribbon::Vec2, ribbon::Vec2, int, std::uint16_t,
+                              int, int, int, std::optional<int>>;
 
   ribbon::box2d::CouplingState cords;
   ribbon::box2d::WorldSnapshot world;

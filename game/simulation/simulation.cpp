@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "game/simulation/aim.h"
 #include "game/simulation/buttons.h"
 #include "ribbon/box2d/convert.h"
 
@@ -18,9 +19,6 @@ constexpr const char* no_fall_setting = "no_fall";
 constexpr double no_fall_value = 1.0;  // of no_fall_setting
 constexpr int foothold_ticks = 15;     // of standing, after which a position becomes the foothold
 constexpr double fall_depth = 3.0;     // m below the level, at which the player is put back
-constexpr double pointer_range = 1.5;  // m, from the pointer to a hook that it selects
-constexpr double look_ahead = 3.0;     // m, horizontally from the hand to the preferred position of a hook
-constexpr double look_up = 5.0;        // m, vertically
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -57,9 +55,10 @@ void Simulation::tick(const engine::TickInput& input) {
   if (make_mover_) return;
 
   take_snapshot(current_);
-  if (player_->line().is_new()) {  // the line did not exist before or was elsewhere: do not interpolate it
+  for (const Line& line : player_->lines().all()) {
+    if (!line.is_new()) continue;  // it did not exist before or was elsewhere: do not interpolate it
     previous_.cords.resize(current_.cords.size());
-    previous_.cords[at(*player_->line().cord())] = current_.cords[at(*player_->line().cord())];
+    previous_.cords[at(*line.cord())] = current_.cords[at(*line.cord())];
   }
   compute_hash();
 }
@@ -70,12 +69,12 @@ void Simulation::skip(const engine::TickInput& input) {
   if ((pressed & button_restart) != 0) restart();
   if ((pressed & button_retry) != 0) put_player_back();
 
-  aim(engine::pointer(input));
+  targets_.thrown = aimed_target(*level_, *scene_, *player_, engine::pointer(input));
+  targets_.at_hand = (pressed & button_tie) != 0 ? target_at_hand(*level_, *scene_, *player_) : std::nullopt;
   std::uint16_t buttons = input.buttons;
   if (goal_ticks_) buttons = buttons_after_goal();
   if ((buttons & pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
-  const auto hook = aimed_hook_ ? std::optional(level_->hooks[*aimed_hook_]) : std::nullopt;
-  player_->apply(buttons, hook, scene_->coupling(), tick_dt);
+  player_->apply(buttons, targets_, scene_->coupling(), tick_dt);
   drag_.apply(input, *scene_, player_->body(), tick_dt);
   move_(tick_dt);
   ++ticks_;
@@ -123,11 +122,11 @@ void Simulation::restart() {
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
   tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
-  player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning);
+  player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines));
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   drag_.forget();
   checkpoint_.reset();
-  aimed_hook_.reset();
+  targets_ = {};
   foothold_ = level_->player_start;
   standing_ticks_ = 0;
   run_ticks_ = 0;
@@ -138,24 +137,6 @@ void Simulation::restart() {
   save(start_);
   take_snapshot(previous_);
   take_snapshot(current_);
-}
-
-/// Selects the hook near the pointer; if there is none within the throw range, the one nearest to a position ahead of
-/// and above the hand.
-void Simulation::aim(Vec2 pointer) {
-  aimed_hook_.reset();
-  const Vec2 hand = player_->hand();
-  const Vec2 ahead = hand + Vec2{player_->faces_left() ? -look_ahead : look_ahead, look_up};
-  double best = 0.0;
-  for (std::size_t k = 0; k < level_->hooks.size(); ++k) {
-    const Vec2 hook = level_->hooks[k];
-    if (length(hook - hand) > player_->line().tuning().throw_range) continue;
-    const double from_pointer = length(hook - pointer);
-    const double cost = from_pointer <= pointer_range ? from_pointer - pointer_range : length(hook - ahead);
-    if (aimed_hook_ && cost >= best) continue;
-    aimed_hook_ = k;
-    best = cost;
-  }
 }
 
 /// Releases the loads that hang from the cord that the player holds. Returns false if there are none.

@@ -12,6 +12,7 @@
 #include "game/simulation/level.h"
 #include "game/simulation/player.h"
 #include "game/simulation/saved_tick.h"
+#include "game/simulation/target.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
 
@@ -85,8 +86,8 @@ class Simulation {
   /// The last checkpoint of the level that the player entered; it returns there after a fall.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
   const Drag& drag() const { return drag_; }
-  /// The hook of the level at which a line would be thrown now.
-  std::optional<std::size_t> aimed_hook() const { return aimed_hook_; }
+  /// What a line would be thrown at now.
+  const std::optional<Target>& target() const { return targets_.thrown; }
 
   /// Returns the header of a replay of this level.
   static engine::ReplayHeader replay_header(const Level& level);
@@ -95,7 +96,6 @@ class Simulation {
 
  private:
   void restart();
-  void aim(ribbon::Vec2 pointer);
   bool drop_load();
   void put_player_back();
   std::uint16_t buttons_after_goal() const;
@@ -106,7 +106,7 @@ class Simulation {
   /// Returns references to what SavedTick::Progress has.
   template <typename Self>
   static auto progress_of(Self& self) {
-    return std::tie(self.drag_, self.checkpoint_, self.aimed_hook_, self.foothold_, self.next_foothold_,
+    return std::tie(self.drag_, self.checkpoint_, self.targets_, self.foothold_, self.next_foothold_,
                     self.standing_ticks_, self.buttons_before_, self.ticks_, self.run_ticks_, self.falls_,
                     self.goal_ticks_);
   }
@@ -125,7 +125,7 @@ class Simulation {
   SavedTick start_;             // what cords and bodies return to after a fall
   bool keeps_changes_ = false;  // and they do not
   std::optional<std::size_t> checkpoint_;
-  std::optional<std::size_t> aimed_hook_;
+  Targets targets_;
   ribbon::Vec2 foothold_;       // m, feet: the position after a fall with the assist no_fall
   ribbon::Vec2 next_foothold_;  // m, feet: becomes foothold_ if the player keeps standing
   int standing_ticks_ = 0;      // on firm ground

@@ -156,7 +156,7 @@ void CueDetector::detect_line(const Simulation& simulation) {
   const Line& line = simulation.player().line();
   if (line.state() == Line::State::flying && line_ != Line::State::flying) add(Noise::throws, 0.7);
   const bool arrives = line.state() == Line::State::held && line_ != Line::State::held;
-  if (arrives) cues_.push_back({Noise::hook, from(simulation, line.hook(), 0.8, 1.0)});
+  if (arrives) cues_.push_back({Noise::hook, from(simulation, line.end(), 0.8, 1.0)});
   const bool is_held = line.state() == Line::State::held && !arrives;
   const double speed = is_held ? std::abs(line.length() - line_length_) * ticks_per_second : 0.0;  // m/s
   reel_ = {0.6 * smooth(speed / 2.0), 0.0, 0.8 + 0.2 * std::min(speed, 5.0)};

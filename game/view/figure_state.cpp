@@ -84,7 +84,9 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
   state.time = time;
   state.climbs = player.is_climbing();
   if (const auto held = coupling.body(player.body()).held_place()) hold(state, coupling, now, *held);
-  if (player.line().state() == Line::State::flying) state.throws_at = player.line().hook();
+  for (const Line& line : player.lines().all()) {
+    if (line.state() == Line::State::flying) state.throws_at = line.end();
+  }
   if (const auto goal = simulation.goal_ticks()) state.cheers = time - 1.0 * *goal / ticks_per_second;
   return state;
 }

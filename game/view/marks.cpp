@@ -86,6 +86,13 @@ void draw_checkpoint(Pen& pen, Vec2 center, Vec2 size, bool reached) {
   draw_pole(pen, foot, top, 0.09);
 }
 
+void draw_aim(Pen& pen, Vec2 at) {
+  if (!pen.sees(at, 1.0)) return;
+  pen.canvas.ring(at, 0.2, 0.1, pen.colors.ink);
+  pen.canvas.ring(at, 0.2, 0.05, pen.colors.hook_in_range);
+  pen.canvas.circle(at, 0.06, pen.colors.hook_in_range);
+}
+
 void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   if (!pen.sees(at, 1.0)) return;
   const double beat = pen.reduced_motion ? 0.5 : 0.5 + 0.5 * std::sin(5.0 * pen.time);

@@ -17,6 +17,9 @@ void draw_checkpoint(Pen& pen, ribbon::Vec2 center, ribbon::Vec2 size, bool reac
 /// Draws a hook. It is highlighted if a throw would reach it.
 void draw_hook(Pen& pen, ribbon::Vec2 at, bool in_range);
 
+/// Draws where a line would stick to a surface.
+void draw_aim(Pen& pen, ribbon::Vec2 at);
+
 /// Draws a wooden board on posts that stand at the height of `foot`. `text`: lines separated by '\n'; `height`: of the
 /// letters, m.
 void draw_sign(Pen& pen, ribbon::Vec2 foot, std::string_view text, double height = 0.32);

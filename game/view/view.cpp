@@ -42,12 +42,17 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
   return bodies;
 }
 
+bool is_line(const Player& player, ribbon::box2d::CordId cord) {
+  const auto lines = player.lines().all();
+  return std::any_of(lines.begin(), lines.end(), [cord](const Line& line) { return line.cord() == cord; });
+}
+
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
-    cords.push_back({coupling, id, coupling.cord(id).shape(), points, simulation.player().line().cord() == id});
+    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_line(simulation.player(), id)});
   }
   return cords;
 }
@@ -69,12 +74,16 @@ void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::s
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
-  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
+  const std::optional<Target>& target = simulation.target();
+  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], target && target->hook == k);
+  if (target && !target->hook) draw_aim(pen, target->place());
 }
 
-/// Draws the player's line during a throw. A held or released line is drawn as a cord.
-void draw_flight(Pen& pen, const Line& line, Vec2 hand) {
-  if (line.state() == Line::State::flying) draw_thrown_line(pen, hand, line.tip(hand), 0.3);
+/// Draws the player's lines during a throw. A held or released line is drawn as a cord.
+void draw_flight(Pen& pen, const Lines& lines, Vec2 hand) {
+  for (const Line& line : lines.all()) {
+    if (line.state() == Line::State::flying) draw_thrown_line(pen, hand, line.tip(hand), 0.3);
+  }
 }
 
 }  // namespace
@@ -95,7 +104,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
   const Pose pose = pose_of(figure_of(*simulation_, now, time));
-  draw_flight(pen, simulation_->player().line(), pose.throwing_hand());
+  draw_flight(pen, simulation_->player().lines(), pose.throwing_hand());
   draw_figure(pen, pose);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);

@@ -139,8 +139,8 @@ Move reel_to(double length, int side) {
 
 Move swing_line_and_let_go(int side, double lean, double climb) {
   return {[=, out = false](const Simulation& s) mutable {
-            out = out || has_swung_out(s, s.player().line().hook(), side, lean, climb);
-            return out ? side | game::button_jump : pumping(s, s.player().line().hook());
+            out = out || has_swung_out(s, s.player().line().end(), side, lean, climb);
+            return out ? side | game::button_jump : pumping(s, s.player().line().end());
           },
           [](const Simulation& s, int) { return !line_is_held(s); }};
 }

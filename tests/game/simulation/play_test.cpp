@@ -229,9 +229,10 @@ TEST(Aim, SelectsTheRingAtThePointerOrElseOneAhead) {
   const Level level = load_level("long_line");
   Simulation simulation(level);
   tick(simulation, 0);
-  EXPECT_FALSE(simulation.aimed_hook());  // none within the line's range
+  EXPECT_FALSE(simulation.target());  // none within the line's range
   play(simulation, {test_support::run_past(7.2), test_support::stand()});
-  EXPECT_EQ(simulation.aimed_hook(), 0U);
+  ASSERT_TRUE(simulation.target());
+  EXPECT_EQ(simulation.target()->hook, 0U);
 }
 
 TEST(Load, FallsWhenItsHolderReleasesTheCord) {

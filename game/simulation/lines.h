@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "game/simulation/line.h"
+#include "game/simulation/target.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/state_hash.h"
+#include "ribbon/vec2.h"
+
+namespace game {
+
+/// The lines of a player, one a hand.
+class Lines {
+ public:
+  static constexpr std::size_t most = 2;
+  static constexpr std::size_t most_knots =
+      8;  ///< lines that hang things together; a further knot takes away the first
+
+  /// The buttons of a tick that act on lines.
+  struct Command {
+    std::array<bool, most> throws{};  ///< the button of this hand was pressed
+    bool ties = false;                ///< the button of knots was pressed
+    int reel = 0;                     ///< −1 in, 1 out, 0 not
+  };
+
+  /// `count`: 1 … most. A single line takes the throws of both hands.
+  Lines(const LineTuning& tuning, std::size_t count);
+
+  std::span<const Line> all() const { return std::span(lines_).first(count_); }
+  const Line& first() const { return lines_.front(); }
+  /// Returns the line that was thrown last, if one is held: the player hangs on it.
+  const Line* held() const;
+
+  /// Throws, or releases what is thrown or held; makes a knot. Call it first in each tick.
+  void use(const Command& command, const Targets& targets, ribbon::Vec2 hand, ribbon::box2d::Coupling& coupling,
+           double dt);
+  /// Returns whether a flying line arrives in this tick.
+  bool arrive() const;
+  /// Advances flying lines, which `body` then holds at `hand` (m, in its frame), and reels the held ones.
+  void move(const Command& command, ribbon::box2d::Coupling& coupling, b2Body& body, ribbon::Vec2 hand, double dt);
+  /// Releases all lines. Returns false if there is none.
+  bool release(ribbon::box2d::Coupling& coupling);
+
+  void add_to(ribbon::box2d::Hasher& hasher) const;
+
+ private:
+  void tie(const std::optional<Target>& target, ribbon::box2d::Coupling& coupling);
+  void remember_knot(ribbon::box2d::CordId cord, ribbon::box2d::Coupling& coupling);
+
+  std::array<Line, most> lines_;
+  std::size_t count_;
+  std::size_t last_thrown_ = 0;
+  std::array<ribbon::box2d::CordId, most_knots> knots_{};  // lines that were left where they are, oldest first
+  std::size_t knot_count_ = 0;
+};
+
+}  // namespace game
