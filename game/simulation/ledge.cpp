@@ -36,14 +36,15 @@ StaticHit first_static(const b2World& world, Vec2 from, Vec2 to) {
 
 }  // namespace
 
-/// The top is where a ray meets it that falls just behind the wall; it must begin in the open.
+/// The top is where a ray meets it that falls just behind the wall. There must be room above it for a hand.
 std::optional<Ledge> find_ledge(const b2Body& player, Vec2 hand, int side, const PlayerTuning& tuning) {
   const b2World& world = *player.GetWorld();
   const Vec2 up{0.0, tuning.ledge_reach};
   const Vec2 behind = hand + Vec2{side * (tuning.radius + depth), 0.0};
-  if (first_static(world, hand + up, behind + up).hit) return std::nullopt;
   const StaticHit top = first_static(world, behind + up, behind - up);
   if (!top.hit || top.outwards.y < level_slope) return std::nullopt;
+  const Vec2 above{hand.x, top.at.y + depth};
+  if (first_static(world, above, {behind.x, above.y}).hit) return std::nullopt;
   const Vec2 beside{hand.x, top.at.y - depth};
   const StaticHit wall = first_static(world, beside, beside + Vec2{2.0 * side * tuning.radius, 0.0});
   if (!wall.hit || -side * wall.outwards.x < level_slope) return std::nullopt;

@@ -139,11 +139,12 @@ void Simulation::restart() {
   take_snapshot(current_);
 }
 
-/// Releases the loads that hang from the cord that the player holds. Returns false if there are none.
+/// Releases the loads that hang from the cord that the player holds, unless that is its line. Returns false if there
+/// are none.
 bool Simulation::drop_load() {
   ribbon::box2d::Coupling& coupling = scene_->coupling();
   const auto held = coupling.body(player_->body()).held_place();
-  if (!held) return false;
+  if (!held || player_->lines().held() != nullptr) return false;
   bool dropped = false;
   for (const engine::SceneBody& made : scene_->bodies()) {
     if (made.kind != engine::BodyKind::load) continue;

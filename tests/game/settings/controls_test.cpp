@@ -94,7 +94,7 @@ TEST(Controls, TheLeftMouseButtonThrowsAndInTheDebugViewDrags) {
   EXPECT_EQ(hands.tick(), button_drag);
   hands.events.button_down(MouseButton::right);
   hands.frame();
-  EXPECT_EQ(hands.tick(), button_drag | button_throw);
+  EXPECT_EQ(hands.tick(), button_drag | button_throw_second);
 }
 
 TEST(Controls, TheMouseAimsUntilAStickDoes) {
