@@ -14,8 +14,9 @@ namespace game {
 struct DrawnBody {
   const b2Body& body;
   Snapshot::Body pose;
-  int number;            ///< selects one of several colours
-  bool is_load = false;  ///< drawn with its mass
+  int number;              ///< selects one of several colours
+  bool is_load = false;    ///< drawn with its mass
+  bool is_sticky = false;  ///< a line can be thrown at it
   /// m, the position of the cord that it holds, where an eye is drawn.
   std::optional<ribbon::Vec2> eye{};
 };

@@ -84,6 +84,10 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
   state.time = time;
   state.climbs = player.is_climbing();
   if (const auto held = coupling.body(player.body()).held_place()) hold(state, coupling, now, *held);
+  if (const auto& ledge = player.ledge()) {
+    state.ledge = ledge->edge;
+    state.faces_left = ledge->side < 0;
+  }
   for (const Line& line : player.lines().all()) {
     if (line.state() == Line::State::flying) state.throws_at = line.end();
   }

@@ -57,6 +57,17 @@ void fly(Pose& pose, const FigureState& state) {
   set_arm(pose, 1, pose.neck + Vec2{0.42 * pose.side, 0.10 + 0.26 * fall - flap}, -pose.side);
 }
 
+void hang_from_ledge(Pose& pose, const FigureState& state) {
+  const double sway = 0.04 * std::sin(2.0 * state.time);
+  set_torso(pose, state.at + Vec2{0.0, hip_height}, {0.0, 1.0}, shrug);
+  for (const std::size_t k : {0U, 1U}) {
+    const Vec2 foot = pose.hip + Vec2{pose.side * (k == 0 ? 0.12 : 0.02) + sway, k == 0 ? -0.58 : -0.66};
+    set_leg(pose, k, foot);
+    const double behind = k == 0 ? 0.14 : 0.03;
+    set_holding_arm(pose, k, *state.ledge + Vec2{pose.side * behind, 0.0}, k == 0 ? -pose.side : pose.side);
+  }
+}
+
 /// Raises the arms that hold nothing, and waves them.
 void cheer(Pose& pose, const FigureState& state) {
   const double raised = std::min(*state.cheers / arms_up, 1.0);
@@ -99,7 +110,9 @@ Vec2 HeldCord::at(double up) const {
 Pose pose_of(const FigureState& state) {
   Pose pose;
   pose.side = state.faces_left ? -1.0 : 1.0;
-  if (state.on_ground) {
+  if (state.ledge) {
+    hang_from_ledge(pose, state);
+  } else if (state.on_ground) {
     stand_or_run(pose, state);
     if (state.cord) {
       const std::size_t k = holding_hand(state);

@@ -27,6 +27,7 @@ struct FigureState {
   bool on_ground = true;
   std::optional<HeldCord> cord{};           ///< if it holds one
   bool climbs = false;                      ///< up or down the cord
+  std::optional<ribbon::Vec2> ledge{};      ///< m, the edge from which it hangs, if it does
   std::optional<ribbon::Vec2> throws_at{};  ///< m, the hook at which its line flies
   std::optional<double> cheers{};           ///< s, since it reached the goal
   double time = 0.0;                        ///< s, for breath and wind
@@ -43,7 +44,7 @@ struct Pose {
   ribbon::Vec2 throwing_hand() const { return hand[1]; }
 };
 
-/// Returns a pose: standing, running, in the air, or hanging from a cord; throwing a line, or cheering.
+/// Returns a pose: standing, running, in the air, hanging from a cord or a ledge; throwing a line, or cheering.
 Pose pose_of(const FigureState& state);
 
 }  // namespace game

@@ -16,6 +16,7 @@
 #include "game/view/marks.h"
 #include "game/view/palette.h"
 #include "game/view/pen.h"
+#include "game/view/sticky_rim.h"
 #include "game/view/strain_legend.h"
 #include "game/view/water.h"
 #include "game/view/wheels.h"
@@ -33,10 +34,11 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
     --index;  // the newest body is first in the list
     if (body == &simulation.player().body()) continue;
-    const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
-      return b.body == body && b.kind == engine::BodyKind::load;
-    });
+    const auto found =
+        std::find_if(made.begin(), made.end(), [body](const engine::SceneBody& b) { return b.body == body; });
+    const bool is_load = found != made.end() && found->kind == engine::BodyKind::load;
     bodies.push_back({*body, now.bodies[index], static_cast<int>(index), is_load,
+                      found != made.end() && found->is_sticky,
                       is_load ? held_position(simulation.scene().coupling(), now, *body) : std::nullopt});
   }
   return bodies;
@@ -98,7 +100,9 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
 
   draw_backdrop(pen);
   draw_marks(pen, *simulation_, options.signs);
-  draw_bodies(pen, bodies_of(*simulation_, now));
+  const std::vector<DrawnBody> drawn_bodies = bodies_of(*simulation_, now);
+  draw_bodies(pen, drawn_bodies);
+  draw_sticky_rims(pen, drawn_bodies);
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
