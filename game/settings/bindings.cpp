@@ -24,8 +24,8 @@ Bindings Bindings::defaults() {
   bind(Action::down, {Key::down, Key::s, PadButton::left_stick_down, PadButton::dpad_down});
   bind(Action::jump, {Key::space, PadButton::a});
   bind(Action::grab, {Key::e, Key::shift, PadButton::x, PadButton::right_trigger});
-  bind(Action::throw_line, {MouseButton::left, Key::f, PadButton::y, PadButton::left_trigger});
-  bind(Action::throw_second, {MouseButton::right, Key::g});
+  bind(Action::throw_line, {MouseButton::left, Key::f, PadButton::y});
+  bind(Action::throw_second, {MouseButton::right, Key::g, PadButton::left_trigger});
   bind(Action::tie, {Key::v, PadButton::left_stick});
   bind(Action::reel_in, {Key::q, WheelTurn::up, PadButton::right_shoulder});
   bind(Action::reel_out, {Key::z, WheelTurn::down, PadButton::left_shoulder});

@@ -7,6 +7,8 @@
 namespace test_support {
 namespace {
 
+using ribbon::Vec2;
+
 constexpr int left = game::button_left;
 constexpr int right = game::button_right;
 
@@ -205,6 +207,70 @@ std::vector<Move> heavy_load() {
           until_goal(right)};
 }
 
+/// Reels in with the feet on the ground, for a number of ticks, and jumps.
+std::vector<Move> charge(Vec2 ring, int ticks) {
+  return {throw_at(ring), hold(game::button_reel_in, [ticks](const auto&, int t) { return t >= ticks; }),
+          hold(game::button_jump | right,
+               [ring](const game::Simulation& s, int) { return s.player().position().x > ring.x - 5.0; }),
+          hold(right, [](const auto&, int t) { return t >= 1; }), jump_off(right)};
+}
+
+std::vector<Move> slingshot() {
+  std::vector<Move> moves = {run_past(8.0), stand()};
+  for (Move& move : charge({17.4, 2.9}, 78)) moves.push_back(move);
+  moves.push_back(hold(right, [](const game::Simulation& s, int) { return s.player().is_on_ground(); }));
+  moves.push_back(run_past(23.2));
+  moves.push_back(stand());
+  for (Move& move : charge({32.6, 2.9}, 78)) moves.push_back(move);
+  moves.push_back(until_goal(right));
+  return moves;
+}
+
+/// Throws the line of a hand (0 or 1) at a place, and waits until it holds.
+Move throw_by_hand(std::size_t hand, Vec2 place) {
+  const int button = hand == 0 ? game::button_throw : game::button_throw_second;
+  return {[button, k = 0](const game::Simulation&) mutable { return k++ == 0 ? button : 0; },
+          [hand](const game::Simulation& s, int k) { return k > 0 && s.player().lines().all()[hand].is_held(); },
+          place};
+}
+
+/// Lets go of the line of a hand, and swings on the other one until the player rises above y past x.
+Move swing_on_the_other(std::size_t hand, double x, double y) {
+  const int button = hand == 0 ? game::button_throw : game::button_throw_second;
+  return {
+      [button, k = 0](const game::Simulation&) mutable { return k++ == 0 ? button : right; },
+      [x, y](const game::Simulation& s, int) { return s.player().position().x > x && s.player().position().y > y; }};
+}
+
+std::vector<Move> bound_beams() {
+  const auto past = [](double x) {
+    return hold(right, [x](const game::Simulation& s, int) { return s.player().position().x > x; });
+  };
+  return {run_past(6.0),
+          stand(),
+          throw_by_hand(0, {11.3, 15.0}),
+          reel_to(6.0),
+          past(11.0),
+          throw_by_hand(1, {17.8, 14.6}),
+          swing_on_the_other(0, 20.0, 7.0),
+          throw_by_hand(0, {24.3, 15.0}),
+          swing_on_the_other(1, 26.0, 7.0),
+          throw_by_hand(1, {31.3, 14.4}),
+          swing_on_the_other(0, 34.0, 7.5),
+          jump_off(right),
+          until_goal(right)};
+}
+
+std::vector<Move> tie_it_down() {
+  return {run_past(8.6),
+          stand(),
+          throw_at({9.0, 7.4}),
+          reel_to(1.05),
+          hold(0, [](const game::Simulation& s, int ticks) { return s.player().is_on_ground() && ticks > 60; }),
+          hold(game::button_tie, [](const game::Simulation&, int ticks) { return ticks > 0; }),
+          until_goal(right)};
+}
+
 std::vector<Move> long_line() {
   return {run_past(7.0),
           jump(right, 25),
@@ -247,6 +313,9 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "wait_for_the_wind") return wait_for_the_wind();
   if (level == "wrecking_ball") return wrecking_ball();
   if (level == "heavy_load") return heavy_load();
+  if (level == "bound_beams") return bound_beams();
+  if (level == "tie_it_down") return tie_it_down();
+  if (level == "slingshot") return slingshot();
   if (level == "long_line") return long_line();
   if (level == "sandbox") return sandbox();
   return {};
