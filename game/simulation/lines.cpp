@@ -2,9 +2,19 @@
 
 #include <algorithm>
 
+#include "ribbon/box2d/convert.h"
+
 namespace game {
 
 using ribbon::Vec2;
+using ribbon::box2d::to_double;
+using ribbon::box2d::to_float;
+
+namespace {
+
+constexpr double tie_speed = 4.0;  // m/s, of an end that is tied to a place
+
+}  // namespace
 
 Lines::Lines(const LineTuning& tuning, std::size_t count) : lines_{Line(tuning), Line(tuning)}, count_(count) {}
 
@@ -24,7 +34,7 @@ void Lines::use(const Command& command, const Targets& targets, Vec2 hand, ribbo
     lines_[used].throw_at(*targets.thrown, hand, dt);
     last_thrown_ = used;
   }
-  if (command.ties) tie(targets.at_hand, coupling);
+  if (command.ties) tie(targets.at_hand, hand, coupling);
 }
 
 bool Lines::arrive() const {
@@ -36,6 +46,7 @@ void Lines::move(const Command& command, ribbon::box2d::Coupling& coupling, b2Bo
     line.fly(coupling, body, hand);
     line.reel(command.reel, coupling, dt);
   }
+  for (Knot& knot : std::span(knots_).first(knot_count_)) tighten(knot, coupling, dt);
 }
 
 bool Lines::release(ribbon::box2d::Coupling& coupling) {
@@ -45,39 +56,52 @@ bool Lines::release(ribbon::box2d::Coupling& coupling) {
 }
 
 /// Ties the two lines that are held to each other, or the one that is held to the target. The hands are free then.
-void Lines::tie(const std::optional<Target>& target, ribbon::box2d::Coupling& coupling) {
+void Lines::tie(const std::optional<Target>& target, Vec2 hand, ribbon::box2d::Coupling& coupling) {
   const int last = lines_.front().tuning().points - 1;
   if (lines_[0].is_held() && lines_[1].is_held()) {
-    const ribbon::box2d::CordId a = lines_[0].leave(coupling);
-    const ribbon::box2d::CordId b = lines_[1].leave(coupling);
-    coupling.tie({a, last, b, last});
-    remember_knot(a, coupling);
-    remember_knot(b, coupling);
+    Knot a;
+    Knot b;
+    a.cord = lines_[0].leave(coupling);
+    b.cord = lines_[1].leave(coupling);
+    coupling.tie({a.cord, last, b.cord, last});
+    add_knot(a, coupling);
+    add_knot(b, coupling);
     return;
   }
   const auto line = std::find_if(lines_.begin(), lines_.end(), [](const Line& each) { return each.is_held(); });
   if (line == lines_.end() || !target) return;
-  const double length = line->length();
-  const ribbon::box2d::CordId cord = line->leave(coupling);
-  if (target->body == nullptr) {
-    coupling.cord(cord).pin(last, target->place());
-  } else {
-    ribbon::box2d::GripDef grip;
-    grip.cord = cord;
-    grip.arc = length;
-    grip.local_anchor = target->local;
-    coupling.hold(*target->body, grip);
+  Knot knot{0, hand, target->at, {}, false};
+  ribbon::box2d::GripDef grip;
+  grip.arc = line->length();
+  knot.cord = grip.cord = line->leave(coupling);
+  if (target->body != nullptr) {
+    grip.local_anchor = target->body->GetLocalPoint(to_float(hand));
+    knot.end = to_double(grip.local_anchor);
+    knot.place = to_double(target->local);
+    knot.grip = coupling.hold(*target->body, grip);
   }
-  remember_knot(cord, coupling);
+  add_knot(knot, coupling);
 }
 
-void Lines::remember_knot(ribbon::box2d::CordId cord, ribbon::box2d::Coupling& coupling) {
+/// Moves the end of a knot nearer to its place. An end that jumped there would strain its link several times.
+void Lines::tighten(Knot& knot, ribbon::box2d::Coupling& coupling, double dt) const {
+  const bool is_there = knot.grip ? coupling.grip(*knot.grip).is_valid() : coupling.cord(knot.cord).is_valid();
+  if (knot.is_tied || !is_there) return;
+  const Vec2 way = knot.place - knot.end;
+  const double step = tie_speed * dt;
+  knot.is_tied = length(way) <= step;
+  knot.end = knot.is_tied ? knot.place : knot.end + (step / length(way)) * way;
+  if (knot.grip) return coupling.grip(*knot.grip).move_anchor(to_float(knot.end));
+  coupling.cord(knot.cord).pin(lines_.front().tuning().points - 1, knot.end);
+}
+
+void Lines::add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling) {
   if (knot_count_ == most_knots) {
-    if (coupling.cord(knots_.front()).is_valid()) coupling.remove(knots_.front());
+    if (coupling.cord(knots_.front().cord).is_valid()) coupling.remove(knots_.front().cord);
     std::rotate(knots_.begin(), knots_.begin() + 1, knots_.end());
     --knot_count_;
   }
-  knots_[knot_count_++] = cord;
+  knots_[knot_count_++] = knot;
 }
 
 void Lines::add_to(ribbon::box2d::Hasher& hasher) const {

@@ -48,13 +48,23 @@ class Lines {
   void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
-  void tie(const std::optional<Target>& target, ribbon::box2d::Coupling& coupling);
-  void remember_knot(ribbon::box2d::CordId cord, ribbon::box2d::Coupling& coupling);
+  /// A line that the player has left where it is. Its end moves from the hand to the place where it is tied.
+  struct Knot {
+    ribbon::box2d::CordId cord = 0;
+    ribbon::Vec2 end;                             // m, in the frame of the body if one holds it
+    ribbon::Vec2 place;                           // m, likewise
+    std::optional<ribbon::box2d::GripId> grip{};  // of that body
+    bool is_tied = true;
+  };
+
+  void tie(const std::optional<Target>& target, ribbon::Vec2 hand, ribbon::box2d::Coupling& coupling);
+  void tighten(Knot& knot, ribbon::box2d::Coupling& coupling, double dt) const;
+  void add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling);
 
   std::array<Line, most> lines_;
   std::size_t count_;
   std::size_t last_thrown_ = 0;
-  std::array<ribbon::box2d::CordId, most_knots> knots_{};  // lines that were left where they are, oldest first
+  std::array<Knot, most_knots> knots_{};  // oldest first
   std::size_t knot_count_ = 0;
 };
 
