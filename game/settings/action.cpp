@@ -22,6 +22,7 @@ constexpr std::array<Row, action_count> table = {{
     {Action::jump, "jump", "Jump, let go", button_jump},
     {Action::grab, "grab", "Catch a rope", button_grab},
     {Action::throw_line, "throw_line", "Throw a line", button_throw},
+    {Action::cut, "cut", "Cut a rope", button_cut},
     {Action::reel_in, "reel_in", "Reel in", button_reel_in},
     {Action::reel_out, "reel_out", "Reel out", button_reel_out},
     {Action::retry, "retry", "Back to the checkpoint", button_retry},

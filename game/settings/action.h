@@ -16,6 +16,7 @@ enum class Action : std::uint8_t {
   jump,
   grab,
   throw_line,
+  cut,
   reel_in,
   reel_out,
   retry,

@@ -25,6 +25,7 @@ Bindings Bindings::defaults() {
   bind(Action::jump, {Key::space, PadButton::a});
   bind(Action::grab, {Key::e, Key::shift, PadButton::x, PadButton::right_trigger});
   bind(Action::throw_line, {MouseButton::left, MouseButton::right, Key::f, PadButton::y, PadButton::left_trigger});
+  bind(Action::cut, {Key::c, PadButton::left_stick});
   bind(Action::reel_in, {Key::q, WheelTurn::up, PadButton::right_shoulder});
   bind(Action::reel_out, {Key::z, WheelTurn::down, PadButton::left_shoulder});
   bind(Action::retry, {Key::t, Key::backspace, PadButton::b});

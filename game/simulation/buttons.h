@@ -18,6 +18,7 @@ enum Button : std::uint16_t {
   button_reel_in = 1U << 9,    ///< held: shorten the line
   button_reel_out = 1U << 10,  ///< held: lengthen the line
   button_retry = 1U << 11,     ///< return to the last checkpoint
+  button_cut = 1U << 12,       ///< cut a cord, in a level with a knife
 };
 
 }  // namespace game

@@ -7,6 +7,7 @@
 
 #include "game/simulation/drag.h"
 #include "game/simulation/player.h"
+#include "game/simulation/rules.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/world_snapshot.h"
 #include "ribbon/vec2.h"
@@ -24,7 +25,9 @@ struct SavedTick {
   ribbon::box2d::WorldSnapshot world;
   std::optional<Player> player;
   Progress progress;
-  int restarts = 0;  ///< of the simulation before this tick
+  Rules rules;
+  double ride_time = 0.0;  ///< s, engine::Rides::time
+  int restarts = 0;        ///< of the simulation before this tick
 };
 
 }  // namespace game

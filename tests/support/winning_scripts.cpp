@@ -225,6 +225,41 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
+/// Presses a button for a tick.
+Move tap(int button) {
+  return hold(button, [](const game::Simulation&, int k) { return k >= 1; });
+}
+
+std::vector<Move> cut_the_bridge() {
+  return {run_past(26.9),        stand(),          tap(game::button_cut),       run_past(28.9),
+          jump_and_catch(right), climb_past(11.4), pump_and_let_go(right, 0.2), until_goal(right)};
+}
+
+/// Waits until the first circle of the level passes x [m] to the right, or to the left.
+Move wait_for_trolley(double x, bool to_the_right) {
+  return hold(0, [=](const game::Simulation& s, int) {
+    for (const engine::SceneBody& made : s.scene().bodies()) {
+      if (made.kind != engine::BodyKind::circle) continue;
+      const b2Vec2 at = made.body->GetPosition();
+      return (made.body->GetLinearVelocity().x > 0.0F) == to_the_right &&
+             (at.x > static_cast<float>(x)) == to_the_right;
+    }
+    return false;
+  });
+}
+
+/// Holds on until the player's middle is past x [m] and it swings to the right.
+Move ride_past(double x) {
+  return hold(game::button_grab, [x](const game::Simulation& s, int) { return s.player().position().x > x; });
+}
+
+std::vector<Move> the_cranes() {
+  return {run_past(6.9),           stand(),         wait_for_trolley(10.6, true),
+          jump_and_catch(right),   ride_past(18.6), pump_and_let_go(right, 0.3),
+          fly_and_catch(right, 4), ride_past(33.5), pump_and_let_go(right, 0.3),
+          until_goal(right)};
+}
+
 /// There is no flag: it runs through the yard.
 std::vector<Move> sandbox() { return {run_past(46.0), wait(30)}; }
 
@@ -248,6 +283,8 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "wrecking_ball") return wrecking_ball();
   if (level == "heavy_load") return heavy_load();
   if (level == "long_line") return long_line();
+  if (level == "cut_the_bridge") return cut_the_bridge();
+  if (level == "the_cranes") return the_cranes();
   if (level == "sandbox") return sandbox();
   return {};
 }
