@@ -228,5 +228,46 @@ TEST(Coin, IsAPoint) {
             std::string::npos);
 }
 
+/// Each property with values of each type: the level runs, or the message names object, property and what is accepted.
+TEST(Hazards, HostilePropertiesAreAcceptedOrRefusedByName) {
+  using Value = engine::Properties::Value;
+  const std::vector<Value> hostile = {-1.0,
+                                      0.0,
+                                      1e-300,
+                                      1e300,
+                                      std::int64_t{-1},
+                                      std::int64_t{0},
+                                      std::int64_t{99},
+                                      1e308,
+                                      true,
+                                      std::string("a"),
+                                      std::int64_t{4294967326}};
+  const std::vector<std::pair<MapObject, std::vector<const char*>>> objects = {
+      {box_of(20, "blade", {5.0, 5.0}, {1.0, 1.0}), {"body", "unknown"}},
+      {box_of(20, "fire", {5.0, 5.0}, {1.0, 1.0}), {"seconds"}},
+      {box_of(20, "spikes", {5.0, 5.0}, {1.0, 1.0}), {"seconds"}},
+      {disc_of(20, "chaser", {2.0, 6.0}, 0.5), {"path", "speed", "from_x", "cord"}},
+      {point_of(20, "coin", {5.0, 5.0}), {"seconds"}}};
+  for (const auto& [object, names] : objects) {
+    for (const char* const name : names) {
+      for (const Value& value : hostile) {
+        MapObject changed = object;
+        changed.properties.insert(name, value);
+        if (object.kind == "chaser") changed.properties.insert("path", std::int64_t{way});
+        try {
+          const Level level = level_of(rule_map({changed, high_way()}));
+          Simulation simulation(level);
+          run(simulation, 3, button_right);
+        } catch (const engine::MapError& error) {
+          const std::string message = error.what();
+          EXPECT_NE(message.find("object 20"), std::string::npos) << message;
+          EXPECT_NE(message.find(name), std::string::npos) << message;
+          EXPECT_NE(message.find("accepted"), std::string::npos) << message;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace game
