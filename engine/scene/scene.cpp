@@ -83,28 +83,31 @@ Scene::Scene(const TiledMap& map, const std::vector<std::string>& other_kinds, c
     if (is_cord(object)) {
       build_cord(object, map, cord_filter, wheels);
     } else {
-      build(object, other_kinds);
+      build(object, map, other_kinds);
     }
   }
   for (const WheelDefinition& wheel : wheels) hang_wheel(wheel, map);
   for (const MapObject& object : map.objects) {  // these refer to cords
     if (object.kind == "anchor") fix_anchor(object, map);
-    if (object.kind == "load" && object.properties.has("cord")) hang_load(object, map);
+    if ((object.kind == "load" || object.kind == "circle") && object.properties.has("cord")) hang_load(object, map);
     if (object.kind == "tie") tie_cords(object, map);
     if (object.kind == "wheel") (void)named_cord(object, map);  // refuses what is no cord
   }
 }
 
-void Scene::build(const MapObject& object, const std::vector<std::string>& other_kinds) {
+void Scene::build(const MapObject& object, const TiledMap& map, const std::vector<std::string>& other_kinds) {
   if (object.kind == "ground") {
     bodies_.push_back({&build_ground(object, world_), BodyKind::ground, object.id, is_sticky(object)});
   } else if (object.kind == "circle") {
     bodies_.push_back({&build_circle(object, world_), BodyKind::circle, object.id, is_sticky(object)});
+    if (object.properties.integer_or("path", 0) != 0) rides_.add(*bodies_.back().body, object, map);
   } else if (object.kind == "load") {
     bodies_.push_back({&build_load(object, world_), BodyKind::load, object.id, is_sticky(object)});
+  } else if (object.kind == "path") {
+    check_path(object);
   } else if (object.kind != "anchor" && object.kind != "tie" && object.kind != "wheel" &&
              std::find(other_kinds.begin(), other_kinds.end(), object.kind) == other_kinds.end()) {
-    std::string accepted = "ground, circle, cord, ribbon, anchor, load, tie, wheel";
+    std::string accepted = "ground, circle, cord, ribbon, anchor, load, path, tie, wheel";
     for (const std::string& kind : other_kinds) accepted += ", " + kind;
     throw object.error("class is " + in_quotes(object.kind) + "; accepted is " + accepted);
   }
@@ -142,16 +145,8 @@ void Scene::build_cord(const MapObject& object, const TiledMap& map, const b2Fil
 void Scene::hang_wheel(const WheelDefinition& wheel, const TiledMap& map) {
   const MapObject& object = *wheel.object;
   b2Body* body = nullptr;
-  if (const std::int64_t id = object.properties.integer_or("body", 0); id != 0) {
-    const auto made = std::find_if(bodies_.begin(), bodies_.end(), [id](const SceneBody& b) { return b.object == id; });
-    if (made == bodies_.end()) {
-      const MapObject* other = map.find(static_cast<int>(id));
-      throw object.error(
-          "property \"body\" is " + std::to_string(id) + ", " +
-          (other == nullptr ? "and there is no such object" : "an object of class " + in_quotes(other->kind)) +
-          "; accepted is the id of a ground, circle or load");
-    }
-    body = made->body;
+  if (object.properties.integer_or("body", 0) != 0) {
+    body = &named_body(object, map);
   } else {
     b2BodyDef wall;
     wall.position = ribbon::box2d::to_float(object.position);
@@ -169,6 +164,18 @@ void Scene::hang_wheel(const WheelDefinition& wheel, const TiledMap& map) {
   }
 }
 
+/// Returns the body of the object whose id is the property "body".
+b2Body& Scene::named_body(const MapObject& object, const TiledMap& map) const {
+  const std::int64_t id = object.properties.integer("body");
+  const auto made = std::find_if(bodies_.begin(), bodies_.end(), [id](const SceneBody& b) { return b.object == id; });
+  if (made != bodies_.end()) return *made->body;
+  const MapObject* other = map.find(static_cast<int>(id));
+  throw object.error(
+      "property \"body\" is " + std::to_string(id) + ", " +
+      (other == nullptr ? "and there is no such object" : "an object of class " + in_quotes(other->kind)) +
+      "; accepted is the id of a ground, circle or load");
+}
+
 /// Returns the cord whose id is a property of the object.
 ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap& map, const char* property) const {
   const std::int64_t id = object.properties.integer(property);
@@ -181,9 +188,9 @@ ribbon::box2d::CordId Scene::named_cord(const MapObject& object, const TiledMap&
       "; accepted is the id of a cord or ribbon");
 }
 
-/// Pins the cord point nearest to the anchor, of the cord that it names or of any cord.
+/// Pins the cord point nearest to the anchor, of the cord that it names or of any cord, or lets a body hold it.
 void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
-  object.properties.check_known_properties({"cord"});
+  object.properties.check_known_properties({"cord", "body"});
   if (object.shape != MapShape::point) {
     throw object.error("the shape of an anchor is " + std::string(shape_name(object.shape)) + "; accepted is point");
   }
@@ -195,7 +202,10 @@ void Scene::fix_anchor(const MapObject& object, const TiledMap& map) {
                        number_in_words(max_anchor_distance) + " m of a cord's point");
   }
   try {
-    coupling_.cord(nearest->cord).pin(nearest->point, object.position);
+    if (object.properties.integer_or("body", 0) == 0)
+      return coupling_.cord(nearest->cord).pin(nearest->point, object.position);
+    b2Body& body = named_body(object, map);
+    coupling_.hold(nearest->cord, nearest->point, body, body.GetLocalPoint(ribbon::box2d::to_float(object.position)));
   } catch (const ribbon::CallError& error) {
     throw object.error(error.what());
   }
@@ -212,7 +222,7 @@ std::optional<ribbon::box2d::CordPoint> Scene::nearest_of(ribbon::box2d::CordId 
   return nearest;
 }
 
-/// Attaches the load to the nearer end of its cord.
+/// Attaches the load or circle to the nearer end of its cord.
 void Scene::hang_load(const MapObject& object, const TiledMap& map) {
   const ribbon::box2d::CordId cord = named_cord(object, map);
   const auto x = coupling_.cord(cord).positions();
@@ -272,7 +282,10 @@ int Scene::cord_object(ribbon::box2d::CordId cord) const {
   return made.is_valid() ? static_cast<int>(made.user_data()) : 0;
 }
 
-void Scene::tick(double dt) { coupling_.tick(world_, dt, velocity_iterations, position_iterations); }
+void Scene::tick(double dt) {
+  if (!rides_.empty()) rides_.lead(dt);
+  coupling_.tick(world_, dt, velocity_iterations, position_iterations);
+}
 
 void Scene::add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId cord) {
   ribbon::box2d::Hasher hasher;

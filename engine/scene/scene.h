@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/scene_paths.h"
 #include "engine/scene/tiled_map.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
@@ -33,11 +34,15 @@ struct WheelDefinition;
 /// A Box2D world with its cords, built from the objects of a map. The classes and their properties:
 /// - `ground`: rectangle or convex polygon of at most 8 corners, static; friction, sticky.
 /// - `circle`: ellipse with equal axes; body (static, kinematic, dynamic), density [kg/m²], friction, restitution,
-///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s], sticky.
+///   angular_damping [1/s], velocity_x, velocity_y [m/s], spin [rad/s], gravity_scale (−100 … 100, 1 by default; below
+///   0 it rises, as a balloon), cord (optional: as of a load), path (optional: the path that it follows, within 0.25 m
+///   of its centre; then it is kinematic and has no velocity of its own), speed [m/s, along the path; 0.01 … 100],
+///   sticky.
+/// - `path`: a polyline, which is followed back and forth, or a polygon, which is followed round and round.
 /// - `load`: rectangle, or ellipse with equal axes, dynamic; mass [kg], friction, restitution, angular_damping [1/s],
-/// sticky,
-///   cord (optional: the cord or ribbon whose nearer end it holds, within 0.5 m of its rim).
-/// - `anchor`: point; pins the nearest cord point within 0.25 m; cord (optional: only points of this cord).
+///   gravity_scale, sticky, cord (optional: the cord or ribbon whose nearer end it holds, within 0.5 m of its rim).
+/// - `anchor`: point; pins the nearest cord point within 0.25 m; cord (optional: only points of this cord), body
+///   (optional: the ground, circle or load that holds the point there and takes it along).
 /// - `tie`: point; ties the nearest point within 0.25 m to that of another cord, both of the direct solver; cord,
 ///   other_cord (optional: only points of these cords), breaking_force [N; 0, the default, for a tie that holds].
 /// - `cord`: polyline of its middle line; solver ("direct", the default, or "thesis"); columns (number of points along
@@ -87,7 +92,11 @@ class Scene {
   /// that were added later and for those that do not exist.
   int cord_object(ribbon::box2d::CordId cord) const;
 
-  /// Advances the cords and the world by one tick of `dt` s: Coupling::tick.
+  /// The circles that follow paths. Their time is part of the state.
+  const Rides& rides() const { return rides_; }
+  Rides& rides() { return rides_; }
+
+  /// Advances the cords and the world by one tick of `dt` s: Coupling::tick. Circles are on their paths then.
   void tick(double dt);
 
   /// Adds all cords and all bodies, in the order of creation, to a state hash. Copies the cords to scratch memory:
@@ -100,7 +109,7 @@ class Scene {
   static constexpr int position_iterations = 3;
 
  private:
-  void build(const MapObject& object, const std::vector<std::string>& other_kinds);
+  void build(const MapObject& object, const TiledMap& map, const std::vector<std::string>& other_kinds);
   void add_cord_to(ribbon::box2d::StateHash& hash, ribbon::box2d::CordId cord);
   void build_cord(const MapObject& object, const TiledMap& map, const b2Filter& filter,
                   std::vector<WheelDefinition>& wheels);
@@ -110,6 +119,7 @@ class Scene {
   void tie_cords(const MapObject& object, const TiledMap& map);
   ribbon::box2d::CordPoint end_of_tie(const MapObject& object, const TiledMap& map, const char* property,
                                       std::optional<ribbon::box2d::CordId> except) const;
+  b2Body& named_body(const MapObject& object, const TiledMap& map) const;
   ribbon::box2d::CordId named_cord(const MapObject& object, const TiledMap& map, const char* property = "cord") const;
   std::optional<ribbon::box2d::CordPoint> nearest_of(ribbon::box2d::CordId cord, ribbon::Vec2 position,
                                                      double max_distance) const;
@@ -119,6 +129,7 @@ class Scene {
   ribbon::box2d::Coupling coupling_;
   std::vector<SceneBody> bodies_;
   std::vector<SceneWheel> wheels_;
+  Rides rides_;
   std::vector<int> cord_objects_;  // by cord, as built
   ribbon::Cord::State hashed_;     // scratch of add_to
   ribbon::ThesisCord::State hashed_thesis_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/scene_paths.h"
 #include "ribbon/box2d/convert.h"
 
 namespace engine {
@@ -17,8 +18,20 @@ constexpr double max_velocity = 1000.0;  // m/s or rad/s, the largest initial ve
 
 float single(double value) { return static_cast<float>(value); }
 
+/// The scale of gravity: below 0 a body rises.
+constexpr NumberRange accepted_gravity_scale{-100.0, 100.0};
+
 b2BodyType body_type(const MapObject& object) {
-  const std::string type = object.properties.text_or("body", "dynamic", {"static", "kinematic", "dynamic"});
+  const bool rides = object.properties.integer_or("path", 0) != 0;
+  const std::string type =
+      object.properties.text_or("body", rides ? "kinematic" : "dynamic", {"static", "kinematic", "dynamic"});
+  for (const char* const name : {"velocity_x", "velocity_y"}) {
+    if (rides && object.properties.number_or(name, 0.0) != 0.0)
+      throw object.error("has \"path\" and " + in_quotes(name) + "; accepted is one or the other");
+  }
+  if (rides && type != "kinematic")
+    throw object.error("property \"body\" is " + in_quotes(type) +
+                       " of a circle with \"path\"; accepted is \"kinematic\"");
   if (type == "static") return b2_staticBody;
   return type == "kinematic" ? b2_kinematicBody : b2_dynamicBody;
 }
@@ -90,8 +103,8 @@ b2Body& build_ground(const MapObject& object, b2World& world) {
 
 b2Body& build_circle(const MapObject& object, b2World& world) {
   const Properties& p = object.properties;
-  p.check_known_properties(
-      {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin", "sticky"});
+  p.check_known_properties({"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y",
+                            "spin", "gravity_scale", "cord", "path", "speed", "sticky"});
   if (!is_round(object)) {
     throw object.error("the shape of a circle is " + size_in_words(object) +
                        "; accepted is an ellipse as wide as high");
@@ -103,6 +116,8 @@ b2Body& build_circle(const MapObject& object, b2World& world) {
                                single(p.number_or("velocity_y", 0.0, {-max_velocity, max_velocity}))};
   definition.angularVelocity = single(p.number_or("spin", 0.0, {-max_velocity, max_velocity}));
   definition.angularDamping = single(p.number_or("angular_damping", 0.0, {0.0, 100.0}));
+  definition.gravityScale = single(p.number_or("gravity_scale", 1.0, accepted_gravity_scale));
+  p.number_or("speed", default_track_speed, track_speed);  // also without a path
   b2CircleShape shape;
   shape.m_radius = single(0.5 * object.size.x);
   b2FixtureDef fixture;
@@ -117,7 +132,7 @@ b2Body& build_circle(const MapObject& object, b2World& world) {
 
 b2Body& build_load(const MapObject& object, b2World& world) {
   const Properties& p = object.properties;
-  p.check_known_properties({"mass", "cord", "friction", "restitution", "angular_damping", "sticky"});
+  p.check_known_properties({"mass", "cord", "friction", "restitution", "angular_damping", "gravity_scale", "sticky"});
   if (object.shape != MapShape::rectangle && !is_round(object)) {
     throw object.error("the shape of a load is " + size_in_words(object) +
                        "; accepted is rectangle, or an ellipse as wide as high");
@@ -127,6 +142,7 @@ b2Body& build_load(const MapObject& object, b2World& world) {
   definition.position = ribbon::box2d::to_float(object.position);
   definition.angle = single(object.rotation);
   definition.angularDamping = single(p.number_or("angular_damping", 0.0, {0.0, 100.0}));
+  definition.gravityScale = single(p.number_or("gravity_scale", 1.0, accepted_gravity_scale));
   b2CircleShape disc;
   disc.m_radius = single(0.5 * object.size.x);
   b2PolygonShape box;

@@ -11,7 +11,7 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
                                     keys(Action::jump) + ": jump, let go",
                                     (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": grab a rope",
                                     both(Action::up, Action::down) + ": climb",
-                                    keys(Action::throw_line, 1) + ": throw a line",
+                                    keys(Action::throw_line, 1) + ": throw a line   " + keys(Action::cut, 1) + ": cut",
                                     both(Action::reel_in, Action::reel_out) + ": reel in, out",
                                     keys(Action::restart) + ": restart   " + keys(Action::retry, 1) + ": checkpoint",
                                     keys(Action::pause, 1) + ": pause"};

@@ -39,6 +39,8 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
   const Medal medal = medal_of(level, run);
   card_.headline = seconds_in_words(run.ticks) + (medal == Medal::none ? "" : "   " + medal_title(medal) + "!");
   card_.lines = {"You made it through “" + level_title(level) + "”"};
+  if (const std::size_t coins = level.rules.coins.size(); coins > 0)
+    card_.lines.push_back("Coins: " + std::to_string(play_->simulation().coins()) + " of " + std::to_string(coins));
   if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "You made it for the first time!");
   if (before) card_.lines.push_back((is_best ? "Before it was " : "Your best is ") + best_in_words(level, before));
   if (run.assisted) card_.lines.emplace_back("Well done, with some help: no medal for this time");

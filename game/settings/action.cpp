@@ -24,6 +24,7 @@ constexpr std::array<Row, action_count> table = {{
     {Action::throw_line, "throw_line", "Throw a line", button_throw},
     {Action::throw_second, "throw_second", "Throw a second line", button_throw_second},
     {Action::tie, "tie", "Tie the line", button_tie},
+    {Action::cut, "cut", "Cut a rope", button_cut},
     {Action::reel_in, "reel_in", "Reel in", button_reel_in},
     {Action::reel_out, "reel_out", "Reel out", button_reel_out},
     {Action::retry, "retry", "Back to the checkpoint", button_retry},

@@ -18,6 +18,7 @@ enum class Action : std::uint8_t {
   throw_line,
   throw_second,
   tie,
+  cut,
   reel_in,
   reel_out,
   retry,

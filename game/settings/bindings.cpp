@@ -26,7 +26,8 @@ Bindings Bindings::defaults() {
   bind(Action::grab, {Key::e, Key::shift, PadButton::x, PadButton::right_trigger});
   bind(Action::throw_line, {MouseButton::left, Key::f, PadButton::y});
   bind(Action::throw_second, {MouseButton::right, Key::g, PadButton::left_trigger});
-  bind(Action::tie, {Key::v, PadButton::left_stick});
+  bind(Action::tie, {Key::v});
+  bind(Action::cut, {Key::c, PadButton::left_stick});
   bind(Action::reel_in, {Key::q, WheelTurn::up, PadButton::right_shoulder});
   bind(Action::reel_out, {Key::z, WheelTurn::down, PadButton::left_shoulder});
   bind(Action::retry, {Key::t, Key::backspace, PadButton::b});

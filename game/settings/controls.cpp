@@ -11,7 +11,7 @@ using engine::InputCode;
 using engine::WindowInput;
 
 constexpr unsigned edge_triggered =
-    button_jump | button_throw | button_throw_second | button_tie | button_retry | button_restart;
+    button_jump | button_throw | button_throw_second | button_cut | button_tie | button_retry | button_restart;
 constexpr double aim_threshold = 0.5;  // deflection of a stick from which it aims
 
 std::uint16_t with(std::uint16_t buttons, unsigned more) { return static_cast<std::uint16_t>(buttons | more); }

@@ -18,6 +18,7 @@ enum Button : std::uint16_t {
   button_reel_in = 1U << 9,        ///< held: shorten the line
   button_reel_out = 1U << 10,      ///< held: lengthen the line
   button_retry = 1U << 11,         ///< return to the last checkpoint
+  button_cut = 1U << 12,           ///< cut a cord, in a level with a knife
   button_throw_second = 1U << 13,  ///< as button_throw, with the line of the second hand, if the player has two
   button_tie = 1U << 14,           ///< tie two held lines together, or one to a hook or a sticky surface at hand
 };

@@ -12,9 +12,10 @@ namespace {
 
 using engine::MapObject;
 
-const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
-const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox",
-                                                 "lines", "gold", "silver", "bronze"};
+const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook",   "text",
+                                            "blade",  "fire", "spikes",     "chaser", "coin"};
+const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox", "lines",
+                                                 "gold",  "silver", "bronze", "knife"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -136,6 +137,7 @@ Level level_of(engine::TiledMap map) {
     level.goal = Area{goal->position, goal->size};
   }
   read_markers(level);
+  level.rules = read_rules(level.map);
   level.make_scene();  // throws if the scene cannot be built
   return level;
 }

@@ -9,6 +9,7 @@
 #include "engine/scene/tiled_map.h"
 #include "game/simulation/area.h"
 #include "game/simulation/assists.h"
+#include "game/simulation/level_rules.h"
 
 namespace game {
 
@@ -42,6 +43,7 @@ struct Level {
   std::vector<Area> checkpoints;
   std::vector<ribbon::Vec2> hooks;  ///< m, targets for a thrown line
   std::vector<Sign> signs;
+  LevelRules rules;
 
   /// Builds a new scene in its initial state.
   std::unique_ptr<engine::Scene> make_scene() const;
@@ -57,9 +59,20 @@ std::string assets_folder();
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text
+/// - `blade`: polyline or rectangle, whose edges cut the cords of the direct solver that meet them, but for half a link
+///   at their ends; body (optional: the ground, circle or load that carries it)
+/// - `fire`: rectangle; a place of such a cord that stays in it for `seconds` [s, 0.05 … 600, by default 1] burns
+///   through; the player dies in it, as by a fall
+/// - `spikes`: rectangle, in which the player dies
+/// - `chaser`: rectangle, or ellipse as wide as high, that follows a path from the place nearest to its centre, an open
+///   one up to its end, and kills the player that it touches; path, speed [m/s, by default 3], from_x [m; optional: it
+///   waits until the player passes this x], cord (optional: it falls where it is over this cord, if that is cut or
+///   broken). After a death it is back at its start
+/// - `coin`: point; the player collects it by touch, and keeps it after a fall
 /// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines, gold, silver,
-/// bronze [s]. A line can be thrown at bodies with the property `sticky` too. Throws engine::MapError if the file does
-/// not exist, if the map has other or invalid objects or properties, or if the scene cannot be built.
+/// bronze [s], knife (the player can cut cords; false by default). Bodies and the player float in the water of the map;
+/// see WaterForces. A line can be thrown at bodies with the property `sticky` too. Throws engine::MapError if the file
+/// does not exist, if the map has other or invalid objects or properties, or if the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// Returns the level of a map. Throws like load_level.

@@ -7,6 +7,7 @@
 
 #include "game/simulation/drag.h"
 #include "game/simulation/player.h"
+#include "game/simulation/rules.h"
 #include "game/simulation/target.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/world_snapshot.h"
@@ -25,7 +26,9 @@ struct SavedTick {
   ribbon::box2d::WorldSnapshot world;
   std::optional<Player> player;
   Progress progress;
-  int restarts = 0;  ///< of the simulation before this tick
+  Rules rules;
+  double ride_time = 0.0;  ///< s, engine::Rides::time
+  int restarts = 0;        ///< of the simulation before this tick
 };
 
 }  // namespace game

@@ -76,7 +76,12 @@ void Simulation::skip(const engine::TickInput& input) {
   if ((buttons & pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
   player_->apply(buttons, targets_, scene_->coupling(), tick_dt);
   drag_.apply(input, *scene_, player_->body(), tick_dt);
+  if (!make_mover_) {
+    rules_.act(goal_ticks_ ? 0U : pressed, *player_, *scene_);
+    rules_.before(*scene_, tick_dt);
+  }
   move_(tick_dt);
+  if (!make_mover_) rules_.after(*scene_);
   ++ticks_;
   ++run_ticks_;
   check_player();
@@ -87,6 +92,8 @@ void Simulation::save(SavedTick& saved) const {
   saved.world.save(scene_->world());
   saved.player = *player_;
   saved.progress = progress_of(*this);
+  saved.rules = rules_;
+  saved.ride_time = scene_->rides().time();
   saved.restarts = restarts_;
 }
 
@@ -97,6 +104,8 @@ bool Simulation::restore(SavedTick& saved, const SavedTick* before) {
   scene_->coupling().restore(saved.cords, scene_->world());
   *player_ = *saved.player;
   progress_of(*this) = saved.progress;
+  rules_ = saved.rules;
+  scene_->rides().set_time(saved.ride_time);
   take_snapshot(current_);
   previous_ = current_;
   compute_hash();
@@ -125,6 +134,7 @@ void Simulation::restart() {
   player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines));
   move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   drag_.forget();
+  rules_.start(level_->rules, *scene_);
   checkpoint_.reset();
   targets_ = {};
   foothold_ = level_->player_start;
@@ -168,7 +178,10 @@ void Simulation::put_player_back() {
     start_.world.restore(scene_->world(), nullptr);
     scene_->coupling().restore(start_.cords, scene_->world());
     *player_ = *start_.player;
+    rules_.return_to(start_.rules);
+    scene_->rides().set_time(start_.ride_time);
   }
+  rules_.send_chasers_back();
   Vec2 feet = level_->player_start;
   if (checkpoint_) {
     const Area& area = level_->checkpoints[*checkpoint_];
@@ -188,8 +201,12 @@ void Simulation::check_player() {
     if (level_->checkpoints[k].contains(at)) checkpoint_ = k;
   }
   if (level_->assists.no_fall) update_foothold();
-  if (at.y > -fall_depth) return;
-  if (level_->assists.no_fall) return player_->put(foothold_, scene_->coupling());
+  const bool dies = !goal_ticks_ && rules_.meet(*player_);
+  if (at.y > -fall_depth && !dies) return;
+  if (level_->assists.no_fall) {
+    rules_.send_chasers_back();
+    return player_->put(foothold_, scene_->coupling());
+  }
   ++falls_;
   put_player_back();
 }
@@ -246,6 +263,7 @@ void Simulation::compute_hash() {
   game.add(held ? held->along : 0.0);
   game.add(scene_->coupling().body(player_->body()).velocity());
   player_->add_to(game);
+  rules_.add_to(game, *scene_);
   if (level_->assists.no_fall) {
     game.add(foothold_);
     game.add(standing_ticks_);

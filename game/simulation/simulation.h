@@ -11,6 +11,7 @@
 #include "game/simulation/drag.h"
 #include "game/simulation/level.h"
 #include "game/simulation/player.h"
+#include "game/simulation/rules.h"
 #include "game/simulation/saved_tick.h"
 #include "game/simulation/target.h"
 #include "ribbon/box2d/state_hash.h"
@@ -85,6 +86,8 @@ class Simulation {
   std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< run_ticks() when the goal was reached
   /// The last checkpoint of the level that the player entered; it returns there after a fall.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
+  int coins() const { return rules_.coins(); }  ///< collected since the last restart
+  const Rules& rules() const { return rules_; }
   const Drag& drag() const { return drag_; }
   /// What a line would be thrown at now.
   const std::optional<Target>& target() const { return targets_.thrown; }
@@ -122,6 +125,7 @@ class Simulation {
   Snapshot current_;
   ribbon::box2d::StateHash hash_;
   Drag drag_;
+  Rules rules_;
   SavedTick start_;             // what cords and bodies return to after a fall
   bool keeps_changes_ = false;  // and they do not
   std::optional<std::size_t> checkpoint_;

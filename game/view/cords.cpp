@@ -18,13 +18,6 @@ constexpr double min_width = 0.07;  // m, so that thin ropes are visible
 constexpr double outline = 0.05;    // m, half of it on each side
 constexpr double piece = 5.0;       // px, the length of straight pieces of a curve
 
-const Color& own_color(const Pen& pen, const DrawnCord& cord) {
-  if (cord.is_line) return pen.colors.line;
-  const auto number = static_cast<std::size_t>(cord.index);
-  return cord.shape.rows > 1 ? pen.colors.ribbons[number % pen.colors.ribbons.size()]
-                             : pen.colors.ropes[number % pen.colors.ropes.size()];
-}
-
 /// Returns the number of pieces of the spline between two columns.
 int steps_between(const Pen& pen, const DrawnCord& cord) {
   double max_length = 0.0;
@@ -114,6 +107,13 @@ bool is_seen(const Pen& pen, const DrawnCord& cord) {
 }
 
 }  // namespace
+
+const Color& own_color(const Pen& pen, const DrawnCord& cord) {
+  if (cord.is_line) return pen.colors.line;
+  const auto number = static_cast<std::size_t>(cord.index);
+  return cord.shape.rows > 1 ? pen.colors.ribbons[number % pen.colors.ribbons.size()]
+                             : pen.colors.ropes[number % pen.colors.ropes.size()];
+}
 
 double strain(const DrawnCord& cord, int column) {
   const int i = std::clamp(column, 0, cord.shape.columns - 2);

@@ -22,6 +22,9 @@ struct DrawnCord {
   ribbon::PointKind kind(int p) const { return coupling.cord(index).kind(p); }
 };
 
+/// Returns the colour of a cord without tints.
+const engine::Color& own_color(const Pen& pen, const DrawnCord& cord);
+
 /// Returns the strain between two columns, length / rest length − 1, as a mean of all rows.
 double strain(const DrawnCord& cord, int column);
 

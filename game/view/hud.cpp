@@ -221,10 +221,13 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   const auto goal = simulation.goal_ticks();
   const std::string time = seconds_in_words(goal.value_or(simulation.run_ticks()));
   const std::string falls = simulation.falls() == 0 ? "" : "   falls " + std::to_string(simulation.falls());
+  const std::size_t coins = simulation.level().rules.coins.size();
+  const std::string found =
+      coins == 0 ? "" : "   coins " + std::to_string(simulation.coins()) + "/" + std::to_string(coins);
   const double right = canvas.width() - margin;
-  const double width = canvas.text_width(time + falls, 24.0 * scale);
+  const double width = canvas.text_width(time + falls + found, 24.0 * scale);
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
-  canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls, 24.0 * scale, white, Align::right);
+  canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls + found, 24.0 * scale, white, Align::right);
 
   if (!goal) draw_goal_distance(canvas, simulation, scale);
   if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});

@@ -12,6 +12,8 @@
 #include "game/view/debug_view.h"
 #include "game/view/figure.h"
 #include "game/view/figure_state.h"
+#include "game/view/fraying.h"
+#include "game/view/hazards.h"
 #include "game/view/hud.h"
 #include "game/view/marks.h"
 #include "game/view/palette.h"
@@ -59,12 +61,15 @@ std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& no
   return cords;
 }
 
-void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint) {
+void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, const Burning& burning, bool strain_tint) {
   std::vector<Color> colors;
   for (const DrawnCord& cord : cords) {
     colors.clear();
     for (int i = 0; strain_tint && i < cord.shape.columns; ++i) colors.push_back(strain_color(strain(cord, i)));
+    if (!strain_tint) add_char(pen, cord, burning, colors);
     draw_cord(pen, cord, colors);
+    draw_frays(pen, cord);
+    draw_flames_on(pen, cord, burning);
   }
 }
 
@@ -100,14 +105,16 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
 
   draw_backdrop(pen);
   draw_marks(pen, *simulation_, options.signs);
+  draw_rails(pen, simulation_->level());
   const std::vector<DrawnBody> drawn_bodies = bodies_of(*simulation_, now);
   draw_bodies(pen, drawn_bodies);
   draw_sticky_rims(pen, drawn_bodies);
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
-  draw_cords(pen, cords, options.strain_tint);
+  draw_cords(pen, cords, simulation_->rules().burning(), options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
   const Pose pose = pose_of(figure_of(*simulation_, now, time));
+  draw_hazards(pen, *simulation_, alpha);
   draw_flight(pen, simulation_->player().lines(), pose.throwing_hand());
   draw_figure(pen, pose);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);

@@ -291,6 +291,57 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
+/// Presses a button for a tick.
+Move tap(int button) {
+  return hold(button, [](const game::Simulation&, int k) { return k >= 1; });
+}
+
+std::vector<Move> cut_the_bridge() {
+  return {run_past(26.1),        stand(),          tap(game::button_cut),       run_past(28.9),
+          jump_and_catch(right), climb_past(11.4), pump_and_let_go(right, 0.2), until_goal(right)};
+}
+
+/// Holds buttons until a circle of the level is past x [m] on its way to the right, or to the left.
+Move wait_for_circle(int buttons, int number, double x, bool to_the_right) {
+  return hold(buttons, [=](const game::Simulation& s, int) {
+    int before = number;
+    for (const engine::SceneBody& made : s.scene().bodies()) {
+      if (made.kind != engine::BodyKind::circle || before-- > 0) continue;
+      const bool is_past = (made.body->GetPosition().x > static_cast<float>(x)) == to_the_right;
+      return is_past && (made.body->GetLinearVelocity().x > 0.0F) == to_the_right;
+    }
+    return false;
+  });
+}
+
+std::vector<Move> the_cranes() {
+  return {run_past(6.9),
+          stand(),
+          wait_for_circle(0, 0, 10.2, true),
+          jump_and_catch(right),
+          wait_for_circle(game::button_grab, 1, 24.5, false),
+          pump_and_let_go(right, 0.25),
+          fly_and_catch(right, 4),
+          wait_for_circle(game::button_grab, 1, 31.0, true),
+          pump_and_let_go(right, 0.25),
+          until_goal(right)};
+}
+
+/// Swims towards x [m] and leaps at the surface, until it holds a rope.
+Move swim_and_catch(double x) {
+  return {[x, k = 0](const game::Simulation& s) mutable {
+            const int side = s.player().position().x < x ? right : left;
+            return side | game::button_grab | (++k % 30 < 4 ? game::button_jump : 0);
+          },
+          [](const game::Simulation& s, int) {
+            return s.scene().coupling().body(s.player().body()).held_place().has_value();
+          }};
+}
+
+std::vector<Move> the_harbour() {
+  return {run_past(12.0), swim_and_catch(32.6), climb_past(10.2), pump_and_let_go(right, 0.2, 0.0), until_goal(right)};
+}
+
 /// There is no flag: it runs through the yard.
 std::vector<Move> sandbox() { return {run_past(46.0), wait(30)}; }
 
@@ -317,6 +368,9 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "tie_it_down") return tie_it_down();
   if (level == "slingshot") return slingshot();
   if (level == "long_line") return long_line();
+  if (level == "cut_the_bridge") return cut_the_bridge();
+  if (level == "the_cranes") return the_cranes();
+  if (level == "the_harbour") return the_harbour();
   if (level == "sandbox") return sandbox();
   return {};
 }

@@ -84,6 +84,11 @@ struct Kind {
 const std::string polyline = R"("class":"cord","polyline":[{"x":0,"y":0},{"x":0,"y":40}])";
 const std::string circle = R"("class":"circle","width":10,"height":10,"ellipse":true)";
 
+const std::string load = R"("class":"load","width":10,"height":10)";
+/// A path through the middle of the circle.
+const std::string path_of_circle =
+    R"({"id":8,"class":"path","x":25,"y":35,"polyline":[{"x":0,"y":0},{"x":30,"y":0},{"x":30,"y":20}]},)";
+
 std::string wheel(const std::string& size) {
   return R"("class":"wheel","ellipse":true,"width":)" + size + R"(,"height":)" + size;
 }
@@ -117,7 +122,13 @@ const std::vector<Kind> kinds = {
       "self_collision"}},
     {circle,
      {},
-     {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin", "sticky"}},
+     {"body", "density", "friction", "restitution", "angular_damping", "velocity_x", "velocity_y", "spin",
+      "gravity_scale", "cord", "path", "speed", "sticky"}},
+    {circle, {{"path", "8"}}, {"body", "velocity_x", "velocity_y", "spin", "path", "speed"}, path_of_circle},
+    {load,
+     {{"mass", "5.0"}},
+     {"mass", "friction", "restitution", "angular_damping", "gravity_scale", "cord", "sticky"}},
+    {R"("class":"path","polyline":[{"x":0,"y":0},{"x":0,"y":40}])", {}, {"speed"}},
     {R"("class":"ground","width":40,"height":10)", {}, {"friction", "sticky"}},
     {wheel("10"),
      {{"cord", "8"}},

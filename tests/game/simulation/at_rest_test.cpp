@@ -16,15 +16,16 @@ INSTANTIATE_TEST_SUITE_P(AtRest, CordsOfEveryLevel, testing::ValuesIn(level_name
                          [](const auto& level) { return level.param; });
 
 /// Whether something in the level moves the cords all the time.
-bool has_wind_or_motors(const Level& level) {
+bool has_wind_motors_or_riders(const Level& level) {
   return level.map.properties.has("wind_x") || level.map.properties.has("wind_y") ||
-         std::any_of(level.map.objects.begin(), level.map.objects.end(),
-                     [](const engine::MapObject& object) { return object.properties.has("motor_torque"); });
+         std::any_of(level.map.objects.begin(), level.map.objects.end(), [](const engine::MapObject& object) {
+           return object.properties.has("motor_torque") || (object.kind == "circle" && object.properties.has("path"));
+         });
 }
 
 TEST_P(CordsOfEveryLevel, MoveNoMoreThanACentimetreInTheFirstSecond) {
   const Level level = load_level(GetParam());
-  if (has_wind_or_motors(level)) GTEST_SKIP() << "wind or a motor moves its cords";
+  if (has_wind_motors_or_riders(level)) GTEST_SKIP() << "wind, a motor or a body on a path moves its cords";
   constexpr double most = 0.01;  // m
   Simulation simulation(level);
   const Snapshot start = simulation.current();

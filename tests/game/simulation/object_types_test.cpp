@@ -75,6 +75,7 @@ void set_required(json& object) {
   if (kind == "load") set(object, "mass", "float", 50.0);
   if (kind == "text") set(object, "text", "string", "words");
   if (kind == "wheel") set(object, "cord", "object", 5);
+  if (kind == "chaser") set(object, "path", "object", 6);
 }
 
 /// A rope over the wheel of one_of.
@@ -86,20 +87,29 @@ json reeved_cord() {
   return made;
 }
 
+/// A path through the middle of the chaser of one_of.
+json path_of_chaser() {
+  json made = line(6, "path", 12.5);
+  made["polyline"] = {{{"x", 0}, {"y", 96}}, {{"x", 0}, {"y", 256}}};
+  return made;
+}
+
 /// Returns a valid object of that class.
 json one_of(const std::string& kind) {
   json made;
   if (kind == "cord" || kind == "ribbon") made = line(9, kind, 8.0);
-  if (kind == "circle" || kind == "wheel") made = ellipse(9, kind, 12.0);
-  if (kind == "load" || kind == "ground" || kind == "checkpoint" || kind == "goal")
+  if (kind == "circle" || kind == "wheel" || kind == "chaser") made = ellipse(9, kind, 12.0);
+  if (kind == "blade" || kind == "path") made = line(9, kind, 12.0);
+  if (kind == "load" || kind == "ground" || kind == "checkpoint" || kind == "goal" || kind == "fire" ||
+      kind == "spikes")
     made = object(9, kind, 12.0, 5.0, 1.0, 1.0);
   if (made.is_null()) made = object(9, kind, 5.0, 2.0);
   set_required(made);
   return made;
 }
 
-/// Returns a level with cords from (5, 2) and (5.1, 2) downwards, for a wheel its cord, and that object, in place of a
-/// required one of the same class.
+/// Returns a level with cords from (5, 2) and (5.1, 2) downwards, for a wheel its cord, for a chaser its path, and that
+/// object, in place of a required one of the same class.
 Level level_with(const json& added) {
   json objects = json::array();
   for (const json& own : {object(1, "player", 2.0, 9.0), object(2, "goal", 18.0, 8.0, 1.0, 1.0)}) {
@@ -111,6 +121,7 @@ Level level_with(const json& added) {
     objects.push_back(cord);
   }
   if (added["type"] == "wheel") objects.push_back(reeved_cord());
+  if (added["type"] == "chaser") objects.push_back(path_of_chaser());
   objects.push_back(added);
   const json map = {{"type", "map"},
                     {"orientation", "orthogonal"},
@@ -183,6 +194,7 @@ bool has_no_default(const std::string& kind, const std::string& name) {
                                                  "bar_damping",       "self_collision"};
   if (kind == "cord" || kind == "ribbon") return of_cords.contains(name);
   if (kind == "wheel" && name == "friction") return true;
+  if (kind == "chaser" && (name == "from_x" || name == "path")) return true;
   return (kind == "load" && name == "mass") || kind == "text" || name == "cord" || name == "other_cord";
 }
 
