@@ -59,8 +59,8 @@ std::string assets_folder();
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text
-/// - `blade`: polyline or rectangle, whose edges cut the cords of the direct solver that meet them, but for half a link
-///   at their ends; body (optional: the ground, circle or load that carries it)
+/// - `blade`: polyline or rectangle, whose edges cut the cords of the map that meet them, those of the direct solver,
+///   but for half a link at their ends; body (optional: the ground, circle or load that carries it)
 /// - `fire`: rectangle; a place of such a cord that stays in it for `seconds` [s, 0.05 … 600, by default 1] burns
 ///   through; the player dies in it, as by a fall
 /// - `spikes`: rectangle, in which the player dies

@@ -29,9 +29,9 @@ const ribbon::WeatherDef* Rules::water_of(const engine::Scene& scene) {
   return has_water ? &scene.weather()->def() : nullptr;
 }
 
-void Rules::act(unsigned pressed, Player& player, engine::Scene& scene) {
+void Rules::act(std::size_t number, unsigned pressed, Player& player, engine::Scene& scene) {
   if (level_->knife && (pressed & button_cut) != 0) cut_by_hand(player, scene.coupling());
-  if (const auto* const water = water_of(scene)) water_.swim(*water, pressed, player, scene.coupling());
+  if (const auto* const water = water_of(scene)) water_.swim(*water, number, pressed, player, scene.coupling());
 }
 
 void Rules::before(engine::Scene& scene, double dt) {

@@ -20,8 +20,9 @@ class Rules {
  public:
   /// Begins a run in a new scene of the level.
   void start(const LevelRules& level, const engine::Scene& scene);
-  /// What a player does in a tick, before the tick of the scene. `pressed`: the buttons that it did not hold before.
-  void act(unsigned pressed, Player& player, engine::Scene& scene);
+  /// What a player does in a tick, before the tick of the scene; once for each player. `number`: of the player, 0 or 1;
+  /// `pressed`: the buttons that it did not hold before.
+  void act(std::size_t number, unsigned pressed, Player& player, engine::Scene& scene);
   /// What the water does in a tick, before the tick of the scene of `dt` s.
   void before(engine::Scene& scene, double dt);
   /// What blades, fires and chasers do in a tick, after the tick of the scene.

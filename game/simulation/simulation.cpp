@@ -77,7 +77,7 @@ void Simulation::skip(const engine::TickInput& input) {
   player_->apply(buttons, targets_, scene_->coupling(), tick_dt);
   drag_.apply(input, *scene_, player_->body(), tick_dt);
   if (!make_mover_) {
-    rules_.act(goal_ticks_ ? 0U : pressed, *player_, *scene_);
+    rules_.act(0, goal_ticks_ ? 0U : pressed, *player_, *scene_);
     rules_.before(*scene_, tick_dt);
   }
   move_(tick_dt);

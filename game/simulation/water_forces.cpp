@@ -122,17 +122,22 @@ void WaterForces::act(const ribbon::WeatherDef& weather, b2World& world, double 
   }
 }
 
-void WaterForces::swim(const ribbon::WeatherDef& weather, unsigned pressed, Player& player,
+void WaterForces::swim(const ribbon::WeatherDef& weather, std::size_t number, unsigned pressed, Player& player,
                        const ribbon::box2d::Coupling& coupling) {
-  ticks_since_stroke_ = std::min(ticks_since_stroke_ + 1, long_ago);
-  if ((pressed & button_jump) == 0 || ticks_since_stroke_ < stroke_pause || player.is_on_ground()) return;
+  int& since_stroke = ticks_since_stroke_[number];
+  since_stroke = std::min(since_stroke + 1, long_ago);
+  if ((pressed & button_jump) == 0 || since_stroke < stroke_pause || player.is_on_ground()) return;
   if (coupling.body(player.body()).held_place()) return;
   const Submerged part = submerged(player.body(), weather.water_level);
   if (part.area < min_swimming_share * part.whole) return;
   const double wanted = part.area < diving_share * part.whole ? leap_speed : stroke_speed;
   const b2Vec2 velocity = player.body().GetLinearVelocity();
   player.body().SetLinearVelocity({velocity.x, std::max(velocity.y, static_cast<float>(wanted))});
-  ticks_since_stroke_ = 0;
+  since_stroke = 0;
+}
+
+void WaterForces::add_to(ribbon::box2d::Hasher& hasher) const {
+  for (const int ticks : ticks_since_stroke_) hasher.add(ticks);
 }
 
 }  // namespace game

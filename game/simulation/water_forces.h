@@ -2,7 +2,8 @@
 
 #include <box2d/box2d.h>
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 
 #include "game/simulation/player.h"
 #include "ribbon/box2d/coupling.h"
@@ -19,14 +20,15 @@ class WaterForces {
 
   /// Changes the velocities of the dynamic bodies of the world for a tick of `dt` s. Call it before the tick.
   void act(const ribbon::WeatherDef& weather, b2World& world, double dt) const;
-  /// Lets a player in the water swim: a press of jump is a stroke upwards, and at the surface a leap out of it.
-  void swim(const ribbon::WeatherDef& weather, unsigned pressed, Player& player,
+  /// Lets a player in the water swim in a tick: a press of jump is a stroke upwards, and at the surface a leap out of
+  /// it. `number`: of the player, 0 or 1.
+  void swim(const ribbon::WeatherDef& weather, std::size_t number, unsigned pressed, Player& player,
             const ribbon::box2d::Coupling& coupling);
 
-  void add_to(ribbon::box2d::Hasher& hasher) const { hasher.add(ticks_since_stroke_); }
+  void add_to(ribbon::box2d::Hasher& hasher) const;
 
  private:
-  int ticks_since_stroke_ = 0;
+  std::array<int, 2> ticks_since_stroke_{};  // by player
 };
 
 /// The part of a body that is below a level.

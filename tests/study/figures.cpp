@@ -80,7 +80,7 @@ Motion motion_of_cord(const ribbon::box2d::Coupling& coupling, ribbon::box2d::Co
 
 double mass_of(const b2World& world, const ribbon::box2d::Coupling& coupling) {
   double mass = motion_of_bodies(world, coupling).mass;
-  for (int c = 0; c < coupling.size(); ++c) mass += motion_of_cord(coupling, c, {}).mass;
+  for (const ribbon::box2d::CordId c : coupling.cords()) mass += motion_of_cord(coupling, c, {}).mass;
   return mass;
 }
 
@@ -91,7 +91,7 @@ Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling
   figures.kinetic = bodies.kinetic;
   figures.momentum = bodies.momentum;
   figures.energy = bodies.kinetic + bodies.potential;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     const Motion motion = motion_of_cord(coupling, c, gravity);
     figures.kinetic += motion.kinetic;
     figures.momentum += motion.momentum;

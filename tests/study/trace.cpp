@@ -42,7 +42,8 @@ double greatest(std::size_t count, Value&& value) {
 void add_places(Errors& errors, const Trace& run, const Trace& reference, std::size_t ticks) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < ticks; ++k) {
-    for (std::size_t s = 0; s < run.places[k].size(); ++s) {
+    const std::size_t places = std::min(run.places[k].size(), reference.places[k].size());  // fewer after a cut
+    for (std::size_t s = 0; s < places; ++s) {
       const Vec2 off = run.places[k][s] - reference.places[k][s];
       const double own_length = run.lengths[s / Trace::stations];
       errors.position_m += dot(off, off);
@@ -95,7 +96,8 @@ void add_tick(Trace& trace, const game::Simulation& simulation, const Method& me
   Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene(), method));
   double& max_stretch = trace.stretch.emplace_back(0.0);
   bool unconverged = false;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
+    if (static_cast<std::size_t>(c) >= trace.lengths.size()) continue;  // a piece of one that was cut
     const std::vector<Vec2> line = middle_line(coupling, c);
     add_stations(line, places);
     const double stretch = length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0;
@@ -188,7 +190,7 @@ Trace run_from(const game::Level& level, std::span<const engine::TickInput> inpu
   for (std::size_t k = 0; k < begin; ++k) run.tick();
   for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
     ribbon::box2d::Coupling& coupling = run.simulation().scene().coupling();
-    for (int c = 0; c < coupling.size(); ++c) {
+    for (const ribbon::box2d::CordId c : coupling.cords()) {
       if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) coupling.cord(c).direct().set_accuracy(accuracy);
     }
     run.tick();

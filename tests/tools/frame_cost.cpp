@@ -59,7 +59,7 @@ void take(double& least, Work work) {
 
 int newton_steps(const ribbon::box2d::Coupling& coupling) {
   int sum = 0;
-  for (int c = 0; c < coupling.size(); ++c) sum += coupling.cord(c).island_report().iterations;
+  for (const ribbon::box2d::CordId c : coupling.cords()) sum += coupling.cord(c).island_report().iterations;
   return sum;
 }
 

@@ -37,6 +37,22 @@ TEST(Controls, ATapBetweenTwoFramesCountsInTheNextTickOnly) {
   EXPECT_EQ(hands.tick(), 0);
 }
 
+TEST(Controls, TheKnifeCutsOnceAPress) {
+  Hands hands;
+  hands.events.key_down(Key::c);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_cut);
+  hands.events.key_up(Key::c);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), 0);
+  hands.events.pad_down(PadButton::left_stick);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_cut);
+  hands.controls.discard();
+  hands.frame();
+  EXPECT_EQ(hands.tick(), 0) << "a button that is down from a menu does not cut";
+}
+
 TEST(Controls, ATapInAFrameWithoutATickCountsInTheNextFrames) {
   Hands hands;
   hands.events.pad_down(PadButton::a);

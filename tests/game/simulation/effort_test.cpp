@@ -24,7 +24,7 @@ struct Effort {
 void add_tick(Effort& effort, const Simulation& simulation) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   int steps = 0;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     steps += coupling.cord(c).island_report().iterations;
     effort.unconverged += coupling.cord(c).island_report().unconverged;
   }

@@ -18,18 +18,19 @@ constexpr int warm_up = 60;  // ticks in which everything occurs for the first t
 /// Separates ticks with something new, which may allocate, from steady ones.
 class Novelty {
  public:
-  /// Returns whether in the last tick a cord was created, an island changed, a grip or a contact began or ended, or
-  /// more bodies were near a cord than ever before.
+  /// Returns whether in the last tick a cord was created, an island changed, a grip or a contact began or ended, a
+  /// cord was cut, or more bodies were near a cord than ever before.
   bool is_new(const Simulation& simulation) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     const int islands = coupling.islands();
     const bool holds = coupling.body(simulation.player().body()).held_place().has_value();
-    bool found = islands != islands_ || holds != holds_ || simulation.player().line().is_new() ||
-                 !coupling.touch_events().empty();
+    bool found = islands != islands_ || !coupling.cut_events().empty() || holds != holds_ ||
+                 simulation.player().line().is_new() || !coupling.touch_events().empty();
     islands_ = islands;
     holds_ = holds;
-    most_near_.resize(static_cast<std::size_t>(coupling.size()));
-    for (int c = 0; c < coupling.size(); ++c) {
+    const auto ids = coupling.cords();
+    most_near_.resize(ids.empty() ? 0 : static_cast<std::size_t>(ids.back()) + 1);
+    for (const ribbon::box2d::CordId c : ids) {
       int& most = most_near_[static_cast<std::size_t>(c)];
       found = found || coupling.cord(c).near_count() > most;
       most = std::max(most, coupling.cord(c).near_count());
