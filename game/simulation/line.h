@@ -37,6 +37,8 @@ class Line {
   /// The position of the end of a flying line in m. `hand`: the position of the hand, m.
   ribbon::Vec2 tip(ribbon::Vec2 hand) const;
   ribbon::Vec2 hook() const { return hook_; }  ///< m, of the last throw
+  /// Returns the place that a held line is held at; nothing in another state.
+  std::optional<ribbon::box2d::CordPoint> held_place(const ribbon::box2d::Coupling& coupling) const;
   /// The cord of the line; nothing before the first throw.
   std::optional<ribbon::box2d::CordId> cord() const { return cord_; }
   /// Whether the cord was made in the last tick.

@@ -26,13 +26,20 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
+bool is_player(const Simulation& simulation, const b2Body& body) {
+  for (int k = 0; k < simulation.players(); ++k) {
+    if (&body == &simulation.player(k).body()) return true;
+  }
+  return false;
+}
+
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
   const std::span<const engine::SceneBody> made = simulation.scene().bodies();
   std::size_t index = now.bodies.size();
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
     --index;  // the newest body is first in the list
-    if (body == &simulation.player().body()) continue;
+    if (is_player(simulation, *body)) continue;
     const bool is_load = std::any_of(made.begin(), made.end(), [body](const engine::SceneBody& b) {
       return b.body == body && b.kind == engine::BodyKind::load;
     });
@@ -47,7 +54,9 @@ std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& no
   std::vector<DrawnCord> cords;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
-    cords.push_back({coupling, id, coupling.cord(id).shape(), points, simulation.player().line().cord() == id});
+    bool is_line = false;
+    for (int k = 0; k < simulation.players(); ++k) is_line = is_line || simulation.player(k).line().cord() == id;
+    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_line});
   }
   return cords;
 }
@@ -61,6 +70,10 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
+bool is_aimed_at(const Simulation& simulation, std::size_t hook) {
+  return simulation.aimed_hook() == hook || (simulation.players() == 2 && simulation.aimed_hook(1) == hook);
+}
+
 void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
@@ -69,7 +82,7 @@ void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::s
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
-  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
+  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], is_aimed_at(simulation, k));
 }
 
 /// Draws the player's line during a throw. A held or released line is drawn as a cord.
@@ -93,10 +106,14 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
-  if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  const Pose pose = pose_of(figure_of(*simulation_, now, time));
-  draw_flight(pen, simulation_->player().line(), pose.throwing_hand());
-  draw_figure(pen, pose);
+  for (const std::optional<GhostPose>& ghost : {options.ghost, options.second_ghost}) {
+    if (ghost) draw_ghost(pen, pose_of(figure_of(*ghost, time)));
+  }
+  for (int k = simulation_->players() - 1; k >= 0; --k) {  // the first one in front
+    const Pose pose = pose_of(figure_of(*simulation_, now, time, k));
+    draw_flight(pen, simulation_->player(k).line(), pose.throwing_hand());
+    draw_figure(pen, pose, clothes_of(k));
+  }
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
   if (options.debug) {
