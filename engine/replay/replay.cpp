@@ -43,6 +43,9 @@ void check_header(const ReplayHeader& recorded, const ReplayHeader& current) {
   if (recorded.tick_rate != current.tick_rate) {
     refuse_field("tick rate", std::to_string(recorded.tick_rate), std::to_string(current.tick_rate));
   }
+  if (recorded.players != current.players) {
+    refuse_field("number of players", std::to_string(recorded.players), std::to_string(current.players));
+  }
   check_settings(recorded.settings, current.settings);
 }
 

@@ -21,11 +21,12 @@
 ///
 ///     "ropeswing-replay 1\n"
 ///     one line of JSON, at most 65536 bytes with its line feed:
-///       {"level": text, "level_hash": 16 hexadecimal digits, "tick_rate": integer, "settings": {name: text or number}}
+///       {"level": text, "level_hash": 16 hexadecimal digits, "tick_rate": integer, "settings": {name: text or number},
+///        "players": 2, only in a run of two players}
 ///     u32 checksum
 ///     for each tick:
 ///       u8 'T' · u16 n, the number of parts, at most 4096 · u16 ~n
-///       u16 buttons · i16 pointer x · i16 pointer y (cm)
+///       u16 buttons · i16 pointer x · i16 pointer y (cm) · in a run of two players: u16 buttons of the second
 ///       n × { u8 subsystem · u16 index · u32 hash }
 ///       u64 combined hash · u32 checksum
 ///     if closed cleanly:
@@ -58,12 +59,13 @@ struct ReplayHeader {
   std::uint64_t level_hash = 0;  ///< hash_bytes() of the level file.
   int tick_rate = 60;            ///< Ticks per second, 1 … 1'000'000.
   std::map<std::string, Setting> settings;
+  int players = 1;  ///< 1 or 2; the buttons of a second one are recorded only in a run of two.
 
   bool operator==(const ReplayHeader&) const = default;
 };
 
-/// Throws a ReplayError with the first field that differs and both values. Compares level, level hash, tick rate, then
-/// the settings by name; a setting that only one side has differs.
+/// Throws a ReplayError with the first field that differs and both values. Compares level, level hash, tick rate,
+/// players, then the settings by name; a setting that only one side has differs.
 void check_header(const ReplayHeader& recorded, const ReplayHeader& current);
 
 /// One recorded tick: its input and the hash of the state after it.
@@ -91,7 +93,8 @@ Replay read_replay(std::istream& in, const std::string& name);
 class ReplayWriter {
  public:
   /// Creates or overwrites the file and writes the header. Throws a ReplayError if the file cannot be written or the
-  /// header cannot be recorded (not UTF-8, a number that is not finite, over 64 KiB, tick rate out of range).
+  /// header cannot be recorded (not UTF-8, a number that is not finite, over 64 KiB, tick rate or number of players out
+  /// of range).
   ReplayWriter(const std::string& path, const ReplayHeader& header);
 
   /// Appends one tick of at most 4096 parts. The first write that fails throws a ReplayError and ends the recording;
@@ -119,6 +122,7 @@ class ReplayWriter {
   std::vector<std::uint8_t> record_;  // scratch, reused in each tick
   std::uint32_t crc_;
   std::uint32_t ticks_ = 0;
+  bool has_second_ = false;  // player, whose buttons are recorded
   bool failed_ = false;
 };
 

@@ -15,20 +15,23 @@ inline constexpr int version = 1;
 inline constexpr std::size_t max_header_bytes = 65536;  // of the JSON line, including its line feed
 inline constexpr std::size_t max_parts = 4096;
 inline constexpr int max_tick_rate = 1'000'000;
+inline constexpr int max_players = 2;
 
 inline constexpr std::uint8_t tick_tag = 'T';
 inline constexpr std::uint8_t end_tag = 'E';
 
 inline constexpr std::size_t checksum_bytes = 4;
 inline constexpr std::size_t tick_head_bytes = 1 + 2 + 2;
-inline constexpr std::size_t input_bytes = 6;
+inline constexpr std::size_t input_bytes = 6;         // of the first player
+inline constexpr std::size_t second_input_bytes = 2;  // of the second, in a run of two
 inline constexpr std::size_t part_bytes = 1 + 2 + 4;
 inline constexpr std::size_t combined_bytes = 8;
 inline constexpr std::size_t end_bytes = 1 + 4 + checksum_bytes;
 
 /// The number of bytes of a tick's record after its head.
-constexpr std::size_t tick_body_bytes(std::size_t parts) {
-  return input_bytes + parts * part_bytes + combined_bytes + checksum_bytes;
+constexpr std::size_t tick_body_bytes(std::size_t parts, int players) {
+  return input_bytes + (players == max_players ? second_input_bytes : 0) + parts * part_bytes + combined_bytes +
+         checksum_bytes;
 }
 
 /// Continues `crc`, the CRC-32 of the bytes so far (0 at the start), with `bytes`. CRC-32 as in zlib and PNG:

@@ -62,7 +62,7 @@ ReplayHeader parse(std::string_view line) {
   constexpr int max_depth = 4;
   const json root = parse_json(line, "the header", max_depth);
   const JsonObject header(root, "the header");
-  const Choices known = {"level", "level_hash", "tick_rate", "settings"};
+  const Choices known = {"level", "level_hash", "tick_rate", "settings", "players"};
   for (const auto& [key, value] : root.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     header.fail(in_quotes(key) + " is unknown, accepted are: " + list_in_words(known));
@@ -70,7 +70,8 @@ ReplayHeader parse(std::string_view line) {
   return {.level = header.text("level"),
           .level_hash = parse_hash(header, "level_hash"),
           .tick_rate = static_cast<int>(header.integer("tick_rate", {1, max_tick_rate})),
-          .settings = parse_settings(header.object("settings"))};
+          .settings = parse_settings(header.object("settings")),
+          .players = header.has("players") ? static_cast<int>(header.integer("players", {1, max_players})) : 1};
 }
 
 }  // namespace
@@ -80,10 +81,15 @@ std::string replay_header_line(const ReplayHeader& header) {
     throw ReplayError("tick rate is " + std::to_string(header.tick_rate) + ", accepted is 1 to " +
                       std::to_string(max_tick_rate));
   }
-  const json object = {{"level", header.level},
-                       {"level_hash", ribbon::box2d::to_hex(header.level_hash)},
-                       {"tick_rate", header.tick_rate},
-                       {"settings", settings_json(header.settings)}};
+  if (header.players < 1 || header.players > max_players) {
+    throw ReplayError("the number of players is " + std::to_string(header.players) + ", accepted is 1 to " +
+                      std::to_string(max_players));
+  }
+  json object = {{"level", header.level},
+                 {"level_hash", ribbon::box2d::to_hex(header.level_hash)},
+                 {"tick_rate", header.tick_rate},
+                 {"settings", settings_json(header.settings)}};
+  if (header.players != 1) object["players"] = header.players;
   std::string line;
   try {
     line = object.dump() + "\n";

@@ -25,11 +25,12 @@ T take(std::span<const std::uint8_t>& bytes) {
   return static_cast<T>(value);
 }
 
-RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_count) {
+RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_count, int players) {
   TickInput input;
   input.buttons = take<std::uint16_t>(body);
   input.pointer_x_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
   input.pointer_y_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
+  if (players == max_players) input.second_buttons = take<std::uint16_t>(body);
   std::vector<ribbon::box2d::StatePart> parts(part_count);
   for (ribbon::box2d::StatePart& part : parts) {
     const auto subsystem = take<std::uint8_t>(body);
@@ -177,10 +178,10 @@ bool Reader::read_tick() {
   if (count > max_parts) {
     fail_record("the part count is " + std::to_string(count) + ", accepted is up to " + std::to_string(max_parts));
   }
-  if (!append(tick_body_bytes(count))) return false;
+  if (!append(tick_body_bytes(count, replay_.header.players))) return false;
   const auto body = checked_content().subspan(tick_head_bytes);
   try {
-    replay_.ticks.push_back(parse_tick(body, count));
+    replay_.ticks.push_back(parse_tick(body, count, replay_.header.players));
   } catch (const ReplayError& error) {
     fail_record(error.what());
   }

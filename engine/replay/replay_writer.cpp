@@ -32,7 +32,8 @@ std::string ticks_in_file(std::uint32_t ticks) {
 
 }  // namespace
 
-ReplayWriter::ReplayWriter(const std::string& path, const ReplayHeader& header) : path_(path), crc_(0) {
+ReplayWriter::ReplayWriter(const std::string& path, const ReplayHeader& header)
+    : path_(path), crc_(0), has_second_(header.players == max_players) {
   // Errors in the header are found before the file is overwritten.
   std::string line;
   try {
@@ -64,6 +65,7 @@ void ReplayWriter::write(const TickInput& input, const ribbon::box2d::StateHash&
   put(record_, input.buttons);
   put(record_, static_cast<std::uint16_t>(input.pointer_x_cm));
   put(record_, static_cast<std::uint16_t>(input.pointer_y_cm));
+  if (has_second_) put(record_, input.second_buttons);
   for (const ribbon::box2d::StatePart& part : state.parts()) {
     put(record_, static_cast<std::uint8_t>(part.subsystem));
     put(record_, part.index);

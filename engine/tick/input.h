@@ -8,16 +8,17 @@
 
 namespace engine {
 
-/// The input of one tick: everything that a player controls in the simulation. A replay records it.
+/// The input of one tick: everything that the players control in the simulation. A replay records it.
 /// All fields are integers, so that the recorded value is exactly the one that the simulation reads.
 struct TickInput {
   std::uint16_t buttons = 0;  ///< One bit per button; the game defines their meaning.
   std::int16_t pointer_x_cm = 0;
   std::int16_t pointer_y_cm = 0;
+  std::uint16_t second_buttons = 0;  ///< Those of the second player; a run of one player ignores them.
 
   bool operator==(const TickInput&) const = default;
 };
-static_assert(sizeof(TickInput) == 6);
+static_assert(sizeof(TickInput) == 8);
 
 /// Rounds a length in metres to whole centimetres (halves away from zero), clamped to −327.68 … 327.67 m. NaN gives 0.
 inline std::int16_t quantise_cm(double metres) {

@@ -2,6 +2,7 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -56,6 +57,17 @@ std::optional<Key> key_of(const SDL_Keysym& keysym) {
   return keysym.sym > 127 ? offset_key(keysym.scancode, SDL_SCANCODE_A, SDL_SCANCODE_Z, Key::a) : std::nullopt;
 }
 
+/// Returns the key of one side of the keyboard, of which there is another.
+std::optional<Key> sided_key_of(const SDL_Keysym& keysym) {
+  switch (keysym.sym) {
+    case SDLK_LSHIFT: return Key::left_shift;
+    case SDLK_RSHIFT: return Key::right_shift;
+    case SDLK_LCTRL: return Key::left_ctrl;
+    case SDLK_RCTRL: return Key::right_ctrl;
+    default: return std::nullopt;
+  }
+}
+
 std::optional<MouseButton> button_of(std::uint8_t button) {
   switch (button) {
     case SDL_BUTTON_LEFT: return MouseButton::left;
@@ -85,15 +97,15 @@ std::optional<PadButton> pad_button_of(std::uint8_t button) {
   return find_in(table, static_cast<int>(button));
 }
 
-void read_axis(const SDL_ControllerAxisEvent& event, InputState& input) {
+void read_axis(const SDL_ControllerAxisEvent& event, std::size_t pad, InputState& input) {
   const double value = event.value / 32767.0;
   switch (event.axis) {
-    case SDL_CONTROLLER_AXIS_LEFTX: return input.stick_x(PadStick::left, value);
-    case SDL_CONTROLLER_AXIS_LEFTY: return input.stick_y(PadStick::left, -value);
-    case SDL_CONTROLLER_AXIS_RIGHTX: return input.stick_x(PadStick::right, value);
-    case SDL_CONTROLLER_AXIS_RIGHTY: return input.stick_y(PadStick::right, -value);
-    case SDL_CONTROLLER_AXIS_TRIGGERLEFT: return input.trigger(PadButton::left_trigger, value);
-    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT: return input.trigger(PadButton::right_trigger, value);
+    case SDL_CONTROLLER_AXIS_LEFTX: return input.stick_x(PadStick::left, value, pad);
+    case SDL_CONTROLLER_AXIS_LEFTY: return input.stick_y(PadStick::left, -value, pad);
+    case SDL_CONTROLLER_AXIS_RIGHTX: return input.stick_x(PadStick::right, value, pad);
+    case SDL_CONTROLLER_AXIS_RIGHTY: return input.stick_y(PadStick::right, -value, pad);
+    case SDL_CONTROLLER_AXIS_TRIGGERLEFT: return input.trigger(PadButton::left_trigger, value, pad);
+    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT: return input.trigger(PadButton::right_trigger, value, pad);
     default: return;
   }
 }
@@ -121,7 +133,16 @@ void EventReader::open_pad(int device, InputState& input) {
   std::unique_ptr<SDL_GameController, Close> pad(SDL_GameControllerOpen(device));
   if (!pad) return;
   const int instance = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad.get()));
-  if (pads_.emplace(instance, std::move(pad)).second) input.pad_found();
+  std::size_t number = 0;
+  while (std::any_of(pads_.begin(), pads_.end(), [number](const auto& open) { return open.second.number == number; })) {
+    ++number;
+  }
+  if (pads_.emplace(instance, Pad{std::move(pad), number}).second) input.pad_found();
+}
+
+std::size_t EventReader::number_of(int instance) const {
+  const auto found = pads_.find(instance);
+  return found == pads_.end() ? 0 : found->second.number;
 }
 
 void EventReader::read_pad(const SDL_Event& event, InputState& input) {
@@ -131,12 +152,14 @@ void EventReader::read_pad(const SDL_Event& event, InputState& input) {
       if (pads_.erase(event.cdevice.which) != 0) input.pad_lost();
       break;
     case SDL_CONTROLLERBUTTONDOWN:
-      if (const auto button = pad_button_of(event.cbutton.button)) input.pad_down(*button);
+      if (const auto button = pad_button_of(event.cbutton.button))
+        input.pad_down(*button, number_of(event.cbutton.which));
       break;
     case SDL_CONTROLLERBUTTONUP:
-      if (const auto button = pad_button_of(event.cbutton.button)) input.pad_up(*button);
+      if (const auto button = pad_button_of(event.cbutton.button))
+        input.pad_up(*button, number_of(event.cbutton.which));
       break;
-    case SDL_CONTROLLERAXISMOTION: read_axis(event.caxis, input); break;
+    case SDL_CONTROLLERAXISMOTION: read_axis(event.caxis, number_of(event.caxis.which), input); break;
     default: break;
   }
 }
@@ -146,10 +169,13 @@ void EventReader::read(const SDL_Event& event, Vec2 pixels_per_unit, InputState&
   switch (event.type) {
     case SDL_QUIT: input.quit(); break;
     case SDL_KEYDOWN:
-      if (const auto key = key_of(event.key.keysym); key && event.key.repeat == 0) input.key_down(*key);
+      if (event.key.repeat != 0) break;
+      if (const auto key = key_of(event.key.keysym)) input.key_down(*key);
+      if (const auto key = sided_key_of(event.key.keysym)) input.key_down(*key);
       break;
     case SDL_KEYUP:
       if (const auto key = key_of(event.key.keysym)) input.key_up(*key);
+      if (const auto key = sided_key_of(event.key.keysym)) input.key_up(*key);
       break;
     case SDL_TEXTINPUT: input.text(event.text.text); break;
     case SDL_MOUSEMOTION: mouse_at(event.motion.x, event.motion.y); break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 
@@ -26,10 +27,16 @@ class EventReader {
     void operator()(_SDL_GameController* pad) const;
   };
 
+  struct Pad {
+    std::unique_ptr<_SDL_GameController, Close> device;
+    std::size_t number;  // the lowest that was free when it was connected
+  };
+
   void open_pad(int device, InputState& input);
   void read_pad(const SDL_Event& event, InputState& input);
+  std::size_t number_of(int instance) const;
 
-  std::map<int, std::unique_ptr<_SDL_GameController, Close>> pads_;  // by SDL's instance id
+  std::map<int, Pad> pads_;  // by SDL's instance id
   bool started_ = false;
 };
 

@@ -17,6 +17,17 @@ double beyond_dead_zone(double deflection) {
 
 }  // namespace
 
+WindowInput WindowInput::with_pad(std::size_t pad) const {
+  WindowInput with = *this;
+  const PadInput& only = each_pad[pad];
+  with.pad_held = only.held;
+  with.pad_pressed = only.pressed;
+  with.pad_released = only.released;
+  with.left_stick = only.left_stick;
+  with.right_stick = only.right_stick;
+  return with;
+}
+
 void InputState::key_down(Key key) {
   const auto i = static_cast<std::size_t>(key);
   if (input_.keys_held[i]) return;
@@ -76,39 +87,62 @@ void InputState::pad_lost() {
   input_.pad_released |= input_.pad_held;
   input_.pad_held.reset();
   input_.left_stick = input_.right_stick = {};
+  for (PadInput& pad : input_.each_pad) {
+    pad.released |= pad.held;
+    pad.held.reset();
+    pad.left_stick = pad.right_stick = {};
+  }
 }
 
-void InputState::pad_down(PadButton button) {
+void InputState::pad_down(PadButton button, std::size_t pad) {
   const auto i = static_cast<std::size_t>(button);
+  if (pad < told_apart_pads && !input_.each_pad[pad].held[i]) {
+    input_.each_pad[pad].held.set(i);
+    input_.each_pad[pad].pressed.set(i);
+  }
   if (input_.pad_held[i]) return;
   input_.pad_held.set(i);
   input_.pad_pressed.set(i);
 }
 
-void InputState::pad_up(PadButton button) {
+void InputState::pad_up(PadButton button, std::size_t pad) {
   const auto i = static_cast<std::size_t>(button);
+  if (pad < told_apart_pads && input_.each_pad[pad].held[i]) {
+    input_.each_pad[pad].held.reset(i);
+    input_.each_pad[pad].released.set(i);
+  }
   if (!input_.pad_held[i]) return;
   input_.pad_held.reset(i);
   input_.pad_released.set(i);
 }
 
-void InputState::trigger(PadButton which, double pull) {
-  const double threshold = input_.held(which) ? release_threshold : press_threshold;
-  pull >= threshold ? pad_down(which) : pad_up(which);
+void InputState::trigger(PadButton which, double pull, std::size_t pad) {
+  const bool held =
+      pad < told_apart_pads ? input_.each_pad[pad].held[static_cast<std::size_t>(which)] : input_.held(which);
+  const double threshold = held ? release_threshold : press_threshold;
+  pull >= threshold ? pad_down(which, pad) : pad_up(which, pad);
 }
 
-void InputState::stick_x(PadStick stick, double x) {
+void InputState::stick_x(PadStick stick, double x, std::size_t pad) {
   const bool left = stick == PadStick::left;
   (left ? input_.left_stick : input_.right_stick).x = beyond_dead_zone(x);
-  trigger(left ? PadButton::left_stick_left : PadButton::right_stick_left, -x);
-  trigger(left ? PadButton::left_stick_right : PadButton::right_stick_right, x);
+  if (pad < told_apart_pads) {
+    PadInput& own = input_.each_pad[pad];
+    (left ? own.left_stick : own.right_stick).x = beyond_dead_zone(x);
+  }
+  trigger(left ? PadButton::left_stick_left : PadButton::right_stick_left, -x, pad);
+  trigger(left ? PadButton::left_stick_right : PadButton::right_stick_right, x, pad);
 }
 
-void InputState::stick_y(PadStick stick, double y) {
+void InputState::stick_y(PadStick stick, double y, std::size_t pad) {
   const bool left = stick == PadStick::left;
   (left ? input_.left_stick : input_.right_stick).y = beyond_dead_zone(y);
-  trigger(left ? PadButton::left_stick_down : PadButton::right_stick_down, -y);
-  trigger(left ? PadButton::left_stick_up : PadButton::right_stick_up, y);
+  if (pad < told_apart_pads) {
+    PadInput& own = input_.each_pad[pad];
+    (left ? own.left_stick : own.right_stick).y = beyond_dead_zone(y);
+  }
+  trigger(left ? PadButton::left_stick_down : PadButton::right_stick_down, -y, pad);
+  trigger(left ? PadButton::left_stick_up : PadButton::right_stick_up, y, pad);
 }
 
 WindowInput InputState::take() {
@@ -121,6 +155,10 @@ WindowInput InputState::take() {
   input_.wheel_turned.reset();
   input_.pad_pressed.reset();
   input_.pad_released.reset();
+  for (PadInput& pad : input_.each_pad) {
+    pad.pressed.reset();
+    pad.released.reset();
+  }
   input_.pad_found = false;
   input_.pad_lost = false;
   input_.keys_pressed.reset();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace engine {
 
-/// The keys that a game can use. Left and right shift are one key, as are left and right ctrl. Letters are those of the
-/// labels on the user's keyboard.
+/// The keys that a game can use. Left and right shift are one key, as are left and right ctrl; each side is a key of
+/// its own too. Letters are those of the labels on the user's keyboard.
 enum class Key : std::uint8_t {
   a,
   b,
@@ -86,8 +87,12 @@ enum class Key : std::uint8_t {
   equals,
   slash,
   semicolon,
+  left_shift,   // pressed together with shift
+  right_shift,  // the same
+  left_ctrl,    // pressed together with ctrl
+  right_ctrl,   // the same
 };
-inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::semicolon) + 1;
+inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::right_ctrl) + 1;
 
 enum class MouseButton : std::uint8_t { left, middle, right };
 inline constexpr std::size_t mouse_button_count = 3;
@@ -131,6 +136,13 @@ enum class PadStick : std::uint8_t { left, right };
 /// Any input that can be pressed.
 using InputCode = std::variant<Key, MouseButton, WheelTurn, PadButton>;
 
+/// The input of one gamepad at one poll; see WindowInput.
+struct PadInput {
+  std::bitset<pad_button_count> held, pressed, released;
+  ribbon::Vec2 left_stick{}, right_stick{};
+};
+inline constexpr std::size_t told_apart_pads = 2;
+
 /// The input at one poll. `held` is the state at the poll; `pressed` and `released` are events since the poll before: a
 /// key that is tapped between two polls is pressed and released but not held.
 struct WindowInput {
@@ -144,10 +156,11 @@ struct WindowInput {
   std::bitset<mouse_button_count> buttons_held, buttons_pressed, buttons_released;
   std::bitset<wheel_turn_count> wheel_turned;
   std::bitset<pad_button_count> pad_held, pad_pressed, pad_released;
-  ribbon::Vec2 left_stick{}, right_stick{};  ///< −1 … 1 per axis, y up; 0 within the dead zone
-  int pads = 0;                              ///< number of connected gamepads; their input is combined
-  bool pad_found = false;                    ///< a gamepad was connected
-  bool pad_lost = false;                     ///< a gamepad was disconnected; everything held on gamepads is released
+  ribbon::Vec2 left_stick{}, right_stick{};          ///< −1 … 1 per axis, y up; 0 within the dead zone
+  int pads = 0;                                      ///< number of connected gamepads; their input is combined
+  std::array<PadInput, told_apart_pads> each_pad{};  ///< that of the first and of the second gamepad alone
+  bool pad_found = false;                            ///< a gamepad was connected
+  bool pad_lost = false;  ///< a gamepad was disconnected; everything held on gamepads is released
 
   bool held(Key key) const { return keys_held[static_cast<std::size_t>(key)]; }
   bool pressed(Key key) const { return keys_pressed[static_cast<std::size_t>(key)]; }
@@ -161,6 +174,8 @@ struct WindowInput {
   bool held(PadButton button) const { return pad_held[static_cast<std::size_t>(button)]; }
   bool pressed(PadButton button) const { return pad_pressed[static_cast<std::size_t>(button)]; }
   bool released(PadButton button) const { return pad_released[static_cast<std::size_t>(button)]; }
+  /// Returns this input with that of one gamepad, 0 or 1, in place of that of all.
+  WindowInput with_pad(std::size_t pad) const;
   bool held(const InputCode& code) const {
     return std::visit([this](auto which) { return held(which); }, code);
   }
@@ -188,13 +203,14 @@ class InputState {
   void pad_found();
   /// Releases everything held on gamepads.
   void pad_lost();
-  void pad_down(PadButton button);
-  void pad_up(PadButton button);
+  // `pad`: the number of the gamepad, from 0. Those from 2 on are only combined with the others.
+  void pad_down(PadButton button, std::size_t pad = 0);
+  void pad_up(PadButton button, std::size_t pad = 0);
   /// Sets the position of a trigger, 0 … 1.
-  void trigger(PadButton which, double pull);
+  void trigger(PadButton which, double pull, std::size_t pad = 0);
   /// Sets one coordinate of a stick, −1 … 1: x to the right, y up.
-  void stick_x(PadStick stick, double x);
-  void stick_y(PadStick stick, double y);
+  void stick_x(PadStick stick, double x, std::size_t pad = 0);
+  void stick_y(PadStick stick, double y, std::size_t pad = 0);
 
   /// Returns the input since the last call and clears all events; what is held stays held.
   WindowInput take();

@@ -11,6 +11,9 @@ namespace game {
 /// Returns lines that explain the keys, or the buttons of a gamepad, in a run.
 std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
+/// The same in a level for two: the keys of the first player, and behind them those of the second.
+std::vector<std::string> help_lines_for_two(const Settings& settings, bool pad);
+
 /// Returns the line that names the key for these lines; none for a gamepad, which has no such button.
 std::vector<std::string> help_line(const Settings& settings, bool pad);
 
@@ -21,7 +24,8 @@ std::vector<std::string> signs_in_words(const Level& level, const Settings& sett
 std::string name_in_braces(Action action);
 
 /// Returns the hint or a sign of a level with names of actions in braces, as in "hold {grab}", replaced by their first
-/// key. Other braces stay.
+/// key. Other braces stay. A text that names keys of the second player, as in "{grab_2}", is of a level for two, where
+/// each player has its half of the keyboard.
 std::string hint_in_words(const std::string& hint, const Settings& settings, bool pad);
 
 }  // namespace game

@@ -7,6 +7,7 @@
 #include "game/screens/help.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/results_screen.h"
+#include "game/settings/two_players.h"
 #include "game/simulation/buttons.h"
 #include "game/view/hud.h"
 
@@ -29,6 +30,7 @@ std::string PlayScreen::title() const { return run_.level().name + (run_.has_rep
 
 void PlayScreen::shown() {
   controls_.discard();
+  second_controls_.discard();
   if (std::exchange(started_, true)) return;
   run_.watch(session_->watcher);
   run_.use(session_->workers.parallel_for());
@@ -109,7 +111,7 @@ Next PlayScreen::play(const Frame& frame) {
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
   handle_keys(frame);
   const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
-  controls_.take(frame.input, session_->settings, mouse, view_options_.debug || run_.level().sandbox);
+  take_controls(frame.input, mouse);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
   advance_ghost(ticks);
@@ -128,6 +130,23 @@ bool PlayScreen::wants_pause(const Frame& frame) const {
   const bool fixed = frame.input.pressed(engine::Key::escape);  // with any bindings
   if (frame.input.focus_lost && !stopped_) return true;
   return lost || fixed || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
+}
+
+/// Reads the controls of the player, or of both, each with its half of the keyboard and its gamepad.
+void PlayScreen::take_controls(const engine::WindowInput& input, ribbon::Vec2 mouse) {
+  const Settings& settings = session_->settings;
+  const bool dragging = view_options_.debug || run_.level().sandbox;
+  if (simulation().players() == 1) return controls_.take(input, settings, mouse, dragging);
+  controls_.take(input_of(0, input), bindings_of(0, settings), settings.toggle_grab, mouse, dragging);
+  second_controls_.take(input_of(1, input), bindings_of(1, settings), settings.toggle_grab, mouse, false);
+}
+
+engine::TickInput PlayScreen::next_input() {
+  engine::TickInput input = controls_.next(simulation().player().hand());
+  if (simulation().players() == 2) input.second_buttons = second_controls_.next(simulation().player(1).hand()).buttons;
+  input.buttons &= static_cast<std::uint16_t>(~button_restart);
+  input.second_buttons &= static_cast<std::uint16_t>(~button_restart);
+  return input;
 }
 
 void PlayScreen::handle_keys(const Frame& frame) {
@@ -149,6 +168,7 @@ int PlayScreen::ticks_to_run(const Frame& frame) {
   if (!stopped_) return due;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart needs a tick to be visible
+  second_controls_.discard_presses();
   controls_.discard_presses();  // presses while the run is stopped do not count later
   return 0;
 }
@@ -160,6 +180,7 @@ void PlayScreen::step() {
 
 void PlayScreen::restart() {
   controls_.discard();
+  second_controls_.discard();
   hint_.begin(run_.level().hint);
   if (records_runs()) {
     begin_run();
@@ -169,15 +190,14 @@ void PlayScreen::restart() {
 }
 
 void PlayScreen::tick() {
-  engine::TickInput input = controls_.next(simulation().player().hand());
-  input.buttons &= static_cast<std::uint16_t>(~button_restart);
+  engine::TickInput input = next_input();
   if (std::exchange(restart_wanted_, false)) {
     input.buttons |= button_restart;
     assisted_ = false;
   }
   const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
-  hint_.tick(input.buttons);
+  hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons));
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t start = engine::now_ns();
   try {
@@ -224,6 +244,8 @@ void PlayScreen::choose_message() {
   if (stopped_) return set("Stopped", key(Action::pause) + ": resume   " + key(Action::step) + ": one tick");
   if (goal && !won_) return set("You made it!", "in " + seconds_in_words(*goal));
   if (run_.has_replay()) return set("", "");
+  if (simulation().players() == 2 && !goal && simulation().is_at_flag(0) != simulation().is_at_flag(1))
+    return set("", "One is at the flag: both must touch it");
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && hint_.is_shown() && !goal) return set("", hint);
   set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
@@ -235,9 +257,10 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_
   const Settings& settings = session_->settings;
   const bool help = settings.help;
   const bool pad = session_->uses_pad;
-  keys_ = run_.has_replay() ? std::vector<std::string>{"Replay: the controls are off"}
-          : help            ? help_lines(settings, pad)
-                            : help_line(settings, pad);
+  keys_ = run_.has_replay()                     ? std::vector<std::string>{"Replay: the controls are off"}
+          : help && simulation().players() == 2 ? help_lines_for_two(settings, pad)
+          : help                                ? help_lines(settings, pad)
+                                                : help_line(settings, pad);
   choose_message();
   view_options_.text_scale = text_scale;
   view_options_.keys = shows_keys && !keys_.empty() ? &keys_ : nullptr;
@@ -245,7 +268,9 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;
-  view_options_.ghost = ghost_ && settings.ghost ? ghost_->at(simulation().run_ticks()) : std::nullopt;
+  const bool has_ghost = ghost_ && settings.ghost;
+  view_options_.ghost = has_ghost ? ghost_->at(simulation().run_ticks()) : std::nullopt;
+  view_options_.second_ghost = has_ghost ? ghost_->at(simulation().run_ticks(), 1) : std::nullopt;
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
   panel_.draw(canvas);
 }

@@ -61,6 +61,8 @@ class PlayScreen : public Screen {
   bool records_runs() const { return !is_plain() && options_.record.empty(); }
   void begin_run();
   Next play(const Frame& frame);
+  void take_controls(const engine::WindowInput& input, ribbon::Vec2 mouse);
+  engine::TickInput next_input();
   void handle_keys(const Frame& frame);
   void reload_if_changed(std::int64_t elapsed_ns);
   bool wants_pause(const Frame& frame) const;
@@ -83,6 +85,7 @@ class PlayScreen : public Screen {
   std::optional<engine::FileWatch> level_file_;  // not for replays
   ViewOptions view_options_;
   Controls controls_;
+  Controls second_controls_;  // in a level for two
   engine::FixedTick clock_{ticks_per_second};
   std::unique_ptr<Ghost> ghost_;
   std::vector<std::string> keys_;

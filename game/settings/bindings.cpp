@@ -45,6 +45,23 @@ Bindings Bindings::defaults() {
   return made;
 }
 
+Bindings Bindings::second_defaults() {
+  Bindings made;
+  const auto bind = [&made](Action action, std::initializer_list<InputCode> codes) {
+    for (const InputCode& code : codes) made.bind(action, code);
+  };
+  bind(Action::left, {Key::left});
+  bind(Action::right, {Key::right});
+  bind(Action::up, {Key::up});
+  bind(Action::down, {Key::down});
+  bind(Action::jump, {Key::enter, Key::ctrl});
+  bind(Action::grab, {Key::shift});
+  bind(Action::throw_line, {Key::remove, Key::slash});
+  bind(Action::reel_in, {Key::page_up, Key::comma});
+  bind(Action::reel_out, {Key::page_down, Key::period});
+  return made;
+}
+
 std::optional<Action> Bindings::action_of(const InputCode& code) const {
   for (const Action action : all_actions()) {
     if (std::find(codes(action).begin(), codes(action).end(), code) != codes(action).end()) return action;

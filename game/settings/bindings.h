@@ -16,6 +16,9 @@ class Bindings {
   /// Makes empty bindings.
   Bindings() = default;
   static Bindings defaults();
+  /// The keys of the second player of a level for two: the half of the keyboard around the arrows. Shift and ctrl are
+  /// those of its side.
+  static Bindings second_defaults();
 
   const std::vector<engine::InputCode>& codes(Action action) const { return codes_[index(action)]; }
   std::optional<Action> action_of(const engine::InputCode& code) const;

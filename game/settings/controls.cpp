@@ -19,10 +19,11 @@ std::uint16_t without(std::uint16_t buttons, unsigned less) { return static_cast
 
 }  // namespace
 
-void Controls::take(const WindowInput& input, const Settings& settings, ribbon::Vec2 mouse, bool dragging) {
+void Controls::take(const WindowInput& input, const Bindings& bindings, bool toggles_grab, ribbon::Vec2 mouse,
+                    bool dragging) {
   held_ = 0;
   for (const Action action : all_actions()) {
-    for (const InputCode& code : settings.bindings.codes(action)) {
+    for (const InputCode& code : bindings.codes(action)) {
       if (dragging && code == InputCode(engine::MouseButton::left)) continue;
       if (input.held(code)) held_ = with(held_, button_of(action));
       if (!input.pressed(code)) continue;
@@ -38,7 +39,7 @@ void Controls::take(const WindowInput& input, const Settings& settings, ribbon::
                       : static_cast<std::uint16_t>(stale_ & held_);
   discarded_ = false;
   held_ = without(held_, stale_);
-  toggle_grab(settings.toggle_grab);
+  toggle_grab(toggles_grab);
   take_aim(input, mouse);
 }
 

@@ -17,7 +17,12 @@ class Controls {
   static constexpr double pad_aim = 8.0;  ///< m, from the player to the point at which a stick aims
 
   /// Adds the input of a frame. `mouse`: its position in the world, m. `dragging`: the left button only drags.
-  void take(const engine::WindowInput& input, const Settings& settings, ribbon::Vec2 mouse, bool dragging);
+  void take(const engine::WindowInput& input, const Settings& settings, ribbon::Vec2 mouse, bool dragging) {
+    take(input, settings.bindings, settings.toggle_grab, mouse, dragging);
+  }
+  /// The same with other bindings than those of the settings. `toggles_grab`: see Settings::toggle_grab.
+  void take(const engine::WindowInput& input, const Bindings& bindings, bool toggles_grab, ribbon::Vec2 mouse,
+            bool dragging);
   /// Returns the input of the next tick. `hand`: the position of the player's hand, m.
   engine::TickInput next(ribbon::Vec2 hand);
   /// Discards unused presses, ignores buttons that are still down from a menu until they are up, and ends a toggled

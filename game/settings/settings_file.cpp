@@ -40,7 +40,7 @@ ordered_json bindings_json(const Bindings& bindings) {
 }
 
 /// Reads the bindings. Actions that are not in the file get their default codes, unless these are bound to others.
-Bindings read_bindings(const JsonObject& object) {
+Bindings read_bindings(const JsonObject& object, const Bindings& defaults) {
   Bindings bindings;
   for (const Action action : all_actions()) {
     const std::string name(action_name(action));
@@ -51,7 +51,6 @@ Bindings read_bindings(const JsonObject& object) {
       bindings.bind(action, *code);
     }
   }
-  const Bindings defaults = Bindings::defaults();
   for (const Action action : all_actions()) {
     if (object.has(std::string(action_name(action)))) continue;
     for (const engine::InputCode& code : defaults.codes(action)) {
@@ -73,6 +72,7 @@ std::string settings_text(const Settings& settings) {
   json["volume"] = settings.sound.volume;
   each_switch(settings, [&json](const char* name, bool on) { json[name] = on; });
   json["bindings"] = bindings_json(settings.bindings);
+  json["second_bindings"] = bindings_json(settings.second_bindings);
   return json.dump(2) + "\n";
 }
 
@@ -83,7 +83,9 @@ Settings parse_settings(const std::string& text, const std::string& where) {
   settings.speed = integer_or(object, "speed", settings.speed, {Settings::min_speed, 100});
   settings.sound.volume = integer_or(object, "volume", settings.sound.volume, {0, 100});
   each_switch(settings, [&object](const char* name, bool& on) { on = object.boolean_or(name, on); });
-  if (object.has("bindings")) settings.bindings = read_bindings(object.object("bindings"));
+  if (object.has("bindings")) settings.bindings = read_bindings(object.object("bindings"), Bindings::defaults());
+  if (object.has("second_bindings"))
+    settings.second_bindings = read_bindings(object.object("second_bindings"), Bindings::second_defaults());
   return settings;
 }
 

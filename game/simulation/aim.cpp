@@ -93,13 +93,16 @@ std::optional<Target> best_hook(const Level& level, const Player& player, double
 
 }  // namespace
 
-std::optional<Target> aimed_target(const Level& level, const engine::Scene& scene, const Player& player, Vec2 pointer) {
-  const auto from_pointer = [pointer](Vec2 hook) { return length(hook - pointer); };
-  if (auto hook = best_hook(level, player, pointer_range, from_pointer)) return hook;
+std::optional<Target> aimed_target(const Level& level, const engine::Scene& scene, const Player& player,
+                                   std::optional<Vec2> pointer) {
+  if (pointer) {
+    const auto from_pointer = [at = *pointer](Vec2 hook) { return length(hook - at); };
+    if (auto hook = best_hook(level, player, pointer_range, from_pointer)) return hook;
+  }
   const bool has_sticky = has_sticky_bodies(scene);
   const double range = player.line().tuning().throw_range;
-  if (has_sticky) {
-    if (auto found = surface(scene, player, pointer - player.hand(), range)) return found;
+  if (has_sticky && pointer) {
+    if (auto found = surface(scene, player, *pointer - player.hand(), range)) return found;
   }
   const double side = player.faces_left() ? -1.0 : 1.0;
   const Vec2 ahead = player.hand() + Vec2{side * look_ahead, look_up};

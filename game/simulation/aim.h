@@ -10,11 +10,11 @@
 
 namespace game {
 
-/// Returns the target of a throw: the hook near the pointer [m], else the sticky surface in the direction of the
-/// pointer, else a hook or a sticky surface ahead of the player and above it, all within the throw range of its hand.
-/// What is in front of a surface hides it.
+/// Returns the target of a throw: the hook near the pointer [m], if there is one, else the sticky surface in the
+/// direction of the pointer, else a hook or a sticky surface ahead of the player and above it, all within the throw
+/// range of its hand. What is in front of a surface hides it.
 std::optional<Target> aimed_target(const Level& level, const engine::Scene& scene, const Player& player,
-                                   ribbon::Vec2 pointer);
+                                   std::optional<ribbon::Vec2> pointer);
 
 /// Returns the hook, or else the place on a sticky surface, that is nearest to the hand of the player, within its
 /// reach.

@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <optional>
+#include <span>
 
 #include "engine/scene/scene.h"
 #include "engine/tick/input.h"
@@ -20,8 +21,8 @@ class Drag {
   static constexpr double max_acceleration = 60.0;  ///< m/s², of dynamic bodies of any mass
 
   /// Runs one tick of `dt` s, before that of the scene: picks the nearest object when button_drag goes down, releases
-  /// it when it goes up. `player`: a body that is not in the scene's list.
-  void apply(const engine::TickInput& input, engine::Scene& scene, b2Body& player, double dt);
+  /// it when it goes up. `players`: bodies that are not in the scene's list.
+  void apply(const engine::TickInput& input, engine::Scene& scene, std::span<b2Body* const> players, double dt);
   /// Drops all references, for a scene that no longer exists.
   void forget() { *this = {}; }
 
@@ -33,16 +34,17 @@ class Drag {
  private:
   struct Body {
     b2Body* body = nullptr;
-    int number = 0;  // index among the bodies of the scene; the player is the last
+    int number = 0;  // index among the bodies of the scene; the players are the last
     double distance = 0.0;
     b2Vec2 at{};                       // the dragged point, in the frame of the body
     b2BodyType type = b2_dynamicBody;  // before the drag
     b2Vec2 velocity{};                 // m/s, before the drag
   };
 
-  void pick(ribbon::Vec2 pointer, engine::Scene& scene, b2Body& player);
+  void pick(ribbon::Vec2 pointer, engine::Scene& scene, std::span<b2Body* const> players);
   void release(ribbon::box2d::Coupling& coupling);
-  static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene, b2Body& player);
+  static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene,
+                                          std::span<b2Body* const> players);
   void move_body(ribbon::Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const;
   void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const;
 

@@ -5,9 +5,21 @@
 #include "ribbon/box2d/convert.h"
 
 namespace game {
+namespace {
+
+GhostPose pose_of(const Player& player, const ribbon::box2d::Coupling& coupling) {
+  GhostPose pose{player.position(), ribbon::box2d::to_double(player.body().GetLinearVelocity()), player.faces_left(),
+                 player.is_on_ground()};
+  if (const auto held = player.held_place(coupling)) {
+    pose.held = coupling.cord(held->cord).position(held->point, held->along);
+  }
+  return pose;
+}
+
+}  // namespace
 
 Ghost::Ghost(engine::Replay replay, Level level)
-    : replay_(std::move(replay)), level_(std::move(level)), simulation_(level_), track_{pose()} {}
+    : replay_(std::move(replay)), level_(std::move(level)), simulation_(level_), track_{poses()} {}
 
 std::unique_ptr<Ghost> Ghost::load(const std::string& path, const Level& level) {
   if (path.empty()) return nullptr;
@@ -31,24 +43,22 @@ bool Ghost::advance(int run_tick) {
     replay_.ticks.resize(done);
     return false;
   }
-  track_.push_back(pose());
+  track_.push_back(poses());
   return true;
 }
 
-GhostPose Ghost::pose() const {
-  const Player& player = simulation_.player();
-  const ribbon::box2d::Coupling& coupling = simulation_.scene().coupling();
-  GhostPose pose{player.position(), ribbon::box2d::to_double(player.body().GetLinearVelocity()), player.faces_left(),
-                 player.is_on_ground()};
-  if (const auto held = coupling.body(player.body()).held_place()) {
-    pose.held = coupling.cord(held->cord).position(held->point, held->along);
+Ghost::Poses Ghost::poses() const {
+  Poses poses;
+  for (int k = 0; k < simulation_.players(); ++k) {
+    poses[static_cast<std::size_t>(k)] = pose_of(simulation_.player(k), simulation_.scene().coupling());
   }
-  return pose;
+  return poses;
 }
 
-std::optional<GhostPose> Ghost::at(int run_tick) const {
-  if (run_tick < 0 || static_cast<std::size_t>(run_tick) >= track_.size()) return std::nullopt;
-  return track_[static_cast<std::size_t>(run_tick)];
+std::optional<GhostPose> Ghost::at(int run_tick, int player) const {
+  if (run_tick < 0 || static_cast<std::size_t>(run_tick) >= track_.size() || player >= level_.players())
+    return std::nullopt;
+  return track_[static_cast<std::size_t>(run_tick)][static_cast<std::size_t>(player)];
 }
 
 }  // namespace game

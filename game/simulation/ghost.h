@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +20,8 @@ struct GhostPose {
   std::optional<ribbon::Vec2> held{};  ///< m, the held position on a cord
 };
 
-/// The track of the player of an earlier run. The run is simulated again, some ticks in each frame.
+/// The track of the player, or of both players, of an earlier run. The run is simulated again, some ticks in each
+/// frame.
 class Ghost {
  public:
   /// Ticks that it is simulated ahead, to have poses for frames that take long.
@@ -31,17 +33,19 @@ class Ghost {
   /// Simulates one more tick, unless it is max_lead ticks ahead of `run_tick`, at the end, or differs from the
   /// recording. Returns whether it did.
   bool advance(int run_tick);
-  /// Returns the pose at a tick; nothing after the end or before it is simulated.
-  std::optional<GhostPose> at(int run_tick) const;
+  /// Returns the pose of a player at a tick; nothing after the end, before it is simulated, or of a player that the run
+  /// does not have.
+  std::optional<GhostPose> at(int run_tick, int player = 0) const;
 
  private:
   Ghost(engine::Replay replay, Level level);
-  GhostPose pose() const;
+  using Poses = std::array<GhostPose, 2>;  // the second one is unused in a run of one
+  Poses poses() const;
 
   engine::Replay replay_;
   Level level_;
   Simulation simulation_;
-  std::vector<GhostPose> track_;  // by tick, from 0
+  std::vector<Poses> track_;  // by tick, from 0
 };
 
 }  // namespace game

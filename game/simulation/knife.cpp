@@ -45,7 +45,7 @@ std::optional<CordPoint> nearest_other(const Player& player, const Coupling& cou
 }  // namespace
 
 bool cut_by_hand(const Player& player, Coupling& coupling) {
-  const auto held = coupling.body(player.body()).held_place();
+  const auto held = player.held_place(coupling);
   if (const auto other = nearest_other(player, coupling, held ? &*held : nullptr)) {
     const ribbon::box2d::CordShape shape = coupling.cord(other->cord).shape();
     const int nearest = static_cast<int>(std::floor(column_of(*other, shape.rows) + 0.5));

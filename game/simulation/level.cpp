@@ -6,14 +6,15 @@
 #include <system_error>
 
 #include "game/simulation/player.h"
+#include "game/simulation/tether.h"
 
 namespace game {
 namespace {
 
 using engine::MapObject;
 
-const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook",   "text",
-                                            "blade",  "fire", "spikes",     "chaser", "coin"};
+const std::vector<std::string> own_kinds = {"player", "player_2", "goal",   "checkpoint", "hook", "text",
+                                            "blade",  "fire",     "spikes", "chaser",     "coin"};
 const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox", "lines",
                                                  "gold",  "silver", "bronze", "knife"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
@@ -87,6 +88,24 @@ void read_markers(Level& level) {
   }
 }
 
+/// Throws unless the cord that ties the players together is a rope of the direct solver from one to the other.
+void check_tether(const Level& level, const MapObject& player_2, const engine::Scene& scene) {
+  const ribbon::box2d::Coupling& coupling = scene.coupling();
+  const auto cord = tether_of(level, scene);
+  const std::string named = "property \"tether\" is " + std::to_string(level.second->tether);
+  if (!cord || coupling.cord(*cord).solver() != ribbon::box2d::Solver::direct || coupling.cord(*cord).shape().rows != 1)
+    throw player_2.error(named + "; accepted is the id of a cord of the direct solver with one row");
+  const auto points = coupling.cord(*cord).positions();
+  const ribbon::Vec2 waist{0.0, 0.5 * PlayerTuning{}.height};
+  for (const double gap :
+       {length(points.front() - level.player_start - waist), length(points.back() - level.second->start - waist)}) {
+    if (gap <= Tether::max_gap) continue;
+    throw player_2.error(named + ", a cord with an end " + engine::number_in_words(gap) +
+                         " m from its player; accepted is one from the middle of player to that of player_2, within " +
+                         engine::number_in_words(Tether::max_gap) + " m");
+  }
+}
+
 /// Returns the accepted names for a message, or why there are none.
 std::string known_levels() {
   std::string names;
@@ -107,6 +126,14 @@ std::unique_ptr<engine::Scene> Level::make_scene() const {
   b2Filter all_but_players;
   all_but_players.maskBits = static_cast<std::uint16_t>(~player_category);
   return std::make_unique<engine::Scene>(map, own_kinds, all_but_players, own_properties);
+}
+
+std::optional<ribbon::box2d::CordId> tether_of(const Level& level, const engine::Scene& scene) {
+  if (!level.second || level.second->tether == 0) return std::nullopt;
+  for (const ribbon::box2d::CordId cord : scene.coupling().cords()) {
+    if (scene.cord_object(cord) == level.second->tether) return cord;
+  }
+  return std::nullopt;
 }
 
 std::string assets_folder() {
@@ -131,6 +158,12 @@ Level level_of(engine::TiledMap map) {
   const MapObject& player = only_object(level.map, "player", engine::MapShape::point, {"mass"});
   level.player_start = player.position;
   level.player_mass = player.properties.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4});
+  const MapObject* second = find_only(level.map, "player_2", engine::MapShape::point, {"mass", "tether"});
+  if (second != nullptr) {
+    const engine::Properties& p = second->properties;
+    level.second = SecondPlayer{second->position, p.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4}),
+                                static_cast<int>(p.integer_or("tether", 0))};
+  }
   read_map_properties(level);
   if (const MapObject* goal = level.sandbox ? find_only(level.map, "goal", engine::MapShape::rectangle, {})
                                             : &only_object(level.map, "goal", engine::MapShape::rectangle, {})) {
@@ -138,7 +171,8 @@ Level level_of(engine::TiledMap map) {
   }
   read_markers(level);
   level.rules = read_rules(level.map);
-  level.make_scene();  // throws if the scene cannot be built
+  const auto scene = level.make_scene();  // throws if the scene cannot be built
+  if (level.second && level.second->tether != 0) check_tether(level, *second, *scene);
   return level;
 }
 

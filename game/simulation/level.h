@@ -26,6 +26,13 @@ struct Medals {
   double bronze = 0.0;
 };
 
+/// The second player of a level for two.
+struct SecondPlayer {
+  ribbon::Vec2 start;  ///< m, the middle of its feet
+  double mass = 0.0;   ///< kg
+  int tether = 0;      ///< id of the cord whose ends both players hold; 0: they are not tied together
+};
+
 /// A level as read from its map: the objects that are not in the scene, and the map to build the scene from.
 struct Level {
   std::string name;
@@ -36,8 +43,9 @@ struct Level {
   int lines = 1;         ///< that the player can hold at once, 1 … 2
   Medals medals;
   engine::TiledMap map;
-  ribbon::Vec2 player_start;  ///< m, the middle of the player's feet
-  double player_mass = 0.0;   ///< kg
+  ribbon::Vec2 player_start;           ///< m, the middle of the player's feet
+  double player_mass = 0.0;            ///< kg
+  std::optional<SecondPlayer> second;  ///< only in a level for two
   Assists assists;
   std::optional<Area> goal;  ///< none in a sandbox
   std::vector<Area> checkpoints;
@@ -45,9 +53,14 @@ struct Level {
   std::vector<Sign> signs;
   LevelRules rules;
 
+  /// The number of players, 1 or 2.
+  int players() const { return second ? 2 : 1; }
   /// Builds a new scene in its initial state.
   std::unique_ptr<engine::Scene> make_scene() const;
 };
+
+/// Returns the cord of a new scene of the level that ties the players together; nothing if there is none.
+std::optional<ribbon::box2d::CordId> tether_of(const Level& level, const engine::Scene& scene);
 
 /// Returns the folder of levels and replays: the environment variable ROPESWING_ASSETS, or that of the source tree.
 std::string assets_folder();
@@ -55,6 +68,9 @@ std::string assets_folder();
 /// Loads assets/levels/NAME.tmj, or the file itself if the name ends in .tmj. In addition to the objects of
 /// engine/scene/scene.h a map has
 /// - one `player`: point, the middle of its feet; mass [kg], by default that of PlayerTuning
+/// - one `player_2` in a level for two: point, likewise; mass; tether (optional: the rope of the direct solver between
+/// the
+///   two, whose first point is within 0.5 m of the middle of player's body, and its last one of that of player_2's)
 /// - one `goal`, or none in a sandbox: rectangle, at the foot of the flag; the player wins by touching the flag
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown

@@ -107,6 +107,12 @@ bool Line::fly(ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand) {
   return true;
 }
 
+std::optional<ribbon::box2d::CordPoint> Line::held_place(const ribbon::box2d::Coupling& coupling) const {
+  if (state_ != State::held || !grip_ || !coupling.grip(*grip_).is_valid()) return std::nullopt;
+  const ribbon::box2d::GripState held = coupling.grip(*grip_).state();
+  return ribbon::box2d::CordPoint{held.cord, held.point, 0.0, held.along};
+}
+
 void Line::reel(int direction, ribbon::box2d::Coupling& coupling, double dt) {
   if (state_ != State::held || direction == 0) return;
   const double speed = direction < 0 ? tuning_.reel_in_speed : tuning_.reel_out_speed;

@@ -39,6 +39,8 @@ class Line {
   ribbon::Vec2 tip(ribbon::Vec2 hand) const;
   ribbon::Vec2 end() const { return target_.place(); }  ///< m, where the last throw fixes it
   bool is_held() const { return state_ == State::held; }
+  /// Returns the place that a held line is held at; nothing in another state.
+  std::optional<ribbon::box2d::CordPoint> held_place(const ribbon::box2d::Coupling& coupling) const;
   /// The cord of the line; nothing before the first throw.
   std::optional<ribbon::box2d::CordId> cord() const { return cord_; }
   /// Whether the cord was made in the last tick.

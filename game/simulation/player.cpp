@@ -142,6 +142,16 @@ bool Player::holds_cord(const ribbon::box2d::Coupling& coupling) const {
   return grip_id_ && coupling.grip(*grip_id_).is_valid();
 }
 
+std::optional<ribbon::box2d::CordPoint> Player::held_place(const ribbon::box2d::Coupling& coupling) const {
+  if (!tether_) return coupling.body(*body_).held_place();
+  if (!holds_cord(coupling)) {
+    const Line* line = lines_.held();
+    return line != nullptr ? line->held_place(coupling) : std::nullopt;
+  }
+  const ribbon::box2d::GripState held = coupling.grip(*grip_id_).state();
+  return ribbon::box2d::CordPoint{held.cord, held.point, 0.0, held.along};
+}
+
 void Player::update_ground(const ribbon::box2d::Coupling& coupling) {
   if (!detected_ground_) detect_ground(coupling);
   if (!*detected_ground_ && is_on_ground() && ticks_since_jump_ > tuning_.coyote_ticks) stay_low();
@@ -219,8 +229,9 @@ void Player::cut_jump(bool key_is_down) {
 
 /// Catches the nearest cord. Returns false if none is in range.
 bool Player::catch_cord(ribbon::box2d::Coupling& coupling) {
-  std::array<ribbon::box2d::CordId, Lines::most + 1> except{};
+  std::array<ribbon::box2d::CordId, Lines::most + 2> except{};
   std::size_t excepted = 0;
+  if (tether_) except[excepted++] = *tether_;
   for (const Line& line : lines_.all()) {
     if (line.is_held()) except[excepted++] = *line.cord();
   }
@@ -275,7 +286,7 @@ void Player::hang_from_ledge(const Command& command, double dt) {
 void Player::hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt) {
   const Vec2 hand{0.0, tuning_.hand_height};
   grip_ += tuning_.pull_in * (hand - grip_);
-  const ribbon::box2d::CordPoint held = *coupling.body(*body_).held_place();
+  const ribbon::box2d::CordPoint held = *held_place(coupling);
   const Vec2 held_at = coupling.cord(held.cord).position(held.point, held.along);
   if (length(held_at - position() - grip_) > tuning_.max_arm_length) {
     return release_cord(coupling);  // pulled out of the hand
@@ -317,8 +328,8 @@ void Player::pump(Vec2 from, double dt) {
 }
 
 void Player::release_cord(ribbon::box2d::Coupling& coupling) {
-  if (const auto held = coupling.body(*body_).held_place()) leave(held->cord);
-  coupling.body(*body_).release();
+  if (const auto held = held_place(coupling)) leave(held->cord);
+  if (grip_id_) coupling.grip(*grip_id_).release();
   grip_id_.reset();
   may_catch_ = false;
   ticks_since_jump_pressed_ = long_ago;

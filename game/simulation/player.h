@@ -34,6 +34,12 @@ class Player {
   /// Releases everything and places the player at rest at `feet`, m.
   void put(ribbon::Vec2 feet, ribbon::box2d::Coupling& coupling);
 
+  /// Declares that the body also holds an end of this cord at its waist. The player never catches or releases it,
+  /// except in put().
+  void set_tether(ribbon::box2d::CordId cord) { tether_ = cord; }
+  /// Returns the place of a cord or line that the player holds in its hand; not of the tether.
+  std::optional<ribbon::box2d::CordPoint> held_place(const ribbon::box2d::Coupling& coupling) const;
+
   b2Body& body() { return *body_; }
   const b2Body& body() const { return *body_; }
   ribbon::Vec2 position() const;  ///< m, the centre of the body
@@ -82,6 +88,7 @@ class Player {
   Lines lines_;
   std::optional<Ledge> ledge_;
   std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of a line
+  std::optional<ribbon::box2d::CordId> tether_;   // held at the waist too
   int direction_ = 0;                             // 1 right, −1 left, in the last tick
   int pump_ticks_left_ = 0;
   bool can_climb_ = true;                // the held cord is one of the direct solver

@@ -1,5 +1,7 @@
 #include "game/simulation/simulation.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "game/simulation/aim.h"
@@ -16,9 +18,11 @@ constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double max_grab_range = 10.0;             // m, accepted in a replay
 constexpr const char* grab_range_setting = "player_reach";
 constexpr const char* no_fall_setting = "no_fall";
-constexpr double no_fall_value = 1.0;  // of no_fall_setting
-constexpr int foothold_ticks = 15;     // of standing, after which a position becomes the foothold
-constexpr double fall_depth = 3.0;     // m below the level, at which the player is put back
+constexpr double no_fall_value = 1.0;      // of no_fall_setting
+constexpr int foothold_ticks = 15;         // of standing, after which a position becomes the foothold
+constexpr double fall_depth = 3.0;         // m below the level, at which the player is put back
+constexpr double checkpoint_gap = 0.4;     // m, to either side, at which two players return
+constexpr std::int16_t player_group = -1;  // of Box2D: two players do not touch each other
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -55,42 +59,76 @@ void Simulation::tick(const engine::TickInput& input) {
   if (make_mover_) return;
 
   take_snapshot(current_);
-  for (const Line& line : player_->lines().all()) {
-    if (!line.is_new()) continue;  // it did not exist before or was elsewhere: do not interpolate it
-    previous_.cords.resize(current_.cords.size());
-    previous_.cords[at(*line.cord())] = current_.cords[at(*line.cord())];
+  for (int k = 0; k < players(); ++k) {
+    for (const Line& line : player(k).lines().all()) {
+      if (!line.is_new()) continue;  // else it did not exist before or was elsewhere: do not interpolate it
+      previous_.cords.resize(current_.cords.size());
+      previous_.cords[at(*line.cord())] = current_.cords[at(*line.cord())];
+    }
   }
   compute_hash();
 }
 
 void Simulation::skip(const engine::TickInput& input) {
-  const unsigned pressed = input.buttons & ~static_cast<unsigned>(buttons_before_);
-  buttons_before_ = input.buttons;
-  if ((pressed & button_restart) != 0) restart();
-  if ((pressed & button_retry) != 0) put_player_back();
+  const std::array<std::uint16_t, 2> buttons{input.buttons, players() == 2 ? input.second_buttons : std::uint16_t{0}};
+  std::array<unsigned, 2> pressed{};
+  for (std::size_t k = 0; k < seats_.size(); ++k) {
+    pressed[k] = buttons[k] & ~static_cast<unsigned>(seats_[k].buttons_before);
+    seats_[k].buttons_before = buttons[k];
+  }
+  if (((pressed[0] | pressed[1]) & button_restart) != 0) restart();
+  if (((pressed[0] | pressed[1]) & button_retry) != 0) put_players_back();
 
-  targets_.thrown = aimed_target(*level_, *scene_, *player_, engine::pointer(input));
-  targets_.at_hand = (pressed & button_tie) != 0 ? target_at_hand(*level_, *scene_, *player_) : std::nullopt;
-  std::uint16_t buttons = input.buttons;
-  if (goal_ticks_) buttons = buttons_after_goal();
-  if ((buttons & pressed & button_throw) != 0 && drop_load()) buttons &= static_cast<std::uint16_t>(~button_throw);
-  player_->apply(buttons, targets_, scene_->coupling(), tick_dt);
-  drag_.apply(input, *scene_, player_->body(), tick_dt);
+  apply(0, buttons[0], pressed[0], engine::pointer(input));
+  if (players() == 2) apply(1, buttons[1], pressed[1], std::nullopt);
+  if (tether_) reel_tether(input);
+  std::array<b2Body*, 2> bodies{&players_[0]->body(), players() == 2 ? &players_[1]->body() : nullptr};
+  drag_.apply(input, *scene_, std::span(bodies).first(at(players())), tick_dt);
   if (!make_mover_) {
-    rules_.act(0, goal_ticks_ ? 0U : pressed, *player_, *scene_);
+    for (std::size_t k = 0; k < at(players()); ++k) {
+      rules_.act(k, goal_ticks_ ? 0U : pressed[k], *players_[k], *scene_);
+    }
     rules_.before(*scene_, tick_dt);
   }
   move_(tick_dt);
   if (!make_mover_) rules_.after(*scene_);
   ++ticks_;
   ++run_ticks_;
-  check_player();
+  check_players();
+}
+
+/// Applies the buttons of one player. Its line flies to what the pointer aims at, or to what is ahead.
+void Simulation::apply(int number, std::uint16_t buttons, unsigned pressed, std::optional<Vec2> pointer) {
+  Player& player = *players_[at(number)];
+  Targets& targets = seats_[at(number)].targets;
+  targets.thrown = aimed_target(*level_, *scene_, player, pointer);
+  targets.at_hand = (pressed & button_tie) != 0 ? target_at_hand(*level_, *scene_, player) : std::nullopt;
+  if (goal_ticks_) buttons = buttons_after_goal(player);
+  if ((buttons & pressed & button_throw) != 0 && drop_load(player))
+    buttons &= static_cast<std::uint16_t>(~button_throw);
+  player.apply(buttons, targets, scene_->coupling(), tick_dt);
+}
+
+/// A player that holds no line reels the rope between the two. One that stands still on the ground braces itself.
+void Simulation::reel_tether(const engine::TickInput& input) {
+  int direction = 0;
+  for (int k = 0; k < players(); ++k) {
+    const unsigned buttons = goal_ticks_ ? 0U : k == 0 ? input.buttons : input.second_buttons;
+    const bool stands_still = ((buttons & button_left) == 0) == ((buttons & button_right) == 0);
+    brace(*players_[at(k)], stands_still && player(k).is_on_ground());
+    if (player(k).lines().held() != nullptr) continue;
+    if ((buttons & button_reel_in) != 0) --direction;
+    if ((buttons & button_reel_out) != 0) ++direction;
+  }
+  tether_->reel(std::clamp(direction, -1, 1), scene_->coupling(), tick_dt);
 }
 
 void Simulation::save(SavedTick& saved) const {
   scene_->coupling().save(scene_->world(), saved.cords);
   saved.world.save(scene_->world());
-  saved.player = *player_;
+  saved.player = *players_[0];
+  if (players_[1]) saved.second = *players_[1];
+  saved.tether = tether_;
   saved.progress = progress_of(*this);
   saved.rules = rules_;
   saved.ride_time = scene_->rides().time();
@@ -102,7 +140,9 @@ bool Simulation::restore(SavedTick& saved, const SavedTick* before) {
   const bool has_before = before != nullptr && before->restarts == restarts_;
   saved.world.restore(scene_->world(), has_before ? &before->world : nullptr);
   scene_->coupling().restore(saved.cords, scene_->world());
-  *player_ = *saved.player;
+  *players_[0] = *saved.player;
+  if (players_[1]) *players_[1] = *saved.second;
+  tether_ = saved.tether;
   progress_of(*this) = saved.progress;
   rules_ = saved.rules;
   scene_->rides().set_time(saved.ride_time);
@@ -124,21 +164,19 @@ void Simulation::use(const ribbon::ParallelFor& parallel_for) {
 
 void Simulation::restart() {
   move_ = {};
-  player_.reset();
+  tether_.reset();
+  players_ = {};
   scene_ = level_->make_scene();
   scene_->coupling().watch(watcher_);
   scene_->coupling().use(parallel_for_);
-  PlayerTuning tuning;
-  tuning.mass = level_->player_mass;
-  tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
-  player_ = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines));
-  move_ = make_mover_ ? make_mover_(*scene_, *player_) : [scene = scene_.get()](double dt) { scene->tick(dt); };
+  make_players();
+  move_ = make_mover_ ? make_mover_(*scene_, *players_[0]) : [scene = scene_.get()](double dt) { scene->tick(dt); };
   drag_.forget();
   rules_.start(level_->rules, *scene_);
   checkpoint_.reset();
-  targets_ = {};
-  foothold_ = level_->player_start;
-  standing_ticks_ = 0;
+  for (Seat& seat : seats_) seat = {.buttons_before = seat.buttons_before};
+  seats_[0].foothold = level_->player_start;
+  if (level_->second) seats_[1].foothold = level_->second->start;
   run_ticks_ = 0;
   falls_ = 0;
   goal_ticks_.reset();
@@ -149,12 +187,34 @@ void Simulation::restart() {
   take_snapshot(current_);
 }
 
+/// Makes the players of a new scene, which do not touch each other, and ties them together if the level says so.
+void Simulation::make_players() {
+  PlayerTuning tuning;
+  tuning.mass = level_->player_mass;
+  tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
+  players_[0] = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines));
+  if (!level_->second) return;
+  tuning.mass = level_->second->mass;
+  players_[1] = std::make_unique<Player>(scene_->world(), level_->second->start, tuning, at(level_->lines));
+  for (const std::unique_ptr<Player>& player : players_) {
+    for (b2Fixture* fixture = player->body().GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      b2Filter filter = fixture->GetFilterData();
+      filter.groupIndex = player_group;
+      fixture->SetFilterData(filter);
+    }
+  }
+  if (make_mover_) return;
+  if (const auto cord = tether_of(*level_, *scene_)) {
+    tether_.emplace(*cord, *players_[0], *players_[1], scene_->coupling());
+  }
+}
+
 /// Releases the loads that hang from the cord that the player holds, unless that is its line. Returns false if there
 /// are none.
-bool Simulation::drop_load() {
+bool Simulation::drop_load(const Player& player) {
   ribbon::box2d::Coupling& coupling = scene_->coupling();
-  const auto held = coupling.body(player_->body()).held_place();
-  if (!held || player_->lines().held() != nullptr) return false;
+  const auto held = player.held_place(coupling);
+  if (!held || player.lines().held() != nullptr) return false;
   bool dropped = false;
   for (const engine::SceneBody& made : scene_->bodies()) {
     if (made.kind != engine::BodyKind::load) continue;
@@ -165,64 +225,84 @@ bool Simulation::drop_load() {
 }
 
 /// At the goal the player stops, or goes on holding what it holds.
-std::uint16_t Simulation::buttons_after_goal() const {
-  const bool holds = scene_->coupling().body(player_->body()).held_place().has_value();
+std::uint16_t Simulation::buttons_after_goal(const Player& player) const {
+  const bool holds = player.held_place(scene_->coupling()).has_value();
   return holds ? static_cast<std::uint16_t>(button_grab) : std::uint16_t{0};
 }
 
-/// Puts the player at the last checkpoint, or at the start. Cords and bodies are as at the start of the level, so that
+/// Puts the players at the last checkpoint, or at the start. Cords and bodies are as at the start of the level, so that
 /// each try meets the same.
-void Simulation::put_player_back() {
+void Simulation::put_players_back() {
   if (!make_mover_ && !keeps_changes_) {
     drag_.forget();  // what it holds is free again
     start_.world.restore(scene_->world(), nullptr);
     scene_->coupling().restore(start_.cords, scene_->world());
-    *player_ = *start_.player;
+    *players_[0] = *start_.player;
+    if (players_[1]) *players_[1] = *start_.second;
+    tether_ = start_.tether;
     rules_.return_to(start_.rules);
     scene_->rides().set_time(start_.ride_time);
+    if (tether_ && !checkpoint_)
+      return rules_.send_chasers_back();  // all is as it was laid, also the rope between the players
   }
   rules_.send_chasers_back();
-  Vec2 feet = level_->player_start;
-  if (checkpoint_) {
-    const Area& area = level_->checkpoints[*checkpoint_];
-    feet = area.center - Vec2{0.0, 0.5 * area.size.y};
-  }
-  player_->put(feet, scene_->coupling());
+  const Vec2 start = level_->player_start;
+  if (!checkpoint_) return put_at(start, level_->second ? level_->second->start : start);
+  const Area& area = level_->checkpoints[*checkpoint_];
+  const Vec2 feet = area.center - Vec2{0.0, 0.5 * area.size.y};
+  const Vec2 aside{players() == 2 ? checkpoint_gap : 0.0, 0.0};
+  put_at(feet - aside, feet + aside);
 }
 
-/// Updates goal, checkpoint and falls after the player has moved.
-void Simulation::check_player() {
-  const Vec2 at = player_->position();
-  if (level_->goal && !goal_ticks_) {
-    const Flag flag = flag_of(*level_->goal);
-    if (player_->touches(flag.pole) || player_->touches(flag.cloth)) goal_ticks_ = run_ticks_;
+void Simulation::put_at(Vec2 first, Vec2 second) {
+  players_[0]->put(first, scene_->coupling());
+  if (!players_[1]) return;
+  players_[1]->put(second, scene_->coupling());
+  if (tether_) tether_->lay(*players_[0], *players_[1], scene_->coupling());
+}
+
+bool Simulation::is_at_flag(int number) const {
+  if (!level_->goal) return false;
+  const Flag flag = flag_of(*level_->goal);
+  return player(number).touches(flag.pole) || player(number).touches(flag.cloth);
+}
+
+/// Updates goal, checkpoint and falls after the players have moved. If one falls, both are put back.
+void Simulation::check_players() {
+  if (!goal_ticks_ && is_at_flag(0) && (players() == 1 || is_at_flag(1))) goal_ticks_ = run_ticks_;
+  std::optional<int> fallen;
+  for (int k = 0; k < players(); ++k) {
+    const Vec2 at = player(k).position();
+    for (std::size_t c = 0; c < level_->checkpoints.size(); ++c) {
+      if (level_->checkpoints[c].contains(at)) checkpoint_ = c;
+    }
+    if (level_->assists.no_fall) update_foothold(k);
+    const bool dies = !goal_ticks_ && rules_.meet(player(k));
+    if (dies || at.y <= -fall_depth) fallen = k;
   }
-  for (std::size_t k = 0; k < level_->checkpoints.size(); ++k) {
-    if (level_->checkpoints[k].contains(at)) checkpoint_ = k;
-  }
-  if (level_->assists.no_fall) update_foothold();
-  const bool dies = !goal_ticks_ && rules_.meet(*player_);
-  if (at.y > -fall_depth && !dies) return;
+  if (!fallen) return;
+  const Vec2 foothold = seats_[at(*fallen)].foothold;
   if (level_->assists.no_fall) {
     rules_.send_chasers_back();
-    return player_->put(foothold_, scene_->coupling());
+    return put_at(foothold, foothold);
   }
   ++falls_;
-  put_player_back();
+  put_players_back();
 }
 
 /// Sets the foothold to a position at which the player stood at least foothold_ticks earlier, since the last position
 /// is often the edge of a fall.
-void Simulation::update_foothold() {
-  if (!player_->is_on_firm_ground()) {
-    standing_ticks_ = 0;
+void Simulation::update_foothold(int number) {
+  Seat& seat = seats_[at(number)];
+  if (!player(number).is_on_firm_ground()) {
+    seat.standing_ticks = 0;
     return;
   }
-  if (standing_ticks_ % foothold_ticks == 0) {
-    if (standing_ticks_ > 0) foothold_ = next_foothold_;
-    next_foothold_ = player_->position() - Vec2{0.0, 0.5 * player_->tuning().height};
+  if (seat.standing_ticks % foothold_ticks == 0) {
+    if (seat.standing_ticks > 0) seat.foothold = seat.next_foothold;
+    seat.next_foothold = player(number).position() - Vec2{0.0, 0.5 * player(number).tuning().height};
   }
-  ++standing_ticks_;
+  ++seat.standing_ticks;
 }
 
 void Simulation::take_snapshot(Snapshot& snapshot) const {
@@ -257,21 +337,26 @@ void Simulation::compute_hash() {
   game.add(goal_ticks_.value_or(-1));
   game.add(checkpoint_ ? static_cast<int>(*checkpoint_) : -1);
   drag_.add_to(game);
-  const auto held = scene_->coupling().body(player_->body()).held_place();
-  game.add(held ? held->cord : -1);
-  game.add(held ? held->point : -1);
-  game.add(held ? held->along : 0.0);
-  game.add(scene_->coupling().body(player_->body()).velocity());
-  player_->add_to(game);
+  for (int k = 0; k < players(); ++k) add_to(game, k);
+  if (tether_) tether_->add_to(game);
   rules_.add_to(game, *scene_);
-  if (level_->assists.no_fall) {
-    game.add(foothold_);
-    game.add(standing_ticks_);
-  }
 
   hash_.clear();
   hash_.add(ribbon::box2d::Subsystem::game, 0, game);
   scene_->add_to(hash_);
+}
+
+void Simulation::add_to(ribbon::box2d::Hasher& game, int number) const {
+  const Player& one = player(number);
+  const auto held = one.held_place(scene_->coupling());
+  game.add(held ? held->cord : -1);
+  game.add(held ? held->point : -1);
+  game.add(held ? held->along : 0.0);
+  game.add(scene_->coupling().body(one.body()).velocity());
+  one.add_to(game);
+  if (!level_->assists.no_fall) return;
+  game.add(seats_[at(number)].foothold);
+  game.add(seats_[at(number)].standing_ticks);
 }
 
 engine::ReplayHeader Simulation::replay_header(const Level& level) {
@@ -279,6 +364,7 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.level = level.name;
   header.level_hash = level.map.content_hash;
   header.tick_rate = ticks_per_second;
+  header.players = level.players();
   header.settings["velocity_iterations"] = static_cast<double>(engine::Scene::velocity_iterations);
   header.settings["position_iterations"] = static_cast<double>(engine::Scene::position_iterations);
   header.settings["cord_method"] = std::string(ribbon::box2d::solver_name(engine::Scene::default_solver));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,7 +46,7 @@ using Mover = std::function<void(double dt)>;
 /// Makes the mover of a new scene and its player, which outlive it.
 using MakeMover = std::function<Mover(engine::Scene& scene, Player& player)>;
 
-/// A run of a level: a function of the level and the inputs of the ticks only.
+/// A run of a level by one player or two: a function of the level and the inputs of the ticks only.
 class Simulation {
  public:
   /// Stores a reference to the level. `make_mover` replaces Scene::tick, to compare another method with the cords. Such
@@ -73,8 +74,15 @@ class Simulation {
   void watch(ribbon::box2d::StepWatcher* watcher);
   /// Steps the cords of this scene and of later ones in parallel: ribbon::box2d::Coupling::use.
   void use(const ribbon::ParallelFor& parallel_for);
-  const Player& player() const { return *player_; }
-  Player& player() { return *player_; }  ///< recordings do not include changes of it
+  const Player& player() const { return *players_[0]; }
+  Player& player() { return *players_[0]; }  ///< recordings do not include changes of it
+  /// The first player (0) or the second one (1) of `players`.
+  const Player& player(int number) const { return *players_[static_cast<std::size_t>(number)]; }
+  int players() const { return level_->players(); }  ///< 1 or 2
+  /// The rope between the players; nothing if there is none.
+  const std::optional<Tether>& tether() const { return tether_; }
+  /// Whether that player touches the flag, where it waits for the other.
+  bool is_at_flag(int number) const;
   /// After a fall, cords and bodies stay as they are, until a restart: the scene was changed by hand.
   void keep_changes() { keeps_changes_ = true; }
   const ribbon::box2d::StateHash& hash() const { return hash_; }  ///< after the last tick
@@ -89,8 +97,10 @@ class Simulation {
   int coins() const { return rules_.coins(); }  ///< collected since the last restart
   const Rules& rules() const { return rules_; }
   const Drag& drag() const { return drag_; }
-  /// What a line would be thrown at now.
-  const std::optional<Target>& target() const { return targets_.thrown; }
+  /// What a line of a player would be thrown at now.
+  const std::optional<Target>& target(int number = 0) const {
+    return seats_[static_cast<std::size_t>(number)].targets.thrown;
+  }
 
   /// Returns the header of a replay of this level.
   static engine::ReplayHeader replay_header(const Level& level);
@@ -99,18 +109,22 @@ class Simulation {
 
  private:
   void restart();
-  bool drop_load();
-  void put_player_back();
-  std::uint16_t buttons_after_goal() const;
-  void check_player();
-  void update_foothold();
+  void make_players();
+  void apply(int number, std::uint16_t buttons, unsigned pressed, std::optional<ribbon::Vec2> pointer);
+  void reel_tether(const engine::TickInput& input);
+  bool drop_load(const Player& player);
+  void put_players_back();
+  void put_at(ribbon::Vec2 first, ribbon::Vec2 second);
+  std::uint16_t buttons_after_goal(const Player& player) const;
+  void check_players();
+  void update_foothold(int number);
+  void add_to(ribbon::box2d::Hasher& game, int number) const;
   void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
   /// Returns references to what SavedTick::Progress has.
   template <typename Self>
   static auto progress_of(Self& self) {
-    return std::tie(self.drag_, self.checkpoint_, self.targets_, self.foothold_, self.next_foothold_,
-                    self.standing_ticks_, self.buttons_before_, self.ticks_, self.run_ticks_, self.falls_,
+    return std::tie(self.drag_, self.checkpoint_, self.seats_, self.ticks_, self.run_ticks_, self.falls_,
                     self.goal_ticks_);
   }
 
@@ -119,7 +133,8 @@ class Simulation {
   ribbon::box2d::StepWatcher* watcher_ = nullptr;
   ribbon::ParallelFor parallel_for_;
   std::unique_ptr<engine::Scene> scene_;
-  std::unique_ptr<Player> player_;
+  std::array<std::unique_ptr<Player>, 2> players_;  // the second one is null in a run of one
+  std::optional<Tether> tether_;
   Mover move_;
   Snapshot previous_;
   Snapshot current_;
@@ -129,11 +144,7 @@ class Simulation {
   SavedTick start_;             // what cords and bodies return to after a fall
   bool keeps_changes_ = false;  // and they do not
   std::optional<std::size_t> checkpoint_;
-  Targets targets_;
-  ribbon::Vec2 foothold_;       // m, feet: the position after a fall with the assist no_fall
-  ribbon::Vec2 next_foothold_;  // m, feet: becomes foothold_ if the player keeps standing
-  int standing_ticks_ = 0;      // on firm ground
-  std::uint16_t buttons_before_ = 0;
+  std::array<Seat, 2> seats_;
   int ticks_ = 0;
   int run_ticks_ = 0;
   int falls_ = 0;

@@ -127,7 +127,7 @@ void WaterForces::swim(const ribbon::WeatherDef& weather, std::size_t number, un
   int& since_stroke = ticks_since_stroke_[number];
   since_stroke = std::min(since_stroke + 1, long_ago);
   if ((pressed & button_jump) == 0 || since_stroke < stroke_pause || player.is_on_ground()) return;
-  if (coupling.body(player.body()).held_place()) return;
+  if (player.held_place(coupling)) return;
   const Submerged part = submerged(player.body(), weather.water_level);
   if (part.area < min_swimming_share * part.whole) return;
   const double wanted = part.area < diving_share * part.whole ? leap_speed : stroke_speed;

@@ -62,7 +62,7 @@ void CueDetector::update(const Simulation& simulation) {
 void CueDetector::reset(const Simulation& simulation) {
   falls_ = simulation.falls();
   reached_goal_ = simulation.goal_ticks().has_value();
-  held_ = simulation.scene().coupling().body(simulation.player().body()).held_place().has_value();
+  held_ = simulation.player().held_place(simulation.scene().coupling()).has_value();
   on_ground_ = simulation.player().is_on_ground();
   checkpoint_ = simulation.checkpoint();
   line_ = simulation.player().line().state();
@@ -136,7 +136,7 @@ void CueDetector::detect_cords(const Simulation& simulation) {
 void CueDetector::detect_held_cord(const Simulation& simulation) {
   ++since_creak_;
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-  const auto held = coupling.body(simulation.player().body()).held_place();
+  const auto held = simulation.player().held_place(coupling);
   const bool by_line = held && simulation.player().line().cord() == held->cord;
   if (held && !held_ && !by_line) add(Noise::catches, 0.8);
   if (!held && held_) add(Noise::lets_go, 0.7);

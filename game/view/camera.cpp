@@ -28,6 +28,9 @@ constexpr double above_player = 1.4;    // m, from its centre to the edge of the
 constexpr double up_ahead = 0.15;       // s, ahead of a player that rises, for the same
 constexpr double jump_height = 16.0;    // m, max. height of the view to show the ground
 constexpr double edge_zone = 2.5;       // m
+constexpr double beside_players = 4.0;  // m, from the outer one of two players to the edge of the picture
+constexpr double over_players = 3.0;    // m, the same up and down
+constexpr double most_for_two = 26.0;   // m, max. height of the view to show both
 constexpr double usual_aspect = 16.0 / 9.0;
 constexpr double steady_height = 0.5 * (slow_height + fast_height);  // m, with reduced motion
 constexpr double max_acceleration = 45.0;                            // m/s²
@@ -43,6 +46,13 @@ Vec2 clamp_length(Vec2 v, double max_length) {
 /// Returns the height that has to be in the picture during a jump, m.
 double highest_shown(const CameraSubject& subject) {
   return subject.at.y + above_player + up_ahead * std::max(0.0, subject.velocity.y);
+}
+
+/// Returns the height of the view that shows both players, m; 0 for one.
+double height_for_two(const CameraSubject& subject) {
+  if (!subject.spread) return 0.0;
+  const double across = 2.0 * (subject.spread->x + beside_players) / usual_aspect;
+  return std::min(std::max(across, 2.0 * (subject.spread->y + over_players)), most_for_two);
 }
 
 /// Clamps the centre of the view to the level; returns the middle of a level that is smaller than the view.
@@ -92,6 +102,8 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
     // The player has priority.
     place.at.y = std::max(std::min(place.at.y, lowest + 0.5 * now_.height), highest - 0.5 * now_.height);
   }
+  place.least = height_for_two(subject);
+  place.height = std::max(place.height, place.least);
   // The edge of the level does not stop the camera at once.
   const double view_height = std::max(now_.height, steady_height);
   place.at.x = ease_center(place.at.x, 0.5 * usual_aspect * view_height, level_.x);
@@ -111,6 +123,7 @@ void Camera::jump_to(const CameraSubject& subject) {
   velocity_ = subject_velocity_;
   const Place goal = wanted(subject);
   now_.height = goal.height;
+  now_.least = goal.least;
   now_.at = goal.at - (2.0 / stiffness) * velocity_;
   now_.shake = {};
   before_ = now_;
@@ -127,6 +140,7 @@ void Camera::tick(const CameraSubject& subject) {
   velocity_ += tick_dt * clamp_length(pull, max_acceleration);
   now_.at += tick_dt * velocity_;
   now_.height += zooming * (goal.height - now_.height);
+  now_.least += zooming * (goal.least - now_.least);
   if (subject.lands && subject.impact > hard_landing) shaking_ += shake_size * (subject.impact - hard_landing);
   shaking_ = std::min(shake_decay * shaking_, 0.25);
   ++ticks_;
@@ -136,7 +150,9 @@ void Camera::tick(const CameraSubject& subject) {
 engine::View Camera::view(double alpha, int width, int height, bool reduced_motion) const {
   const auto between = [alpha](Vec2 a, Vec2 b) { return a + alpha * (b - a); };
   // A level that is lower or narrower than the view is enlarged, so that its outside is never visible.
-  const double wanted_height = reduced_motion ? steady_height : before_.height + alpha * (now_.height - before_.height);
+  const auto at_alpha = [alpha](double a, double b) { return a + alpha * (b - a); };
+  const double wanted_height = reduced_motion ? std::max(steady_height, at_alpha(before_.least, now_.least))
+                                              : at_alpha(before_.height, now_.height);
   const double metres_high = std::min({wanted_height, level_.y, level_.x * height / width});
   const double scale = height / metres_high;
   Vec2 center = between(before_.at, now_.at);

@@ -15,6 +15,8 @@ struct CameraSubject {
   bool hangs = false;   ///< from a cord
   bool lands = false;   ///< in this tick
   double impact = 0.0;  ///< m/s, the speed of the landing
+  /// m, of two players, in the middle of which `at` is: half their distance, across and up; both are in the picture.
+  std::optional<ribbon::Vec2> spread{};
 };
 
 /// Follows the player with a lead in its direction of motion, as a critically damped spring does. A jump does not move
@@ -38,6 +40,7 @@ class Camera {
   struct Place {
     ribbon::Vec2 at{};
     double height = 13.0;  // m, of the view
+    double least = 0.0;    // m, its height that shows both players; 0 for one
     ribbon::Vec2 shake{};
   };
   Place wanted(const CameraSubject& subject) const;

@@ -29,7 +29,15 @@ CameraSubject Effects::subject() const {
   now.velocity = ribbon::box2d::to_double(player.body().GetLinearVelocity());
   now.faces_left = player.faces_left();
   now.on_ground = player.is_on_ground();
-  now.hangs = simulation_->scene().coupling().body(player.body()).held_place().has_value();
+  if (simulation_->players() == 2) {
+    const Player& other = simulation_->player(1);
+    const Vec2 apart = 0.5 * (other.position() - now.at);
+    now.spread = Vec2{std::abs(apart.x), std::abs(apart.y)};
+    now.at += apart;
+    now.velocity = 0.5 * (now.velocity + ribbon::box2d::to_double(other.body().GetLinearVelocity()));
+    now.on_ground = now.on_ground && other.is_on_ground();
+  }
+  now.hangs = player.held_place(simulation_->scene().coupling()).has_value();
   return now;
 }
 
@@ -64,7 +72,7 @@ void Effects::follow(const Palette& palette, bool reduced_motion) {
 
 void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
   const Player& player = simulation_->player();
-  const Vec2 feet = now.at - Vec2{0.0, 0.5 * player.tuning().height};
+  const Vec2 feet = player.position() - Vec2{0.0, 0.5 * player.tuning().height};
   const Color dust = mix(palette.soil, {255, 255, 255}, 0.45);
   if (now.lands && now.impact > min_dust_speed) add_dust(particles_, feet, now.impact / 10.0, dust);
   const bool runs = player.is_on_ground() && std::abs(now.velocity.x) > 3.0;

@@ -13,13 +13,11 @@ using ribbon::Vec2;
 
 constexpr Color skin{244, 200, 160};
 constexpr Color hair{84, 52, 44};
-constexpr Color jacket{58, 128, 168};
-constexpr Color jacket_far{42, 92, 126};
 constexpr Color trousers{112, 84, 78};
 constexpr Color trousers_far{82, 62, 62};
 constexpr Color boots{58, 42, 44};
-constexpr Color scarf{250, 104, 66};
-constexpr Color scarf_shade{204, 66, 52};
+constexpr std::array<Clothes, 2> clothes_of_players{{{{58, 128, 168}, {42, 92, 126}, {250, 104, 66}, {204, 66, 52}},
+                                                     {{246, 202, 92}, {200, 156, 62}, {96, 60, 130}, {70, 42, 98}}}};
 constexpr double outline = 0.055;  // m, half of it on each side
 constexpr double head_radius = 0.19;
 
@@ -30,7 +28,7 @@ struct Limb {
 };
 
 /// Returns the limbs from far to near.
-std::vector<Limb> limbs_of(const Pose& pose) {
+std::vector<Limb> limbs_of(const Pose& pose, const Clothes& clothes) {
   const Vec2 chest = 0.5 * (pose.hip + pose.neck);
   const auto boot = [&pose](std::size_t k) {
     return Limb{
@@ -38,13 +36,13 @@ std::vector<Limb> limbs_of(const Pose& pose) {
         0.13,
         boots};
   };
-  return {{{pose.shoulder[0], pose.elbow[0], pose.hand[0]}, 0.115, jacket_far},
+  return {{{pose.shoulder[0], pose.elbow[0], pose.hand[0]}, 0.115, clothes.jacket_far},
           {{pose.hip, pose.knee[0], pose.foot[0]}, 0.15, trousers_far},
           boot(0),
           {{pose.hip, pose.knee[1], pose.foot[1]}, 0.16, trousers},
           boot(1),
-          {{pose.hip, chest, pose.neck - Vec2{0.0, 0.06}}, 0.32, jacket},
-          {{pose.shoulder[1], pose.elbow[1], pose.hand[1]}, 0.12, jacket}};
+          {{pose.hip, chest, pose.neck - Vec2{0.0, 0.06}}, 0.32, clothes.jacket},
+          {{pose.shoulder[1], pose.elbow[1], pose.hand[1]}, 0.12, clothes.jacket}};
 }
 
 void add_limb(Pen& pen, std::span<const Vec2> joints, double width) {
@@ -78,24 +76,26 @@ void draw_head(Pen& pen, const Pose& pose) {
   canvas.circle(pose.head + Vec2{0.065 * side, -0.075}, 0.03, {236, 150, 128});
 }
 
-void draw_scarf(Pen& pen, const Pose& pose) {
-  pen.canvas.polyline(pose.scarf, 0.085, scarf_shade);
-  pen.canvas.polyline(pose.scarf, 0.05, scarf);
+void draw_scarf(Pen& pen, const Pose& pose, const Clothes& clothes) {
+  pen.canvas.polyline(pose.scarf, 0.085, clothes.scarf_shade);
+  pen.canvas.polyline(pose.scarf, 0.05, clothes.scarf);
 }
 
 }  // namespace
 
-void draw_figure(Pen& pen, const Pose& pose) {
-  const std::vector<Limb> limbs = limbs_of(pose);
+const Clothes& clothes_of(int player) { return clothes_of_players[static_cast<std::size_t>(player)]; }
+
+void draw_figure(Pen& pen, const Pose& pose, const Clothes& clothes) {
+  const std::vector<Limb> limbs = limbs_of(pose, clothes);
   add_silhouette(pen, pose, limbs, outline);
   pen.canvas.mesh(pen.shape, pen.colors.ink);
-  draw_scarf(pen, pose);
+  draw_scarf(pen, pose, clothes);
   for (std::size_t k = 0; k < limbs.size(); ++k) {
     pen.canvas.polyline(limbs[k].joints, limbs[k].width, limbs[k].color);
     if (k == 0) pen.canvas.circle(pose.hand[0], 0.065, mix(skin, pen.colors.ink, 0.15));
     if (k == 5) {  // after the chest
       const Vec2 collar = pose.neck - Vec2{0.0, 0.02};
-      pen.canvas.polyline(std::array{collar - Vec2{0.09, 0.0}, collar + Vec2{0.09, 0.0}}, 0.12, scarf);
+      pen.canvas.polyline(std::array{collar - Vec2{0.09, 0.0}, collar + Vec2{0.09, 0.0}}, 0.12, clothes.scarf);
       draw_head(pen, pose);
     }
   }
@@ -108,7 +108,7 @@ GhostColors ghost_colors(const Palette& colors) {
 
 void draw_ghost(Pen& pen, const Pose& pose) {
   const GhostColors colors = ghost_colors(pen.colors);
-  const std::vector<Limb> limbs = limbs_of(pose);
+  const std::vector<Limb> limbs = limbs_of(pose, clothes_of(0));
   add_silhouette(pen, pose, limbs, outline);
   pen.canvas.mesh(pen.shape, colors.outline);
   add_silhouette(pen, pose, limbs, -0.02);

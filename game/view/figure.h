@@ -5,8 +5,15 @@
 
 namespace game {
 
-/// Draws the player.
-void draw_figure(Pen& pen, const Pose& pose);
+/// The colours of the clothes of a player; those of the parts on the far side of the body are darker.
+struct Clothes {
+  engine::Color jacket, jacket_far, scarf, scarf_shade;
+};
+/// Returns the clothes of the first (0) or the second player (1). Their jackets differ in brightness too.
+const Clothes& clothes_of(int player);
+
+/// Draws a player.
+void draw_figure(Pen& pen, const Pose& pose, const Clothes& clothes = clothes_of(0));
 
 /// The colours of a ghost, translucent: a dark outline, and a pale figure on top of it. One of them differs from any
 /// backdrop.

@@ -73,17 +73,19 @@ std::optional<Vec2> held_position(const Coupling& coupling, const Snapshot& now,
   return position(coupling.cord(held->cord), now, *held);
 }
 
-FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time) {
-  const Player& player = simulation.player();
+FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time, int number) {
+  const Player& player = simulation.player(number);
   const Coupling& coupling = simulation.scene().coupling();
   FigureState state;
-  state.at = now.bodies.back().position;  // the player is the newest body
+  const std::size_t newer =
+      static_cast<std::size_t>(simulation.players() - number);  // the players are the newest bodies
+  state.at = now.bodies[now.bodies.size() - newer].position;
   state.velocity = ribbon::box2d::to_double(player.body().GetLinearVelocity());
   state.faces_left = player.faces_left();
   state.on_ground = player.is_on_ground();
   state.time = time;
   state.climbs = player.is_climbing();
-  if (const auto held = coupling.body(player.body()).held_place()) hold(state, coupling, now, *held);
+  if (const auto held = player.held_place(coupling)) hold(state, coupling, now, *held);
   if (const auto& ledge = player.ledge()) {
     state.ledge = ledge->edge;
     state.faces_left = ledge->side < 0;

@@ -6,9 +6,9 @@
 
 namespace game {
 
-/// Returns the state of the player in a snapshot of the run's last tick, or of the time before it. `time`: s, since the
-/// start of the run.
-FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time);
+/// Returns the state of a player in a snapshot of the run's last tick, or of the time before it. `time`: s, since the
+/// start of the run. `number`: of the player.
+FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time, int number = 0);
 
 /// Returns the state of a ghost.
 FigureState figure_of(const GhostPose& ghost, double time);

@@ -29,13 +29,20 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
+bool is_player(const Simulation& simulation, const b2Body& body) {
+  for (int k = 0; k < simulation.players(); ++k) {
+    if (&body == &simulation.player(k).body()) return true;
+  }
+  return false;
+}
+
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
   const std::span<const engine::SceneBody> made = simulation.scene().bodies();
   std::size_t index = now.bodies.size();
   for (const b2Body* body = simulation.scene().world().GetBodyList(); body != nullptr; body = body->GetNext()) {
     --index;  // the newest body is first in the list
-    if (body == &simulation.player().body()) continue;
+    if (is_player(simulation, *body)) continue;
     const auto found =
         std::find_if(made.begin(), made.end(), [body](const engine::SceneBody& b) { return b.body == body; });
     const bool is_load = found != made.end() && found->kind == engine::BodyKind::load;
@@ -56,7 +63,9 @@ std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& no
   std::vector<DrawnCord> cords;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
-    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_line(simulation.player(), id)});
+    bool is_a_line = false;
+    for (int k = 0; k < simulation.players(); ++k) is_a_line = is_a_line || is_line(simulation.player(k), id);
+    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_a_line});
   }
   return cords;
 }
@@ -73,6 +82,13 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, const Burning& bu
   }
 }
 
+bool is_aimed_at(const Simulation& simulation, std::size_t hook) {
+  for (int k = 0; k < simulation.players(); ++k) {
+    if (simulation.target(k) && simulation.target(k)->hook == hook) return true;
+  }
+  return false;
+}
+
 void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
@@ -81,9 +97,11 @@ void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::s
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
-  const std::optional<Target>& target = simulation.target();
-  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], target && target->hook == k);
-  if (target && !target->hook) draw_aim(pen, target->place());
+  for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], is_aimed_at(simulation, k));
+  for (int k = 0; k < simulation.players(); ++k) {
+    const std::optional<Target>& target = simulation.target(k);
+    if (target && !target->hook) draw_aim(pen, target->place());
+  }
 }
 
 /// Draws the player's lines during a throw. A held or released line is drawn as a cord.
@@ -112,11 +130,15 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, simulation_->rules().burning(), options.strain_tint);
-  if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  const Pose pose = pose_of(figure_of(*simulation_, now, time));
+  for (const std::optional<GhostPose>& ghost : {options.ghost, options.second_ghost}) {
+    if (ghost) draw_ghost(pen, pose_of(figure_of(*ghost, time)));
+  }
   draw_hazards(pen, *simulation_, alpha);
-  draw_flight(pen, simulation_->player().lines(), pose.throwing_hand());
-  draw_figure(pen, pose);
+  for (int k = simulation_->players() - 1; k >= 0; --k) {  // the first one in front
+    const Pose pose = pose_of(figure_of(*simulation_, now, time, k));
+    draw_flight(pen, simulation_->player(k).lines(), pose.throwing_hand());
+    draw_figure(pen, pose, clothes_of(k));
+  }
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
   if (options.debug) {

@@ -19,7 +19,7 @@ struct ViewOptions {
   bool strain_tint = false;     ///< cords coloured by strain, with a legend
   bool colour_safe = false;     ///< colours for red-green colour blindness
   bool reduced_motion = false;  ///< no shaking, zooming, drifting clouds or particles
-  std::optional<GhostPose> ghost{};
+  std::optional<GhostPose> ghost{}, second_ghost{};
   const std::vector<std::string>* keys = nullptr;  ///< lines that explain the keys, or null
   std::vector<std::string> signs{};                ///< texts of the level's signs; empty: as in the level
   std::string headline{}, below{};                 ///< a message in the middle; empty: none
@@ -28,7 +28,7 @@ struct ViewOptions {
   const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
 };
 
-/// Draws a run of a level. The camera follows the player within the level.
+/// Draws a run of a level. The camera follows the player, or both players, within the level.
 class View {
  public:
   explicit View(const Simulation& simulation) : simulation_(&simulation), effects_(simulation) {}

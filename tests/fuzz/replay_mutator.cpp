@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/replay/replay_format.h"
@@ -21,7 +22,13 @@ class Sealer {
   explicit Sealer(std::span<std::uint8_t> file) : file_(file) {}
 
   void seal() {
-    if (!skip_line() || !skip_line() || !close_record()) return;
+    if (!skip_line()) return;
+    const std::size_t header = at_;
+    if (!skip_line()) return;
+    const auto line = file_.subspan(header, at_ - header);
+    constexpr std::string_view two = "\"players\":2";
+    players_ = std::search(line.begin(), line.end(), two.begin(), two.end()) == line.end() ? 1 : 2;
+    if (!close_record()) return;
     while (close_tick()) {
     }
     if (at_ + format::end_bytes <= file_.size() && file_[at_] == format::end_tag) {
@@ -42,7 +49,7 @@ class Sealer {
     if (at_ + format::tick_head_bytes > file_.size() || file_[at_] != format::tick_tag) return false;
     const std::size_t parts = file_[at_ + 1] + std::size_t{256} * file_[at_ + 2];
     for (const std::size_t k : {1U, 2U}) file_[at_ + 2 + k] = static_cast<std::uint8_t>(~file_[at_ + k]);
-    at_ += format::tick_head_bytes + format::tick_body_bytes(parts) - format::checksum_bytes;
+    at_ += format::tick_head_bytes + format::tick_body_bytes(parts, players_) - format::checksum_bytes;
     return close_record();
   }
 
@@ -60,6 +67,7 @@ class Sealer {
   std::span<std::uint8_t> file_;
   std::size_t at_ = 0;
   std::size_t start_ = 0;  // of the record
+  int players_ = 1;
   std::uint32_t crc_ = 0;
 };
 

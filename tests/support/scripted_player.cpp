@@ -153,16 +153,25 @@ Move until_goal(int buttons) {
           [](const Simulation& s, int) { return s.goal_ticks().has_value(); }};
 }
 
-engine::TickInput ScriptedPlayer::input(const Simulation& simulation) {
-  while (!is_done() && moves_[next_].until(simulation, ticks_)) {
-    ++next_;
-    ticks_ = 0;
+Move* ScriptedPlayer::Script::advance(const Simulation& simulation) {
+  while (!is_done() && moves[next].until(simulation, ticks)) {
+    ++next;
+    ticks = 0;
   }
+  if (is_done() || ticks > most_ticks) return nullptr;
+  ++ticks;
+  return &moves[next];
+}
+
+engine::TickInput ScriptedPlayer::input(const Simulation& simulation) {
   engine::TickInput input;
-  if (is_done() || is_stuck()) return input;
-  ++ticks_;
-  input.buttons = static_cast<std::uint16_t>(moves_[next_].buttons(simulation));
-  engine::set_pointer(input, moves_[next_].pointer);
+  if (const Move* move = scripts_[0].advance(simulation)) {
+    input.buttons = static_cast<std::uint16_t>(move->buttons(simulation));
+    engine::set_pointer(input, move->pointer);
+  }
+  if (const Move* move = scripts_[1].advance(simulation)) {
+    input.second_buttons = static_cast<std::uint16_t>(move->buttons(simulation));
+  }
   return input;
 }
 

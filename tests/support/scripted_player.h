@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -56,24 +57,39 @@ Move swing_line_and_let_go(int side, double lean, double climb = 0.5);
 /// Holds buttons until the goal is reached, and jumps where it is stuck.
 Move until_goal(int buttons);
 
-/// Plays one move after another; one that takes more than a minute has failed.
+/// Plays one move after another; one that takes more than a minute has failed. In a level for two it plays both
+/// players, each by its own moves.
 class ScriptedPlayer {
  public:
-  explicit ScriptedPlayer(std::vector<Move> moves) : moves_(std::move(moves)) {}
+  explicit ScriptedPlayer(std::vector<Move> moves, std::vector<Move> second = {})
+      : scripts_{Script{std::move(moves)}, Script{std::move(second)}} {}
 
   engine::TickInput input(const game::Simulation& simulation);
-  bool is_done() const { return next_ >= moves_.size(); }
-  bool is_stuck() const { return ticks_ > most_ticks; }
-  std::size_t move() const { return next_; }
+  bool is_done() const { return scripts_[0].is_done() && scripts_[1].is_done(); }
+  bool is_stuck() const { return scripts_[0].ticks > most_ticks || scripts_[1].ticks > most_ticks; }
+  std::size_t move(std::size_t player = 0) const { return scripts_[player].next; }
 
  private:
   static constexpr int most_ticks = 60 * game::ticks_per_second;
-  std::vector<Move> moves_;
-  std::size_t next_ = 0;
-  int ticks_ = 0;
+  struct Script {
+    std::vector<Move> moves;
+    std::size_t next = 0;
+    int ticks = 0;
+
+    bool is_done() const { return next >= moves.size(); }
+    /// Goes on to the move of this tick, or returns null if there is none.
+    Move* advance(const game::Simulation& simulation);
+  };
+  std::array<Script, 2> scripts_;
 };
 
 /// Returns the script that wins a level of the game; empty for an unknown name.
 std::vector<Move> winning_script(const std::string& level);
+/// Returns that of the second player; empty for a level for one.
+std::vector<Move> second_winning_script(const std::string& level);
+/// Returns the player, or both players, that win a level of the game.
+inline ScriptedPlayer winner_of(const std::string& level) {
+  return ScriptedPlayer(winning_script(level), second_winning_script(level));
+}
 
 }  // namespace test_support

@@ -30,7 +30,10 @@ SDL_Keycode code_of(Key key) {
     case Key::enter: return SDLK_RETURN;
     case Key::escape: return SDLK_ESCAPE;
     case Key::backspace: return SDLK_BACKSPACE;
-    case Key::shift: return SDLK_LSHIFT;
+    case Key::shift:
+    case Key::left_shift: return SDLK_LSHIFT;
+    case Key::right_shift: return SDLK_RSHIFT;
+    case Key::right_ctrl: return SDLK_RCTRL;
     default: throw std::invalid_argument("a key that no test has used yet");
   }
 }

@@ -3,6 +3,7 @@
 #include "game/simulation/buttons.h"
 #include "tests/support/autopilot.h"
 #include "tests/support/scripted_player.h"
+#include "tests/support/scripts_for_two.h"
 
 namespace test_support {
 namespace {
@@ -372,7 +373,9 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "the_cranes") return the_cranes();
   if (level == "the_harbour") return the_harbour();
   if (level == "sandbox") return sandbox();
-  return {};
+  return winning_script_for_two(level, 0);
 }
+
+std::vector<Move> second_winning_script(const std::string& level) { return winning_script_for_two(level, 1); }
 
 }  // namespace test_support

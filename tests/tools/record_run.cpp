@@ -16,27 +16,28 @@ namespace {
 constexpr int most_ticks = 4 * 60 * 60;
 constexpr int ticks_after_goal = 30;
 
-void trace(const game::Simulation& simulation, std::size_t move) {
-  const game::Player& player = simulation.player();
+void trace(const game::Simulation& simulation, std::size_t move, int number) {
+  const game::Player& player = simulation.player(number);
   const b2Vec2 v = player.body().GetLinearVelocity();
   std::printf("tick %4d move %2zu at %6.2f %6.2f  v %6.2f %6.2f%s%s%s\n", simulation.run_ticks(), move,
               player.position().x, player.position().y, static_cast<double>(v.x), static_cast<double>(v.y),
-              player.is_on_ground() ? " ground" : "",
-              simulation.scene().coupling().body(player.body()).held_place() ? " holds" : "",
+              player.is_on_ground() ? " ground" : "", player.held_place(simulation.scene().coupling()) ? " holds" : "",
               player.line().state() == game::Line::State::held ? " line" : "");
 }
 
 int record(const std::string& name, const std::string& path, int trace_every) {
   const game::Level level = game::load_level(name);
   game::Simulation simulation(level);
-  test_support::ScriptedPlayer player(test_support::winning_script(level.name));
+  test_support::ScriptedPlayer player = test_support::winner_of(level.name);
   engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
   int left = most_ticks;
   while (left-- > 0 && !player.is_stuck()) {
     const engine::TickInput input = player.input(simulation);
     simulation.tick(input);
     writer.write(input, simulation.hash());
-    if (trace_every > 0 && simulation.ticks() % trace_every == 0) trace(simulation, player.move());
+    for (int k = 0; trace_every > 0 && simulation.ticks() % trace_every == 0 && k < simulation.players(); ++k) {
+      trace(simulation, player.move(static_cast<std::size_t>(k)), k);
+    }
     if (simulation.goal_ticks())
       left = std::min(left, *simulation.goal_ticks() + ticks_after_goal - simulation.run_ticks());
     if (player.is_done() && !simulation.goal_ticks()) break;

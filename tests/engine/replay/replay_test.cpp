@@ -107,6 +107,84 @@ TEST(Replay, TheFileIsAsDocumented) {
   EXPECT_EQ(bytes_of(path), expected.file());
 }
 
+/// A run of two players, whose ticks are longer.
+std::string recorded_of_two(std::uint16_t ticks, const std::string& name) {
+  const std::string path = scratch(name);
+  ReplayHeader header = some_header();
+  header.players = 2;
+  ReplayWriter writer(path, header);
+  for (std::uint16_t i = 0; i < ticks; ++i) {
+    TickInput input = some_input(i);
+    input.second_buttons = static_cast<std::uint16_t>(0x8000 + i);
+    writer.write(input, some_state(i));
+  }
+  writer.finish();
+  return bytes_of(path);
+}
+
+TEST(ReplayOfTwo, IsAsDocumented) {
+  const std::string path = scratch("two_as_documented");
+  ReplayWriter writer(path, {.level = "a", .level_hash = 0xff, .tick_rate = 50, .settings = {}, .players = 2});
+  writer.write({.buttons = 0x8001, .pointer_x_cm = -2, .pointer_y_cm = 258, .second_buttons = 0x0203},
+               ribbon::box2d::StateHash({}, 0x0102030405060708));
+  writer.finish();
+
+  HandMade expected(R"({"level":"a","level_hash":"00000000000000ff","players":2,"settings":{},"tick_rate":50})");
+  expected.add(
+      bytes("T\x00\x00\xff\xff"
+            "\x01\x80\xfe\xff\x02\x01"
+            "\x03\x02"
+            "\x08\x07\x06\x05\x04\x03\x02\x01"));
+  expected.add(bytes("E\x01\x00\x00\x00"));
+  EXPECT_EQ(bytes_of(path), expected.file());
+}
+
+TEST(ReplayOfTwo, KeepsTheButtonsOfBoth) {
+  const Replay replay = parse(recorded_of_two(3, "two"));
+  EXPECT_EQ(replay.header.players, 2);
+  EXPECT_TRUE(replay.complete);
+  ASSERT_EQ(replay.ticks.size(), 3U);
+  for (std::uint16_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(replay.ticks[i].input.buttons, i);
+    EXPECT_EQ(replay.ticks[i].input.second_buttons, 0x8000 + i);
+    EXPECT_EQ(replay.ticks[i].state, some_state(i));
+  }
+}
+
+TEST(ReplayOfTwo, IsRefusedAfterAnyChangeToAByte) {
+  const std::string whole = recorded_of_two(2, "two_flipped");
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string changed = whole;
+    for (int bit = 0; bit < 8; ++bit) {
+      changed[at] = static_cast<char>(static_cast<unsigned char>(whole[at]) ^ (1U << bit));
+      ASSERT_TRUE(says(error_of(changed), "swing.replay: byte ")) << "byte " << at << ", bit " << bit;
+    }
+  }
+}
+
+TEST(ReplayOfTwo, CutShortKeepsItsWholeTicks) {
+  const std::string whole = recorded_of_two(3, "two_cut");
+  const std::size_t header_size = recorded_of_two(0, "two_header").size() - 9;  // without the end marker
+  std::size_t ticks = 0;
+  for (std::size_t size = header_size; size < whole.size(); ++size) {
+    const Replay replay = parse(whole.substr(0, size));
+    EXPECT_FALSE(replay.complete);
+    ASSERT_GE(replay.ticks.size(), ticks);
+    ticks = replay.ticks.size();
+    for (std::size_t k = 0; k < ticks; ++k) EXPECT_EQ(replay.ticks[k].input.second_buttons, 0x8000 + k);
+  }
+  EXPECT_EQ(ticks, 3U);
+}
+
+TEST(Replay, OfOnePlayerHasNoWordOfASecond) {
+  const std::string path = scratch("one");
+  ReplayWriter writer(path, {.level = "a", .level_hash = 0xff, .tick_rate = 50, .settings = {}});
+  writer.write({.buttons = 1, .second_buttons = 0x0203}, ribbon::box2d::StateHash({}, 0));
+  writer.finish();
+  EXPECT_EQ(bytes_of(path).find("players"), std::string::npos);
+  EXPECT_EQ(load_replay(path).ticks.at(0).input.second_buttons, 0);
+}
+
 TEST(Replay, ATruncatedFileIsAPrefixOrRefused) {
   const std::string whole = recorded(4, true, "truncated");
   const std::size_t header_size = recorded(0, false, "header_only").size();
@@ -284,6 +362,8 @@ TEST(Replay, HeaderFaultsNameTheField) {
       Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{"x\u0000y":true},"tick_rate":50})",
            "settings: \"x\\x00y\" is true, accepted is a number or a text"},
       Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{},"tick_rate":50,"z":1})", "\"z\" is unknown"},
+      Case{R"({"level":"a","level_hash":"00000000000000ff","settings":{},"tick_rate":50,"players":3})",
+           "\"players\" is 3, accepted is a whole number from 1 to 2"},
   };
   for (const Case& wrong : cases) {
     EXPECT_TRUE(says(error_of(HandMade(wrong.json).file()), wrong.expected));

@@ -31,6 +31,8 @@ TEST(ReplayHeader, NamesTheFirstFieldThatDiffers) {
   EXPECT_TRUE(says(error(other), "setting \"gravity\" differs (recorded -9.81, now none)"));
   other.settings["friction"] = "0.5";
   EXPECT_TRUE(says(error(other), "setting \"friction\" differs (recorded none, now \"0.5\")"));
+  other.players = 2;
+  EXPECT_TRUE(says(error(other), "number of players differs (recorded 1, now 2)"));
   other.tick_rate = 120;
   EXPECT_TRUE(says(error(other), "tick rate differs (recorded 60, now 120)"));
   other.level_hash = 1;

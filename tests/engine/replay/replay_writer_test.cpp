@@ -115,9 +115,11 @@ TEST(ReplayWriter, RefusesAnInvalidHeaderAndDoesNotTouchTheFile) {
   not_utf8.level = "\xff";
   ReplayHeader no_rate = some_header();
   no_rate.tick_rate = 0;
+  ReplayHeader three = some_header();
+  three.players = 3;
   ReplayHeader too_long = some_header();
   too_long.level.assign(70'000, 'a');
-  for (const ReplayHeader& header : {not_finite, not_utf8, no_rate, too_long}) {
+  for (const ReplayHeader& header : {not_finite, not_utf8, no_rate, three, too_long}) {
     EXPECT_THROW(ReplayWriter(path, header), ReplayError);
   }
   EXPECT_EQ(bytes_of(path), "precious");

@@ -14,23 +14,23 @@
 namespace game {
 namespace {
 
-int runs(const Simulation& /*simulation*/) { return button_right; }
+int runs(const Simulation& /*simulation*/, int /*number*/) { return button_right; }
 
 /// Presses the key again for each jump, and holds it while it rises.
-int runs_and_jumps(const Simulation& simulation) {
-  const Player& player = simulation.player();
+int runs_and_jumps(const Simulation& simulation, int number) {
+  const Player& player = simulation.player(number);
   const bool jumps = player.is_on_ground() ? simulation.ticks() % 2 == 0 : player.body().GetLinearVelocity().y > 0.0F;
   return button_right | (jumps ? button_jump : 0);
 }
 
 /// Catches whatever it can, and lets go as soon as the swing carries it forwards and up.
-int runs_jumps_and_catches(const Simulation& simulation) {
+int runs_jumps_and_catches(const Simulation& simulation, int number) {
   constexpr float forwards = 1.0F;  // m/s
   constexpr float upwards = 0.3F;
-  const Player& player = simulation.player();
-  if (player.is_on_ground()) return runs_and_jumps(simulation);
-  if (!simulation.scene().coupling().body(player.body()).held_place()) {
-    return runs_and_jumps(simulation) | button_grab;
+  const Player& player = simulation.player(number);
+  if (player.is_on_ground()) return runs_and_jumps(simulation, number);
+  if (!player.held_place(simulation.scene().coupling())) {
+    return runs_and_jumps(simulation, number) | button_grab;
   }
   const b2Vec2 v = player.body().GetLinearVelocity();
   return button_right | (v.x > forwards && v.y > upwards ? button_jump : button_grab);
@@ -38,7 +38,7 @@ int runs_jumps_and_catches(const Simulation& simulation) {
 
 struct DullPlayer {
   const char* name;
-  int (*buttons)(const Simulation&);
+  int (*buttons)(const Simulation&, int number);
 };
 void PrintTo(const DullPlayer& player, std::ostream* out) { *out << player.name; }
 
@@ -57,7 +57,11 @@ TEST_P(DullPlayers, DoNotWin) {
   Simulation simulation(level);
   while (!simulation.goal_ticks() && simulation.ticks() < most_ticks) {
     engine::TickInput input{};
-    input.buttons = static_cast<std::uint16_t>(std::get<1>(GetParam()).buttons(simulation));
+    const auto buttons = [&](int number) {
+      return static_cast<std::uint16_t>(std::get<1>(GetParam()).buttons(simulation, number));
+    };
+    input.buttons = buttons(0);
+    if (simulation.players() == 2) input.second_buttons = buttons(1);
     simulation.tick(input);
   }
   EXPECT_FALSE(simulation.goal_ticks()) << "after " << simulation.ticks() << " ticks";

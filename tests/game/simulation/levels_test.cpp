@@ -65,7 +65,7 @@ TEST_P(EveryLevel, HasTheMedalsThatFollowFromItsWinningRun) {
 int ticks_to_goal(const Level& level, int delay) {
   Simulation simulation(level);
   for (int k = 0; k < delay; ++k) simulation.tick({});
-  test_support::ScriptedPlayer player(test_support::winning_script(level.name));
+  test_support::ScriptedPlayer player = test_support::winner_of(level.name);
   while (!simulation.goal_ticks() && !player.is_stuck() && !player.is_done() && simulation.ticks() < 3600) {
     simulation.tick(player.input(simulation));
   }
@@ -76,7 +76,8 @@ class ScriptedLevels : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(ScriptedPlayer, ScriptedLevels,
                          testing::Values("first_swing", "pump_it_up", "round_the_pegs", "over_the_wall", "up_the_shaft",
                                          "hand_over_hand", "gently", "wait_for_the_wind", "open_the_gate", "zip_line",
-                                         "the_lift", "wrecking_ball", "cut_the_bridge", "the_harbour"),
+                                         "the_lift", "wrecking_ball", "cut_the_bridge", "the_harbour", "over_you_go",
+                                         "pull_me_up", "swing_me_across"),
                          [](const auto& level) { return std::string(level.param); });
 
 TEST_P(ScriptedLevels, AreWonAfterRandomDelays) {

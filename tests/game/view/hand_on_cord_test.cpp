@@ -44,7 +44,7 @@ void for_each_tick(const std::string& name, const std::function<void(const Frame
 /// Returns the distance of a point to the cord that the player holds.
 double distance_to_cord(const Frame& frame, Vec2 p) {
   const ribbon::box2d::Coupling& coupling = frame.simulation.scene().coupling();
-  const auto held = coupling.body(frame.simulation.player().body()).held_place();
+  const auto held = frame.simulation.player().held_place(coupling);
   const std::vector<Vec2>& x = frame.now.cords[static_cast<std::size_t>(held->cord)];
   const auto rows = static_cast<std::size_t>(coupling.cord(held->cord).shape().rows);
   double nearest = std::numeric_limits<double>::infinity();
@@ -68,7 +68,10 @@ INSTANTIATE_TEST_SUITE_P(Recorded, HandOnCord, testing::ValuesIn(level_names()),
 
 TEST_P(HandOnCord, AHandHoldsThePlaceThatThePlayerHolds) {
   for_each_tick(GetParam(), [](const Frame& frame) {
-    const auto held = held_position(frame.simulation.scene().coupling(), frame.now, frame.simulation.player().body());
+    const ribbon::box2d::Coupling& coupling = frame.simulation.scene().coupling();
+    const Player& player = frame.simulation.player();
+    const auto held =
+        player.held_place(coupling) ? held_position(coupling, frame.now, player.body()) : std::optional<Vec2>();
     ASSERT_EQ(held.has_value(), frame.state.cord.has_value());
     if (!held) return;
     const auto& hand = frame.pose.hand;

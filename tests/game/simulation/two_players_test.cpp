@@ -1,0 +1,263 @@
+// Two players in one run, and the rope between them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include "game/simulation/buttons.h"
+#include "game/simulation/recorded_run.h"
+#include "game/simulation/simulation.h"
+#include "tests/support/dice.h"
+#include "tests/support/level_for_two.h"
+
+namespace game {
+namespace {
+
+using ribbon::Vec2;
+using test_support::level_for_two;
+using test_support::LevelForTwo;
+
+engine::TickInput press(int first, int second) {
+  engine::TickInput input;
+  input.buttons = static_cast<std::uint16_t>(first);
+  input.second_buttons = static_cast<std::uint16_t>(second);
+  return input;
+}
+
+void run(Simulation& simulation, int ticks, int first, int second) {
+  for (int k = 0; k < ticks; ++k) simulation.tick(press(first, second));
+}
+
+double x(const Simulation& simulation, int player) { return simulation.player(player).position().x; }
+double y(const Simulation& simulation, int player) { return simulation.player(player).position().y; }
+
+/// Lets the second player walk off the edge and hang there from the rope.
+void hang_second(Simulation& simulation) {
+  while (x(simulation, 1) < 16.5) {
+    ASSERT_LT(simulation.ticks(), 300);
+    simulation.tick(press(x(simulation, 0) < 11.5 ? button_right : 0, button_right));
+  }
+  run(simulation, 120, 0, 0);
+  ASSERT_LT(y(simulation, 1), 4.0);
+  ASSERT_FALSE(simulation.player(1).is_on_ground());
+}
+
+TEST(TwoPlayers, EachHasItsOwnButtons) {
+  const Level level = level_for_two({.tied = false});
+  Simulation simulation(level);
+  run(simulation, 40, button_left, button_right);
+  EXPECT_LT(x(simulation, 0), 6.5);
+  EXPECT_GT(x(simulation, 1), 15.5);
+}
+
+TEST(TwoPlayers, DoNotTouchEachOther) {
+  const Level level = level_for_two({.tied = false});
+  Simulation simulation(level);
+  run(simulation, 75, button_right, button_left);
+  EXPECT_GT(x(simulation, 0), x(simulation, 1) + 3.0);
+  EXPECT_NEAR(y(simulation, 0), 4.75, 0.05);
+  EXPECT_NEAR(y(simulation, 1), 4.75, 0.05);
+}
+
+TEST(TwoPlayers, ASecondPlayersButtonsDoNothingInALevelForOne) {
+  const Level level = load_level(default_level);
+  Simulation with(level);
+  Simulation without(level);
+  for (int k = 0; k < 60; ++k) {
+    with.tick(press(button_right, button_left | button_jump | button_restart | button_retry));
+    without.tick(press(button_right, 0));
+  }
+  EXPECT_EQ(with.hash(), without.hash());
+}
+
+TEST(TwoPlayers, OnlyBothTogetherWin) {
+  const Level level = level_for_two({.tied = false});
+  Simulation simulation(level);
+  simulation.player().put({40.0, 4.0}, simulation.scene().coupling());
+  run(simulation, 30, 0, 0);
+  EXPECT_TRUE(simulation.is_at_flag(0));
+  EXPECT_FALSE(simulation.is_at_flag(1));
+  EXPECT_FALSE(simulation.goal_ticks());
+  const_cast<Player&>(simulation.player(1)).put({39.0, 4.0}, simulation.scene().coupling());
+  run(simulation, 30, 0, button_right);
+  EXPECT_TRUE(simulation.goal_ticks());
+}
+
+TEST(TwoPlayers, EitherReachesTheCheckpointAndBothReturnToIt) {
+  const Level level = level_for_two({.knows_checkpoint = true});
+  Simulation simulation(level);
+  while (x(simulation, 1) > 12.0) simulation.tick(press(0, button_left));
+  EXPECT_EQ(simulation.checkpoint(), 0U);
+  run(simulation, 1, 0, button_retry);
+  EXPECT_NEAR(x(simulation, 0), 11.6, 0.05);
+  EXPECT_NEAR(x(simulation, 1), 12.4, 0.05);
+  run(simulation, 240, 0, 0);
+  EXPECT_NEAR(x(simulation, 0), 11.6, 0.3) << "the rope between them comes to rest";
+  EXPECT_NEAR(x(simulation, 1), 12.4, 0.3);
+}
+
+TEST(Tether, KeepsThePlayersWithinItsLength) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  const double whole = simulation.tether()->length();
+  EXPECT_NEAR(whole, 7.25, 0.1);
+  for (int k = 0; k < 120; ++k) {
+    simulation.tick(press(button_left, button_left));
+    if (k > 60) simulation.tick(press(button_left, button_right));
+    EXPECT_LT(std::abs(x(simulation, 1) - x(simulation, 0)), whole + 0.05);
+  }
+}
+
+TEST(Tether, APlayerThatStandsStillBearsItsPartner) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  hang_second(simulation);
+  const double before = x(simulation, 0);
+  const double height = y(simulation, 1);
+  run(simulation, 120, 0, 0);
+  EXPECT_NEAR(x(simulation, 0), before, 0.02);
+  EXPECT_NEAR(y(simulation, 1), height, 0.05);
+}
+
+TEST(Tether, AHeavyPartnerPullsItAlong) {
+  const Level level = level_for_two({.second_mass = 240.0});
+  Simulation simulation(level);
+  while (x(simulation, 1) < 16.5) {
+    ASSERT_LT(simulation.ticks(), 300);
+    simulation.tick(press(x(simulation, 0) < 11.5 ? button_right : 0, button_right));
+  }
+  run(simulation, 60, 0, 0);
+  const double before = x(simulation, 0);
+  run(simulation, 240, 0, 0);
+  EXPECT_GT(x(simulation, 0), before + 0.3);
+}
+
+TEST(Tether, ReelingHaulsThePartnerUp) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  hang_second(simulation);
+  const double height = y(simulation, 1);
+  const double whole = simulation.tether()->length();
+  run(simulation, 60, button_reel_in, 0);
+  EXPECT_NEAR(simulation.tether()->length(), whole - Tether::reel_in_speed, 0.05);
+  EXPECT_NEAR(y(simulation, 1), height + Tether::reel_in_speed, 0.25);
+  run(simulation, 60, 0, button_reel_out);
+  EXPECT_NEAR(simulation.tether()->length(), whole, 1e-9) << "not longer than it is";
+}
+
+TEST(Tether, IsNeverCaughtByTheHand) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  run(simulation, 60, button_grab, button_grab | button_jump);
+  for (int k = 0; k < 2; ++k) EXPECT_FALSE(simulation.player(k).held_place(simulation.scene().coupling()));
+}
+
+TEST(Tether, AfterAFallOfOneBothReturnAndTheRopeIsWhole) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  run(simulation, 30, button_reel_in, 0);
+  const double whole = simulation.scene().coupling().cord(simulation.tether()->cord()).direct().def().length;
+  EXPECT_LT(simulation.tether()->length(), whole - 0.5);
+  simulation.scene().coupling().cord(simulation.tether()->cord()).cut(3.0);
+  while (simulation.falls() == 0) {
+    ASSERT_LT(simulation.ticks(), 600);
+    simulation.tick(press(0, button_right));
+  }
+  EXPECT_NEAR(x(simulation, 0), 8.0, 1e-6);
+  EXPECT_NEAR(x(simulation, 1), 14.0, 1e-6);
+  ASSERT_TRUE(simulation.scene().coupling().cord(simulation.tether()->cord()).is_valid());
+  EXPECT_EQ(simulation.tether()->length(), whole);
+  run(simulation, 120, button_left, button_right);
+  EXPECT_LT(x(simulation, 1) - x(simulation, 0), whole + 0.05) << "it holds again";
+}
+
+TEST(Tether, WithoutFallsBothReturnToAFoothold) {
+  Level level = level_for_two();
+  level.assists.no_fall = true;
+  Simulation simulation(level);
+  run(simulation, 60, button_right, 0);
+  for (int k = 0; k < 400; ++k) simulation.tick(press(button_right, button_right));
+  EXPECT_EQ(simulation.falls(), 0);
+  run(simulation, 120, 0, 0);
+  for (int k = 0; k < 2; ++k) EXPECT_GT(y(simulation, k), -3.0);
+}
+
+/// Two random players, who hold each button for a while.
+class RandomPair {
+ public:
+  engine::TickInput next() {
+    if (left_-- == 0) {
+      left_ = static_cast<int>(dice_(3.0, 40.0));
+      buttons_ = press(random(), random());
+    }
+    return buttons_;
+  }
+
+ private:
+  int random() {
+    int buttons = 0;
+    for (const int button : {button_left, button_right, button_jump, button_reel_in, button_reel_out, button_grab}) {
+      if (dice_(0.0, 1.0) < 0.35) buttons |= button;
+    }
+    return buttons;
+  }
+
+  test_support::Dice dice_{3};
+  engine::TickInput buttons_{};
+  int left_ = 0;
+};
+
+TEST(TwoPlayers, SaveAndRestoreGiveTheSameBits) {
+  const Level level = level_for_two({.knows_checkpoint = true});
+  Simulation simulation(level);
+  simulation.scene().world().SetAllowSleeping(false);
+  RandomPair pair;
+  SavedTick saved;
+  SavedTick before;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<engine::TickInput> inputs;
+    std::vector<std::uint64_t> hashes;
+    simulation.save(before);
+    simulation.tick(pair.next());
+    simulation.save(saved);
+    const auto here = simulation.hash();
+    for (int k = 0; k < 20; ++k) {
+      inputs.push_back(pair.next());
+      simulation.tick(inputs.back());
+      hashes.push_back(simulation.hash().combined());
+    }
+    ASSERT_TRUE(simulation.restore(saved, &before));
+    EXPECT_EQ(simulation.hash(), here);
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      simulation.tick(inputs[k]);
+      ASSERT_EQ(simulation.hash().combined(), hashes[k]) << "round " << round << ", tick " << k;
+    }
+  }
+}
+
+TEST(TwoPlayers, TheHashHasBothPlayersAndTheRope) {
+  const Level level = level_for_two();
+  const auto hash_after = [&level](int first, int second) {
+    Simulation simulation(level);
+    simulation.tick(press(first, second));
+    return simulation.hash().combined();
+  };
+  EXPECT_NE(hash_after(0, 0), hash_after(0, button_left));
+  EXPECT_NE(hash_after(0, 0), hash_after(button_left, 0));
+  EXPECT_NE(hash_after(0, 0), hash_after(button_reel_in, 0));
+  EXPECT_EQ(hash_after(button_left, button_left), hash_after(button_left, button_left));
+}
+
+TEST(TwoPlayers, EitherRestartsTheRun) {
+  const Level level = level_for_two();
+  Simulation simulation(level);
+  run(simulation, 40, button_left, button_right);
+  run(simulation, 1, 0, button_restart);
+  EXPECT_EQ(simulation.run_ticks(), 1);
+  EXPECT_NEAR(x(simulation, 1), 14.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace game
