@@ -343,6 +343,12 @@ std::vector<Move> the_harbour() {
   return {run_past(12.0), swim_and_catch(32.6), climb_past(10.2), pump_and_let_go(right, 0.2, 0.0), until_goal(right)};
 }
 
+std::vector<Move> before_it_burns() {
+  return {run_past(7.0),    jump_and_catch(right), pump_and_let_go(right, 0.62),
+          run_past(24.5),   jump_and_catch(right), pump_and_let_go(right, 0.62),
+          until_goal(right)};
+}
+
 /// There is no flag: it runs through the yard.
 std::vector<Move> sandbox() { return {run_past(46.0), wait(30)}; }
 
@@ -372,6 +378,7 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "cut_the_bridge") return cut_the_bridge();
   if (level == "the_cranes") return the_cranes();
   if (level == "the_harbour") return the_harbour();
+  if (level == "before_it_burns") return before_it_burns();
   if (level == "sandbox") return sandbox();
   return winning_script_for_two(level, 0);
 }

@@ -29,6 +29,15 @@ TEST(Blade, CutsWhatCrossesItsEdgeThereOnce) {
   EXPECT_EQ(pieces(simulation, rope), 2) << "the piece that falls past the edge stays whole";
 }
 
+/// A rope without a pin falls along the edge, which it meets at each of its points.
+TEST(Blade, DoesNotChopARopeThatSlidesAlongIt) {
+  const Level level = level_of(rule_map({hanging_rope(rope, {10.0, 10.0}, false), blade({{9.5, 8.02}, {10.5, 8.02}})}));
+  Simulation simulation(level);
+  run(simulation, 60);
+  EXPECT_GE(pieces(simulation, rope), 2);
+  EXPECT_LE(pieces(simulation, rope), 4);
+}
+
 TEST(Blade, LeavesACordBesideIt) {
   const Level level = level_with(blade({{9.0, 8.0}, {9.9, 8.0}}));
   Simulation simulation(level);

@@ -67,6 +67,9 @@ TEST(Water, ALightBallRisesWithoutLeapingOut) {
   MapObject ball = disc_of(20, "circle", {10.0, 5.0}, 0.4);
   const Level level = level_of(sea({ball}));
   Simulation simulation(level);
+  run(simulation, 6);
+  EXPECT_GT(first_load(simulation).GetLinearVelocity().y, 0.5F);
+  EXPECT_LT(first_load(simulation).GetLinearVelocity().y, 0.99F) << "it moves water along: g at most, in 0.1 s";
   double highest = 0.0;
   for (int k = 0; k < 600; ++k) {
     run(simulation, 1);
