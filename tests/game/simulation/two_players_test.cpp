@@ -321,7 +321,7 @@ engine::TiledMap with_second(const std::function<void(engine::MapObject&)>& chan
 
 TEST(LevelForTwo, SaysWhatIsWrongAndWhatIsAccepted) {
   const auto moved = with_second([](engine::MapObject& second) { second.position.x += 1.0; });
-  EXPECT_NE(refusal_of(moved).find("a cord with an end 1.00 m from its player"), std::string::npos)
+  EXPECT_NE(refusal_of(moved).find("a cord with an end 1 m from its player"), std::string::npos)
       << refusal_of(moved);
   const auto shaped = with_second([](engine::MapObject& second) { second.shape = engine::MapShape::rectangle; });
   EXPECT_NE(refusal_of(shaped).find("accepted is point"), std::string::npos);
