@@ -35,7 +35,8 @@ void LevelScreen::fill_menu() {
   std::vector<MenuItem> items;
   for (const Level& level : levels_) {
     const auto best = session_->records.best(level_key(level));
-    items.push_back({level_title(level), best ? seconds_in_words(best->ticks) : ""});
+    const std::string title = level_title(level) + (level.players() == 2 ? ", for two" : "");
+    items.push_back({title, best ? seconds_in_words(best->ticks) : ""});
     if (best) items.back().medal = medal_of(level, *best);
   }
   menu_.set_items(std::move(items));

@@ -86,12 +86,13 @@ Move stay_left_of(int player, double place, std::function<bool(const Simulation&
 
 std::vector<Move> swing_me_across(int player) {
   if (player == 1) {
-    return {for_ticks(left | jump, 50),
+    return {until(0, [](const Simulation& s) { return x(s, 0) < 28.0; }),
+            for_ticks(left | jump, 50),
             stay_left_of(1, 7.9, [](const Simulation& s) { return x(s, 0) < 15.0 && y(s, 0) > 7.5; }),
             until(right, [](const Simulation& s) { return x(s, 1) > 12.2 || s.player(0).is_on_ground(); }),
             halt(1),
             until(0, [](const Simulation& s) { return s.player(0).is_on_ground(); }),
-            to_flag(1, 12.6)};
+            to_flag(1, 13.2)};
   }
   return {left_of(0, 27.0),
           halt(0),
@@ -99,7 +100,7 @@ std::vector<Move> swing_me_across(int player) {
           for_ticks(0, 30),
           left_of(0, 13.0),
           until(0, [](const Simulation& s) { return s.player(0).is_on_ground(); }),
-          to_flag(0, 12.6)};
+          to_flag(0, 13.2)};
 }
 
 }  // namespace

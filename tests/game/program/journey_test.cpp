@@ -157,6 +157,37 @@ namespace {
 
 TEST_F(Journey, AGamepadPlaysIsUnpluggedAndPluggedInAgain) { play_by_gamepad(); }
 
+/// In a level for two, the halves of the keyboard and two gamepads move one player each.
+TEST_F(Journey, TwoPlayByHalvesOfTheKeyboardAndByTwoGamepads) {
+  RunOptions options;
+  options.level = "pull_me_up";
+  open(options);
+  const auto walked = [&](int player) {
+    return play().simulation().player(player).position().x - (player == 0 ? 16.6 : 12.0);
+  };
+  test_support::push_key(Key::d, true);
+  test_support::push_key(Key::left, true);
+  for (int k = 0; k < 15; ++k) frame();
+  EXPECT_GT(walked(0), 0.3);
+  EXPECT_LT(walked(1), -0.3);
+  test_support::push_key(Key::d, false);
+  test_support::push_key(Key::left, false);
+  test_support::push_key(Key::right_shift, true);
+  frame();
+  EXPECT_EQ(play().simulation().players(), 2);
+  test_support::push_key(Key::right_shift, false);
+  tap(Key::r);
+  VirtualPad first;
+  VirtualPad second;
+  frame();
+  first.press(PadButton::dpad_right, true);
+  second.press(PadButton::dpad_left, true);
+  for (int k = 0; k < 15; ++k) frame();
+  EXPECT_GT(walked(0), 0.3);
+  EXPECT_LT(walked(1), -0.3);
+  app->draw();
+}
+
 /// The same in a window of an X server.
 class RealWindowJourney : public Journey {
  protected:

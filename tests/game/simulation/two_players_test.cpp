@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/ghost.h"
 #include "game/simulation/recorded_run.h"
 #include "game/simulation/simulation.h"
 #include "tests/support/dice.h"
 #include "tests/support/level_for_two.h"
+#include "tests/support/refusal.h"
 
 namespace game {
 namespace {
@@ -248,6 +252,86 @@ TEST(TwoPlayers, TheHashHasBothPlayersAndTheRope) {
   EXPECT_NE(hash_after(0, 0), hash_after(button_left, 0));
   EXPECT_NE(hash_after(0, 0), hash_after(button_reel_in, 0));
   EXPECT_EQ(hash_after(button_left, button_left), hash_after(button_left, button_left));
+}
+
+RunOptions recorded() {
+  RunOptions options;
+  options.replay = assets_folder() + "/replays/pull_me_up.replay";
+  return options;
+}
+
+TEST(TwoPlayers, ARecordingOfBothIsVerifiedAndSought) {
+  const engine::Replay replay = engine::load_replay(recorded().replay);
+  EXPECT_EQ(replay.header.players, 2);
+  RunOptions options = recorded();
+  options.verify = true;
+  RecordedRun verified(options);
+  while (!verified.is_over()) verified.tick({});
+  EXPECT_EQ(verified.exit_status(), 0) << verified.closing_line();
+  RecordedRun sought(recorded());
+  for (const int tick : {250, 20, 400}) {
+    sought.seek(tick);
+    EXPECT_EQ(sought.simulation().hash(), replay.ticks[static_cast<std::size_t>(tick) - 1].state) << tick;
+  }
+}
+
+TEST(TwoPlayers, ARecordingWithOtherButtonsOfTheSecondDiffers) {
+  engine::Replay replay = engine::load_replay(recorded().replay);
+  replay.ticks[10].input.second_buttons ^= button_right;
+  const Level level = load_level(replay.header.level);
+  Simulation simulation(level);
+  engine::ReplayVerifier verifier(replay);
+  while (!verifier.done()) {
+    simulation.tick(verifier.input());
+    verifier.check(simulation.hash());
+  }
+  EXPECT_EQ(verifier.result().outcome, engine::VerifyOutcome::diverged);
+  EXPECT_EQ(verifier.result().ticks, 10U);
+}
+
+TEST(TwoPlayers, TheGhostHasBoth) {
+  const Level level = load_level("pull_me_up");
+  const auto ghost = Ghost::load(recorded().replay, level);
+  ASSERT_TRUE(ghost);
+  Simulation simulation(level);
+  const engine::Replay replay = engine::load_replay(recorded().replay);
+  for (int k = 0; k < 100; ++k) {
+    ghost->advance(k);
+    simulation.tick(replay.ticks[static_cast<std::size_t>(k)].input);
+  }
+  for (int k = 0; k < 2; ++k) {
+    ASSERT_TRUE(ghost->at(100, k));
+    EXPECT_EQ(ghost->at(100, k)->at, simulation.player(k).position());
+  }
+  EXPECT_FALSE(Ghost::load(TEST_ASSETS "/replays/first_swing.replay", load_level("first_swing"))->at(0, 1));
+}
+
+std::string refusal_of(const engine::TiledMap& map) {
+  return test_support::refusal<engine::MapError>([&map] { level_of(map); });
+}
+
+/// Returns the map of a level for two whose second player is changed.
+engine::TiledMap with_second(const std::function<void(engine::MapObject&)>& change) {
+  engine::TiledMap map = level_for_two().map;
+  for (engine::MapObject& object : map.objects) {
+    if (object.kind == "player_2") change(object);
+  }
+  return map;
+}
+
+TEST(LevelForTwo, SaysWhatIsWrongAndWhatIsAccepted) {
+  const auto moved = with_second([](engine::MapObject& second) { second.position.x += 1.0; });
+  EXPECT_NE(refusal_of(moved).find("a cord with an end 1 m from its player"), std::string::npos)
+      << refusal_of(moved);
+  const auto shaped = with_second([](engine::MapObject& second) { second.shape = engine::MapShape::rectangle; });
+  EXPECT_NE(refusal_of(shaped).find("accepted is point"), std::string::npos);
+  engine::TiledMap three = level_for_two().map;
+  three.objects.push_back(three.objects[1]);
+  EXPECT_NE(refusal_of(three).find("is a second player_2"), std::string::npos);
+  engine::TiledMap untied = level_for_two().map;
+  std::erase_if(untied.objects, [](const engine::MapObject& object) { return object.kind == "cord"; });
+  EXPECT_NE(refusal_of(untied).find("\"tether\" is 7; accepted is the id of a cord"), std::string::npos)
+      << refusal_of(untied);
 }
 
 TEST(TwoPlayers, EitherRestartsTheRun) {

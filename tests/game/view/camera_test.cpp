@@ -172,6 +172,34 @@ TEST(Camera, ShakesOnAHardLandingOnly) {
   EXPECT_EQ(shaken(14.0, true), 0.0);
 }
 
+/// Two players side by side, and one high above the other.
+TEST(Camera, HasBothPlayersInThePicture) {
+  for (const Vec2 spread : {Vec2{2.0, 0.0}, Vec2{8.0, 1.0}, Vec2{12.0, 3.0}, Vec2{1.0, 5.0}}) {
+    for (const bool reduced_motion : {false, true}) {
+      CameraSubject both = at({24.0, 9.0});
+      both.spread = spread;
+      Camera camera(level);
+      camera.jump_to(both);
+      for (int k = 0; k < 300; ++k) camera.tick(both);
+      const engine::View view = camera.view(1.0, width, height, reduced_motion);
+      expect_within_level(view, width, height);
+      for (const double side : {-1.0, 1.0}) {
+        const Vec2 off = both.at + side * spread - view.center;
+        EXPECT_LT(std::abs(off.x) * view.pixels_per_metre, 0.5 * width - 20.0) << spread.x << " " << spread.y;
+        EXPECT_LT(std::abs(off.y) * view.pixels_per_metre, 0.5 * height - 20.0) << spread.x << " " << spread.y;
+      }
+    }
+  }
+}
+
+TEST(Camera, DoesNotZoomOutWithoutLimit) {
+  CameraSubject both = at({24.0, 9.0});
+  both.spread = Vec2{1000.0, 0.0};
+  Camera camera({400.0, 300.0});
+  camera.jump_to(both);
+  EXPECT_GT(camera.view(1.0, width, height, false).pixels_per_metre, height / 27.0);
+}
+
 TEST(Camera, ShowsMoreOfTheLevelAtHighSpeed) {
   Camera slow(level);
   Camera fast(level);
