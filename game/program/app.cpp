@@ -62,7 +62,8 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
   session_.notice.advance(elapsed_ns);
   drawn_ns_ += elapsed_ns;
-  session_.sounds.frame(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
+  const SoundSettings& sound = session_.settings.sound;
+  session_.sounds.frame(elapsed_ns, {sound.volume / 100.0, sound.music / 100.0, sound.muted}, screens_.top().tune());
   apply_settings();
   return true;
 }

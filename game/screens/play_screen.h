@@ -33,6 +33,7 @@ class PlayScreen : public Screen {
   void draw_below(engine::Canvas& canvas, double text_scale) override;
   void leave() override;
   std::string title() const override;
+  Tune tune() const override { return stopped_ ? Tune::none : tune_of(run_.level()); }
 
   /// Stops the run and runs one tick.
   void step();

@@ -101,6 +101,7 @@ Settings some_settings() {
   settings.ghost = settings.help = false;
   settings.speed = 70;
   settings.sound.volume = 20;
+  settings.sound.music = 0;
   settings.bindings.bind(Action::jump, PadButton::left_stick_up);
   settings.bindings.bind(Action::left, MouseButton::middle);
   settings.bindings.unbind(Key::r);
