@@ -106,8 +106,7 @@ void add_comparisons(CLI::App& app, game::RunOptions& options) {
   auto* ghost = app.add_option("--ghost", options.ghost, "Race against this recording of the level")->check(named);
   auto* table = app.add_option("--table", options.table, "Verify the recordings of this folder and list their times")
                     ->check(named);
-  for (const char* const name : {"--headless", "--replay", "--ticks", "--screenshot"})
-    ghost->excludes(app.get_option(name));
+  for (const char* const name : {"--headless", "--replay"}) ghost->excludes(app.get_option(name));
   for (const char* const name : {"--level", "--replay", "--record", "--ticks", "--screenshot", "--record-bad-ticks"}) {
     table->excludes(app.get_option(name));
   }

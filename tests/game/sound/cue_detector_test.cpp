@@ -175,6 +175,37 @@ TEST(CueDetector, ACheckpointIsHeardOnce) {
   EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1);
 }
 
+/// A weak rope under a player whose weight is a share of what breaks it: it warns from 80 % on.
+TEST(CueDetector, ARopeNearItsBreakingForceWarns) {
+  const auto warnings_at = [](double share) {
+    Level level = first_swing_level();
+    Simulation simulation(level);
+    CueDetector detector;
+    test_support::Autopilot autopilot;
+    const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+    const auto held = [&] { return coupling.body(simulation.player().body()).held_place(); };
+    const auto tick = [&](std::uint16_t buttons) {
+      simulation.tick({buttons, {}});
+      detector.update(simulation);
+    };
+    while (!held() && simulation.ticks() < 300) tick(autopilot.buttons(simulation));
+    for (int k = 0; k < 1200; ++k) tick(button_grab);  // until the swing has died away
+    const ribbon::box2d::CordId rope = held()->cord;
+    const auto tensions = coupling.cord(rope).direct().tensions();
+    const double most = *std::max_element(tensions.begin(), tensions.end());
+    for (int link = 0; link < static_cast<int>(tensions.size()); ++link) {
+      simulation.scene().coupling().cord(rope).direct().set_breaking_force(link, most / share);
+    }
+    return listen(detector, simulation, 120, button_grab);
+  };
+  EXPECT_EQ(warnings_at(0.7).count(Noise::strains), 0);
+  const Heard near = warnings_at(0.85);
+  EXPECT_GE(near.count(Noise::strains), 5);
+  const Heard nearer = warnings_at(0.97);
+  EXPECT_GT(nearer.count(Noise::strains), near.count(Noise::strains));
+  EXPECT_GT(nearer.loudest(Noise::strains), near.loudest(Noise::strains));
+}
+
 TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrARelease) {
   Simulation simulation(first_swing_level());
   CueDetector detector;
