@@ -135,7 +135,7 @@ TEST(Mixer, ASilentLoopContinuesAtItsPlace) {
   mixer.set_loop(loop, {1.0, -1.0, 1.0});
   const double before = mix(mixer, 0.5).left.back();
   mixer.set_loop(loop, {0.0, -1.0, 1.0});
-  mix(mixer, 0.2);  // until it is silent
+  mix(mixer, 0.2);                                                         // until it is silent
   for (int k = 0; k < 5; ++k) EXPECT_EQ(peak(mix(mixer, 0.1).left), 0.0);  // longer than the rest of the loop
   mixer.set_loop(loop, {1.0, -1.0, 1.0});
   const double after = mix(mixer, 0.1).left.back();
