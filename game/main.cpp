@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/draw/video_writer.h"
+#include "game/program/run_table.h"
 #include "game/simulation/run.h"
 
 namespace {
@@ -23,6 +24,7 @@ void check_paths(const game::RunOptions& options) {
   const std::pair<const char*, std::string> named[] = {
       {"--level", options.level && options.level->ends_with(".tmj") ? *options.level : std::string()},
       {"--replay", options.replay},
+      {"--ghost", options.ghost},
       {"--record", options.record},
       {"--screenshot", options.screenshot},
       {"--video", options.video}};
@@ -63,7 +65,9 @@ void read_video_size(const std::string& text, game::RunOptions& options) {
 
 int run(const game::RunOptions& options) {
   check_paths(options);
-  const int status = options.headless ? game::run_headless(options) : game::run_in_window(options);
+  const int status = !options.table.empty() ? game::print_table(options.table)
+                     : options.headless     ? game::run_headless(options)
+                                            : game::run_in_window(options);
   if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the output");
   return status;
 }
@@ -96,6 +100,19 @@ void add_options(CLI::App& app, game::RunOptions& options, std::string& video_si
       ->needs(bad_ticks);
 }
 
+/// Adds the options that compare recordings. Call it after add_options.
+void add_comparisons(CLI::App& app, game::RunOptions& options) {
+  const CLI::Validator named([](const std::string& text) { return text.empty() ? "is empty" : ""; }, "NAME");
+  auto* ghost = app.add_option("--ghost", options.ghost, "Race against this recording of the level")->check(named);
+  auto* table = app.add_option("--table", options.table, "Verify the recordings of this folder and list their times")
+                    ->check(named);
+  for (const char* const name : {"--headless", "--replay"}) ghost->excludes(app.get_option(name));
+  for (const char* const name : {"--level", "--replay", "--record", "--ticks", "--screenshot", "--record-bad-ticks"}) {
+    table->excludes(app.get_option(name));
+  }
+  table->excludes(ghost);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -104,6 +121,7 @@ int main(int argc, char** argv) {
   game::RunOptions options;
   std::string video_size;
   add_options(app, options, video_size);
+  add_comparisons(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

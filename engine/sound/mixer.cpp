@@ -91,6 +91,8 @@ void Mixer::add_voice(Voice& voice, std::span<float> stereo) const {
 }
 
 void Mixer::add_loop(Loop& loop, std::span<float> stereo) const {
+  const auto is_silent = [](const Gains& gains) { return gains.left == 0.0F && gains.right == 0.0F; };
+  if (is_silent(loop.gains) && is_silent(loop.target)) return;
   const std::vector<float>& x = samples(loop.sound);
   for (std::size_t k = 0; k + 1 < stereo.size(); k += 2) {
     loop.gains.left = approached(loop.gains.left, loop.target.left, approach_);

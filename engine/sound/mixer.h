@@ -33,6 +33,7 @@ class Mixer {
   void play(SoundId sound, const Playing& how = {});
   /// Starts a loop of that sound, silent until set_loop.
   LoopId start_loop(SoundId sound);
+  /// A loop of volume 0 stops at its place and costs nothing.
   void set_loop(LoopId loop, const Playing& how);
   /// Fades out all sounds and loops.
   void fade_out();

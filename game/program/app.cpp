@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/replay/replay.h"
 #include "game/program/bad_ticks.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
@@ -19,9 +20,15 @@ namespace {
 constexpr int window_width = 1280;
 constexpr int window_height = 720;
 
+/// Returns the name of the level of a recording to race against.
+std::string level_of_recording(const std::string& path) { return engine::load_replay(path).header.level; }
+
 std::unique_ptr<PlayScreen> requested_run(Session& session, const RunOptions& options) {
-  if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks) return nullptr;
+  if (!options.level && options.replay.empty() && options.record.empty() && !options.ticks && options.ghost.empty()) {
+    return nullptr;
+  }
   RunOptions requested = options;
+  if (!options.ghost.empty() && !options.level) requested.level = level_of_recording(options.ghost);
   const bool by_hand = options.replay.empty() && !options.ticks;
   if (by_hand) requested.assists = session.settings.assists();
   return std::make_unique<PlayScreen>(session, requested, true);
@@ -62,7 +69,8 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
   session_.notice.advance(elapsed_ns);
   drawn_ns_ += elapsed_ns;
-  session_.sounds.frame(elapsed_ns, session_.settings.sound.volume / 100.0, session_.settings.sound.muted);
+  const SoundSettings& sound = session_.settings.sound;
+  session_.sounds.frame(elapsed_ns, {sound.volume / 100.0, sound.music / 100.0, sound.muted}, screens_.top().tune());
   apply_settings();
   return true;
 }

@@ -46,6 +46,23 @@ std::vector<Level> levels_in_order() {
   return levels;
 }
 
+std::vector<std::string> splits_in_words(const Splits& splits, const Splits& reference) {
+  std::vector<std::string> lines;
+  int in_line = 0;
+  for (std::size_t k = 0; k < splits.size(); ++k) {
+    if (!splits[k]) continue;
+    std::string words = std::to_string(k + 1) + ": " + seconds_in_words(*splits[k]);
+    if (k < reference.size() && reference[k]) words += " (" + difference_in_words(*splits[k], *reference[k]) + ")";
+    if (in_line == 0) {
+      lines.push_back("Checkpoint " + words);
+    } else {
+      lines.back() += "   " + words;
+    }
+    in_line = (in_line + 1) % 2;
+  }
+  return lines;
+}
+
 LevelKey level_key(const Level& level) { return {level.name, level.map.content_hash}; }
 
 Medal medal_of(const Level& level, const Best& run) {

@@ -7,6 +7,7 @@
 #include "game/settings/records.h"
 #include "game/simulation/level.h"
 #include "game/simulation/medals.h"
+#include "game/simulation/splits.h"
 
 namespace game {
 
@@ -21,6 +22,9 @@ LevelKey level_key(const Level& level);
 
 /// Returns "12.35 s, Gold" or "14.00 s with help"; empty if there is no best run.
 std::string best_in_words(const Level& level, const std::optional<Best>& best);
+/// Returns the times at the checkpoints, each with its difference to the reference if that is known, two in a line:
+/// "Checkpoint 1: 8.32 s (−0.42 s)   2: 12.05 s".
+std::vector<std::string> splits_in_words(const Splits& splits, const Splits& reference);
 /// Returns the medal of a run; none for runs with assists.
 Medal medal_of(const Level& level, const Best& run);
 

@@ -38,9 +38,13 @@ const std::vector<Option>& options() {
       choice("Motion", &Settings::reduced_motion, "full", "reduced: no shake"),
       choice("Colours", &Settings::colour_safe, "normal", "high contrast"),
       choice("Rope strain", &Settings::strain_tint, "hidden", "coloured"),
-      {"Volume", [](const Settings& settings) { return per_cent(settings.sound.volume); },
+      {"Sound volume", [](const Settings& settings) { return per_cent(settings.sound.volume); },
        [](Settings& settings, int step) {
          settings.sound.volume = std::clamp(settings.sound.volume + 10 * step, 0, 100);
+       }},
+      {"Music volume", [](const Settings& settings) { return per_cent(settings.sound.music); },
+       [](Settings& settings, int step) {
+         settings.sound.music = std::clamp(settings.sound.music + 10 * step, 0, 100);
        }},
       {"Sound", [](const Settings& settings) { return settings.sound.muted ? "off" : "on"; },
        [](Settings& settings, int) { settings.sound.muted = !settings.sound.muted; }},

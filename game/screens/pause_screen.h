@@ -19,6 +19,7 @@ class PauseScreen : public Screen {
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
   std::string title() const override { return "paused"; }
+  Tune tune() const override { return Tune::none; }
 
  private:
   Next choose(int item);

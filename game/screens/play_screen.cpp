@@ -14,13 +14,18 @@
 namespace game {
 namespace {
 
-constexpr int results_delay = 45;                    // ticks, from the goal to the results
-constexpr std::int64_t ghost_budget_ns = 1'500'000;  // per frame
+constexpr int results_delay = 45;  // ticks, from the goal to the results
 
 }  // namespace
 
 PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
-    : session_(&session), options_(options), direct_(direct), run_(options), view_(run_.simulation()) {
+    : session_(&session),
+      options_(options),
+      direct_(direct),
+      run_(options),
+      view_(run_.simulation()),
+      race_(session, options.ghost) {
+  race_.check(run_.level());
   if (options.seek > 0) run_.seek(options.seek);
   view_options_.meter = &meter_;
   if (!run_.has_replay()) level_file_.emplace(run_.level().map.file);
@@ -40,6 +45,7 @@ void PlayScreen::shown() {
     begin_run();
   } else {
     run_.start_recording();
+    if (!is_plain() || !options_.ghost.empty()) race_.begin(run_.level());
   }
 }
 
@@ -60,9 +66,8 @@ void PlayScreen::begin_run() {
     session_->report_no_recordings();
     recording_.clear();
   }
-  const LevelKey key{run_.level().name, run_.level().map.content_hash};
   assisted_ = run_.is_tuned();
-  ghost_ = session_->settings.ghost ? Ghost::load(session_->records.replay_path(key), run_.level()) : nullptr;
+  race_.begin(run_.level());
 }
 
 bool PlayScreen::is_over() const {
@@ -114,7 +119,7 @@ Next PlayScreen::play(const Frame& frame) {
   take_controls(frame.input, mouse);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
-  advance_ghost(ticks);
+  race_.advance(ticks, simulation().run_ticks());
   if (!is_won()) {
     won_ = false;  // restarted
   } else if (!std::exchange(won_, true)) {
@@ -206,16 +211,8 @@ void PlayScreen::tick() {
     report_recording_failure(error);
   }
   meter_.add(run_.simulation(), engine::now_ns() - start);
+  race_.tick(run_.simulation());
   session_->sounds.tick(run_.simulation());
-}
-
-/// Advances the ghost by the ticks of the run, and further while there is time.
-void PlayScreen::advance_ghost(int ticks) {
-  if (!ghost_) return;
-  const std::int64_t end = engine::now_ns() + ghost_budget_ns;
-  for (int k = 0; k < ticks || engine::now_ns() < end; ++k) {
-    if (!ghost_->advance(simulation().run_ticks())) return;
-  }
 }
 
 void PlayScreen::report_recording_failure(const engine::ReplayError& error) {
@@ -268,9 +265,9 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;
-  const bool has_ghost = ghost_ && settings.ghost;
-  view_options_.ghost = has_ghost ? ghost_->at(simulation().run_ticks()) : std::nullopt;
-  view_options_.second_ghost = has_ghost ? ghost_->at(simulation().run_ticks(), 1) : std::nullopt;
+  view_options_.ghost = race_.ghost_at(simulation().run_ticks());
+  view_options_.second_ghost = race_.ghost_at(simulation().run_ticks(), 1);
+  view_options_.split = race_.message();
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
   panel_.draw(canvas);
 }

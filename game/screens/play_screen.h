@@ -8,10 +8,10 @@
 #include "engine/files/file_watch.h"
 #include "engine/tick/tick.h"
 #include "game/screens/hint.h"
+#include "game/screens/race.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
 #include "game/settings/controls.h"
-#include "game/simulation/ghost.h"
 #include "game/simulation/meter.h"
 #include "game/simulation/recorded_run.h"
 #include "game/tuning/tuning_panel.h"
@@ -33,6 +33,7 @@ class PlayScreen : public Screen {
   void draw_below(engine::Canvas& canvas, double text_scale) override;
   void leave() override;
   std::string title() const override;
+  Tune tune() const override { return stopped_ ? Tune::none : tune_of(run_.level()); }
 
   /// Stops the run and runs one tick.
   void step();
@@ -44,6 +45,7 @@ class PlayScreen : public Screen {
   const Simulation& simulation() const { return run_.simulation(); }
   const RunOptions& options() const { return options_; }
   const RecordedRun& run() const { return run_; }
+  const Race& race() const { return race_; }
   bool is_direct() const { return direct_; }
   bool is_assisted() const { return assisted_; }
   /// The path of the recording of the current run; empty if it has none of its own.
@@ -69,7 +71,6 @@ class PlayScreen : public Screen {
   int ticks_to_run(const Frame& frame);
   void tick();
   bool is_won() const;
-  void advance_ghost(int ticks);
   void finish_recording();
   void report_recording_failure(const engine::ReplayError& error);
   void choose_message();
@@ -87,7 +88,7 @@ class PlayScreen : public Screen {
   Controls controls_;
   Controls second_controls_;  // in a level for two
   engine::FixedTick clock_{ticks_per_second};
-  std::unique_ptr<Ghost> ghost_;
+  Race race_;
   std::vector<std::string> keys_;
   Hint hint_;
   std::string recording_;

@@ -25,7 +25,7 @@ std::string level_after(const std::string& name) {
 
 ResultsScreen::ResultsScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
   const Level& level = play.run().level();
-  const Best run{*play.simulation().goal_ticks(), play.is_assisted()};
+  const Best run{*play.simulation().goal_ticks(), play.is_assisted(), play.race().splits()};
   const auto before = session.records.best(level_key(level));
   std::string error;
   const bool is_best = session.records.offer(level_key(level), run, play.own_recording(), error);
@@ -43,6 +43,9 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
     card_.lines.push_back("Coins: " + std::to_string(play_->simulation().coins()) + " of " + std::to_string(coins));
   if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "You made it for the first time!");
   if (before) card_.lines.push_back((is_best ? "Before it was " : "Your best is ") + best_in_words(level, before));
+  for (std::string& line : splits_in_words(run.splits, play_->race().reference())) {
+    card_.lines.push_back(std::move(line));
+  }
   if (run.assisted) card_.lines.emplace_back("Well done, with some help: no medal for this time");
   const double wanted[] = {level.medals.bronze, level.medals.silver, level.medals.gold};
   if (run.assisted || medal == Medal::gold) return;

@@ -8,6 +8,7 @@
 #include "engine/draw/canvas.h"
 #include "engine/window/window_input.h"
 #include "game/screens/menu_input.h"
+#include "game/sound/music.h"
 
 namespace game {
 
@@ -49,6 +50,8 @@ class Screen {
   virtual void shown() {}
   /// The title of the window.
   virtual std::string title() const = 0;
+  /// The music of the screen.
+  virtual Tune tune() const { return Tune::menu; }
   virtual Next update(const Frame& frame) = 0;
   virtual void draw(engine::Canvas& canvas, double text_scale) = 0;
   /// Draws the screen below an overlay.

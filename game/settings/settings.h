@@ -6,7 +6,8 @@
 namespace game {
 
 struct SoundSettings {
-  int volume = 70;  ///< 0 … 100
+  int volume = 70;  ///< of the sounds, 0 … 100
+  int music = 50;   ///< the volume of the music, 0 … 100
   bool muted = false;
 
   bool operator==(const SoundSettings&) const = default;

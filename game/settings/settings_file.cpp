@@ -70,6 +70,7 @@ std::string settings_text(const Settings& settings) {
   ordered_json json;
   json["speed"] = settings.speed;
   json["volume"] = settings.sound.volume;
+  json["music_volume"] = settings.sound.music;
   each_switch(settings, [&json](const char* name, bool on) { json[name] = on; });
   json["bindings"] = bindings_json(settings.bindings);
   json["second_bindings"] = bindings_json(settings.second_bindings);
@@ -82,6 +83,7 @@ Settings parse_settings(const std::string& text, const std::string& where) {
   Settings settings;
   settings.speed = integer_or(object, "speed", settings.speed, {Settings::min_speed, 100});
   settings.sound.volume = integer_or(object, "volume", settings.sound.volume, {0, 100});
+  settings.sound.music = integer_or(object, "music_volume", settings.sound.music, {0, 100});
   each_switch(settings, [&object](const char* name, bool& on) { on = object.boolean_or(name, on); });
   if (object.has("bindings")) settings.bindings = read_bindings(object.object("bindings"), Bindings::defaults());
   if (object.has("second_bindings"))

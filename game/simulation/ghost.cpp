@@ -21,28 +21,35 @@ GhostPose pose_of(const Player& player, const ribbon::box2d::Coupling& coupling)
 Ghost::Ghost(engine::Replay replay, Level level)
     : replay_(std::move(replay)), level_(std::move(level)), simulation_(level_), track_{poses()} {}
 
+std::unique_ptr<Ghost> Ghost::open(const std::string& path, const Level& level) {
+  engine::Replay replay = engine::load_replay(path);
+  Level same = level;
+  Simulation::take_assists(same, replay.header);
+  engine::check_header(replay.header, Simulation::replay_header(same));
+  return std::unique_ptr<Ghost>(new Ghost(std::move(replay), std::move(same)));
+}
+
 std::unique_ptr<Ghost> Ghost::load(const std::string& path, const Level& level) {
   if (path.empty()) return nullptr;
   try {
-    engine::Replay replay = engine::load_replay(path);
-    Level same = level;
-    Simulation::take_assists(same, replay.header);
-    engine::check_header(replay.header, Simulation::replay_header(same));
-    return std::unique_ptr<Ghost>(new Ghost(std::move(replay), std::move(same)));
+    return open(path, level);
   } catch (const engine::ReplayError&) {  // a run without a ghost is not an error
     return nullptr;
   }
 }
 
-bool Ghost::advance(int run_tick) {
+bool Ghost::advance(int run_tick) { return static_cast<int>(track_.size()) - 1 < run_tick + max_lead && advance_far(); }
+
+bool Ghost::advance_far() {
   const std::size_t done = track_.size() - 1;
-  if (done >= replay_.ticks.size() || static_cast<int>(done) >= run_tick + max_lead) return false;
+  if (done >= replay_.ticks.size()) return false;
   const engine::RecordedTick& recorded = replay_.ticks[done];
   simulation_.tick(recorded.input);
   if (simulation_.hash().combined() != recorded.state.combined()) {
     replay_.ticks.resize(done);
     return false;
   }
+  splits_.update(simulation_);
   track_.push_back(poses());
   return true;
 }

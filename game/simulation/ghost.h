@@ -8,6 +8,7 @@
 
 #include "engine/replay/replay.h"
 #include "game/simulation/simulation.h"
+#include "game/simulation/splits.h"
 
 namespace game {
 
@@ -27,12 +28,19 @@ class Ghost {
   /// Ticks that it is simulated ahead, to have poses for frames that take long.
   static constexpr int max_lead = 120;
 
-  /// Loads a recording of that level, with any assists. Returns null if there is no recording or it does not fit.
+  /// Loads a recording of that level, with any assists. Throws engine::ReplayError if it cannot be read or is of
+  /// another level.
+  static std::unique_ptr<Ghost> open(const std::string& path, const Level& level);
+  /// The same, but returns null if there is no recording or it does not fit.
   static std::unique_ptr<Ghost> load(const std::string& path, const Level& level);
 
   /// Simulates one more tick, unless it is max_lead ticks ahead of `run_tick`, at the end, or differs from the
   /// recording. Returns whether it did.
   bool advance(int run_tick);
+  /// Simulates one more tick, as far ahead as one likes. Returns false at the end, or if it differs from the recording.
+  bool advance_far();
+  /// The splits of the run, as far as it is simulated.
+  const Splits& splits() const { return splits_.splits(); }
   /// Returns the pose of a player at a tick; nothing after the end, before it is simulated, or of a player that the run
   /// does not have.
   std::optional<GhostPose> at(int run_tick, int player = 0) const;
@@ -45,6 +53,7 @@ class Ghost {
   engine::Replay replay_;
   Level level_;
   Simulation simulation_;
+  SplitTimer splits_;
   std::vector<Poses> track_;  // by tick, from 0
 };
 

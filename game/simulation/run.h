@@ -25,6 +25,8 @@ struct RunOptions {
   int video_width = 480;                   ///< px
   int video_height = 270;                  ///< px
   std::string record_bad_ticks{};          ///< folder; empty: none are recorded
+  std::string ghost{};                     ///< path of a recording to race against; empty: the best run
+  std::string table{};                     ///< folder of recordings to verify and list; empty: play
   std::optional<std::int64_t> bad_work{};  ///< ticks with more work are bad too
 };
 

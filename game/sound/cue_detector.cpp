@@ -19,6 +19,9 @@ constexpr int min_slap_ticks = 4;         // between two slaps
 constexpr double creak_change = 900.0;    // N, about the change of tension in half a swing of 60 kg
 constexpr double full_creak = 2500.0;     // N
 constexpr int min_creak_ticks = 14;       // between two creaks
+constexpr double strain_share = 0.8;      // of the breaking force, from which a rope warns
+constexpr int max_strain_ticks = 18;      // between two warnings there
+constexpr int min_strain_ticks = 6;       // and just before it breaks
 constexpr double step_length = 1.05;      // m
 constexpr double min_wind_speed = 3.5;    // m/s, below which wind is silent
 constexpr double full_wind_speed = 16.0;  // m/s
@@ -35,6 +38,27 @@ double tension_at(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::
     if (link < tensions.size()) tension = std::max(tension, tensions[link]);
   }
   return tension;
+}
+
+/// The place of a cord that is nearest to breaking.
+struct Strain {
+  double share = 0.0;  // of its breaking force
+  Vec2 at;             // m
+};
+
+/// Returns the largest strain of all ropes that can break.
+Strain largest_strain(const ribbon::box2d::Coupling& coupling) {
+  Strain largest;
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    const auto cord = coupling.cord(id);
+    if (cord.solver() != ribbon::box2d::Solver::direct || cord.shape().rows != 1) continue;
+    const auto tensions = cord.direct().tensions();
+    for (std::size_t link = 0; link < tensions.size(); ++link) {
+      const double share = tensions[link] / cord.direct().breaking_force(static_cast<int>(link));
+      if (share > largest.share) largest = {share, cord.positions()[link]};
+    }
+  }
+  return largest;
 }
 
 /// The smoothstep function of x clamped to 0 … 1.
@@ -55,6 +79,7 @@ void CueDetector::update(const Simulation& simulation) {
   detect_cords(simulation);
   detect_line(simulation);
   detect_held_cord(simulation);
+  detect_strain(simulation);
   detect_player(simulation);
   detect_wind(simulation);
 }
@@ -70,6 +95,7 @@ void CueDetector::reset(const Simulation& simulation) {
   velocities_.clear();
   tension_ = variation_ = walked_ = 0.0;
   since_creak_ = since_slap_ = 0;
+  since_strain_ = max_strain_ticks;
 }
 
 /// Returns how a sound at a position is played: attenuated and panned by its distance from the player.
@@ -150,6 +176,17 @@ void CueDetector::detect_held_cord(const Simulation& simulation) {
   variation_ = 0.0;
   since_creak_ = 0;
   add(Noise::creak, 0.15 + 0.6 * smooth(tension / full_creak), rises ? 1.06 : 0.92);
+}
+
+/// A rope that is near its breaking force creaks, the more often and the louder the nearer it is.
+void CueDetector::detect_strain(const Simulation& simulation) {
+  ++since_strain_;
+  const Strain strain = largest_strain(simulation.scene().coupling());
+  if (strain.share < strain_share) return;
+  const double danger = std::min(1.0, (strain.share - strain_share) / (1.0 - strain_share));  // 0 … 1
+  if (since_strain_ < max_strain_ticks - danger * (max_strain_ticks - min_strain_ticks)) return;
+  since_strain_ = 0;
+  cues_.push_back({Noise::strains, from(simulation, strain.at, 0.6 + 0.4 * danger, 1.25 + 0.2 * danger)});
 }
 
 void CueDetector::detect_line(const Simulation& simulation) {

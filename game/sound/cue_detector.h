@@ -26,8 +26,9 @@ enum class Noise : unsigned char {
   throws,  ///< the player throws a line
   hook,    ///< the line arrives at the hook
   checkpoint,
+  strains,  ///< a rope is near its breaking force
 };
-inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::checkpoint) + 1;
+inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::strains) + 1;
 
 struct Cue {
   Noise noise;
@@ -54,6 +55,7 @@ class CueDetector {
   void detect_bodies(const Simulation& simulation);
   void detect_cords(const Simulation& simulation);
   void detect_held_cord(const Simulation& simulation);
+  void detect_strain(const Simulation& simulation);
   void detect_line(const Simulation& simulation);
   void detect_player(const Simulation& simulation);
   void detect_wind(const Simulation& simulation);
@@ -78,6 +80,7 @@ class CueDetector {
   double walked_ = 0.0;     // m, since the last footstep
   int since_creak_ = 0;     // ticks
   int since_slap_ = 0;      // ticks
+  int since_strain_ = 0;    // ticks
 };
 
 }  // namespace game

@@ -24,6 +24,7 @@ Sounds::Sounds() : had_device_(audio_.has_device()) {
   load(Noise::throws, {"throw"});
   load(Noise::hook, {"hook"});
   load(Noise::checkpoint, {"checkpoint"});
+  load(Noise::strains, {"creak_1", "creak_2", "creak_3"});
   wind_ = load_loop("whoosh");
   reel_ = load_loop("reel");
 }
@@ -50,21 +51,28 @@ void Sounds::load(Noise noise, const std::vector<std::string>& names) {
   }
 }
 
+engine::Playing Sounds::at_volume(engine::Playing how) const {
+  how.volume *= volume_;
+  return how;
+}
+
 void Sounds::play(const Cue& cue) {
   Take& take = takes_[static_cast<std::size_t>(cue.noise)];
-  if (take.count > 0) audio_.play(take.sounds[take.next++ % take.count], cue.how);
+  if (take.count > 0) audio_.play(take.sounds[take.next++ % take.count], at_volume(cue.how));
 }
 
 void Sounds::tick(const Simulation& simulation) {
   idle_ns_ = 0;
   cues_.update(simulation);
   for (const Cue& cue : cues_.cues()) play(cue);
-  audio_.set_loop(wind_, cues_.wind());
-  audio_.set_loop(reel_, cues_.reel());
+  audio_.set_loop(wind_, at_volume(cues_.wind()));
+  audio_.set_loop(reel_, at_volume(cues_.reel()));
 }
 
-void Sounds::frame(std::int64_t elapsed_ns, double volume, bool muted) {
-  audio_.set_volume(muted ? 0.0 : volume);
+void Sounds::frame(std::int64_t elapsed_ns, const Loudness& loudness, Tune tune) {
+  volume_ = loudness.sounds;
+  audio_.set_volume(loudness.muted ? 0.0 : 1.0);
+  music_.frame(elapsed_ns, tune, loudness.music);
   idle_ns_ += elapsed_ns;
   if (idle_ns_ > pause_ns) {
     for (const engine::LoopId loop : {wind_, reel_}) audio_.set_loop(loop, {0.0, 0.0, 1.0});

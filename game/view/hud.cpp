@@ -177,6 +177,22 @@ void draw_line(Canvas& canvas, const std::string& line, double scale, bool at_to
   canvas.text(corner + Vec2{0.8 * size, 0.3 * size}, line, size, white);
 }
 
+/// Draws the time at a checkpoint below the time of the run, and the difference to the compared run. Its sign tells it
+/// without the colour.
+void draw_split(Canvas& canvas, const SplitMessage& split, double scale, bool colour_safe, double y) {
+  const Color ahead = colour_safe ? Color{120, 190, 255} : Color{130, 225, 130};
+  const Color behind = colour_safe ? Color{255, 180, 70} : Color{255, 140, 120};
+  const double size = 21.0 * scale;
+  const double gap = split.difference.empty() ? 0.0 : 0.6 * size;
+  const double right = canvas.width() - 14.0 * scale - 0.6 * size;
+  const double width = canvas.text_width(split.difference, size) + gap + canvas.text_width(split.time, size);
+  canvas.panel({right - width - 0.6 * size, y}, {width + 1.2 * size, canvas.line_height(size) + 0.4 * size}, 0.5 * size,
+               paper);
+  canvas.text({right, y + 0.2 * size}, split.difference, size, split.is_ahead ? ahead : behind, Align::right);
+  canvas.text({right - canvas.text_width(split.difference, size) - gap, y + 0.2 * size}, split.time, size, faint,
+              Align::right);
+}
+
 /// Draws the distance to the goal at the edge of the screen, if the goal is outside.
 void draw_goal_distance(Canvas& canvas, const Simulation& simulation, double scale) {
   if (!simulation.level().goal) return;
@@ -229,6 +245,9 @@ void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& o
   canvas.panel({right - width - 1.6 * margin, margin}, {width + 1.6 * margin, 38.0 * scale}, 10.0 * scale, paper);
   canvas.text({right - 0.8 * margin, margin + 5.0 * scale}, time + falls + found, 24.0 * scale, white, Align::right);
 
+  if (options.split != nullptr) {
+    draw_split(canvas, *options.split, scale, options.colour_safe, (options.debug ? 104.0 : 60.0) * scale);
+  }
   if (!goal) draw_goal_distance(canvas, simulation, scale);
   if (options.keys != nullptr) draw_box(canvas, {margin, margin}, {*options.keys, std::max(15.0 * scale, 12.0), faint});
   if (options.notice != nullptr) draw_notice(canvas, options.notice, scale);

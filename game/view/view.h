@@ -12,6 +12,13 @@
 
 namespace game {
 
+/// The time at a checkpoint that the run has just entered.
+struct SplitMessage {
+  std::string time;
+  std::string difference;  ///< to the compared run, with its sign; empty: not known
+  bool is_ahead = false;   ///< of the compared run, or level with it
+};
+
 /// The options of a view.
 struct ViewOptions {
   bool debug = false;           ///< the debug view of cords (view/debug_view.h) and figures of the last step
@@ -25,6 +32,7 @@ struct ViewOptions {
   std::string headline{}, below{};                 ///< a message in the middle; empty: none
   const char* notice = nullptr;                    ///< an error message, or null
   double text_scale = 1.0;                         ///< pixels per desktop unit
+  const SplitMessage* split = nullptr;             ///< or null
   const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
 };
 

@@ -1,7 +1,9 @@
 // Synthesises the game's sounds.
 //   make_sounds FOLDER           writes the sounds into the folder
 //   make_sounds --check FOLDER   compares the sounds in the folder byte by byte
+//   make_sounds --play SCORE WAV writes the loop that the game makes of a score, to listen to it
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -11,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/sound/score_renderer.h"
 #include "engine/sound/wav.h"
 #include "tests/tools/synth.h"
 
@@ -208,28 +211,46 @@ void write(const std::string& path, const std::string& bytes) {
   if (!out) throw std::runtime_error("cannot write " + path);
 }
 
+/// Renders a score to a WAV file and prints its length and the time that it took.
+void play(const std::string& score, const std::string& path) {
+  const auto start = std::chrono::steady_clock::now();
+  const engine::Sound loop = engine::render(engine::load_score(score));
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  write(path, engine::wav_of(loop));
+  std::printf("%s: %.1f s of music, made in %.0f ms\n", path.c_str(),
+              static_cast<double>(loop.samples.size()) / loop.rate, taken.count());
+}
+
+/// Writes the sounds, or compares them. Returns false if one differs.
+bool make(const std::string& folder, bool check) {
+  bool same = true;
+  for (const Recipe& recipe : recipes()) {
+    const std::string path = folder + "/" + recipe.name + ".wav";
+    const std::string bytes = engine::wav_of({synth::rate, recipe.make().finished(recipe.peak)});
+    if (!check) write(path, bytes);
+    if (!check || bytes == bytes_of(path)) continue;
+    std::printf("%s is not what make_sounds makes\n", path.c_str());
+    same = false;
+  }
+  return same;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool plays = arguments.size() == 3 && arguments[0] == "--play";
   const bool check = arguments.size() == 2 && arguments[0] == "--check";
-  if (!check && (arguments.size() != 1 || arguments[0].starts_with("-"))) {
-    std::fputs("usage: make_sounds [--check] FOLDER\n", stderr);
+  if (!plays && !check && (arguments.size() != 1 || arguments[0].starts_with("-"))) {
+    std::fputs("usage: make_sounds [--check] FOLDER, or make_sounds --play SCORE WAV\n", stderr);
     return 2;
   }
-  bool same = true;
   try {
-    for (const Recipe& recipe : recipes()) {
-      const std::string path = arguments.back() + "/" + recipe.name + ".wav";
-      const std::string bytes = engine::wav_of({synth::rate, recipe.make().finished(recipe.peak)});
-      if (!check) write(path, bytes);
-      if (!check || bytes == bytes_of(path)) continue;
-      std::printf("%s is not what make_sounds makes\n", path.c_str());
-      same = false;
-    }
+    if (!plays) return make(arguments.back(), check) ? 0 : 1;
+    play(arguments[1], arguments[2]);
+    return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_sounds: %s\n", error.what());
     return 2;
   }
-  return same ? 0 : 1;
 }

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "engine/sound/waves.h"
+
 /// Short sounds from sines and noise, with the same bytes on every machine: it calls no library sine.
 namespace synth {
 
@@ -12,10 +14,9 @@ inline constexpr int rate = 22050;  // samples a second
 /// Maps time [s] to an amplitude or a frequency [Hz].
 using Curve = std::function<double(double)>;
 
-/// Returns sin(2π·turns).
-double sine(double turns);
+using engine::sine;
 /// Returns a smooth step: 0 below 0, 1 above 1.
-double smooth(double x);
+inline double smooth(double x) { return engine::smooth_step(x); }
 /// Rises within `attack` seconds, then falls to 1/e with every `decay` seconds.
 Curve strike(double attack, double decay);
 /// Rises and falls within `length` seconds.

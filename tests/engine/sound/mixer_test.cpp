@@ -127,6 +127,22 @@ TEST(Mixer, ALoopsVolumeNeverJumps) {
   }
 }
 
+TEST(Mixer, ASilentLoopContinuesAtItsPlace) {
+  Mixer mixer(rate);
+  std::vector<float> ramp(rate);
+  for (std::size_t k = 0; k < ramp.size(); ++k) ramp[k] = 0.5F * static_cast<float>(k) / static_cast<float>(rate);
+  const engine::LoopId loop = mixer.start_loop(mixer.add({rate, ramp}));
+  mixer.set_loop(loop, {1.0, -1.0, 1.0});
+  const double before = mix(mixer, 0.5).left.back();
+  mixer.set_loop(loop, {0.0, -1.0, 1.0});
+  mix(mixer, 0.2);                                                         // until it is silent
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(peak(mix(mixer, 0.1).left), 0.0);  // longer than the rest of the loop
+  mixer.set_loop(loop, {1.0, -1.0, 1.0});
+  const double after = mix(mixer, 0.1).left.back();
+  EXPECT_GT(after, before + 0.05);
+  EXPECT_LT(after, before + 0.2) << "0.3 s, which include the time of the fade later";
+}
+
 TEST(Mixer, FadesOutWhenMutedAndBackIn) {
   Mixer mixer(rate);
   mixer.set_loop(mixer.start_loop(mixer.add({rate, std::vector<float>(4410, 0.5F)})), {});

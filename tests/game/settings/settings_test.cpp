@@ -101,6 +101,7 @@ Settings some_settings() {
   settings.ghost = settings.help = false;
   settings.speed = 70;
   settings.sound.volume = 20;
+  settings.sound.music = 0;
   settings.bindings.bind(Action::jump, PadButton::left_stick_up);
   settings.bindings.bind(Action::left, MouseButton::middle);
   settings.bindings.unbind(Key::r);
@@ -199,6 +200,46 @@ TEST(Records, TheBestRunIsStoredWithItsRecording) {
   EXPECT_TRUE(again.offer(level, {400, false}, "", notice));
   EXPECT_FALSE(std::filesystem::exists(again.replay_path(level))) << "of another run than the best";
   EXPECT_EQ(notice, "");
+}
+
+TEST(Records, SplitsAreStoredAndMayBeAddedLater) {
+  const std::string folder = scratch("data_with_splits");
+  const LevelKey level{"swing", 0x1234};
+  const LevelKey other{"bridge", 0x99};
+  std::string notice;
+  Records records(folder);
+  records.offer(level, {500, false, {120, std::nullopt, 480}}, "", notice);
+  records.offer(other, {300, false}, "", notice);
+  records.add_splits(other, 301, {7}, notice);
+  EXPECT_EQ(records.best(other)->splits.size(), 0U) << "of another run";
+  records.add_splits(other, 300, {std::nullopt, 9}, notice);
+  records.add_splits(level, 500, {1}, notice);
+  Records again(folder);
+  again.load(notice);
+  EXPECT_EQ(again.best(level), (Best{500, false, {120, std::nullopt, 480}})) << "known splits stay";
+  EXPECT_EQ(again.best(other), (Best{300, false, {std::nullopt, 9}}));
+  EXPECT_EQ(notice, "");
+}
+
+TEST(Records, AFileOfAnEarlierVersionIsReadAndALaterOneRefused) {
+  const std::string folder = scratch("data_of_version_1");
+  const std::string record = R"("best": [{"level": "a", "hash": "0000000000000007", "ticks": 90, "assisted": false)";
+  const auto load = [&](const std::string& text) {
+    write_bytes(folder + "/best.json", text);
+    std::string notice;
+    Records records(folder);
+    records.load(notice);
+    EXPECT_EQ(notice == "", records.best({"a", 7}).has_value()) << text;
+    return records.best({"a", 7});
+  };
+  std::filesystem::create_directories(folder);
+  EXPECT_EQ(load("{" + record + "}]}"), (Best{90, false}));
+  EXPECT_EQ(load(R"({"version": 2, )" + record + R"(, "splits": [null, 40]}]})"),
+            (Best{90, false, {std::nullopt, 40}}));
+  EXPECT_EQ(load(R"({"version": 3, )" + record + "}]}"), std::nullopt);
+  for (const char* const splits : {"7", "[91]", "[-1]", "[1.5]", "[\"1\"]", "[[1]]", "[99999999999]"}) {
+    EXPECT_EQ(load("{" + record + R"(, "splits": )" + splits + "}]}"), std::nullopt) << splits;
+  }
 }
 
 TEST(Records, AnUnassistedRunRanksAboveAnAssistedOne) {

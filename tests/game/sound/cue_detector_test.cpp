@@ -175,6 +175,51 @@ TEST(CueDetector, ACheckpointIsHeardOnce) {
   EXPECT_EQ(heard_of(drop(0.0), 60, button_right).count(Noise::checkpoint), 1);
 }
 
+/// A swing on ropes that break at a force: the largest share of it, and the warnings.
+struct Swing {
+  double most = 0.0;              // N
+  std::vector<double> warned_at;  // N, the largest tension in the tick of each warning
+};
+
+Swing swing_with(double breaking_force) {
+  const Level level = first_swing_level();
+  Simulation simulation(level);
+  ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    const int links = static_cast<int>(coupling.cord(id).direct().tensions().size());
+    for (int k = 0; k < links; ++k) coupling.cord(id).direct().set_breaking_force(k, breaking_force);
+  }
+  CueDetector detector;
+  test_support::Autopilot autopilot;
+  Swing swing;
+  for (int k = 0; k < 300; ++k) {
+    const bool holds = coupling.body(simulation.player().body()).held_place().has_value();
+    simulation.tick({holds ? std::uint16_t{button_grab} : autopilot.buttons(simulation), {}});
+    detector.update(simulation);
+    double tension = 0.0;
+    for (const ribbon::box2d::CordId id : coupling.cords()) {
+      const auto tensions = coupling.cord(id).direct().tensions();
+      tension = std::max(tension, *std::max_element(tensions.begin(), tensions.end()));
+    }
+    swing.most = std::max(swing.most, tension);
+    for (const Cue& cue : detector.cues()) {
+      if (cue.noise == Noise::strains) swing.warned_at.push_back(tension);
+    }
+  }
+  return swing;
+}
+
+TEST(CueDetector, ARopeWarnsFrom80PerCentOfItsBreakingForceOn) {
+  const double most = swing_with(1e9).most;
+  ASSERT_GT(most, 600.0) << "it carries the player";
+  EXPECT_TRUE(swing_with(most / 0.79).warned_at.empty());
+  const double force = most / 0.99;
+  const Swing near = swing_with(force);
+  EXPECT_EQ(near.most, most) << "it did not break";
+  ASSERT_GE(near.warned_at.size(), 1U);
+  for (const double tension : near.warned_at) EXPECT_GE(tension, 0.8 * force);
+}
+
 TEST(CueDetector, ARestartIsNotHeardAsAFallAThudOrARelease) {
   Simulation simulation(first_swing_level());
   CueDetector detector;
