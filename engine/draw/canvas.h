@@ -85,9 +85,11 @@ class Canvas {
 
   /// Stores a copy of the picture for recall(), in place of the last one. For backgrounds that are expensive to draw.
   virtual void remember(int key) { static_cast<void>(key); }
-  /// Restores the picture that was stored with this key. Returns false if there is none of the present size.
-  virtual bool recall(int key) {
+  /// Restores the upper `rows` rows of the picture that was stored with this key. Returns false if there is none of the
+  /// present size.
+  virtual bool recall(int key, int rows) {
     static_cast<void>(key);
+    static_cast<void>(rows);
     return false;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,8 +25,11 @@ class Raster {
   /// The pixels row by row from the top, without padding, 0x00RRGGBB.
   const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
-  /// Overwrites all pixels with a copy of pixels().
-  void put(const std::vector<std::uint32_t>& pixels) { std::copy(pixels.begin(), pixels.end(), pixels_.begin()); }
+  /// Overwrites the upper `rows` rows, clamped to 0 … height, with those of a copy of pixels().
+  void put(const std::vector<std::uint32_t>& pixels, int rows) {
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(std::clamp(rows, 0, height_)) * width_;
+    std::copy_n(pixels.begin(), count, pixels_.begin());
+  }
 
   /// Fills a row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);

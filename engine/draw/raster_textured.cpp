@@ -155,6 +155,29 @@ void paint_flat(Span span, Lanes color) {
     *span.pixel = over(color, *span.pixel);
 }
 
+/// Copies a row of texels, one for each pixel.
+void copy_texels(Span span, const std::uint32_t* texel) {
+  for (std::uint32_t* const end = span.pixel + span.count; span.pixel != end; ++span.pixel, ++texel) {
+    if (const std::uint32_t alpha = *texel >> 24U; alpha == 255U) {
+      *span.pixel = *texel & 0xffffffU;
+    } else if (alpha != 0U) {
+      *span.pixel = over(spread(*texel), *span.pixel);
+    }
+  }
+}
+
+/// Paints an image row by row. Where a texel covers exactly a pixel and has its own colour, it is copied.
+void paint_nearest_row(const Span& span, const NearestRow& sample, bool flat) {
+  constexpr std::int64_t white = 255 << 16;
+  constexpr std::int64_t one_texel = 1 << 16;
+  const auto& [u, v, b, r, g, a] = span.ramp;
+  const std::int64_t first = u.here >> 16;
+  const bool own_color = flat && b.here == white && r.here == white && g.here == white && a.here == white;
+  if (own_color && u.step == one_texel && first >= 0 && first + span.count <= sample.texels.width())
+    return copy_texels(span, sample.row + first);
+  paint_image(span, sample, flat);
+}
+
 Lanes first_color(const Span& span) {
   const auto& [u, v, b, r, g, a] = span.ramp;
   return tinted(white_lanes, b.here, r.here, g.here, a.here);
@@ -171,6 +194,8 @@ void paint_span(const Span& span, const Sample& sample, bool flat) {
     }
   } else if (std::is_same_v<Sample, Linear> && span.ramp[1].step == 0) {
     paint_image(span, LinearRow(sample.texels, span.ramp[1].here), flat);
+  } else if (std::is_same_v<Sample, Nearest> && span.ramp[1].step == 0) {
+    paint_nearest_row(span, NearestRow(sample.texels, span.ramp[1].here), flat);
   } else {
     paint_image(span, sample, flat);
   }

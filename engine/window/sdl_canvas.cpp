@@ -135,9 +135,9 @@ void HeadlessCanvas::remember(int key) {
   remembered_key_ = key;
 }
 
-bool HeadlessCanvas::recall(int key) {
+bool HeadlessCanvas::recall(int key, int rows) {
   if (remembered_key_ != key) return false;
-  raster_.put(remembered_);
+  raster_.put(remembered_, rows);
   return true;
 }
 

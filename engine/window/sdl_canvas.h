@@ -26,7 +26,7 @@ class HeadlessCanvas : public Canvas {
   double line_height(double size) const override;
 
   void remember(int key) override;
-  bool recall(int key) override;
+  bool recall(int key, int rows) override;
 
   /// Changes the size and clears to black. Throws like the constructor, without a change.
   void resize(int width, int height);

@@ -13,7 +13,7 @@ namespace {
 using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
-const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze"};
+const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze", "place"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -50,12 +50,18 @@ std::string short_text(const engine::Properties& properties, const char* key) {
                          " bytes; accepted are at most " + std::to_string(max_text_bytes));
 }
 
+Place read_place(const engine::Properties& properties) {
+  const std::string name = properties.text_or("place", place_name(Place::hills), {"hills", "cave", "harbour", "storm"});
+  return *std::find_if(places.begin(), places.end(), [&](Place place) { return place_name(place) == name; });
+}
+
 void read_map_properties(Level& level) {
   const engine::Properties& p = level.map.properties;
   level.title = short_text(p, "title");
   if (level.title.empty()) level.title = level.name;
   level.hint = short_text(p, "hint");
   level.number = static_cast<int>(p.integer_or("number", 0, {0, 1000}));
+  level.place = read_place(p);
   level.sandbox = p.boolean_or("sandbox", false);
   level.medals = {p.number_or("gold", 0.0, medal_seconds), p.number_or("silver", 0.0, medal_seconds),
                   p.number_or("bronze", 0.0, medal_seconds)};

@@ -9,6 +9,7 @@
 #include "engine/scene/tiled_map.h"
 #include "game/simulation/area.h"
 #include "game/simulation/assists.h"
+#include "game/simulation/place.h"
 
 namespace game {
 
@@ -31,6 +32,7 @@ struct Level {
   std::string title;     ///< for the player; by default the name
   std::string hint;      ///< one sentence, may be empty
   int number = 0;        ///< position in the list of levels, from 1; 0: last
+  Place place = Place::hills;
   bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
   Medals medals;
   engine::TiledMap map;
@@ -57,8 +59,8 @@ std::string assets_folder();
 /// - `hook`: point at which a line can be thrown
 /// - `text`: point, the foot of a sign; text
 /// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, gold, silver, bronze
-/// [s]. Throws engine::MapError if the file does not exist, if the map has other or invalid objects or properties, or
-/// if the scene cannot be built.
+/// [s], place (hills, cave, harbour or storm; by default hills). Throws engine::MapError if the file does not exist, if
+/// the map has other or invalid objects or properties, or if the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// Returns the level of a map. Throws like load_level.

@@ -88,7 +88,7 @@ void draw_scarf(Pen& pen, const Pose& pose) {
 void draw_figure(Pen& pen, const Pose& pose) {
   const std::vector<Limb> limbs = limbs_of(pose);
   add_silhouette(pen, pose, limbs, outline);
-  pen.canvas.mesh(pen.shape, pen.colors.ink);
+  pen.canvas.mesh(pen.shape, pen.colors.figure_rim);
   draw_scarf(pen, pose);
   for (std::size_t k = 0; k < limbs.size(); ++k) {
     pen.canvas.polyline(limbs[k].joints, limbs[k].width, limbs[k].color);

@@ -82,8 +82,9 @@ void draw_flight(Pen& pen, const Line& line, Vec2 hand) {
 void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
   const Snapshot now = interpolate(simulation_->previous(), simulation_->current(), alpha);
   const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
-  const Palette& colors = palette(options.colour_safe);
-  Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
+  const Place place = simulation_->level().place;
+  const Palette& colors = palette(options.colour_safe, place);
+  Pen pen{canvas, colors, textures(options.colour_safe, place), time, options.reduced_motion, place, &stamps_};
   effects_.follow(pen.colors, pen.reduced_motion);
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
 
@@ -99,6 +100,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_figure(pen, pose);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
+  draw_foreground(pen, now.bodies.back().position);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }

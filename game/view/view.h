@@ -9,6 +9,7 @@
 #include "game/simulation/meter.h"
 #include "game/simulation/simulation.h"
 #include "game/view/effects.h"
+#include "game/view/stamps.h"
 
 namespace game {
 
@@ -39,6 +40,7 @@ class View {
  private:
   const Simulation* simulation_;
   Effects effects_;
+  Stamps stamps_;
 };
 
 }  // namespace game

@@ -1,0 +1,170 @@
+#include "game/view/backdrop_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "game/view/noise.h"
+
+namespace game {
+namespace {
+
+using engine::Color;
+using ribbon::Vec2;
+
+constexpr int period = 4096;             // hills, after which the outline repeats
+constexpr double sampling = 1.0 / 64.0;  // heights of the canvas, between two points of an outline
+constexpr double spike_pitch = 0.085;    // heights of the canvas, between two spikes
+
+/// Returns the length of the spike at x: each has a place, a width and a length of its own.
+double spike(const Range& range, double x) {
+  const int cell = static_cast<int>(std::floor(x / spike_pitch));
+  double longest = 0.0;
+  for (int k = cell - 1; k <= cell + 1; ++k) {
+    const double size = scatter(k, 1, range.seed);
+    const double middle = spike_pitch * (k + 0.2 + 0.6 * scatter(k, 2, range.seed));
+    const double half = spike_pitch * (0.28 + 0.40 * size);
+    const double near = std::max(1.0 - std::abs(x - middle) / half, 0.0);
+    longest = std::max(longest, range.spikes * size * size * std::pow(near, 1.7));
+  }
+  return longest;
+}
+
+double height_at(const Range& range, double x) {
+  const double swell = range.swell * (tiled_noise(x / range.length, 0.0, period, range.seed) - 0.5);
+  const double jag = range.jag * (tiled_noise(8.0 * x / range.length, 0.0, period, range.seed + 50) - 0.5);
+  return swell + jag + (range.spikes > 0.0 ? spike(range, x) : 0.0);
+}
+
+/// Returns the y in px of the outline at a place of the layer.
+double y_of(const Pen& pen, const Range& range, double place) {
+  const double high = pen.canvas.height();
+  const double up = range.climb * (1.0 - range.follow) * camera_offset(pen).y;
+  const double height = range.height + height_at(range, place);
+  return range.hangs ? high * (height + up) : high * (1.0 - height + up);
+}
+
+void add_column(engine::TexturedMesh& mesh, Vec2 at, double edge, double bottom, Color color, Color bottom_color) {
+  mesh.vertices.push_back({{at.x, at.y - edge}, {}, color, 0.0});
+  mesh.vertices.push_back({{at.x, at.y + edge}, {}, color, 1.0});
+  mesh.vertices.push_back({{at.x, bottom}, {}, bottom_color, 1.0});
+  const int v = static_cast<int>(mesh.vertices.size()) - 3;
+  if (v < 3) return;
+  for (const int k : {0, 1})
+    mesh.indices.insert(mesh.indices.end(), {v - 3 + k, v + k, v + k + 1, v - 3 + k, v + k + 1, v - 2 + k});
+}
+
+}  // namespace
+
+Vec2 camera_offset(const Pen& pen) {
+  const double high = pen.canvas.height() / pen.scale();
+  const Vec2 at = pen.canvas.view().center;
+  return (1.0 / high) * Vec2{at.x, at.y - 0.5 * high};
+}
+
+double shift_of(const Pen& pen, const Range& range) { return (1.0 - range.follow) * camera_offset(pen).x; }
+
+double outline_at(const Pen& pen, const Range& range, double x) {
+  return y_of(pen, range, x / pen.canvas.height() + shift_of(pen, range));
+}
+
+Outline outline_of(const Pen& pen, const Range& range) {
+  const double high = pen.canvas.height();
+  const double step = range.spikes > 0.0 ? 0.5 * sampling : sampling;
+  const double shift = shift_of(pen, range);
+  const int first = static_cast<int>(std::floor(shift / step));
+  const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / step));
+  Outline outline;
+  for (int k = first; k <= last; ++k) outline.points.push_back({high * (step * k - shift), y_of(pen, range, step * k)});
+  const auto [top, bottom] =
+      std::minmax_element(outline.points.begin(), outline.points.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  outline.highest = top->y;
+  outline.lowest = bottom->y;
+  return outline;
+}
+
+void draw_range(Pen& pen, const Outline& outline, Color color, Color mist, double cut) {
+  const double width = pen.canvas.width();
+  const double high = pen.canvas.height();
+  const double end = std::min(std::ceil(cut), high);
+  if (outline.highest > end) return;
+  const double lowest = std::ceil(outline.lowest + 1.0);
+  const double bottom = std::max(outline.highest + 0.30 * high, lowest + 1.0);
+  const auto misty = [&](double y) {
+    return mix(color, mist, 0.75 * (y - outline.highest) / (bottom - outline.highest));
+  };
+  pen.mesh.clear();
+  for (const Vec2 p : outline.points) add_column(pen.mesh, p, 0.5, lowest, misty(p.y), misty(lowest));
+  pen.canvas.textured(pen.mesh, {});
+  if (lowest < end) pen.fade({0.0, lowest}, {width, bottom - lowest}, misty(lowest), misty(bottom));
+  if (bottom < end) pen.fade({0.0, bottom}, {width, end - bottom}, misty(bottom), misty(bottom));
+}
+
+void draw_ceiling(Pen& pen, const Outline& outline, Color color, Color mist) {
+  const double high = pen.canvas.height();
+  if (outline.lowest < 0.0) return;
+  const double highest = std::floor(outline.highest - 1.0);
+  const double top = std::min(outline.lowest - 0.30 * high, highest - 1.0);
+  const auto misty = [&](double y) {
+    return mix(mist, color, 1.0 - 0.75 * (outline.lowest - y) / (outline.lowest - top));
+  };
+  pen.mesh.clear();
+  for (const Vec2 p : outline.points) add_column(pen.mesh, p, -0.5, highest, misty(p.y), misty(highest));
+  pen.canvas.textured(pen.mesh, {});
+  const double middle = std::max(top, 0.0);
+  if (highest > 0.0)
+    pen.fade({0.0, middle}, {1.0 * pen.canvas.width(), highest - middle}, misty(middle), misty(highest));
+  if (top > 0.0) pen.fade({0.0, 0.0}, {1.0 * pen.canvas.width(), top}, misty(top), misty(top));
+}
+
+void draw_props(Pen& pen, const Range& range, const engine::Image& image, const Stand& stand) {
+  const double high = pen.canvas.height();
+  const double shift = shift_of(pen, range);
+  const int first = static_cast<int>(std::floor(shift / stand.spacing)) - 1;
+  const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / stand.spacing)) + 1;
+  for (int k = first; k <= last; ++k) {
+    if (tiled_noise(0.21 * k, 0.5, period, range.seed + 7) < stand.dense) continue;  // groups trees into woods
+    const double place = stand.spacing * (k + 0.7 * scatter(k, 1, range.seed));
+    // Few sizes, for which copies are stored.
+    const double tall = std::round(high * stand.size * (0.6 + 0.2 * std::floor(5.0 * scatter(k, 2, range.seed))));
+    const double y = std::round(y_of(pen, range, place) + 0.06 * tall);
+    if (y - tall > high) continue;
+    pen.stamp(image, {high * (place - shift), y - 0.5 * tall}, {stand.aspect * tall, tall}, {255, 255, 255});
+  }
+}
+
+void add_quad(engine::TexturedMesh& mesh, const std::array<Corner, 4>& corners) {
+  const int v = static_cast<int>(mesh.vertices.size());
+  for (const Corner& corner : corners) mesh.vertices.push_back({corner.at, {}, corner.color});
+  mesh.indices.insert(mesh.indices.end(), {v, v + 1, v + 2, v, v + 2, v + 3});
+}
+
+void draw_clouds(Pen& pen, const Clouds& clouds) {
+  const double high = pen.canvas.height();
+  const double wide = pen.canvas.width() / high;
+  const double drift = pen.reduced_motion ? 0.0 : clouds.drift * pen.time;
+  const double shift = 0.05 * camera_offset(pen).x - drift;
+  const int first = static_cast<int>(std::floor(shift / clouds.spacing)) - 2;
+  const int last = static_cast<int>(std::ceil((shift + wide) / clouds.spacing)) + 1;
+  for (int k = first; k <= last; ++k) {
+    if (scatter(k, 5, clouds.seed) < 0.25) continue;
+    const double size = clouds.size + 0.25 * clouds.growth * std::floor(5.0 * scatter(k, 1, clouds.seed));
+    const double x = clouds.spacing * (k + 0.6 * scatter(k, 2, clouds.seed)) - shift;
+    const double y = clouds.top + clouds.depth * scatter(k, 3, clouds.seed) + 0.05 * camera_offset(pen).y;
+    const auto& image = pen.images.clouds.at(static_cast<std::size_t>(3.0 * scatter(k, 4, clouds.seed)));
+    const int opacity = clouds.opacity + (scatter(k, 6, clouds.seed) < 0.5 ? 0 : (255 - clouds.opacity) / 2);
+    pen.stamp(image, high * Vec2{x, y}, high * Vec2{size, 0.5 * size}, with_alpha(pen.colors.cloud, opacity));
+  }
+}
+
+void draw_sun(Pen& pen, Vec2 at, double glow, double disc) {
+  const double high = pen.canvas.height();
+  const Vec2 middle{at.x * pen.canvas.width(), at.y * high};
+  pen.sprite(pen.images.glow, middle, {glow * high, glow * high}, with_alpha(pen.colors.sun, 130));
+  pen.shape.clear();
+  engine::add_disc(pen.shape, middle, disc * high);
+  pen.canvas.mesh(pen.shape, pen.colors.sun);
+}
+
+}  // namespace game
