@@ -38,6 +38,15 @@ class Raster {
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
   /// Blends the triangles of the mesh in order (raster_textured.cpp). The mesh must be paintable.
   void fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
+  /// Fills what is below or above a line (raster_skyline.cpp): see Canvas::skyline. `end`: the first row that is not
+  /// filled.
+  struct Skyline {
+    double top, bottom;  // px, of the gradient
+    std::uint32_t upper, lower;
+    int end;
+    bool is_above;
+  };
+  void fill(std::span<const ribbon::Vec2> line, const Skyline& look);
   /// Blends the colour with a mask of opacities, row by row, with its top left corner at pixel (left, top); clips it.
   void stamp(std::span<const std::uint8_t> mask, int mask_width, int left, int top, std::uint32_t rgb, int opacity);
 
@@ -51,6 +60,7 @@ class Raster {
   };
   class Painter;
 
+  void find_edges(std::span<const ribbon::Vec2> line, float none);
   void cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c);
   void blend_row(int y, std::uint32_t rgb, int opacity);
 
@@ -58,6 +68,7 @@ class Raster {
   int height_;
   std::vector<std::uint32_t> pixels_;
   std::vector<std::uint8_t> cover_;  // zero between two fills
+  std::vector<float> edges_;         // the y of a line at the middle of each column
   std::vector<Range> rows_;          // the pixels of each row whose cover may be non-zero
   Range touched_;                    // the rows whose cover may be non-zero
 };

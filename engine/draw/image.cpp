@@ -46,7 +46,8 @@ Image::Level halved(const Image::Level& whole) {
 
 }  // namespace
 
-Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps) {
+Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps)
+    : is_opaque_(std::all_of(pixels.begin(), pixels.end(), [](Color c) { return c.a == 255; })) {
   if (!is_side(width) || !is_side(height))
     throw std::invalid_argument("an image of " + std::to_string(width) + " x " + std::to_string(height) +
                                 " pixels: each side must be a power of two, 1 to " + std::to_string(max_side));

@@ -28,11 +28,14 @@ class Image {
     /// 0xAARRGGBB, premultiplied, row by row.
     std::vector<std::uint32_t> pixels{};
   };
+  /// Whether all pixels have alpha 255.
+  bool is_opaque() const { return is_opaque_; }
   /// Returns the level with about one texel per pixel, where the full image has `texels_per_pixel`.
   const Level& level(double texels_per_pixel) const;
 
  private:
   std::vector<Level> levels_;
+  bool is_opaque_;
 };
 
 }  // namespace engine

@@ -20,12 +20,15 @@ class Texels {
         width_(level.width),
         height_(level.height),
         repeat_u_(texture.along_u == Wrap::repeat),
-        repeat_v_(texture.along_v == Wrap::repeat) {}
+        repeat_v_(texture.along_v == Wrap::repeat),
+        is_opaque_(texture.image->is_opaque()) {}
 
   std::ptrdiff_t column(std::int64_t x) const {
     return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
   }
   std::int64_t width() const { return width_; }
+  bool repeats_along_u() const { return repeat_u_; }
+  bool is_opaque() const { return is_opaque_; }
   const std::uint32_t* row(std::int64_t y) const {
     return texels_ + (repeat_v_ ? y & (height_ - 1) : std::clamp<std::int64_t>(y, 0, height_ - 1)) * width_;
   }
@@ -36,6 +39,7 @@ class Texels {
   std::int64_t height_;
   bool repeat_u_;
   bool repeat_v_;
+  bool is_opaque_;
 };
 
 // The samplers return the colour of an image at a position in units of 1/65536 texels.

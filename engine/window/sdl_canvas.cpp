@@ -162,6 +162,12 @@ void HeadlessCanvas::paint_textured(const TexturedMesh& mesh, const Texture& tex
   raster_.fill(mesh, texture, clip);
 }
 
+void HeadlessCanvas::paint_skyline(std::span<const ribbon::Vec2> line, const SkylineLook& look) {
+  const int end = static_cast<int>(std::clamp(std::ceil(look.end), 0.0, 1.0 * height()));
+  raster_.fill(line,
+               Raster::Skyline{look.top, look.bottom, rgb_of(look.upper), rgb_of(look.lower), end, look.is_above});
+}
+
 void HeadlessCanvas::paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) {
   if (std::abs(top_left.x) > text_margin || std::abs(top_left.y) > text_margin) return;
   const Letters& letters = typesetter_->letters(utf8, pixel_size(size));

@@ -8,6 +8,7 @@
 #include "engine/draw/canvas.h"
 #include "engine/window/window_input.h"
 #include "game/screens/menu_input.h"
+#include "game/view/veil.h"
 
 namespace game {
 
@@ -73,6 +74,7 @@ class ScreenStack {
  private:
   void close_top();
 
+  ScreenFade fade_;  // from dark after another screen that is not an overlay was opened
   std::vector<std::unique_ptr<Screen>> screens_;
 };
 

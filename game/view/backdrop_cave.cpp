@@ -88,8 +88,8 @@ void draw_cave(Pen& pen) {
 }
 
 void draw_lamp(Pen& pen, Vec2 player) {
-  const double size = 7.0 * pen.scale();
-  pen.sprite(pen.images.glow, pen.canvas.to_pixels(player), {size, size}, pen.colors.lamp);
+  const double size = 0.52 * pen.canvas.height();
+  pen.stamp(pen.images.glow, pen.canvas.to_pixels(player), {size, size}, pen.colors.lamp);
 }
 
 }  // namespace game

@@ -83,6 +83,17 @@ void draw_ships(Pen& pen) {
     const double bob = pen.reduced_motion ? 0.0 : 0.004 * high * std::sin(0.9 * pen.time + 2.0 * k);
     const double x = high * (spacing * (k + 0.5 * scatter(k, 3, 621)) - shift);
     const double y = outline_at(pen, roads, x) + bob;
+    const Color shade = with_alpha(mix(pen.colors.hills[3], pen.colors.ink, 0.35), 120);
+    const Color none = with_alpha(shade, 0);
+    const double left = x - 0.42 * tall;
+    const double right = x + 0.42 * tall;
+    const double deep = y + 0.16 * tall;
+    pen.mesh.clear();
+    add_quad(pen.mesh, {{{{left, y - 1.0}, shade},
+                         {{right, y - 1.0}, shade},
+                         {{right - 0.1 * tall, deep}, none},
+                         {{left + 0.1 * tall, deep}, none}}});
+    pen.canvas.textured(pen.mesh, {});
     pen.stamp(pen.images.props[1], {x, y - 0.5 * tall}, {1.1 * tall, tall}, {255, 255, 255});
   }
 }
@@ -92,10 +103,10 @@ void draw_glints(Pen& pen, double top) {
   const double width = pen.canvas.width();
   const double high = pen.canvas.height();
   pen.mesh.clear();
-  for (int k = 0; k < 150; ++k) {
+  for (int k = 0; k < 220; ++k) {
     const double depth = scatter(k, 1, 631);
     const double y = top + (high - top) * depth * depth + 2.0;
-    const bool below_sun = k < 90;
+    const bool below_sun = k < 120;
     const double spread =
         below_sun ? (0.03 + 0.10 * depth) * (scatter(k, 2, 631) + scatter(k, 3, 631) - 1.0) : scatter(k, 2, 631) - 0.5;
     const double x = below_sun ? width * (sun_x + spread) : width * (0.5 + spread);
@@ -104,7 +115,7 @@ void draw_glints(Pen& pen, double top) {
             ? 0.7
             : 0.5 + 0.5 * std::sin((1.2 + 1.5 * scatter(k, 4, 631)) * pen.time + 40.0 * scatter(k, 5, 631));
     const double long_half = high * (0.006 + 0.026 * depth) * (0.5 + 0.5 * beat);
-    const double flat_half = high * (0.0012 + 0.002 * depth);
+    const double flat_half = high * (0.0014 + 0.0026 * depth);
     const Color bright = with_alpha(pen.colors.accent, static_cast<int>((below_sun ? 210 : 110) * beat));
     const Color gone = with_alpha(bright, 0);
     const Vec2 at{x, y};

@@ -45,16 +45,6 @@ double y_of(const Pen& pen, const Range& range, double place) {
   return range.hangs ? high * (height + up) : high * (1.0 - height + up);
 }
 
-void add_column(engine::TexturedMesh& mesh, Vec2 at, double edge, double bottom, Color color, Color bottom_color) {
-  mesh.vertices.push_back({{at.x, at.y - edge}, {}, color, 0.0});
-  mesh.vertices.push_back({{at.x, at.y + edge}, {}, color, 1.0});
-  mesh.vertices.push_back({{at.x, bottom}, {}, bottom_color, 1.0});
-  const int v = static_cast<int>(mesh.vertices.size()) - 3;
-  if (v < 3) return;
-  for (const int k : {0, 1})
-    mesh.indices.insert(mesh.indices.end(), {v - 3 + k, v + k, v + k + 1, v - 3 + k, v + k + 1, v - 2 + k});
-}
-
 }  // namespace
 
 Vec2 camera_offset(const Pen& pen) {
@@ -85,37 +75,23 @@ Outline outline_of(const Pen& pen, const Range& range) {
 }
 
 void draw_range(Pen& pen, const Outline& outline, Color color, Color mist, double cut) {
-  const double width = pen.canvas.width();
-  const double high = pen.canvas.height();
-  const double end = std::min(std::ceil(cut), high);
-  if (outline.highest > end) return;
-  const double lowest = std::ceil(outline.lowest + 1.0);
-  const double bottom = std::max(outline.highest + 0.30 * high, lowest + 1.0);
-  const auto misty = [&](double y) {
-    return mix(color, mist, 0.75 * (y - outline.highest) / (bottom - outline.highest));
-  };
-  pen.mesh.clear();
-  for (const Vec2 p : outline.points) add_column(pen.mesh, p, 0.5, lowest, misty(p.y), misty(lowest));
-  pen.canvas.textured(pen.mesh, {});
-  if (lowest < end) pen.fade({0.0, lowest}, {width, bottom - lowest}, misty(lowest), misty(bottom));
-  if (bottom < end) pen.fade({0.0, bottom}, {width, end - bottom}, misty(bottom), misty(bottom));
+  engine::SkylineLook look;
+  look.top = outline.highest;
+  look.bottom = std::max(outline.highest + 0.30 * pen.canvas.height(), outline.lowest + 1.0);
+  look.upper = color;
+  look.lower = mix(color, mist, 0.75);
+  look.end = cut;
+  if (outline.highest < cut) pen.canvas.skyline(outline.points, look);
 }
 
 void draw_ceiling(Pen& pen, const Outline& outline, Color color, Color mist) {
-  const double high = pen.canvas.height();
-  if (outline.lowest < 0.0) return;
-  const double highest = std::floor(outline.highest - 1.0);
-  const double top = std::min(outline.lowest - 0.30 * high, highest - 1.0);
-  const auto misty = [&](double y) {
-    return mix(mist, color, 1.0 - 0.75 * (outline.lowest - y) / (outline.lowest - top));
-  };
-  pen.mesh.clear();
-  for (const Vec2 p : outline.points) add_column(pen.mesh, p, -0.5, highest, misty(p.y), misty(highest));
-  pen.canvas.textured(pen.mesh, {});
-  const double middle = std::max(top, 0.0);
-  if (highest > 0.0)
-    pen.fade({0.0, middle}, {1.0 * pen.canvas.width(), highest - middle}, misty(middle), misty(highest));
-  if (top > 0.0) pen.fade({0.0, 0.0}, {1.0 * pen.canvas.width(), top}, misty(top), misty(top));
+  engine::SkylineLook look;
+  look.bottom = outline.lowest;
+  look.top = std::min(outline.lowest - 0.30 * pen.canvas.height(), outline.highest - 1.0);
+  look.upper = mix(color, mist, 0.75);
+  look.lower = color;
+  look.is_above = true;
+  if (outline.lowest > 0.0) pen.canvas.skyline(outline.points, look);
 }
 
 void draw_props(Pen& pen, const Range& range, const engine::Image& image, const Stand& stand) {

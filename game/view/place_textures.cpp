@@ -123,8 +123,8 @@ Cells cells_at(double x, double y, int period, int seed) {
   return found;
 }
 
-/// Rock in facets with cracks, and a crystal here and there.
-Image rock_image(Color color, Color crystal) {
+/// Rock in facets with cracks.
+Image rock_image(Color color) {
   return ground_image([=](double u, double v) {
     const double bend = 0.35 * (tiled_noise(6.0 * u, 6.0 * v, 6, 120) - 0.5);
     const Cells large = cells_at(6.0 * u + bend, 6.0 * v - bend, 6, 121);
@@ -133,11 +133,7 @@ Image rock_image(Color color, Color crystal) {
     const double crack = smoothstep(0.02, 0.12, large.second - large.nearest);
     const double slope = 0.12 * (0.5 - large.nearest);
     const double grain = 0.10 * (tiled_cloudiness(8.0 * u, 8.0 * v, 8, 140) - 0.5);
-    const Color rock = tinted(grey((facet + slope + grain) * (0.66 + 0.34 * crack)), color);
-    const Cells gems = cells_at(9.0 * u, 9.0 * v, 9, 151);
-    if (scatter(gems.number, 2, 152) > 0.10) return rock;
-    const double gem = smoothstep(0.17, 0.12, gems.nearest);
-    return mix(rock, mix(crystal, {255, 255, 255}, gems.nearest < 0.06 ? 0.5 : 0.0), 0.75 * gem);
+    return tinted(grey((facet + slope + grain) * (0.66 + 0.34 * crack)), color);
   });
 }
 
@@ -236,7 +232,7 @@ PlaceImages make_place_images(const Palette& colors, Place place) {
   switch (place) {
     case Place::cave:
       return {rope_image({.strands = 4, .slant = 1.0, .fibres = 0.07}),
-              rock_image(colors.soil, colors.accent),
+              rock_image(colors.soil),
               drawn(512, 64, rock_rim_at),
               {crystal_image(colors.accent, 7), crystal_image(colors.accent, 8)}};
     case Place::harbour:

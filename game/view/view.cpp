@@ -45,9 +45,12 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
+  const auto held = coupling.body(simulation.player().body()).held_place();
+  const double weight = 9.81 * simulation.level().player_mass;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
     cords.push_back({coupling, id, coupling.cord(id).shape(), points, simulation.player().line().cord() == id});
+    if (held && held->cord == id) cords.back().load = largest_tension(coupling, id) / weight;
   }
   return cords;
 }
@@ -77,6 +80,22 @@ void draw_flight(Pen& pen, const Line& line, Vec2 hand) {
   if (line.state() == Line::State::flying) draw_thrown_line(pen, hand, line.tip(hand), 0.3);
 }
 
+/// Draws the player with its line and its trail, or, just after a fall, a figure that falls on.
+void draw_player(Pen& pen, const Simulation& simulation, const Effects& effects, const Snapshot& now, double alpha) {
+  if (const Fall& fall = effects.fall(); fall.is_closing()) {
+    FigureState falling;
+    falling.at = fall.at(alpha);
+    falling.velocity = fall.velocity();
+    falling.on_ground = false;
+    falling.time = pen.time;
+    return draw_figure(pen, pose_of(falling));
+  }
+  effects.draw_trail(pen, now.bodies.back().position);
+  const Pose pose = pose_of(figure_of(simulation, now, pen.time));
+  draw_flight(pen, simulation.player().line(), pose.throwing_hand());
+  draw_figure(pen, pose);
+}
+
 }  // namespace
 
 void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
@@ -95,12 +114,11 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  const Pose pose = pose_of(figure_of(*simulation_, now, time));
-  draw_flight(pen, simulation_->player().line(), pose.throwing_hand());
-  draw_figure(pen, pose);
+  draw_player(pen, *simulation_, effects_, now, alpha);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
   draw_foreground(pen, now.bodies.back().position);
+  effects_.fall().draw(pen, now.bodies.back().position, alpha);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }

@@ -28,6 +28,7 @@ class Lists : public engine::HeadlessCanvas {
   void paint_mesh(const engine::Mesh&, engine::Color) override {}
   void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
   void paint_text(ribbon::Vec2, std::string_view, double, engine::Color) override {}
+  void paint_skyline(std::span<const ribbon::Vec2>, const engine::SkylineLook&) override {}
 };
 
 struct Options {
