@@ -18,6 +18,9 @@ class Image {
   /// 1 … 4096, and there are width · height pixels.
   Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps = Mipmaps::yes);
 
+  /// Makes an image of premultiplied pixels, 0xAARRGGBB, without mipmaps. Throws like the constructor.
+  static Image of_premultiplied(int width, int height, std::vector<std::uint32_t> pixels);
+
   int width() const { return levels_.front().width; }
   int height() const { return levels_.front().height; }
 
@@ -34,8 +37,10 @@ class Image {
   const Level& level(double texels_per_pixel) const;
 
  private:
+  Image() = default;
+
   std::vector<Level> levels_;
-  bool is_opaque_;
+  bool is_opaque_ = false;
 };
 
 }  // namespace engine

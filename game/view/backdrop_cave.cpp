@@ -57,16 +57,22 @@ void draw_depth(Pen& pen) {
 void draw_crystals(Pen& pen, const Range& range, double size, int opacity) {
   const double high = pen.canvas.height();
   constexpr double spacing = 0.22;
+  const auto tall_of = [&](double kind) { return std::round(high * size * (0.7 + 0.3 * kind)); };
+  for (int kind = 0; pen.prepares && kind < 3; ++kind) {
+    const Vec2 square{tall_of(kind), tall_of(kind)};
+    pen.prepare(pen.images.glow, 2.2 * square, with_alpha(pen.colors.accent, opacity));
+    for (const engine::Image& crystal : pen.images.props) pen.prepare(crystal, square, {255, 255, 255});
+  }
   const double shift = shift_of(pen, range);
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / spacing)) + 1;
   for (int k = first; k <= last; ++k) {
-    if (scatter(k, 1, range.seed) < 0.45) continue;
+    if (scatter(k, 1, range.seed) < 0.5) continue;
     const double x = high * (spacing * (k + 0.8 * scatter(k, 2, range.seed)) - shift);
-    const double tall = std::round(high * size * (0.7 + 0.3 * std::floor(3.0 * scatter(k, 3, range.seed))));
+    const double tall = tall_of(std::floor(3.0 * scatter(k, 3, range.seed)));
     const double y = outline_at(pen, range, x) + 0.10 * tall;
     if (y - tall > high) continue;
-    pen.stamp(pen.images.glow, {x, y - 0.35 * tall}, {3.0 * tall, 3.0 * tall}, with_alpha(pen.colors.accent, opacity));
+    pen.stamp(pen.images.glow, {x, y - 0.35 * tall}, {2.2 * tall, 2.2 * tall}, with_alpha(pen.colors.accent, opacity));
     pen.stamp(pen.images.props[static_cast<std::size_t>(k & 1)], {x, y - 0.5 * tall}, {tall, tall}, {255, 255, 255});
   }
 }
@@ -81,7 +87,7 @@ void draw_cave(Pen& pen) {
   for (std::size_t k = 0; k < floors.size(); ++k) {
     const Color color = colors.hills[k];
     draw_ceiling(pen, outline_of(pen, ceilings[k]), color, mix(color, colors.sky_top, 0.8));
-    if (k > 0) draw_crystals(pen, floors[k], k == 1 ? 0.075 : 0.11, k == 1 ? 70 : 90);
+    if (k > 0) draw_crystals(pen, floors[k], k == 1 ? 0.075 : 0.11, k == 1 ? 84 : 104);
     const double cut = k + 1 < floors.size() ? outlines[k + 1].lowest + 1.0 : pen.canvas.height();
     draw_range(pen, outlines[k], color, mix(color, colors.mist, k == 2 ? 0.35 : 0.7), cut);
   }

@@ -60,12 +60,15 @@ void draw_houses(Pen& pen, Color color, Color roof) {
 void draw_cranes(Pen& pen) {
   const double high = pen.canvas.height();
   constexpr double spacing = 0.62;
+  const auto tall_of = [&](double kind) { return std::round(high * (0.30 + 0.06 * kind)); };
+  for (int kind = 0; pen.prepares && kind < 3; ++kind)
+    pen.prepare(pen.images.props[0], {tall_of(kind), tall_of(kind)}, {255, 255, 255});
   const double shift = shift_of(pen, quay);
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / spacing)) + 1;
   for (int k = first; k <= last; ++k) {
     if (scatter(k, 1, 611) < 0.25) continue;
-    const double tall = std::round(high * (0.30 + 0.06 * std::floor(3.0 * scatter(k, 2, 611))));
+    const double tall = tall_of(std::floor(3.0 * scatter(k, 2, 611)));
     const double x = high * (spacing * (k + 0.5 * scatter(k, 3, 611)) - shift);
     pen.stamp(pen.images.props[0], {x, outline_at(pen, quay, x) - 0.5 * tall + 1.0}, {tall, tall}, {255, 255, 255});
   }
@@ -74,12 +77,15 @@ void draw_cranes(Pen& pen) {
 void draw_ships(Pen& pen) {
   const double high = pen.canvas.height();
   constexpr double spacing = 1.15;
+  const auto tall_of = [&](double kind) { return std::round(high * (0.34 + 0.07 * kind)); };
+  for (int kind = 0; pen.prepares && kind < 2; ++kind)
+    pen.prepare(pen.images.props[1], {1.1 * tall_of(kind), tall_of(kind)}, {255, 255, 255});
   const double shift = shift_of(pen, roads);
   const int first = static_cast<int>(std::floor(shift / spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / spacing)) + 1;
   for (int k = first; k <= last; ++k) {
     if (scatter(k, 1, 621) < 0.2) continue;
-    const double tall = std::round(high * (0.34 + 0.07 * std::floor(2.0 * scatter(k, 2, 621))));
+    const double tall = tall_of(std::floor(2.0 * scatter(k, 2, 621)));
     const double bob = pen.reduced_motion ? 0.0 : 0.004 * high * std::sin(0.9 * pen.time + 2.0 * k);
     const double x = high * (spacing * (k + 0.5 * scatter(k, 3, 621)) - shift);
     const double y = outline_at(pen, roads, x) + bob;
@@ -155,7 +161,7 @@ void draw_harbour(Pen& pen) {
   draw_clouds(pen,
               {.spacing = 0.5, .top = 0.06, .depth = 0.22, .size = 0.24, .growth = 0.24, .opacity = 120, .seed = 78});
   draw_range(pen, far, colors.hills[0], mix(colors.hills[0], colors.mist, 0.7), top + 1.0);
-  if (top < high) {
+  if (top < high || pen.prepares) {
     draw_houses(pen, mix(colors.hills[1], colors.mist, 0.25), mix(colors.hills[1], colors.ribbons[0], 0.22));
     draw_cranes(pen);
     draw_bay(pen, top);

@@ -15,7 +15,8 @@ using ribbon::Vec2;
 
 constexpr int period = 4096;             // hills, after which the outline repeats
 constexpr double sampling = 1.0 / 64.0;  // heights of the canvas, between two points of an outline
-constexpr double spike_pitch = 0.085;    // heights of the canvas, between two spikes
+constexpr int prop_sizes = 5;
+constexpr double spike_pitch = 0.085;  // heights of the canvas, between two spikes
 
 /// Returns the length of the spike at x: each has a place, a width and a length of its own.
 double spike(const Range& range, double x) {
@@ -96,14 +97,17 @@ void draw_ceiling(Pen& pen, const Outline& outline, Color color, Color mist) {
 
 void draw_props(Pen& pen, const Range& range, const engine::Image& image, const Stand& stand) {
   const double high = pen.canvas.height();
+  // Few sizes, for which copies are stored.
+  const auto tall_of = [&](double size) { return std::round(high * stand.size * (0.6 + 0.2 * size)); };
+  for (int size = 0; pen.prepares && size < prop_sizes; ++size)
+    pen.prepare(image, {stand.aspect * tall_of(size), tall_of(size)}, {255, 255, 255});
   const double shift = shift_of(pen, range);
   const int first = static_cast<int>(std::floor(shift / stand.spacing)) - 1;
   const int last = static_cast<int>(std::ceil((shift + pen.canvas.width() / high) / stand.spacing)) + 1;
   for (int k = first; k <= last; ++k) {
     if (tiled_noise(0.21 * k, 0.5, period, range.seed + 7) < stand.dense) continue;  // groups trees into woods
     const double place = stand.spacing * (k + 0.7 * scatter(k, 1, range.seed));
-    // Few sizes, for which copies are stored.
-    const double tall = std::round(high * stand.size * (0.6 + 0.2 * std::floor(5.0 * scatter(k, 2, range.seed))));
+    const double tall = tall_of(std::floor(prop_sizes * scatter(k, 2, range.seed)));
     const double y = std::round(y_of(pen, range, place) + 0.06 * tall);
     if (y - tall > high) continue;
     pen.stamp(image, {high * (place - shift), y - 0.5 * tall}, {stand.aspect * tall, tall}, {255, 255, 255});
@@ -119,18 +123,28 @@ void add_quad(engine::TexturedMesh& mesh, const std::array<Corner, 4>& corners) 
 void draw_clouds(Pen& pen, const Clouds& clouds) {
   const double high = pen.canvas.height();
   const double wide = pen.canvas.width() / high;
+  // Each image in a small and a large size; large clouds are fainter.
+  const auto size_of = [&](int kind) {
+    return std::round(high * (clouds.size + (kind < 3 ? 0.25 : 0.85) * clouds.growth));
+  };
+  const auto color_of = [&](int kind) {
+    return with_alpha(pen.colors.cloud, kind < 3 ? (255 + clouds.opacity) / 2 : clouds.opacity);
+  };
+  const auto image_of = [&](int kind) -> const engine::Image& {
+    return pen.images.clouds.at(static_cast<std::size_t>(kind % 3));
+  };
+  for (int kind = 0; pen.prepares && kind < 6; ++kind)
+    pen.prepare(image_of(kind), {size_of(kind), 0.5 * size_of(kind)}, color_of(kind));
   const double drift = pen.reduced_motion ? 0.0 : clouds.drift * pen.time;
   const double shift = 0.05 * camera_offset(pen).x - drift;
   const int first = static_cast<int>(std::floor(shift / clouds.spacing)) - 2;
   const int last = static_cast<int>(std::ceil((shift + wide) / clouds.spacing)) + 1;
   for (int k = first; k <= last; ++k) {
     if (scatter(k, 5, clouds.seed) < 0.25) continue;
-    const double size = clouds.size + 0.25 * clouds.growth * std::floor(5.0 * scatter(k, 1, clouds.seed));
+    const int kind = static_cast<int>(6.0 * scatter(k, 4, clouds.seed));
     const double x = clouds.spacing * (k + 0.6 * scatter(k, 2, clouds.seed)) - shift;
     const double y = clouds.top + clouds.depth * scatter(k, 3, clouds.seed) + 0.05 * camera_offset(pen).y;
-    const auto& image = pen.images.clouds.at(static_cast<std::size_t>(3.0 * scatter(k, 4, clouds.seed)));
-    const int opacity = clouds.opacity + (scatter(k, 6, clouds.seed) < 0.5 ? 0 : (255 - clouds.opacity) / 2);
-    pen.stamp(image, high * Vec2{x, y}, high * Vec2{size, 0.5 * size}, with_alpha(pen.colors.cloud, opacity));
+    pen.stamp(image_of(kind), high * Vec2{x, y}, {size_of(kind), 0.5 * size_of(kind)}, color_of(kind));
   }
 }
 

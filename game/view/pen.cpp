@@ -29,6 +29,12 @@ void Pen::sprite(const Image& image, Vec2 center, Vec2 size, Color color, double
   canvas.textured(mesh, {&image, Filter::linear, Wrap::clamp, Wrap::clamp});
 }
 
+void Pen::prepare(const Image& image, Vec2 size, Color color) {
+  const int width = static_cast<int>(std::lround(size.x));
+  const int height = static_cast<int>(std::lround(size.y));
+  if (stamps != nullptr && width > 0 && height > 0) stamps->get(image, width, height, color);
+}
+
 void Pen::stamp(const Image& image, Vec2 center, Vec2 size, Color color) {
   const int width = static_cast<int>(std::lround(size.x));
   const int height = static_cast<int>(std::lround(size.y));

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/draw/lanes.h"
@@ -15,48 +16,56 @@ using engine::Color;
 using engine::Image;
 using engine::Lanes;
 
-/// Returns the colour of a premultiplied one.
-Color unmultiplied(Lanes lanes) {
-  const auto alpha = static_cast<unsigned>(lanes >> 48U);
-  if (alpha == 0) return {0, 0, 0, 0};
-  const auto channel = [&](unsigned shift) {
-    return static_cast<std::uint8_t>(
-        std::min(255U, (static_cast<unsigned>(lanes >> shift & 0xffU) * 255U + alpha / 2U) / alpha));
-  };
-  return {channel(16), channel(32), channel(0), static_cast<std::uint8_t>(alpha)};
-}
+/// The two texels around a position along one side of an image, and the weight of the second, 0 … 256.
+struct Between {
+  std::size_t first, second;
+  Lanes weight;
+};
 
-/// Samples a level of an image at a position 0 … 1 by linear interpolation, without a repetition.
-Lanes sample(const Image::Level& level, double u, double v) {
-  const double x = std::clamp(u * level.width - 0.5, 0.0, level.width - 1.0);
-  const double y = std::clamp(v * level.height - 0.5, 0.0, level.height - 1.0);
-  const int i = static_cast<int>(x);
-  const int j = static_cast<int>(y);
-  const auto at = [&](int column, int row) {
-    return engine::spread(level.pixels[static_cast<std::size_t>(std::min(row, level.height - 1) * level.width +
-                                                                std::min(column, level.width - 1))]);
-  };
-  const auto right = static_cast<Lanes>(256.0 * (x - i));
-  const auto down = static_cast<Lanes>(256.0 * (y - j));
-  return engine::mixed(engine::mixed(at(i, j), at(i + 1, j), right),
-                       engine::mixed(at(i, j + 1), at(i + 1, j + 1), right), down);
+/// Returns them for each of `count` pixels that share a side of `texels`.
+std::vector<Between> spread_over(int texels, int count) {
+  std::vector<Between> all;
+  for (int k = 0; k < count; ++k) {
+    const double x = std::clamp((k + 0.5) * texels / count - 0.5, 0.0, texels - 1.0);
+    const auto first = static_cast<std::size_t>(x);
+    const std::size_t second = std::min(first + 1, static_cast<std::size_t>(texels) - 1);
+    all.push_back({first, second, static_cast<Lanes>(256.0 * (x - static_cast<double>(first)))});
+  }
+  return all;
 }
 
 Stamps::Stamp make(const Image& image, int width, int height, Color color) {
-  const auto power = [](int n) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(n))); };
   const double shrink = std::sqrt(1.0 * image.width() * image.height() / (1.0 * width * height));
   const Image::Level& level = image.level(shrink);
-  std::vector<Color> pixels(static_cast<std::size_t>(power(width)) * static_cast<std::size_t>(power(height)),
-                            Color{0, 0, 0, 0});
-  const auto times = [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a * b + 127) / 255); };
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Color own = unmultiplied(sample(level, (x + 0.5) / width, (y + 0.5) / height));
-      pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(power(width)) + static_cast<std::size_t>(x)] = {
-          times(own.r, color.r), times(own.g, color.g), times(own.b, color.b), times(own.a, color.a)};
+  const std::vector<Between> columns = spread_over(level.width, width);
+  const std::vector<Between> rows = spread_over(level.height, height);
+  const auto stride = std::bit_ceil(static_cast<unsigned>(width));
+  const auto lines = std::bit_ceil(static_cast<unsigned>(height));
+  std::vector<std::uint32_t> pixels(std::size_t{stride} * lines);
+  const auto premultiplied = [&](std::uint8_t channel) {
+    return static_cast<std::int64_t>(channel * color.a / 255) << 16;
+  };
+  const bool is_white = color == Color{255, 255, 255, 255};
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const std::uint32_t* const upper = level.pixels.data() + rows[y].first * static_cast<std::size_t>(level.width);
+    const std::uint32_t* const lower = level.pixels.data() + rows[y].second * static_cast<std::size_t>(level.width);
+    const auto at = [&](std::size_t x) {
+      return upper[x] == 0U && lower[x] == 0U
+                 ? Lanes{0}
+                 : engine::mixed(engine::spread(upper[x]), engine::spread(lower[x]), rows[y].weight);
+    };
+    for (std::size_t x = 0; x < columns.size(); ++x) {
+      const Lanes left = at(columns[x].first);
+      const Lanes right = at(columns[x].second);
+      if (left == 0U && right == 0U) continue;
+      const Lanes own = engine::mixed(left, right, columns[x].weight);
+      pixels[y * stride + x] =
+          engine::packed(is_white ? own
+                                  : engine::tinted(own, premultiplied(color.b), premultiplied(color.r),
+                                                   premultiplied(color.g), std::int64_t{color.a} << 16));
     }
   }
-  return {Image(power(width), power(height), pixels, engine::Mipmaps::no), width, height};
+  return {Image::of_premultiplied(static_cast<int>(stride), static_cast<int>(lines), std::move(pixels)), width, height};
 }
 
 }  // namespace

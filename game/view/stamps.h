@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <tuple>
 
@@ -22,6 +23,7 @@ class Stamps {
   /// Returns a copy of width × height texels, 1 … 4096 each, multiplied with a colour. The reference is valid until the
   /// next call. `image` must outlive this object.
   const Stamp& get(const engine::Image& image, int width, int height, engine::Color color);
+  void clear() { made_.clear(); }
   std::size_t count() const { return made_.size(); }
 
  private:

@@ -104,6 +104,10 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const Place place = simulation_->level().place;
   const Palette& colors = palette(options.colour_safe, place);
   Pen pen{canvas, colors, textures(options.colour_safe, place), time, options.reduced_motion, place, &stamps_};
+  pen.prepares = prepared_height_ != canvas.height() || prepared_safe_ != options.colour_safe;
+  prepared_height_ = canvas.height();
+  prepared_safe_ = options.colour_safe;
+  if (pen.prepares) stamps_.clear();
   effects_.follow(pen.colors, pen.reduced_motion);
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
 

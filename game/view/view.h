@@ -41,6 +41,8 @@ class View {
   const Simulation* simulation_;
   Effects effects_;
   Stamps stamps_;
+  int prepared_height_ = 0;  // px, of the canvas for which the stamps were made
+  bool prepared_safe_ = false;
 };
 
 }  // namespace game
