@@ -201,7 +201,7 @@ void paint_nearest_row(const Span& span, const NearestRow& sample, bool flat) {
     return copy_texels(span, sample.row + first);
   const bool grey = flat && b.here == r.here && b.here == g.here && a.here == white;
   if (grey && sample.texels.is_opaque() && sample.texels.repeats_along_u())
-    return paint_opaque(span, sample, static_cast<std::uint32_t>(b.here * 257 >> 24U));
+    return paint_opaque(span, sample, b.here == white ? 256U : static_cast<std::uint32_t>(b.here * 257 >> 24U));
   paint_image(span, sample, flat);
 }
 

@@ -13,7 +13,8 @@ namespace {
 using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "goal", "checkpoint", "hook", "text"};
-const std::vector<std::string> own_properties = {"title", "hint", "number", "sandbox", "gold", "silver", "bronze", "place"};
+const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox",
+                                                 "gold",  "silver", "bronze", "place"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 

@@ -29,9 +29,9 @@ struct Medals {
 /// A level as read from its map: the objects that are not in the scene, and the map to build the scene from.
 struct Level {
   std::string name;
-  std::string title;     ///< for the player; by default the name
-  std::string hint;      ///< one sentence, may be empty
-  int number = 0;        ///< position in the list of levels, from 1; 0: last
+  std::string title;  ///< for the player; by default the name
+  std::string hint;   ///< one sentence, may be empty
+  int number = 0;     ///< position in the list of levels, from 1; 0: last
   Place place = Place::hills;
   bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
   Medals medals;

@@ -382,10 +382,12 @@ TEST(Textured, OpaqueImagesHaveTheColoursOfTheGeneralWay) {
   Raster b(50, 40);
   TexturedMesh mesh = rectangle({-3.0, -2.0}, {60.0, 45.0});
   for (TexturedVertex& v : mesh.vertices) v.uv = 0.7 * v.uv + Vec2{0.1, 0.1};
-  mesh.vertices[2].color = mesh.vertices[3].color = {120, 120, 120};
-  a.fill(mesh, {&opaque, Filter::nearest});
-  b.fill(mesh, {&general, Filter::nearest});
-  EXPECT_EQ(a.pixels(), b.pixels());
+  for (const std::uint8_t light : {std::uint8_t{255}, std::uint8_t{120}}) {
+    mesh.vertices[2].color = mesh.vertices[3].color = {light, light, light};
+    a.fill(mesh, {&opaque, Filter::nearest});
+    b.fill(mesh, {&general, Filter::nearest});
+    EXPECT_EQ(a.pixels(), b.pixels());
+  }
 }
 
 TEST(Image, IsMadeOfPremultipliedPixels) {
