@@ -1,5 +1,6 @@
 #include "engine/draw/canvas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -69,6 +70,14 @@ void Canvas::strip(std::span<const Vec2> points, const StripLook& look) {
 
 void Canvas::textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) {
   if (!mesh.indices.empty() && is_paintable(mesh)) paint_textured(mesh, texture, clip);
+}
+
+void Canvas::skyline(std::span<const Vec2> line, const SkylineLook& look) {
+  const auto is_good = [](Vec2 p) { return is_finite(p) && std::abs(p.x) <= 1e12 && std::abs(p.y) <= 1e12; };
+  const bool is_ordered = std::is_sorted(line.begin(), line.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+  const bool has_gradient = std::isfinite(look.top) && std::isfinite(look.bottom) && look.bottom > look.top;
+  if (line.size() < 2 || !has_gradient || std::isnan(look.end)) return;
+  if (is_ordered && std::all_of(line.begin(), line.end(), is_good)) paint_skyline(line, look);
 }
 
 void Canvas::mesh(const Mesh& mesh, Color color) {

@@ -31,6 +31,15 @@ struct StripLook {
   std::span<const Color> colors{};  ///< one per point; replaces `color` unless empty
 };
 
+/// The appearance of Canvas::skyline.
+struct SkylineLook {
+  double top = 0.0;       ///< px, down to which the gradient has its upper colour
+  double bottom = 1.0;    ///< px, > top, from which on it has its lower colour
+  Color upper, lower;     ///< opaque; alpha is ignored
+  double end = 1e9;       ///< px; nothing is filled below it
+  bool is_above = false;  ///< fills what is above the line, as for a ceiling
+};
+
 /// An abstract drawing surface. Shapes of the world are in metres, y up, and pass through the view; text and panels are
 /// in pixels, y down, with the origin at the top left corner. All shapes are antialiased. Shapes without a texture are
 /// blended once: where parts of a translucent shape overlap (the joints of a line, a line that crosses itself), its
@@ -79,15 +88,20 @@ class Canvas {
   /// Textured triangles in pixels, clipped to `clip`. Draws nothing unless is_paintable(mesh). Uses the image only
   /// during the call.
   void textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
+  /// Fills what is below a line across the canvas with a vertical gradient. The points (px) are in order of x. Several
+  /// times faster than a mesh. Draws nothing for fewer than two points and for numbers that are not finite.
+  void skyline(std::span<const ribbon::Vec2> line, const SkylineLook& look);
   /// A mesh in pixels; all its shapes are blended once together. Draws nothing if an index is out of range or a number
   /// is not finite.
   void mesh(const Mesh& mesh, Color color);
 
   /// Stores a copy of the picture for recall(), in place of the last one. For backgrounds that are expensive to draw.
   virtual void remember(int key) { static_cast<void>(key); }
-  /// Restores the picture that was stored with this key. Returns false if there is none of the present size.
-  virtual bool recall(int key) {
+  /// Restores the upper `rows` rows of the picture that was stored with this key. Returns false if there is none of the
+  /// present size.
+  virtual bool recall(int key, int rows) {
     static_cast<void>(key);
+    static_cast<void>(rows);
     return false;
   }
 
@@ -110,6 +124,12 @@ class Canvas {
   virtual void paint_mesh(const Mesh& mesh, Color color) = 0;
   /// Paints the triangles in order. The mesh is paintable; its corners may be far outside.
   virtual void paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) = 0;
+  /// Fills what is below or above the line, which has two points or more in order of x. Without an implementation
+  /// nothing is drawn.
+  virtual void paint_skyline(std::span<const ribbon::Vec2> line, const SkylineLook& look) {
+    static_cast<void>(line);
+    static_cast<void>(look);
+  }
   /// Draws text. `top_left` is finite and in pixels; the text is not empty.
   virtual void paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) = 0;
 

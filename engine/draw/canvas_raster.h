@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,8 +25,11 @@ class Raster {
   /// The pixels row by row from the top, without padding, 0x00RRGGBB.
   const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
-  /// Overwrites all pixels with a copy of pixels().
-  void put(const std::vector<std::uint32_t>& pixels) { std::copy(pixels.begin(), pixels.end(), pixels_.begin()); }
+  /// Overwrites the upper `rows` rows, clamped to 0 … height, with those of a copy of pixels().
+  void put(const std::vector<std::uint32_t>& pixels, int rows) {
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(std::clamp(rows, 0, height_)) * width_;
+    std::copy_n(pixels.begin(), count, pixels_.begin());
+  }
 
   /// Fills a row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);
@@ -34,6 +38,15 @@ class Raster {
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
   /// Blends the triangles of the mesh in order (raster_textured.cpp). The mesh must be paintable.
   void fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
+  /// Fills what is below or above a line (raster_skyline.cpp): see Canvas::skyline. `end`: the first row that is not
+  /// filled.
+  struct Skyline {
+    double top, bottom;  // px, of the gradient
+    std::uint32_t upper, lower;
+    int end;
+    bool is_above;
+  };
+  void fill(std::span<const ribbon::Vec2> line, const Skyline& look);
   /// Blends the colour with a mask of opacities, row by row, with its top left corner at pixel (left, top); clips it.
   void stamp(std::span<const std::uint8_t> mask, int mask_width, int left, int top, std::uint32_t rgb, int opacity);
 
@@ -47,6 +60,7 @@ class Raster {
   };
   class Painter;
 
+  void find_edges(std::span<const ribbon::Vec2> line, float none);
   void cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c);
   void blend_row(int y, std::uint32_t rgb, int opacity);
 
@@ -54,6 +68,7 @@ class Raster {
   int height_;
   std::vector<std::uint32_t> pixels_;
   std::vector<std::uint8_t> cover_;  // zero between two fills
+  std::vector<float> edges_;         // the y of a line at the middle of each column
   std::vector<Range> rows_;          // the pixels of each row whose cover may be non-zero
   Range touched_;                    // the rows whose cover may be non-zero
 };

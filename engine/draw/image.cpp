@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace engine {
 namespace {
@@ -44,20 +45,33 @@ Image::Level halved(const Image::Level& whole) {
   return half;
 }
 
+void check_size(int width, int height, std::size_t pixels) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  if (!is_side(width) || !is_side(height))
+    throw std::invalid_argument("an image of " + size + " pixels: each side must be a power of two, 1 to " +
+                                std::to_string(max_side));
+  if (pixels != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    throw std::invalid_argument("an image of " + size + " pixels was given " + std::to_string(pixels));
+}
+
 }  // namespace
 
-Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps) {
-  if (!is_side(width) || !is_side(height))
-    throw std::invalid_argument("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels: each side must be a power of two, 1 to " + std::to_string(max_side));
-  if (pixels.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-    throw std::invalid_argument("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels was given " + std::to_string(pixels.size()));
+Image::Image(int width, int height, std::span<const Color> pixels, Mipmaps mipmaps)
+    : is_opaque_(std::all_of(pixels.begin(), pixels.end(), [](Color c) { return c.a == 255; })) {
+  check_size(width, height, pixels.size());
   Level whole{width, height};
   for (const Color c : pixels) whole.pixels.push_back(premultiplied(c));
   levels_.push_back(std::move(whole));
   if (mipmaps == Mipmaps::no) return;
   while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halved(levels_.back()));
+}
+
+Image Image::of_premultiplied(int width, int height, std::vector<std::uint32_t> pixels) {
+  check_size(width, height, pixels.size());
+  Image image;
+  image.is_opaque_ = std::all_of(pixels.begin(), pixels.end(), [](std::uint32_t p) { return p >> 24U == 255U; });
+  image.levels_.push_back({width, height, std::move(pixels)});
+  return image;
 }
 
 const Image::Level& Image::level(double texels_per_pixel) const {

@@ -20,11 +20,15 @@ class Texels {
         width_(level.width),
         height_(level.height),
         repeat_u_(texture.along_u == Wrap::repeat),
-        repeat_v_(texture.along_v == Wrap::repeat) {}
+        repeat_v_(texture.along_v == Wrap::repeat),
+        is_opaque_(texture.image->is_opaque()) {}
 
   std::ptrdiff_t column(std::int64_t x) const {
     return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
   }
+  std::int64_t width() const { return width_; }
+  bool repeats_along_u() const { return repeat_u_; }
+  bool is_opaque() const { return is_opaque_; }
   const std::uint32_t* row(std::int64_t y) const {
     return texels_ + (repeat_v_ ? y & (height_ - 1) : std::clamp<std::int64_t>(y, 0, height_ - 1)) * width_;
   }
@@ -35,6 +39,7 @@ class Texels {
   std::int64_t height_;
   bool repeat_u_;
   bool repeat_v_;
+  bool is_opaque_;
 };
 
 // The samplers return the colour of an image at a position in units of 1/65536 texels.
@@ -43,6 +48,15 @@ inline constexpr std::int64_t half_texel = 32768;
 struct Nearest {
   Texels texels;
   Lanes operator()(std::int64_t u, std::int64_t v) const { return spread(texels.row(v >> 16)[texels.column(u >> 16)]); }
+};
+
+/// The same along a row of the image (constant v).
+struct NearestRow {
+  NearestRow(const Texels& all, std::int64_t v) : texels(all), row(all.row(v >> 16)) {}
+  Lanes operator()(std::int64_t u, std::int64_t) const { return spread(row[texels.column(u >> 16)]); }
+
+  Texels texels;
+  const std::uint32_t* row;
 };
 
 /// The weight of the next texel, 0 … 255.

@@ -135,9 +135,9 @@ void HeadlessCanvas::remember(int key) {
   remembered_key_ = key;
 }
 
-bool HeadlessCanvas::recall(int key) {
+bool HeadlessCanvas::recall(int key, int rows) {
   if (remembered_key_ != key) return false;
-  raster_.put(remembered_);
+  raster_.put(remembered_, rows);
   return true;
 }
 
@@ -160,6 +160,12 @@ void HeadlessCanvas::paint_mesh(const Mesh& mesh, Color color) { raster_.fill(me
 
 void HeadlessCanvas::paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) {
   raster_.fill(mesh, texture, clip);
+}
+
+void HeadlessCanvas::paint_skyline(std::span<const ribbon::Vec2> line, const SkylineLook& look) {
+  const int end = static_cast<int>(std::clamp(std::ceil(look.end), 0.0, 1.0 * height()));
+  raster_.fill(line,
+               Raster::Skyline{look.top, look.bottom, rgb_of(look.upper), rgb_of(look.lower), end, look.is_above});
 }
 
 void HeadlessCanvas::paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,7 @@ class HeadlessCanvas : public Canvas {
   double line_height(double size) const override;
 
   void remember(int key) override;
-  bool recall(int key) override;
+  bool recall(int key, int rows) override;
 
   /// Changes the size and clears to black. Throws like the constructor, without a change.
   void resize(int width, int height);
@@ -42,6 +43,7 @@ class HeadlessCanvas : public Canvas {
   void paint_background(Color top, Color bottom) override;
   void paint_mesh(const Mesh& mesh, Color color) override;
   void paint_textured(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip) override;
+  void paint_skyline(std::span<const ribbon::Vec2> line, const SkylineLook& look) override;
   void paint_text(ribbon::Vec2 top_left, std::string_view utf8, double size, Color color) override;
 
  private:

@@ -17,16 +17,19 @@ Next Next::replace_all(std::vector<std::unique_ptr<Screen>> screens) { return {W
 Next Next::quit() { return {What::quit, {}}; }
 
 void ScreenStack::open(std::unique_ptr<Screen> screen) {
+  if (!screens_.empty() && !screen->is_overlay()) fade_.begin();
   screens_.push_back(std::move(screen));
   screens_.back()->shown();
 }
 
 void ScreenStack::close_top() {
   screens_.back()->leave();
+  if (!screens_.back()->is_overlay()) fade_.begin();
   screens_.pop_back();
 }
 
 bool ScreenStack::update(const Frame& frame) {
+  fade_.advance(frame.elapsed_ns);
   Next next = screens_.back()->update(frame);
   switch (next.what) {
     case Next::What::stay: return true;
@@ -50,6 +53,7 @@ void ScreenStack::draw(engine::Canvas& canvas, double text_scale) {
   while (first > 0 && screens_[first]->is_overlay()) --first;
   if (first + 1 < screens_.size()) screens_[first]->draw_below(canvas, text_scale);
   screens_.back()->draw(canvas, text_scale);
+  fade_.draw(canvas);
 }
 
 void ScreenStack::leave() {

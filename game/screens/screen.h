@@ -9,6 +9,7 @@
 #include "engine/window/window_input.h"
 #include "game/screens/menu_input.h"
 #include "game/sound/music.h"
+#include "game/view/veil.h"
 
 namespace game {
 
@@ -76,6 +77,7 @@ class ScreenStack {
  private:
   void close_top();
 
+  ScreenFade fade_;  // from dark after another screen that is not an overlay was opened
   std::vector<std::unique_ptr<Screen>> screens_;
 };
 

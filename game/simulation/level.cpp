@@ -16,7 +16,7 @@ using engine::MapObject;
 const std::vector<std::string> own_kinds = {"player", "player_2", "goal",   "checkpoint", "hook", "text",
                                             "blade",  "fire",     "spikes", "chaser",     "coin"};
 const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox", "lines",
-                                                 "gold",  "silver", "bronze", "knife"};
+                                                 "gold",  "silver", "bronze", "knife", "place"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -53,12 +53,18 @@ std::string short_text(const engine::Properties& properties, const char* key) {
                          " bytes; accepted are at most " + std::to_string(max_text_bytes));
 }
 
+Place read_place(const engine::Properties& properties) {
+  const std::string name = properties.text_or("place", place_name(Place::hills), {"hills", "cave", "harbour", "storm"});
+  return *std::find_if(places.begin(), places.end(), [&](Place place) { return place_name(place) == name; });
+}
+
 void read_map_properties(Level& level) {
   const engine::Properties& p = level.map.properties;
   level.title = short_text(p, "title");
   if (level.title.empty()) level.title = level.name;
   level.hint = short_text(p, "hint");
   level.number = static_cast<int>(p.integer_or("number", 0, {0, 1000}));
+  level.place = read_place(p);
   level.sandbox = p.boolean_or("sandbox", false);
   level.lines = static_cast<int>(p.integer_or("lines", 1, {1, Lines::most}));
   level.medals = {p.number_or("gold", 0.0, medal_seconds), p.number_or("silver", 0.0, medal_seconds),

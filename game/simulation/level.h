@@ -10,6 +10,7 @@
 #include "game/simulation/area.h"
 #include "game/simulation/assists.h"
 #include "game/simulation/level_rules.h"
+#include "game/simulation/place.h"
 
 namespace game {
 
@@ -36,9 +37,10 @@ struct SecondPlayer {
 /// A level as read from its map: the objects that are not in the scene, and the map to build the scene from.
 struct Level {
   std::string name;
-  std::string title;     ///< for the player; by default the name
-  std::string hint;      ///< one sentence, may be empty
-  int number = 0;        ///< position in the list of levels, from 1; 0: last
+  std::string title;  ///< for the player; by default the name
+  std::string hint;   ///< one sentence, may be empty
+  int number = 0;     ///< position in the list of levels, from 1; 0: last
+  Place place = Place::hills;
   bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
   int lines = 1;         ///< that the player can hold at once, 1 … 2
   Medals medals;
@@ -86,7 +88,7 @@ std::string assets_folder();
 ///   broken). After a death it is back at its start
 /// - `coin`: point; the player collects it by touch, and keeps it after a fall
 /// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines, gold, silver,
-/// bronze [s], knife (the player can cut cords; false by default). Bodies and the player float in the water of the map;
+/// bronze [s], knife (the player can cut cords; false by default), place (hills, cave, harbour or storm; by default hills). Bodies and the player float in the water of the map;
 /// see WaterForces. A line can be thrown at bodies with the property `sticky` too. Throws engine::MapError if the file
 /// does not exist, if the map has other or invalid objects or properties, or if the scene cannot be built.
 Level load_level(const std::string& name);

@@ -117,7 +117,7 @@ void draw_earth(Pen& pen, const std::vector<Vec2>& corners) {
   const auto deep = static_cast<std::uint8_t>(pen.colors.deep_light);
   for (engine::TexturedVertex& v : pen.mesh.vertices)
     v.color = mix(white, {deep, deep, deep}, (top - pen.canvas.to_world(v.at).y) / darkest_depth);
-  pen.canvas.textured(pen.mesh, {&pen.images.soil});
+  pen.canvas.textured(pen.mesh, {&pen.images.soil, engine::Filter::nearest});
 }
 
 bool is_beam(const std::vector<Vec2>& corners) { return corners.size() == 4 && extent_of(corners).width < beam; }

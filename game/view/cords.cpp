@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 #include "game/view/cloth.h"
 #include "ribbon/smooth_line.h"
@@ -37,11 +39,34 @@ std::vector<Color> spread_colors(const std::vector<Color>& colors, int steps) {
 
 double drawn_width(const DrawnCord& cord) { return std::max(cord.shape.thickness, min_width); }
 
+/// Returns how clearly the tension is drawn, 0 … 1: from 1.3 weights of the player on, as in a swing.
+double tautness(const DrawnCord& cord) { return std::clamp((cord.load - 1.3) / 1.7, 0.0, 1.0); }
+
+/// Draws two thin lines beside a taut rope, which tremble.
+void draw_tremble(Pen& pen, const std::vector<Vec2>& curve, double width, double taut) {
+  if (taut <= 0.0 || pen.reduced_motion || curve.size() < 3) return;
+  const double swing = 0.05 * taut * std::sin(75.0 * pen.time);
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const Vec2 along = curve[std::min(i + 1, curve.size() - 1)] - curve[i > 0 ? i - 1 : 0];
+      const double l = length(along);
+      if (l <= 0.0) continue;
+      const double s = static_cast<double>(i) / static_cast<double>(curve.size() - 1);
+      const double away = side * (0.5 * width + 0.05) + swing * std::sin(std::numbers::pi * s);
+      line.push_back(curve[i] + (away / l) * perp(along));
+    }
+    pen.canvas.strip(line, {nullptr, 0.022, 1.0, 0.0, with_alpha({255, 255, 255}, static_cast<int>(120.0 * taut))});
+  }
+}
+
 void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors) {
   const double width = drawn_width(cord);
   const int steps = steps_between(pen, cord);
   const std::vector<Vec2> curve = smooth_row(cord, 0, steps);
-  const Color color = own_color(pen, cord);
+  const double taut = tautness(cord);
+  const Color color = mix(own_color(pen, cord), {255, 255, 255}, 0.45 * taut);
+  draw_tremble(pen, curve, width, taut);
   engine::StripLook look;
   look.width = width + outline;
   look.color = mix(pen.colors.ink, color, 0.25);
@@ -113,6 +138,13 @@ const Color& own_color(const Pen& pen, const DrawnCord& cord) {
   const auto number = static_cast<std::size_t>(cord.index);
   return cord.shape.rows > 1 ? pen.colors.ribbons[number % pen.colors.ribbons.size()]
                              : pen.colors.ropes[number % pen.colors.ropes.size()];
+}
+
+double largest_tension(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const ribbon::box2d::CordView view = coupling.cord(cord);
+  if (view.solver() != ribbon::box2d::Solver::direct || view.shape().rows > 1) return 0.0;
+  const auto tensions = view.direct().tensions();
+  return tensions.empty() ? 0.0 : *std::max_element(tensions.begin(), tensions.end());
 }
 
 double strain(const DrawnCord& cord, int column) {

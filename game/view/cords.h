@@ -15,6 +15,7 @@ struct DrawnCord {
   ribbon::box2d::CordShape shape;
   const std::vector<ribbon::Vec2>& points;  ///< m
   bool is_line = false;                     ///< the player's line
+  double load = 0.0;                        ///< the largest tension of a rope that the player holds, in its weights
 
   int size() const { return static_cast<int>(points.size()); }
   int point(int i, int j) const { return i * shape.rows + j; }
@@ -27,6 +28,9 @@ const engine::Color& own_color(const Pen& pen, const DrawnCord& cord);
 
 /// Returns the strain between two columns, length / rest length − 1, as a mean of all rows.
 double strain(const DrawnCord& cord, int column);
+
+/// Returns the largest tension of a rope's links in N; 0 for ribbons and cords of the thesis's solver.
+double largest_tension(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 /// The strain with the brightest colour. Colours are a function of its square root, so that 0.1 % is visible.
 inline constexpr double max_strain = 0.1;

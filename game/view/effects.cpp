@@ -41,31 +41,52 @@ CameraSubject Effects::subject() const {
   return now;
 }
 
+void Effects::start_again(const CameraSubject& now) {
+  camera_.jump_to(now);
+  particles_.clear();
+  trail_.clear();
+  fall_.end();
+  was_on_ground_ = true;
+  had_goal_ = simulation_->goal_ticks().has_value();
+  checkpoint_ = simulation_->checkpoint();
+}
+
+/// Advances by the ticks since the last frame.
+void Effects::advance(const CameraSubject& now, int gap) {
+  if (simulation_->falls() > falls_) {
+    fall_.begin(before_.at, before_.velocity);
+    trail_.clear();
+  }
+  for (int k = 1; k <= gap; ++k) {
+    const bool was_closing = fall_.is_closing();
+    fall_.tick();
+    particles_.tick(tick_dt, breeze);
+    if (fall_.is_closing()) continue;  // the picture stays at the place of the fall
+    CameraSubject between = now;
+    if (!was_closing && !fall_.is_shown()) between.at = before_.at + (1.0 * k / gap) * (now.at - before_.at);
+    between.lands = now.lands && k == gap;
+    if (was_closing) camera_.jump_to(between);
+    camera_.tick(between);
+    trail_.add(between.at);
+  }
+}
+
 void Effects::follow(const Palette& palette, bool reduced_motion) {
   const int gap = simulation_->ticks() - seen_ticks_;
   CameraSubject now = subject();
   const bool set_back = simulation_->run_ticks() < seen_run_ticks_;
   if (seen_ticks_ < 0 || gap < 0 || gap > max_gap || set_back) {
-    camera_.jump_to(now);
-    particles_.clear();
-    was_on_ground_ = true;
-    had_goal_ = simulation_->goal_ticks().has_value();
-    checkpoint_ = simulation_->checkpoint();
+    start_again(now);
   } else if (gap > 0) {
     const bool on_ground = simulation_->player().is_on_ground();
     now.impact = std::max(-before_.velocity.y, 0.0);
-    now.lands = on_ground && !was_on_ground_;
-    for (int k = 1; k <= gap; ++k) {
-      CameraSubject between = now;
-      between.at = before_.at + (1.0 * k / gap) * (now.at - before_.at);
-      between.lands = now.lands && k == gap;
-      camera_.tick(between);
-      particles_.tick(tick_dt, breeze);
-    }
+    now.lands = on_ground && !was_on_ground_ && !fall_.is_shown();
+    advance(now, gap);
     if (!reduced_motion) add_particles(now, palette);
     was_on_ground_ = on_ground;
   }
   before_ = now;
+  falls_ = simulation_->falls();
   seen_ticks_ = simulation_->ticks();
   seen_run_ticks_ = simulation_->run_ticks();
 }
@@ -77,7 +98,9 @@ void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
   if (now.lands && now.impact > min_dust_speed) add_dust(particles_, feet, now.impact / 10.0, dust);
   const bool runs = player.is_on_ground() && std::abs(now.velocity.x) > 3.0;
   if (runs && simulation_->ticks() / step_ticks != seen_ticks_ / step_ticks) add_dust(particles_, feet, 0.0, dust);
-  if (simulation_->ticks() / leaf_ticks != seen_ticks_ / leaf_ticks) {
+  const Place place = simulation_->level().place;
+  const bool has_leaves = place == Place::hills || place == Place::storm;
+  if (has_leaves && simulation_->ticks() / leaf_ticks != seen_ticks_ / leaf_ticks) {
     const Vec2 from = now.at + Vec2{-12.0 + 9.0 * particles_.random(), 5.0 + 4.0 * particles_.random()};
     add_leaf(particles_, from, mix(palette.grass, palette.goal, 0.5 + 0.5 * particles_.random()));
   }
@@ -86,6 +109,7 @@ void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
     const Vec2 cloth = flag_of(*simulation_->level().goal).cloth.center;
     add_sparkle(particles_, cloth, palette.goal);
     add_sparkle(particles_, cloth, palette.sun);
+    add_confetti(particles_, cloth, palette.ribbons);
   }
   had_goal_ = has_goal;
   const auto checkpoint = simulation_->checkpoint();
@@ -116,6 +140,13 @@ void Effects::draw(Pen& pen, double alpha) const {
         pen.canvas.polyline(std::array{at - tip, at + tip},
                             0.5 * p.size * (0.35 + 0.65 * std::abs(std::sin(2.0 * p.turn))),
                             with_alpha(p.color, static_cast<int>(255.0 * fade)));
+        break;
+      }
+      case Particle::Kind::confetti: {
+        const Vec2 tip = 0.5 * p.size * Vec2{std::cos(0.6 * p.turn), std::sin(0.6 * p.turn)};
+        pen.canvas.polyline(std::array{at - tip, at + tip},
+                            0.6 * p.size * (0.2 + 0.8 * std::abs(std::sin(2.0 * p.turn))),
+                            with_alpha(p.color, static_cast<int>(255.0 * std::min(1.0, 3.0 * left))));
         break;
       }
       case Particle::Kind::spark:

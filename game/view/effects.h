@@ -5,12 +5,15 @@
 
 #include "game/simulation/simulation.h"
 #include "game/view/camera.h"
+#include "game/view/fall.h"
 #include "game/view/particles.h"
 #include "game/view/pen.h"
+#include "game/view/trail.h"
 
 namespace game {
 
-/// Visual effects that are not part of the simulation: the motion of the camera, dust, leaves and sparks. They follow a
+/// Visual effects that are not part of the simulation: the motion of the camera, dust, leaves, sparks, confetti, the
+/// trail of a fast player, and what is drawn after a fall. They follow a
 /// run by ticks and never change it. Views of the same ticks are equal.
 class Effects {
  public:
@@ -22,20 +25,30 @@ class Effects {
     return camera_.view(alpha, width, height, reduced_motion);
   }
   void draw(Pen& pen, double alpha) const;
+  /// Draws the trail of the player at `at` (m), behind it.
+  void draw_trail(Pen& pen, ribbon::Vec2 at) const {
+    if (!fall_.is_shown()) trail_.draw(pen, at, before_.velocity);
+  }
+  const Fall& fall() const { return fall_; }
 
  private:
+  void start_again(const CameraSubject& now);
+  void advance(const CameraSubject& now, int gap);
   CameraSubject subject() const;
   void add_particles(const CameraSubject& now, const Palette& palette);
 
   const Simulation* simulation_;
   Camera camera_;
   Particles particles_;
+  Trail trail_;
+  Fall fall_;
   CameraSubject before_{};
   bool was_on_ground_ = true;
   bool had_goal_ = false;
   std::optional<std::size_t> checkpoint_{};
   int seen_ticks_ = -1;
   int seen_run_ticks_ = 0;
+  int falls_ = 0;
 };
 
 }  // namespace game

@@ -88,7 +88,7 @@ const Clothes& clothes_of(int player) { return clothes_of_players[static_cast<st
 void draw_figure(Pen& pen, const Pose& pose, const Clothes& clothes) {
   const std::vector<Limb> limbs = limbs_of(pose, clothes);
   add_silhouette(pen, pose, limbs, outline);
-  pen.canvas.mesh(pen.shape, pen.colors.ink);
+  pen.canvas.mesh(pen.shape, pen.colors.figure_rim);
   draw_scarf(pen, pose, clothes);
   for (std::size_t k = 0; k < limbs.size(); ++k) {
     pen.canvas.polyline(limbs[k].joints, limbs[k].width, limbs[k].color);

@@ -38,6 +38,10 @@ void Particles::tick(double dt, Vec2 breeze) {
             (breeze + Vec2{0.5 * std::sin(3.0 * p.age + p.turn), -0.5 + 0.5 * std::cos(2.3 * p.age)} - p.velocity);
         p.turn += dt * 2.5;
         break;
+      case Particle::Kind::confetti:
+        p.velocity += dt * (-2.2 * p.velocity + Vec2{0.8 * std::sin(3.0 * p.turn) + 0.4 * breeze.x, -3.2});
+        p.turn += dt * 4.0;
+        break;
       case Particle::Kind::spark: p.velocity += dt * (-1.2 * p.velocity + Vec2{0.0, -5.0}); break;
     }
     p.at += dt * p.velocity;
@@ -88,6 +92,22 @@ void add_sparkle(Particles& particles, Vec2 at, Color color) {
     p.life = 1.0 + 0.4 * particles.random();
     p.size = 0.07 + 0.03 * particles.random();
     p.color = color;
+    particles.add(p);
+  }
+}
+
+void add_confetti(Particles& particles, Vec2 at, const std::array<Color, 4>& colors) {
+  for (std::size_t k = 0; k < 72; ++k) {
+    Particle p;
+    p.kind = Particle::Kind::confetti;
+    const double angle = 0.5 * std::numbers::pi + 0.8 * particles.random();
+    const double speed = 7.5 + 3.5 * particles.random();
+    p.at = at + Vec2{0.3 * particles.random(), 0.0};
+    p.velocity = speed * Vec2{std::cos(angle), std::sin(angle)};
+    p.life = 3.0 + 0.8 * particles.random();
+    p.size = 0.13 + 0.04 * particles.random();
+    p.turn = 3.0 * particles.random();
+    p.color = colors[k % colors.size()];
     particles.add(p);
   }
 }

@@ -12,7 +12,7 @@ namespace game {
 
 /// A visual effect that flies for some time. Not part of the simulation.
 struct Particle {
-  enum class Kind : unsigned char { dust, leaf, spark };
+  enum class Kind : unsigned char { dust, leaf, spark, confetti };
   ribbon::Vec2 at;        ///< m
   ribbon::Vec2 velocity;  ///< m/s
   double age = 0.0;       ///< s
@@ -50,5 +50,8 @@ void add_dust(Particles& particles, ribbon::Vec2 feet, double strength, engine::
 void add_leaf(Particles& particles, ribbon::Vec2 at, engine::Color color);
 /// Adds a burst of sparks in all directions.
 void add_sparkle(Particles& particles, ribbon::Vec2 at, engine::Color color);
+
+/// Adds pieces of paper in four colours that fly up and flutter down.
+void add_confetti(Particles& particles, ribbon::Vec2 at, const std::array<engine::Color, 4>& colors);
 
 }  // namespace game

@@ -29,6 +29,32 @@ void Pen::sprite(const Image& image, Vec2 center, Vec2 size, Color color, double
   canvas.textured(mesh, {&image, Filter::linear, Wrap::clamp, Wrap::clamp});
 }
 
+void Pen::prepare(const Image& image, Vec2 size, Color color) {
+  const int width = static_cast<int>(std::lround(size.x));
+  const int height = static_cast<int>(std::lround(size.y));
+  if (stamps != nullptr && width > 0 && height > 0) stamps->get(image, width, height, color);
+}
+
+void Pen::stamp(const Image& image, Vec2 center, Vec2 size, Color color) {
+  const int width = static_cast<int>(std::lround(size.x));
+  const int height = static_cast<int>(std::lround(size.y));
+  if (width < 1 || height < 1) return;
+  const Vec2 corner{std::round(center.x - 0.5 * width), std::round(center.y - 0.5 * height)};
+  if (corner.x >= canvas.width() || corner.y >= canvas.height() || corner.x + width <= 0.0 || corner.y + height <= 0.0)
+    return;
+  Stamps own;
+  const Stamps::Stamp& made = (stamps != nullptr ? *stamps : own).get(image, width, height, color);
+  const double u = 1.0 * width / made.image.width();
+  const double v = 1.0 * height / made.image.height();
+  mesh.clear();
+  mesh.vertices = {{corner, {0.0, 0.0}},
+                   {corner + Vec2{1.0 * width, 0.0}, {u, 0.0}},
+                   {corner + Vec2{1.0 * width, 1.0 * height}, {u, v}},
+                   {corner + Vec2{0.0, 1.0 * height}, {0.0, v}}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  canvas.textured(mesh, {&made.image, Filter::nearest, Wrap::clamp, Wrap::clamp});
+}
+
 void Pen::disc(const Image& image, Vec2 center, double radius, Color color, double angle) {
   const Vec2 middle = canvas.to_pixels(center);
   const double pixels = radius * scale();

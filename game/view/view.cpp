@@ -61,11 +61,14 @@ bool is_line(const Player& player, ribbon::box2d::CordId cord) {
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   std::vector<DrawnCord> cords;
+  const auto held = simulation.player().held_place(coupling);
+  const double weight = 9.81 * simulation.level().player_mass;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
     bool is_a_line = false;
     for (int k = 0; k < simulation.players(); ++k) is_a_line = is_a_line || is_line(simulation.player(k), id);
     cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_a_line});
+    if (held && held->cord == id) cords.back().load = largest_tension(coupling, id) / weight;
   }
   return cords;
 }
@@ -111,13 +114,36 @@ void draw_flight(Pen& pen, const Lines& lines, Vec2 hand) {
   }
 }
 
+/// Draws the players with their lines and the trail, or, just after a fall, a figure that falls on.
+void draw_players(Pen& pen, const Simulation& simulation, const Effects& effects, const Snapshot& now, double alpha) {
+  if (const Fall& fall = effects.fall(); fall.is_closing()) {
+    FigureState falling;
+    falling.at = fall.at(alpha);
+    falling.velocity = fall.velocity();
+    falling.on_ground = false;
+    falling.time = pen.time;
+    return draw_figure(pen, pose_of(falling));
+  }
+  effects.draw_trail(pen, figure_of(simulation, now, pen.time).at);
+  for (int k = simulation.players() - 1; k >= 0; --k) {  // the first one in front
+    const Pose pose = pose_of(figure_of(simulation, now, pen.time, k));
+    draw_flight(pen, simulation.player(k).lines(), pose.throwing_hand());
+    draw_figure(pen, pose, clothes_of(k));
+  }
+}
+
 }  // namespace
 
 void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
   const Snapshot now = interpolate(simulation_->previous(), simulation_->current(), alpha);
   const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
-  const Palette& colors = palette(options.colour_safe);
-  Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
+  const Place place = simulation_->level().place;
+  const Palette& colors = palette(options.colour_safe, place);
+  Pen pen{canvas, colors, textures(options.colour_safe, place), time, options.reduced_motion, place, &stamps_};
+  pen.prepares = prepared_height_ != canvas.height() || prepared_safe_ != options.colour_safe;
+  prepared_height_ = canvas.height();
+  prepared_safe_ = options.colour_safe;
+  if (pen.prepares) stamps_.clear();
   effects_.follow(pen.colors, pen.reduced_motion);
   canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
 
@@ -134,13 +160,12 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
     if (ghost) draw_ghost(pen, pose_of(figure_of(*ghost, time)));
   }
   draw_hazards(pen, *simulation_, alpha);
-  for (int k = simulation_->players() - 1; k >= 0; --k) {  // the first one in front
-    const Pose pose = pose_of(figure_of(*simulation_, now, time, k));
-    draw_flight(pen, simulation_->player(k).lines(), pose.throwing_hand());
-    draw_figure(pen, pose, clothes_of(k));
-  }
+  draw_players(pen, *simulation_, effects_, now, alpha);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
+  const Vec2 player = figure_of(*simulation_, now, time).at;
+  draw_foreground(pen, player);
+  effects_.fall().draw(pen, player, alpha);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }

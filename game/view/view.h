@@ -9,6 +9,7 @@
 #include "game/simulation/meter.h"
 #include "game/simulation/simulation.h"
 #include "game/view/effects.h"
+#include "game/view/stamps.h"
 
 namespace game {
 
@@ -47,6 +48,9 @@ class View {
  private:
   const Simulation* simulation_;
   Effects effects_;
+  Stamps stamps_;
+  int prepared_height_ = 0;  // px, of the canvas for which the stamps were made
+  bool prepared_safe_ = false;
 };
 
 }  // namespace game

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
@@ -342,6 +343,59 @@ TEST(Band, DegenerateInputDrawsNothing) {
   miscounted.colors = one;
   add_band(mesh, good, miscounted);
   EXPECT_TRUE(mesh.indices.empty());
+}
+
+/// An image without interpolation is copied where a texel covers a pixel, and blended where it is translucent.
+TEST(Textured, CopiesTexelsAtTheirOwnSize) {
+  std::vector<Color> texels;
+  for (int k = 0; k < 64; ++k)
+    texels.push_back({static_cast<std::uint8_t>(3 * k), 90, 7,
+                      static_cast<std::uint8_t>(k % 3 == 0   ? 255
+                                                : k % 3 == 1 ? 0
+                                                             : 128)});
+  const Image image(8, 8, texels, Mipmaps::no);
+  Raster raster(20, 20);
+  raster.fill(rectangle({5.0, 6.0}, {13.0, 14.0}), {&image, Filter::nearest, Wrap::clamp, Wrap::clamp});
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const Color c = texels[static_cast<std::size_t>(8 * y + x)];
+      const int red = static_cast<int>(pixel(raster, 5 + x, 6 + y) >> 16U);
+      EXPECT_NEAR(red, c.r * c.a / 255.0, 1.0) << x << " " << y;
+    }
+  }
+  EXPECT_EQ(pixel(raster, 4, 7), 0U);
+  EXPECT_EQ(pixel(raster, 13, 7), 0U);
+}
+
+/// One translucent texel far from what is drawn makes the image go the general way, with the same colours.
+TEST(Textured, OpaqueImagesHaveTheColoursOfTheGeneralWay) {
+  std::vector<Color> texels;
+  for (int k = 0; k < 64 * 64; ++k)
+    texels.push_back(
+        {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(7 * k), static_cast<std::uint8_t>(k / 16)});
+  const Image opaque(64, 64, texels, Mipmaps::no);
+  texels.back().a = 254;
+  const Image general(64, 64, texels, Mipmaps::no);
+  EXPECT_TRUE(opaque.is_opaque());
+  EXPECT_FALSE(general.is_opaque());
+  Raster a(50, 40);
+  Raster b(50, 40);
+  TexturedMesh mesh = rectangle({-3.0, -2.0}, {60.0, 45.0});
+  for (TexturedVertex& v : mesh.vertices) v.uv = 0.7 * v.uv + Vec2{0.1, 0.1};
+  for (const std::uint8_t light : {std::uint8_t{255}, std::uint8_t{120}}) {
+    mesh.vertices[2].color = mesh.vertices[3].color = {light, light, light};
+    a.fill(mesh, {&opaque, Filter::nearest});
+    b.fill(mesh, {&general, Filter::nearest});
+    EXPECT_EQ(a.pixels(), b.pixels());
+  }
+}
+
+TEST(Image, IsMadeOfPremultipliedPixels) {
+  const Image image = Image::of_premultiplied(2, 1, {0x80402010U, 0xff123456U});
+  EXPECT_FALSE(image.is_opaque());
+  EXPECT_EQ(image.level(1.0).pixels[0], 0x80402010U);
+  EXPECT_THROW(Image::of_premultiplied(3, 1, {0U, 0U, 0U}), std::invalid_argument);
+  EXPECT_THROW(Image::of_premultiplied(2, 2, {0U}), std::invalid_argument);
 }
 
 }  // namespace

@@ -77,5 +77,22 @@ TEST(Particles, RandomNumbersFillTheirRange) {
   EXPECT_NEAR(sum / 10000.0, 0.0, 0.03);
 }
 
+/// Paper flies up, then flutters down more slowly than it would fall.
+TEST(Particles, ConfettiFliesUpAndFluttersDown) {
+  Particles particles;
+  add_confetti(particles, {0.0, 0.0}, {});
+  EXPECT_EQ(particles.all().size(), 72U);
+  double highest = 0.0;
+  while (!particles.all().empty()) {
+    for (const Particle& p : particles.all()) {
+      highest = std::max(highest, p.at.y);
+      ASSERT_LT(length(p.at), 8.0);
+      ASSERT_GT(p.velocity.y, -4.0);
+    }
+    particles.tick(dt, breeze);
+  }
+  EXPECT_GT(highest, 1.0);
+}
+
 }  // namespace
 }  // namespace game

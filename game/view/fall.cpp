@@ -1,0 +1,39 @@
+#include "game/view/fall.h"
+
+#include <algorithm>
+
+#include "game/view/veil.h"
+
+namespace game {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double gravity = 9.81;        // m/s²
+constexpr double tick_dt = 1.0 / 60.0;  // s
+
+/// Eases 0 … 1 in and out.
+double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
+
+}  // namespace
+
+double Fall::openness(double alpha) const {
+  if (!is_shown()) return 1.0;
+  const double now = ticks_ - 1.0 + alpha;
+  if (is_closing()) return 1.0 - smooth(std::clamp((now + 1.0) / closing, 0.0, 1.0));
+  return smooth(std::clamp((now - closing + 1.0) / opening, 0.0, 1.0));
+}
+
+Vec2 Fall::at(double alpha) const {
+  const double t = tick_dt * std::max(ticks_ - 1.0 + alpha, 0.0);
+  return at_ + t * velocity_ - Vec2{0.0, 0.5 * gravity * t * t};
+}
+
+void Fall::draw(Pen& pen, Vec2 player, double alpha) const {
+  if (!is_shown()) return;
+  const double open = openness(alpha);
+  if (pen.reduced_motion) return draw_darkness(pen.canvas, 1.0 - open);
+  draw_iris(pen.canvas, pen.canvas.to_pixels(is_closing() ? at(alpha) : player), open);
+}
+
+}  // namespace game
