@@ -8,7 +8,7 @@
 
 namespace game {
 
-/// Returns lines that explain the keys, or the buttons of a gamepad, in a run.
+/// Returns a line for each action that has a key, or a button of a gamepad.
 std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
 /// Returns the line that names the key for these lines; none for a gamepad, which has no such button.

@@ -12,8 +12,6 @@ namespace game {
 
 /// Returns the title of a level, or "First swing" for first_swing.
 std::string level_title(const Level& level);
-/// Returns "Gold 12.00 s   Silver 15.00 s   Bronze 20.00 s"; empty if the level has no medals.
-std::string medals_in_words(const Level& level);
 /// Returns all levels of the assets folder in their order. Skips levels that cannot be read, with a message on standard
 /// error.
 std::vector<Level> levels_in_order();

@@ -13,6 +13,7 @@ using engine::Color;
 using ribbon::Vec2;
 
 constexpr Color white{255, 255, 255};
+constexpr double sign_clearance = 1.9;  // m, below a board: the player does not cover the text
 
 void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
   pen.canvas.polyline(std::array{foot, top}, width + 0.05, pen.colors.ink);
@@ -101,8 +102,8 @@ void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
-void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
-  if (text.empty() || !pen.sees(foot, 8.0)) return;
+std::optional<Rectangle> draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
+  if (text.empty() || !pen.sees(foot, 8.0)) return std::nullopt;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
@@ -114,7 +115,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
   double width = 0.0;
   for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
   const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
-  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, 0.7});
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, sign_clearance});
   const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
   for (const double x : {0.2, 0.8}) {
     const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});
@@ -132,6 +133,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
     pen.canvas.text(at + Vec2{0.0, 1.5}, lines[k], size, mix(pen.colors.wood, white, 0.45), engine::Align::center);
     pen.canvas.text(at, lines[k], size, pen.colors.ink, engine::Align::center);
   }
+  return Rectangle{corner, board};
 }
 
 void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass) {

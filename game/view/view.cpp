@@ -16,7 +16,6 @@
 #include "game/view/marks.h"
 #include "game/view/palette.h"
 #include "game/view/pen.h"
-#include "game/view/strain_legend.h"
 #include "game/view/water.h"
 #include "game/view/wheels.h"
 
@@ -61,15 +60,32 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
-void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
+/// Draws signs, checkpoints, goal and hooks. Returns the boards of the signs, px.
+std::vector<Rectangle> draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
+  std::vector<Rectangle> boards;
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
-    draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k]);
+    const auto board = draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k]);
+    if (board) boards.push_back(*board);
   }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
   for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
+  return boards;
+}
+
+/// Returns the camera for a part of the canvas: the point that would be in the middle of a canvas of its size is in the
+/// middle of the part.
+engine::View view_in(const Rectangle& part, const engine::Canvas& canvas, const Effects& effects, double alpha,
+                     bool reduced_motion) {
+  if (part.size.x < 1.0 || part.size.y < 1.0) {
+    return effects.view(alpha, canvas.width(), canvas.height(), reduced_motion);
+  }
+  engine::View view = effects.view(alpha, static_cast<int>(part.size.x), static_cast<int>(part.size.y), reduced_motion);
+  const Vec2 off = part.corner + 0.5 * part.size - 0.5 * Vec2{1.0 * canvas.width(), 1.0 * canvas.height()};
+  view.center += 1.0 / view.pixels_per_metre * Vec2{-off.x, off.y};
+  return view;
 }
 
 /// Draws the player's line during a throw. A held or released line is drawn as a cord.
@@ -85,10 +101,10 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const Palette& colors = palette(options.colour_safe);
   Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
   effects_.follow(pen.colors, pen.reduced_motion);
-  canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
+  canvas.set_view(view_in(options.free, canvas, effects_, alpha, pen.reduced_motion));
 
   draw_backdrop(pen);
-  draw_marks(pen, *simulation_, options.signs);
+  const std::vector<Rectangle> boards = draw_marks(pen, *simulation_, options.signs);
   draw_bodies(pen, bodies_of(*simulation_, now));
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
@@ -102,8 +118,7 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }
-  if (options.strain_tint) draw_strain_legend(canvas, options.text_scale);
-  if (options.hud) draw_hud(canvas, *simulation_, options);
+  if (options.hud) draw_hud(canvas, *simulation_, options, boards, places_);
 }
 
 }  // namespace game

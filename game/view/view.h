@@ -9,6 +9,7 @@
 #include "game/simulation/meter.h"
 #include "game/simulation/simulation.h"
 #include "game/view/effects.h"
+#include "game/view/free_space.h"
 
 namespace game {
 
@@ -26,6 +27,13 @@ struct ViewOptions {
   const char* notice = nullptr;                    ///< an error message, or null
   double text_scale = 1.0;                         ///< pixels per desktop unit
   const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
+  Rectangle free{};                                ///< px, where the player is shown; no size: the whole canvas
+  Rectangle panel{};                               ///< px, of a panel that is drawn later; no size: none
+};
+
+/// Where the boxes of the HUD were in the last frame, as indices of their possible places.
+struct HudPlaces {
+  int time = 0, keys = 0, message = 0, notice = 0, goal = 0, legend = 0, figures = 0;
 };
 
 /// Draws a run of a level. The camera follows the player within the level.
@@ -39,6 +47,7 @@ class View {
  private:
   const Simulation* simulation_;
   Effects effects_;
+  HudPlaces places_;
 };
 
 }  // namespace game

@@ -195,7 +195,7 @@ TEST_F(RealWindow, ARunIsPlayedFromTheTitleToTheGoalAndBackToTheTitle) {
   click_down_to_something(200);
   ASSERT_EQ(person->sees("levels"), "levels");
   ASSERT_EQ(game::levels_in_order().at(1).name, level);
-  person->does("key Down");
+  person->does("key Right");
   person->does("key Return");
   ASSERT_EQ(person->sees(level), level);
   person->does("key n");
