@@ -14,7 +14,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double usual_width = 250.0;  // of a card, units of text
+constexpr double usual_width = 215.0;  // of a card, units of text
 constexpr double margin = 8.0;         // around a card
 constexpr double frame = 5.0;          // around its picture
 constexpr double title_size = 17.0;

@@ -22,6 +22,8 @@ class TitleScreen : public Screen {
   void draw(engine::Canvas& canvas, double text_scale) override;
   void draw_below(engine::Canvas& canvas, double text_scale) override;
   std::string title() const override { return words::screen_title; }
+  /// The run behind the menu; null if its recording cannot be read.
+  const RecordedRun* run() const { return run_ ? &*run_ : nullptr; }
 
  private:
   void show_run(std::int64_t elapsed_ns);

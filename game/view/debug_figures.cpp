@@ -62,8 +62,7 @@ std::string millimetres(double metres) { return metres < 1e-2 ? significant(1e3 
 
 /// Returns the cost of a tick and the budget of 1/60 s.
 std::string cost_in_words(const Meter& meter) {
-  return words::filled(words::tick_cost,
-                       {{"median", whole(meter.median_us())}, {"worst", whole(meter.worst_us())}});
+  return words::filled(words::tick_cost, {{"median", whole(meter.median_us())}, {"worst", whole(meter.worst_us())}});
 }
 
 std::vector<std::vector<std::string>> direct_counts(const ribbon::box2d::Coupling& coupling, const Meter* meter) {
@@ -78,8 +77,7 @@ std::vector<std::vector<std::string>> direct_counts(const ribbon::box2d::Couplin
                               total.impacts, total.fallbacks, total.unconverged}));
     if (coupling.cord(c).direct().is_asleep()) table.back()[3] = words::asleep;
     if (meter == nullptr) continue;
-    table.back().push_back(
-        words::filled(words::per_cent, {{"number", significant(100.0 * meter->peak_stretch(c))}}));
+    table.back().push_back(words::filled(words::per_cent, {{"number", significant(100.0 * meter->peak_stretch(c))}}));
     table.back().push_back(millimetres(meter->error_per_second(c)));
   }
   return table;

@@ -199,15 +199,16 @@ void draw_notice(Canvas& canvas, const std::string& notice, double text_scale) {
   box.draw(canvas, {0.5 * (canvas.width() - size.x), std::max(0.5 * (notice_strip * text_scale - size.y), 0.0)});
 }
 
-void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& options,
-              std::span<const Rectangle> signs, HudPlaces& places) {
+void draw_hud(Canvas& canvas, const Simulation& simulation, const ViewOptions& options, const HudObstacles& obstacles,
+              HudPlaces& places) {
   FreeSpace space(area_of(canvas, options), gap * options.text_scale);
-  for (const Rectangle& sign : signs) space.take(sign);
+  for (const Rectangle& label : obstacles.labels) space.take(label);
   if (options.panel.size.x > 0.0) space.take(options.panel);
   const Hud hud{canvas, simulation, options, space, places};
   draw_time(hud);
-  if (options.keys != nullptr && !options.keys->empty()) draw_keys(hud);
   draw_message(hud);
+  space.take(obstacles.player);
+  if (options.keys != nullptr && !options.keys->empty()) draw_keys(hud);
   draw_notice_in(hud);
   draw_goal_distance(hud);
   if (options.debug && options.panel.size.x == 0.0) draw_figures(hud);

@@ -10,10 +10,17 @@
 
 namespace game {
 
+/// What the HUD keeps clear of, px.
+struct HudObstacles {
+  std::span<const Rectangle> labels{};  ///< texts of the level
+  Rectangle player{};
+};
+
 /// Draws time, keys, messages, the legend of strain and the figures of the debug view. No box covers another one or a
-/// sign of the level; one that fits nowhere is left out. `signs`: their boards, px. `places` is of the frame before.
+/// label of the level, as of a sign, and large ones do not cover the player; one that fits nowhere is left out.
+/// `places` is of the frame before.
 void draw_hud(engine::Canvas& canvas, const Simulation& simulation, const ViewOptions& options,
-              std::span<const Rectangle> signs, HudPlaces& places);
+              const HudObstacles& obstacles, HudPlaces& places);
 
 /// Draws a message in the strip that menus leave free at the top.
 void draw_notice(engine::Canvas& canvas, const std::string& notice, double text_scale);

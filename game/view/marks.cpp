@@ -13,7 +13,6 @@ using engine::Color;
 using ribbon::Vec2;
 
 constexpr Color white{255, 255, 255};
-constexpr double sign_clearance = 1.9;  // m, below a board: the player does not cover the text
 
 void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
   pen.canvas.polyline(std::array{foot, top}, width + 0.05, pen.colors.ink);
@@ -102,8 +101,8 @@ void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
-std::optional<Rectangle> draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
-  if (text.empty() || !pen.sees(foot, 8.0)) return std::nullopt;
+void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double clearance, double height) {
+  if (text.empty() || !pen.sees(foot, 8.0)) return;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
@@ -115,7 +114,7 @@ std::optional<Rectangle> draw_sign(Pen& pen, Vec2 foot, std::string_view text, d
   double width = 0.0;
   for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
   const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
-  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, sign_clearance});
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, clearance});
   const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
   for (const double x : {0.2, 0.8}) {
     const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});
@@ -133,7 +132,7 @@ std::optional<Rectangle> draw_sign(Pen& pen, Vec2 foot, std::string_view text, d
     pen.canvas.text(at + Vec2{0.0, 1.5}, lines[k], size, mix(pen.colors.wood, white, 0.45), engine::Align::center);
     pen.canvas.text(at, lines[k], size, pen.colors.ink, engine::Align::center);
   }
-  return Rectangle{corner, board};
+  pen.labels.push_back({corner, board});
 }
 
 void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass) {
@@ -156,6 +155,8 @@ void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
   const Vec2 at = pen.canvas.to_pixels(center) - Vec2{0.0, 0.5 * pen.canvas.line_height(size)};
   pen.canvas.text(at + Vec2{1.0, 1.0}, text.data(), size, pen.colors.ink, engine::Align::center);
   pen.canvas.text(at, text.data(), size, {250, 240, 220}, engine::Align::center);
+  const double width = pen.canvas.text_width(text.data(), size);
+  pen.labels.push_back({at - Vec2{0.5 * width, 0.0}, {width, pen.canvas.line_height(size)}});
 }
 
 void draw_thrown_line(Pen& pen, Vec2 hand, Vec2 tip, double slack) {

@@ -16,6 +16,7 @@
 #include "game/view/marks.h"
 #include "game/view/palette.h"
 #include "game/view/pen.h"
+#include "game/view/view_in.h"
 #include "game/view/water.h"
 #include "game/view/wheels.h"
 
@@ -24,6 +25,11 @@ namespace {
 
 using engine::Color;
 using ribbon::Vec2;
+
+// The space in m below the boards of signs. At the start the player does not cover the text.
+constexpr double above_ground = 0.7;
+constexpr double above_player = 1.9;
+constexpr double near_start = 6.0;  // m
 
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
@@ -60,32 +66,24 @@ void draw_cords(Pen& pen, const std::vector<DrawnCord>& cords, bool strain_tint)
   }
 }
 
-/// Draws signs, checkpoints, goal and hooks. Returns the boards of the signs, px.
-std::vector<Rectangle> draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
+void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
-  std::vector<Rectangle> boards;
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
-    const auto board = draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k]);
-    if (board) boards.push_back(*board);
+    const Sign& sign = level.signs[k];
+    const bool at_start = length(sign.at - level.player_start) < near_start;
+    draw_sign(pen, sign.at, signs.empty() ? sign.text : signs[k], at_start ? above_player : above_ground);
   }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
   if (level.goal) draw_goal(pen, *level.goal, simulation.goal_ticks().has_value());
   for (std::size_t k = 0; k < level.hooks.size(); ++k) draw_hook(pen, level.hooks[k], simulation.aimed_hook() == k);
-  return boards;
 }
 
-/// Returns the camera for a part of the canvas: the point that would be in the middle of a canvas of its size is in the
-/// middle of the part.
-engine::View view_in(const Rectangle& part, const engine::Canvas& canvas, const Effects& effects, double alpha,
-                     bool reduced_motion) {
-  if (part.size.x < 1.0 || part.size.y < 1.0) {
-    return effects.view(alpha, canvas.width(), canvas.height(), reduced_motion);
-  }
-  engine::View view = effects.view(alpha, static_cast<int>(part.size.x), static_cast<int>(part.size.y), reduced_motion);
-  const Vec2 off = part.corner + 0.5 * part.size - 0.5 * Vec2{1.0 * canvas.width(), 1.0 * canvas.height()};
-  view.center += 1.0 / view.pixels_per_metre * Vec2{-off.x, off.y};
-  return view;
+/// Returns the box of the player on the canvas, px.
+Rectangle box_of_player(const engine::Canvas& canvas, const Player& player, Vec2 at) {
+  const Vec2 half{player.tuning().radius, 0.5 * player.tuning().height};
+  const double scale = canvas.view().pixels_per_metre;
+  return {canvas.to_pixels(at) - scale * half, 2.0 * scale * half};
 }
 
 /// Draws the player's line during a throw. A held or released line is drawn as a cord.
@@ -101,16 +99,21 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const Palette& colors = palette(options.colour_safe);
   Pen pen{canvas, colors, textures(colors), time, options.reduced_motion};
   effects_.follow(pen.colors, pen.reduced_motion);
-  canvas.set_view(view_in(options.free, canvas, effects_, alpha, pen.reduced_motion));
+  const FigureState figure = figure_of(*simulation_, now, time);
+  const bool in_part = options.free.size.x >= 1.0 && options.free.size.y >= 1.0;
+  const Vec2 size = in_part ? options.free.size : Vec2{1.0 * canvas.width(), 1.0 * canvas.height()};
+  engine::View camera = effects_.view(alpha, static_cast<int>(size.x), static_cast<int>(size.y), pen.reduced_motion);
+  if (in_part) camera = view_in(options.free, canvas, camera, figure.at, simulation_->level().map.size);
+  canvas.set_view(camera);
 
   draw_backdrop(pen);
-  const std::vector<Rectangle> boards = draw_marks(pen, *simulation_, options.signs);
+  draw_marks(pen, *simulation_, options.signs);
   draw_bodies(pen, bodies_of(*simulation_, now));
   draw_wheels(pen, now.wheels);
   const std::vector<DrawnCord> cords = cords_of(*simulation_, now);
   draw_cords(pen, cords, options.strain_tint);
   if (options.ghost) draw_ghost(pen, pose_of(figure_of(*options.ghost, time)));
-  const Pose pose = pose_of(figure_of(*simulation_, now, time));
+  const Pose pose = pose_of(figure);
   draw_flight(pen, simulation_->player().line(), pose.throwing_hand());
   draw_figure(pen, pose);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
@@ -118,7 +121,9 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }
-  if (options.hud) draw_hud(canvas, *simulation_, options, boards, places_);
+  if (!options.hud) return;
+  draw_hud(canvas, *simulation_, options, {pen.labels, box_of_player(canvas, simulation_->player(), figure.at)},
+           places_);
 }
 
 }  // namespace game

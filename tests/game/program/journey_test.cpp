@@ -277,11 +277,11 @@ TEST_F(Journey, EveryPressOfAFrameCountsInOrder) {
   press({Key::up, Key::enter});
   frame();
   EXPECT_EQ(screen(), "title") << "the last line of the options";
-  press({Key::down, Key::enter, Key::down, Key::down, Key::enter});
+  press({Key::enter, Key::down, Key::down, Key::left});
   frame();
   EXPECT_EQ(screen(), "options");
-  EXPECT_EQ(app->session().settings.speed, 50) << "two lines down on the screen that the first presses opened";
-  press({Key::up, Key::up, Key::enter, Key::escape, Key::down, Key::enter});
+  EXPECT_EQ(app->session().settings.speed, 90) << "two lines down on the screen that the first presses opened";
+  press({Key::up, Key::up, Key::enter, Key::escape, Key::escape, Key::down, Key::enter});
   EXPECT_FALSE(frame()) << "to the keys, back to the options and title, and down to the last line";
 }
 

@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-constexpr GridPlace place{{0.0, 0.0}, {780.0, 420.0}, 1.0};  // three columns
+constexpr GridPlace place{{0.0, 0.0}, {700.0, 420.0}, 1.0};  // three columns
 
 CardGrid grid_of(int cards) {
   CardGrid grid;

@@ -57,7 +57,7 @@ class Screens : public testing::TestWithParam<Picture> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Screens,
-                         testing::Values(Picture{1280, 720, 1.0}, Picture{800, 450, 0.65}, Picture{1920, 1080, 1.5},
+                         testing::Values(Picture{1280, 720, 1.0}, Picture{960, 540, 0.75}, Picture{1920, 1080, 1.5},
                                          Picture{640, 480, 0.65}));
 
 TEST_P(Screens, NoTextOfMenusIsCutOff) {

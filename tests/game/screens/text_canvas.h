@@ -35,20 +35,31 @@ class TextCanvas : public engine::HeadlessCanvas {
     return texts;
   }
 
+  /// The right edge of the panels that begin at the left edge of the canvas, px.
+  double last_panel_at_left() const {
+    double edge = 0.0;
+    for (const Drawn& each : drawn_) {
+      if (each.is_panel && each.box.corner.x <= 0.0) edge = std::max(edge, each.box.size.x);
+    }
+    return edge;
+  }
+
   /// Returns what is wrong with the texts: two that overlap, one that a panel hides, one that its panel or the edge of
   /// the canvas cuts. `world`: texts of the level, which the edge of the canvas may cut. `covered_by_menu`: those that
-  /// a panel of a menu may hide.
+  /// a panel of a menu may hide. The panel with
+  /// parameters, which the user can move, may hide texts of the world.
   std::string faults(const std::set<std::string>& world = {}, bool covered_by_menu = false) const {
     std::string found;
     for (std::size_t k = 0; k < drawn_.size(); ++k) {
       if (drawn_[k].is_panel) continue;
-      const bool hidden = is_hidden(k);
-      if (hidden && !(covered_by_menu && world.contains(drawn_[k].text)))
-        found += "hidden by a panel: " + drawn_[k].text + '\n';
+      const bool of_world = world.contains(drawn_[k].text) || is_mass(drawn_[k].text);
+      const bool hidden = is_hidden(k, of_world && !covered_by_menu);
+      if (hidden && !(covered_by_menu && of_world)) found += "hidden by a panel: " + drawn_[k].text + '\n';
       if (hidden) continue;
-      if (!world.contains(drawn_[k].text) && is_cut(k)) found += "cut: " + drawn_[k].text + '\n';
+      if (!of_world && is_cut(k)) found += "cut: " + drawn_[k].text + '\n';
       for (std::size_t other = k + 1; other < drawn_.size(); ++other) {
         if (drawn_[other].is_panel || !overlap(k, other)) continue;
+        if (of_world && is_mass(drawn_[other].text)) continue;  // a body that moves before a sign
         found += "overlap: " + drawn_[k].text + " | " + drawn_[other].text + '\n';
       }
     }
@@ -77,7 +88,7 @@ class TextCanvas : public engine::HeadlessCanvas {
                                                    [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
     const ribbon::Vec2 corner{std::max(low->at.x, 1.0 * clip.left), std::max(top->at.y, 1.0 * clip.top)};
     const ribbon::Vec2 end{std::min(high->at.x, 1.0 * clip.right), std::min(bottom->at.y, 1.0 * clip.bottom)};
-    drawn_.push_back({true, "", {corner, end - corner}});
+    drawn_.push_back({true, parameters, {corner, end - corner}});
   }
 
  private:
@@ -87,13 +98,17 @@ class TextCanvas : public engine::HeadlessCanvas {
     Rectangle box;
   };
 
-  static constexpr double tolerance = 1.0;  // px, for positions that are rounded
+  static constexpr const char* parameters = "parameters";  // the name of the panel with them
+  static constexpr double tolerance = 1.0;                 // px, for positions that are rounded
 
+  /// The mass of a body is a text of the world too.
+  static bool is_mass(const std::string& text) { return text.ends_with(" kg") || text.ends_with(" t"); }
   static Rectangle narrowed(const Rectangle& box) {
     return {box.corner + ribbon::Vec2{tolerance, tolerance}, box.size - ribbon::Vec2{2.0 * tolerance, 2.0 * tolerance}};
   }
-  bool is_hidden(std::size_t text) const {
+  bool is_hidden(std::size_t text, bool may_be_below_parameters) const {
     return std::any_of(drawn_.begin() + static_cast<std::ptrdiff_t>(text), drawn_.end(), [&](const Drawn& later) {
+      if (may_be_below_parameters && later.text == parameters) return false;
       return later.is_panel && shared_area(narrowed(drawn_[text].box), later.box) > 0.0;
     });
   }

@@ -104,6 +104,19 @@ TEST_P(Texts, OfMenusAreReadable) {
   }
 }
 
+/// The run behind the title shows its player beside the menu, all along.
+TEST_P(Texts, OfTheTitleDoNotCoverThePlayer) {
+  TitleScreen title(session);
+  ASSERT_NE(title.run(), nullptr);
+  for (int k = 0; k < 80; ++k) {
+    wait(title, 10);
+    draw(title);
+    const double x = canvas.to_pixels(title.run()->simulation().player().position()).x;
+    ASSERT_GT(x, canvas.last_panel_at_left()) << k;
+    ASSERT_LT(x, canvas.width()) << k;
+  }
+}
+
 TEST_P(Texts, OfTheChangeOfAKeyAreReadable) {
   ControlsScreen controls(session);
   const engine::WindowInput input;
