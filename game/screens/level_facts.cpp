@@ -45,7 +45,7 @@ std::string best_in_words(const Level& level, const std::optional<Best>& best) {
   if (!best) return "";
   const std::string medal = medal_title(medal_of(level, *best));
   const std::string time = seconds_in_words(best->ticks);
-  if (best->assisted) return words::filled(words::best_with_help, {{"time", time}});
+  if (best->assisted) return words::filled(words::best_with_assists, {{"time", time}});
   return medal.empty() ? time : words::filled(words::best_with_medal, {{"time", time}, {"medal", medal}});
 }
 

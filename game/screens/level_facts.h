@@ -17,7 +17,7 @@ std::string level_title(const Level& level);
 std::vector<Level> levels_in_order();
 LevelKey level_key(const Level& level);
 
-/// Returns "12.35 s, Gold" or "14.00 s with help"; empty if there is no best run.
+/// Returns "12.35 s, Gold" or "14.00 s with assists"; empty if there is no best run.
 std::string best_in_words(const Level& level, const std::optional<Best>& best);
 /// Returns the medal of a run; none for runs with assists.
 Medal medal_of(const Level& level, const Best& run);

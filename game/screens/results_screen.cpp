@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "game/screens/card_grid.h"
 #include "game/screens/level_facts.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/play_screen.h"
@@ -13,6 +14,8 @@
 
 namespace game {
 namespace {
+
+using ribbon::Vec2;
 
 enum Meaning { next_level, again, watch, levels, quit };
 
@@ -57,7 +60,8 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
   const Level& level = play_->run().level();
   const Medal medal = medal_of(level, run);
   const std::string time = seconds_in_words(run.ticks);
-  card_.width = 400.0;
+  card_.width = 380.0;
+  medal_ = medal;
   card_.headline = medal == Medal::none
                        ? time
                        : words::filled(words::time_and_medal, {{"time", time}, {"medal", medal_title(medal)}});
@@ -68,7 +72,7 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
         words::filled(is_best ? words::best_before : words::best_is, {{"best", best_in_words(level, before)}}));
   }
   card_.lines.push_back(falls_in_words(play_->simulation().falls()));
-  if (run.assisted) card_.lines.emplace_back(words::with_help);
+  if (run.assisted) card_.lines.emplace_back(words::no_medal);
   if (const std::string next = next_medal_in_words(level, run); !next.empty()) card_.lines.push_back(next);
 }
 
@@ -126,6 +130,9 @@ void ResultsScreen::draw(engine::Canvas& canvas, double text_scale) {
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card_, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card_, rows));
+  if (medal_ == Medal::none) return draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
+  const Rectangle place = card_place(canvas, text_scale, card_, rows);
+  draw_medal(canvas, place.corner + text_scale * Vec2{44.0, 44.0}, 22.0 * text_scale, medal_);
   draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 

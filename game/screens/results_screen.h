@@ -9,6 +9,7 @@
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
 #include "game/settings/records.h"
+#include "game/simulation/medals.h"
 #include "game/words/words.h"
 
 namespace game {
@@ -36,6 +37,7 @@ class ResultsScreen : public Screen {
   PlayScreen* play_;
   Card card_;
   Menu menu_;
+  Medal medal_ = Medal::none;
   std::string next_{};         // name of the next level
   std::vector<int> meanings_;  // by line of the menu
 };

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "game/words/words.h"
+
 namespace game {
 namespace {
 
@@ -144,18 +146,16 @@ void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass
 }
 
 void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
-  std::array<char, 32> text{};
-  if (mass >= 1000.0) {
-    std::snprintf(text.data(), text.size(), "%.3g t", mass / 1000.0);
-  } else {
-    std::snprintf(text.data(), text.size(), "%.3g kg", mass);
-  }
+  const bool is_heavy = mass >= 1000.0;
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.3g", is_heavy ? mass / 1000.0 : mass);
+  const std::string text = words::filled(is_heavy ? words::tonnes : words::kilograms, {{"number", number.data()}});
   const double size = 0.52 * radius * pen.scale();
   if (size < 6.0) return;
   const Vec2 at = pen.canvas.to_pixels(center) - Vec2{0.0, 0.5 * pen.canvas.line_height(size)};
-  pen.canvas.text(at + Vec2{1.0, 1.0}, text.data(), size, pen.colors.ink, engine::Align::center);
-  pen.canvas.text(at, text.data(), size, {250, 240, 220}, engine::Align::center);
-  const double width = pen.canvas.text_width(text.data(), size);
+  pen.canvas.text(at + Vec2{1.0, 1.0}, text, size, pen.colors.ink, engine::Align::center);
+  pen.canvas.text(at, text, size, {250, 240, 220}, engine::Align::center);
+  const double width = pen.canvas.text_width(text, size);
   pen.labels.push_back({at - Vec2{0.5 * width, 0.0}, {width, pen.canvas.line_height(size)}});
 }
 

@@ -54,7 +54,7 @@ inline constexpr const char* screen_replay = "{level}, a replay";
 inline constexpr const char* not_completed = "Not completed yet";
 inline constexpr const char* your_best = "Your best: {best}";
 inline constexpr const char* best_with_medal = "{time}, {medal}";
-inline constexpr const char* best_with_help = "{time} with help";
+inline constexpr const char* best_with_assists = "{time} with assists";
 inline constexpr const char* no_levels = "No levels were found in";
 inline constexpr const char* no_levels_advice = "Install the game again, or set ROPESWING_ASSETS to the folder assets.";
 inline constexpr const char* level_unreadable = "This level cannot be read";
@@ -62,7 +62,7 @@ inline constexpr const char* level_unreadable = "This level cannot be read";
 // Options
 inline constexpr const char* keys_and_buttons_more = "Keys and buttons …";
 inline constexpr const char* options_note =
-    "With lower speed, a longer reach or no falls, times count but earn no medal.";
+    "With a lower speed, a longer reach or no falls, a time counts but earns no medal.";
 inline constexpr const char* catch_a_rope = "Catch a rope";
 inline constexpr const char* hold_the_key = "hold the key";
 inline constexpr const char* press_once = "press once";
@@ -77,7 +77,7 @@ inline constexpr const char* hidden = "hidden";
 inline constexpr const char* shown = "shown";
 inline constexpr const char* motion = "Motion";
 inline constexpr const char* full_motion = "full";
-inline constexpr const char* reduced_motion = "reduced: no shake";
+inline constexpr const char* reduced_motion = "reduced";
 inline constexpr const char* colours = "Colours";
 inline constexpr const char* normal_colours = "normal";
 inline constexpr const char* high_contrast = "high contrast";
@@ -99,7 +99,7 @@ inline constexpr const char* both_devices = "{keys}   |   {buttons}";
 inline constexpr const char* waiting_for_key = "…";
 inline constexpr const char* reset_to_defaults = "Reset to defaults";
 inline constexpr const char* press_a_key =
-    "Press a key or button for “{action}”, an own one to remove it. Esc or Start: stop";
+    "Press a key or button for “{action}”. One that it has already is removed. Esc or Start: stop";
 inline constexpr const char* key_is_taken = "{key} is for “{owner}”. Press it again to use it for “{action}” instead.";
 
 // Play
@@ -120,6 +120,8 @@ inline constexpr const char* made_it_in = "in {time}";
 inline constexpr const char* slow_motion = "slow motion 1/{factor}";
 inline constexpr const char* time_and_falls = "{time}   falls {falls}";
 inline constexpr const char* seconds = "{number} s";
+inline constexpr const char* kilograms = "{number} kg";
+inline constexpr const char* tonnes = "{number} t";
 inline constexpr const char* flag_right = "flag {metres} m →";
 inline constexpr const char* flag_left = "← flag {metres} m";
 
@@ -128,15 +130,13 @@ inline constexpr const char* time_and_medal = "{time}   {medal}!";
 inline constexpr const char* made_it_through = "You made it through “{level}”";
 inline constexpr const char* best_so_far = "Your best time so far!";
 inline constexpr const char* first_time = "You made it for the first time!";
-inline constexpr const char* best_before = "Before it was {best}";
-inline constexpr const char* best_is = "Your best is {best}";
-inline constexpr const char* with_help = "Well done, with some help: no medal for this time";
-inline constexpr const char* next_medal = "{medal} is for {time}";
+inline constexpr const char* best_before = "Your best before: {best}";
+inline constexpr const char* best_is = "Your best: {best}";
+inline constexpr const char* no_medal = "With assists: no medal for this time";
+inline constexpr const char* next_medal = "{medal}: {time} or less";
 inline constexpr const char* no_falls = "Without a fall";
 inline constexpr const char* one_fall = "1 fall";
 inline constexpr const char* some_falls = "{count} falls";
-inline constexpr const char* split = "Checkpoint {number}: {time}";
-inline constexpr const char* split_compared = "Checkpoint {number}: {time} ({difference} s)";
 
 // Notices
 inline constexpr const char* pad_found = "A gamepad is plugged in";

@@ -59,6 +59,8 @@ class Person {
     return there;
   }
   void does(const std::string& what) const { said_by(xdotool(what)); }
+  /// Returns the size of the window: "  Geometry: 800x600".
+  std::string size() const { return said_by(xdotool("getwindowgeometry " + window_) + " | tail -1"); }
 
  private:
   std::string xdotool(const std::string& arguments) const { return "DISPLAY=" + display_ + " xdotool " + arguments; }
@@ -166,6 +168,19 @@ TEST_F(RealWindow, KeysAndMouseGoThroughEveryScreenAndTheGameEndsCleanly) {
     return (tick.input.buttons & game::button_right) != 0;
   })) << "the key was held";
   EXPECT_EQ(ropeswing("--headless --verify --replay " + path).status, 0);
+}
+
+TEST(SmallDisplay, TheFirstWindowFitsOnIt) {
+  if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0) {
+    GTEST_SKIP() << "Xvfb or xdotool is not installed";
+  }
+  XServer server{"800x600x24"};
+  ASSERT_TRUE(server.starts());
+  Process game("ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=software DISPLAY=" +
+               server.display() + " exec " TEST_ROPESWING " >/dev/null 2>&1");
+  Person person(server.display(), game);
+  ASSERT_TRUE(person.finds_the_window());
+  EXPECT_EQ(person.size(), "  Geometry: 800x600");
 }
 
 struct KeyOf {

@@ -103,10 +103,10 @@ TEST_P(Screens, ResultsShowTimeAndBest) {
   EXPECT_NE(texts_of(first).find("You made it for the first time!"), std::string::npos);
   ResultsScreen again(session, play);
   const std::string same = texts_of(again);
-  EXPECT_NE(same.find("Your best is "), std::string::npos) << same;
+  EXPECT_NE(same.find("Your best: "), std::string::npos) << same;
   play.mark_assisted();
   ResultsScreen helped(session, play);
-  EXPECT_NE(texts_of(helped).find("with some help"), std::string::npos);
+  EXPECT_NE(texts_of(helped).find("With assists"), std::string::npos);
 }
 
 }  // namespace
