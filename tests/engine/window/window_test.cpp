@@ -15,12 +15,16 @@
 
 using engine::Align;
 using engine::Color;
+using engine::fitting_size;
 using engine::HeadlessCanvas;
 using engine::InputState;
 using engine::Key;
 using engine::MouseButton;
+using engine::single_presses;
+using engine::WheelTurn;
 using engine::Window;
 using engine::WindowInput;
+using engine::WindowSize;
 using ribbon::Vec2;
 using test_support::bytes_of;
 using test_support::Environment;

@@ -113,11 +113,14 @@ class RealWindow : public testing::Test {
     }
     return false;
   }
-  /// Moves the mouse down the window and clicks until another screen is shown.
+  /// Moves the mouse down the window by half a line at a time and clicks until another screen is shown.
   void click_down_to_something(int x) {
     const std::string here = person->screen();
-    for (int y = 250; y < 500 && person->screen() == here; y += 12) {
+    for (int y = 320; y < 500 && person->screen() == here; y += 24) {
       person->does("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+      // The mouse stays where it is until the screen may have changed, so that it does not move over that screen.
+      for (int look = 0; look < 100 && person->screen() == here; ++look) {
+      }
     }
   }
 
