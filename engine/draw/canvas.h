@@ -106,7 +106,7 @@ class Canvas {
   }
 
   /// A filled rectangle with round corners, in pixels.
-  void panel(ribbon::Vec2 top_left, ribbon::Vec2 size, double corner_radius, Color color);
+  virtual void panel(ribbon::Vec2 top_left, ribbon::Vec2 size, double corner_radius, Color color);
 
   /// One line of UTF-8 text. `at`: pixels, the left end, middle or right end of the line at its top, rounded to whole
   /// pixels for sharp text. `size`: the em of the font in pixels, rounded and clamped to 6 … 200.

@@ -68,7 +68,38 @@ Clock::duration frame_time(SDL_Window* window) {
   return std::chrono::nanoseconds(1'000'000'000 / (known ? std::clamp(mode.refresh_rate, 30, 240) : 60));
 }
 
+WindowSize usable_size(int display) {
+  SDL_Rect usable{};
+  if (SDL_GetDisplayUsableBounds(display, &usable) != 0) return {};
+  return {usable.w, usable.h};
+}
+
+SDL_Window* make_window(const std::string& title, WindowSize wanted) {
+  const WindowSize size = fitting_size(wanted, usable_size(0));
+  return need(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height,
+                               SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
+              "the window");
+}
+
+/// Makes a window smaller that does not fit on its display together with its borders, which are known only now.
+void fit_with_borders(SDL_Window* window) {
+  int top = 0, left = 0, bottom = 0, right = 0;
+  WindowSize size;
+  SDL_GetWindowSize(window, &size.width, &size.height);
+  if (SDL_GetWindowBordersSize(window, &top, &left, &bottom, &right) != 0) return;
+  const WindowSize usable = usable_size(std::max(SDL_GetWindowDisplayIndex(window), 0));
+  const WindowSize fits = fitting_size(size, usable, {left + right, top + bottom});
+  if (!(fits == size)) SDL_SetWindowSize(window, fits.width, fits.height);
+}
+
 }  // namespace
+
+WindowSize fitting_size(WindowSize wanted, WindowSize usable, WindowSize borders) {
+  const auto fit = [](int side, int room, int border) {
+    return room <= 0 ? side : std::clamp(side, 1, std::max(room - border, 1));
+  };
+  return {fit(wanted.width, usable.width, borders.width), fit(wanted.height, usable.height, borders.height)};
+}
 
 struct Window::Impl {
   Impl(const std::string& title, int width, int height);
@@ -96,14 +127,12 @@ struct Window::Impl {
 
 Window::Impl::Impl(const std::string& title, int width, int height)
     : canvas(width, height),
-      window(need(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
-                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
-                  "the window"),
-             SDL_DestroyWindow),
+      window(make_window(title, {width, height}), SDL_DestroyWindow),
       renderer(make_renderer(window.get()), SDL_DestroyRenderer),
       vsync(waits_for_display(renderer.get())),
       period(frame_time(window.get())) {
   watch_for_display_loss(window.get(), loss);
+  fit_with_borders(window.get());
   follow_size();
 }
 

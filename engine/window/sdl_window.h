@@ -9,11 +9,24 @@
 
 namespace engine {
 
+/// A size in desktop units.
+struct WindowSize {
+  int width = 0;
+  int height = 0;
+
+  bool operator==(const WindowSize&) const = default;
+};
+
+/// Returns the largest size up to `wanted` with which a window and its `borders` fit on a display whose usable part is
+/// `usable`, at least 1 × 1. A side of `usable` that is 0 is unknown.
+WindowSize fitting_size(WindowSize wanted, WindowSize usable, WindowSize borders = {});
+
 /// A resizable window with a canvas. In each frame: poll, draw on canvas(), present.
 class Window {
  public:
   /// `width` and `height`: 1 … 16384 desktop units, which are pixels unless the desktop scales its windows. Throws
-  /// std::runtime_error, with advice, if there is no display, and std::invalid_argument for other sizes.
+  /// std::runtime_error, with advice, if there is no display, and std::invalid_argument for other sizes. The window is
+  /// smaller if it does not fit on the display.
   Window(const std::string& title, int width, int height);
   ~Window();
 

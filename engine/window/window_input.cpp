@@ -2,17 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace engine {
 namespace {
 
 constexpr double press_threshold = 0.5;    // deflection from which a trigger or stick counts as a pressed button
 constexpr double release_threshold = 0.4;  // lower than press_threshold: hysteresis
+constexpr double max_notches = 20.0;       // of one event
 constexpr double dead_zone = 0.2;          // a stick at rest is not exactly in its middle
 
 double beyond_dead_zone(double deflection) {
   const double size = std::abs(std::clamp(deflection, -1.0, 1.0));
   return size <= dead_zone ? 0.0 : std::copysign((size - dead_zone) / (1.0 - dead_zone), deflection);
+}
+
+void set_pressed(WindowInput& input, const InputCode& code) {
+  if (const auto* key = std::get_if<Key>(&code)) input.keys_pressed.set(static_cast<std::size_t>(*key));
+  if (const auto* button = std::get_if<MouseButton>(&code))
+    input.buttons_pressed.set(static_cast<std::size_t>(*button));
+  if (const auto* turn = std::get_if<WheelTurn>(&code)) input.wheel_turned.set(static_cast<std::size_t>(*turn));
+  if (const auto* button = std::get_if<PadButton>(&code)) input.pad_pressed.set(static_cast<std::size_t>(*button));
+}
+
+void set_not_held(WindowInput& input, const InputCode& code) {
+  if (const auto* key = std::get_if<Key>(&code)) input.keys_held.reset(static_cast<std::size_t>(*key));
+  if (const auto* button = std::get_if<MouseButton>(&code)) input.buttons_held.reset(static_cast<std::size_t>(*button));
+  if (const auto* button = std::get_if<PadButton>(&code)) input.pad_held.reset(static_cast<std::size_t>(*button));
+}
+
+/// Returns the input without any event.
+WindowInput without_events(const WindowInput& input) {
+  WindowInput rest;
+  rest.mouse = input.mouse;
+  rest.keys_held = input.keys_held;
+  rest.buttons_held = input.buttons_held;
+  rest.pad_held = input.pad_held;
+  rest.left_stick = input.left_stick;
+  rest.right_stick = input.right_stick;
+  rest.pads = input.pads;
+  return rest;
 }
 
 }  // namespace
@@ -28,11 +57,40 @@ WindowInput WindowInput::with_pad(std::size_t pad) const {
   return with;
 }
 
+std::vector<WindowInput> single_presses(const WindowInput& input) {
+  if (input.presses.empty()) return {input};
+  std::vector<WindowInput> parts;
+  for (std::size_t k = 0; k < input.presses.size(); ++k) {
+    WindowInput part = without_events(input);
+    part.mouse = input.presses[k].mouse;
+    part.mouse_moved = input.mouse_moved;
+    for (std::size_t later = k + 1; later < input.presses.size(); ++later)
+      set_not_held(part, input.presses[later].code);
+    set_pressed(part, input.presses[k].code);
+    part.presses = {input.presses[k]};
+    parts.push_back(std::move(part));
+  }
+  if (input.presses.back().mouse != input.mouse) parts.push_back(without_events(input));
+  WindowInput& last = parts.back();
+  last.mouse_moved = input.mouse_moved;
+  last.quit = input.quit;
+  last.focus_lost = input.focus_lost;
+  last.wheel = input.wheel;
+  last.text = input.text;
+  last.keys_released = input.keys_released;
+  last.buttons_released = input.buttons_released;
+  last.pad_released = input.pad_released;
+  last.pad_found = input.pad_found;
+  last.pad_lost = input.pad_lost;
+  return parts;
+}
+
 void InputState::key_down(Key key) {
   const auto i = static_cast<std::size_t>(key);
   if (input_.keys_held[i]) return;
   input_.keys_held.set(i);
   input_.keys_pressed.set(i);
+  press(key);
 }
 
 void InputState::key_up(Key key) {
@@ -47,6 +105,7 @@ void InputState::button_down(MouseButton button) {
   if (input_.buttons_held[i]) return;
   input_.buttons_held.set(i);
   input_.buttons_pressed.set(i);
+  press(button);
 }
 
 void InputState::button_up(MouseButton button) {
@@ -72,6 +131,13 @@ void InputState::mouse_at(ribbon::Vec2 pixels) {
 
 void InputState::wheel(ribbon::Vec2 notches) {
   input_.wheel += notches;
+  if (notches.y != 0.0) {
+    const WheelTurn turn = notches.y > 0.0 ? WheelTurn::up : WheelTurn::down;
+    // Fine wheels report many fractions of a notch: together they are one press of the poll.
+    const int fraction = input_.pressed(turn) ? 0 : 1;
+    const int whole = static_cast<int>(std::min(std::abs(notches.y), max_notches));
+    for (int k = 0; k < std::max(whole, fraction); ++k) press(turn);
+  }
   if (notches.y > 0.0) input_.wheel_turned.set(static_cast<std::size_t>(WheelTurn::up));
   if (notches.y < 0.0) input_.wheel_turned.set(static_cast<std::size_t>(WheelTurn::down));
 }
@@ -103,6 +169,7 @@ void InputState::pad_down(PadButton button, std::size_t pad) {
   if (input_.pad_held[i]) return;
   input_.pad_held.set(i);
   input_.pad_pressed.set(i);
+  press(button);
 }
 
 void InputState::pad_up(PadButton button, std::size_t pad) {
@@ -165,6 +232,7 @@ WindowInput InputState::take() {
   input_.keys_released.reset();
   input_.buttons_pressed.reset();
   input_.buttons_released.reset();
+  input_.presses.clear();
   return taken;
 }
 

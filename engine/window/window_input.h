@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "ribbon/vec2.h"
 
@@ -143,6 +144,12 @@ struct PadInput {
 };
 inline constexpr std::size_t told_apart_pads = 2;
 
+/// One press among those of a poll.
+struct Press {
+  InputCode code;
+  ribbon::Vec2 mouse;  ///< where the mouse was then, canvas pixels
+};
+
 /// The input at one poll. `held` is the state at the poll; `pressed` and `released` are events since the poll before: a
 /// key that is tapped between two polls is pressed and released but not held.
 struct WindowInput {
@@ -156,6 +163,7 @@ struct WindowInput {
   std::bitset<mouse_button_count> buttons_held, buttons_pressed, buttons_released;
   std::bitset<wheel_turn_count> wheel_turned;
   std::bitset<pad_button_count> pad_held, pad_pressed, pad_released;
+  std::vector<Press> presses;  ///< all presses since the poll before, in order; a notch of the wheel is one
   ribbon::Vec2 left_stick{}, right_stick{};          ///< −1 … 1 per axis, y up; 0 within the dead zone
   int pads = 0;                                      ///< number of connected gamepads; their input is combined
   std::array<PadInput, told_apart_pads> each_pad{};  ///< that of the first and of the second gamepad alone
@@ -183,6 +191,10 @@ struct WindowInput {
     return std::visit([this](auto which) { return pressed(which); }, code);
   }
 };
+
+/// Divides the input of a poll into inputs with one press each, in order, for menus in which every press counts. The
+/// last one has all the rest: what was released, typed and turned, and the final position of the mouse. At least one.
+std::vector<WindowInput> single_presses(const WindowInput& input);
 
 /// Collects events into the result of a poll. Independent of a window.
 class InputState {
@@ -216,6 +228,8 @@ class InputState {
   WindowInput take();
 
  private:
+  void press(const InputCode& code) { input_.presses.push_back({code, input_.mouse}); }
+
   WindowInput input_;
 };
 

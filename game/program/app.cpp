@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/replay/replay.h"
 #include "game/program/bad_ticks.h"
@@ -13,11 +13,12 @@
 #include "game/screens/title_screen.h"
 #include "game/settings/user_files.h"
 #include "game/view/hud.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
 
-constexpr int window_width = 1280;
+constexpr int window_width = 1280;  // desktop units
 constexpr int window_height = 720;
 
 /// Returns the name of the level of a recording to race against.
@@ -42,7 +43,9 @@ App::App(const RunOptions& options)
       session_(config_folder(), data_folder()),
       first_run_(requested_run(session_, options)),
       direct_(first_run_.get()),
-      window_("Rope swing", window_width, window_height) {
+      window_(words::game_title, window_width, window_height),
+      screenshots_(pictures_folder()),
+      film_(videos_folder()) {
   session_.watcher = bad_ticks_.get();
   report_sound_errors();
   if (direct_ != nullptr) {
@@ -55,18 +58,21 @@ App::App(const RunOptions& options)
 App::~App() = default;
 
 bool App::frame(std::int64_t elapsed_ns) {
+  const std::int64_t start = engine::now_ns();
   if (!update(window_.poll(), elapsed_ns)) return false;
   draw();
+  session_.frame_times.add(FrameTimes::Part::whole, engine::now_ns() - start);
+  session_.frame_times.end_frame(elapsed_ns);
   window_.present();
   return direct_ == nullptr || !direct_->ends_program();
 }
 
 bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   if (input.quit) return false;
-  handle_keys(input);
-  report_gamepads(input);
-  const MenuInput menu = menu_reader_.read(input, elapsed_ns);
-  if (!screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()})) return false;
+  const std::vector<engine::WindowInput> parts = engine::single_presses(input);
+  for (const engine::WindowInput& part : parts) {
+    if (!update_part(part, &part == &parts.back() ? elapsed_ns : 0)) return false;
+  }
   session_.notice.advance(elapsed_ns);
   drawn_ns_ += elapsed_ns;
   const SoundSettings& sound = session_.settings.sound;
@@ -75,13 +81,22 @@ bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
   return true;
 }
 
+/// Handles a part of the input of a frame, so that every press counts, in order, even on a screen that one before
+/// opened.
+bool App::update_part(const engine::WindowInput& input, std::int64_t elapsed_ns) {
+  handle_keys(input);
+  report_gamepads(input);
+  const MenuInput menu = menu_reader_.read(input, elapsed_ns);
+  return screens_.update({input, menu, window_.canvas(), elapsed_ns, text_scale()});
+}
+
 void App::apply_settings() {
   session_.save_settings();
   if (is_fullscreen_ != session_.settings.fullscreen) {
     is_fullscreen_ = session_.settings.fullscreen;
     window_.set_fullscreen(is_fullscreen_);
   }
-  const std::string title = "Rope swing - " + screens_.top().title();
+  const std::string title = words::filled(words::window_title, {{"screen", screens_.top().title()}});
   if (title == title_) return;
   title_ = title;
   window_.set_title(title);
@@ -89,7 +104,8 @@ void App::apply_settings() {
 
 void App::draw() {
   screens_.draw(window_.canvas(), text_scale());
-  if (!session_.notice.text().empty()) draw_notice(window_.canvas(), session_.notice.text(), text_scale());
+  const std::string& notice = session_.notice.text();
+  if (!notice.empty() && !screens_.top().shows_notice()) draw_notice(window_.canvas(), notice, text_scale());
   if (std::exchange(wants_screenshot_, false)) save_screenshot();
   record_frame();
 }
@@ -105,11 +121,7 @@ void App::record_frame() {
   if (film_.is_running()) draw_filming_mark(window_.canvas(), text_scale());
 }
 
-double App::text_scale() const {
-  const engine::Canvas& canvas = window_.canvas();
-  const double size = std::min(canvas.width() / (1.0 * window_width), canvas.height() / (1.0 * window_height));
-  return window_.pixel_scale() * std::clamp(size / window_.pixel_scale(), 0.5, 1.5);
-}
+double App::text_scale() const { return text_scale_of(window_.canvas(), window_.pixel_scale()); }
 
 void App::handle_keys(const engine::WindowInput& input) {
   Settings& settings = session_.settings;
@@ -122,8 +134,8 @@ void App::handle_keys(const engine::WindowInput& input) {
 void App::report_gamepads(const engine::WindowInput& input) {
   if (input.pad_pressed.any()) session_.uses_pad = true;
   if (input.keys_pressed.any() || input.buttons_pressed.any()) session_.uses_pad = false;
-  if (input.pad_found) session_.notice.show("A gamepad is plugged in");
-  if (input.pad_lost) session_.notice.show("The gamepad was unplugged");
+  if (input.pad_found) session_.notice.show(words::pad_found);
+  if (input.pad_lost) session_.notice.show(words::pad_lost);
 }
 
 void App::report_sound_errors() {
@@ -131,18 +143,19 @@ void App::report_sound_errors() {
   for (const std::string& error : {sounds.why_silent(), sounds.load_error()}) {
     if (!error.empty()) std::fprintf(stderr, "ropeswing: %s\n", error.c_str());
   }
-  if (!sounds.load_error().empty()) session_.notice.show("A sound is missing: " + sounds.load_error());
+  if (!sounds.load_error().empty())
+    session_.notice.show(words::filled(words::sound_missing, {{"reason", sounds.load_error()}}));
 }
 
 void App::save_screenshot() {
   try {
-    const std::string name = free_name(".png");
-    window_.save_png(name);
-    std::printf("picture: %s\n", name.c_str());
-    session_.notice.show("Screenshot: " + name);
+    const std::string path = screenshots_.next(".png");
+    window_.save_png(path);
+    std::printf("picture: %s\n", path.c_str());
+    session_.notice.show(words::filled(words::screenshot, {{"file", screenshots_.to_tell(path)}}));
   } catch (const std::runtime_error& error) {  // the game continues
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    session_.notice.show("The screenshot cannot be written");
+    session_.notice.show(words::filled(words::screenshot_failed, {{"reason", error.what()}}));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/replay/flight_recorder.h"
 #include "engine/window/sdl_window.h"
 #include "game/program/film.h"
+#include "game/program/saved_files.h"
 #include "game/screens/menu_input.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
@@ -40,6 +41,7 @@ class App {
   const ScreenStack& screens() const { return screens_; }
 
  private:
+  bool update_part(const engine::WindowInput& input, std::int64_t elapsed_ns);
   double text_scale() const;
   void apply_settings();
   void handle_keys(const engine::WindowInput& input);
@@ -59,6 +61,7 @@ class App {
   bool is_fullscreen_ = false;
   std::string title_;
   bool wants_screenshot_ = false;
+  SavedFiles screenshots_;
   Film film_;
   bool wants_film_ = false;    // to start or stop
   std::int64_t drawn_ns_ = 0;  // since the last frame that was drawn

@@ -1,7 +1,9 @@
 #include "game/program/film.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <stdexcept>
+
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -11,29 +13,22 @@ constexpr std::int64_t max_gap_ns = 500'000'000;  // longer gaps between frames 
 
 }  // namespace
 
-std::string free_name(const std::string& ending) {
-  for (int number = 1;; ++number) {
-    std::string name = "ropeswing-" + std::to_string(number) + ending;
-    if (!std::filesystem::exists(name)) return name;
-  }
-}
-
 std::string Film::toggle(const engine::Raster& raster) {
   if (writer_) return finish();
-  name_ = free_name(".mp4");
   due_ns_ = frame_ns;  // the first frame is due
   try {
-    writer_.emplace(name_, raster.width(), raster.height());
-  } catch (const engine::VideoError& error) {
-    return error.what();
+    path_ = files_.next(".mp4");
+    writer_.emplace(path_, raster.width(), raster.height());
+  } catch (const std::runtime_error& error) {
+    return words::filled(words::film_failed, {{"reason", error.what()}});
   }
-  return "Recording a video to " + name_;
+  return words::filled(words::film_begins, {{"file", files_.to_tell(path_)}});
 }
 
 std::string Film::take(const engine::Raster& raster, std::int64_t elapsed_ns) {
   if (!writer_) return {};
   if (raster.width() != writer_->width() || raster.height() != writer_->height()) {
-    return end_with("The window has another size now; ");
+    return end_with(words::film_resized);
   }
   due_ns_ += std::min(elapsed_ns, max_gap_ns);
   try {
@@ -45,13 +40,13 @@ std::string Film::take(const engine::Raster& raster, std::int64_t elapsed_ns) {
   return {};
 }
 
-std::string Film::finish() { return writer_ ? end_with("") : ""; }
+std::string Film::finish() { return writer_ ? end_with(words::film_ends) : ""; }
 
-std::string Film::end_with(const std::string& reason) {
+std::string Film::end_with(const char* message) {
   try {
     writer_->finish();
     writer_.reset();
-    return reason + (reason.empty() ? "Video: " : "video: ") + name_;
+    return words::filled(message, {{"file", files_.to_tell(path_)}});
   } catch (const engine::VideoError& error) {
     writer_.reset();
     return error.what();

@@ -13,6 +13,7 @@
 #include "game/simulation/run.h"
 #include "game/view/hud.h"
 #include "game/view/view.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -25,8 +26,8 @@ void save_picture(const Simulation& simulation, const RunOptions& options) {
   ViewOptions view_options;
   view_options.signs = signs_in_words(simulation.level(), Settings{}, false);
   if (const auto goal = simulation.goal_ticks()) {
-    view_options.headline = "You made it!";
-    view_options.below = "in " + seconds_in_words(*goal);
+    view_options.headline = words::made_it;
+    view_options.below = words::filled(words::made_it_in, {{"time", seconds_in_words(*goal)}});
   }
   View(simulation).draw(canvas, 1.0, view_options);
   canvas.save_png(options.screenshot);

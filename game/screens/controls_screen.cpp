@@ -1,8 +1,11 @@
 #include "game/screens/controls_screen.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "game/screens/style.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -18,21 +21,24 @@ void ControlsScreen::fill_menu() {
   std::vector<MenuItem> items;
   for (const Action action : all_actions()) {
     std::string codes = codes_in_words(bindings, action, false, shown_codes);
-    const std::string pad = codes_in_words(bindings, action, true, shown_codes);
-    if (pad != "none") codes.append("   |   ").append(pad);
-    if (rebinding_ && rebinding_->action() == action) codes = "…";
+    const bool has_buttons =
+        std::any_of(bindings.codes(action).begin(), bindings.codes(action).end(),
+                    [](const auto& code) { return std::holds_alternative<engine::PadButton>(code); });
+    if (has_buttons) {
+      codes = words::filled(words::both_devices,
+                            {{"keys", codes}, {"buttons", codes_in_words(bindings, action, true, shown_codes)}});
+    }
+    if (rebinding_ && rebinding_->action() == action) codes = words::waiting_for_key;
     items.push_back({std::string(action_title(action)), std::move(codes)});
   }
-  items.push_back({"Reset to defaults"});
-  items.push_back({"Back"});
+  items.push_back({words::reset_to_defaults});
+  items.push_back({words::back});
   menu_.set_items(std::move(items));
 }
 
 Card ControlsScreen::card() const {
-  const std::string line =
-      rebinding_ ? rebinding_->prompt(session_->settings.bindings)
-                 : "Keyboard and mouse   |   gamepad.   Choose an action, then press the new key or button.";
-  return {.headline = "Keys and buttons", .lines = {line}, .width = 900.0, .text_size = 19.0, .line_size = 17.0};
+  const std::string line = rebinding_ ? rebinding_->prompt(session_->settings.bindings) : std::string(words::keys_note);
+  return {.headline = words::keys_and_buttons, .lines = {line}, .width = 900.0, .text_size = 19.0, .line_size = 17.0};
 }
 
 Next ControlsScreen::update(const Frame& frame) {
@@ -59,7 +65,7 @@ void ControlsScreen::draw(engine::Canvas& canvas, double text_scale) {
   draw_shade(canvas);
   draw_card(canvas, text_scale, card(), rows());
   menu_.draw(canvas, menu_place(canvas, text_scale, card(), rows()));
-  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+  draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 
 }  // namespace game

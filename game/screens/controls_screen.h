@@ -7,6 +7,7 @@
 #include "game/screens/rebinding.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -19,7 +20,7 @@ class ControlsScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
-  std::string title() const override { return "keys and buttons"; }
+  std::string title() const override { return words::screen_keys; }
 
  private:
   void fill_menu();

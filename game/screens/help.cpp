@@ -1,6 +1,10 @@
 #include "game/screens/help.h"
 
+#include <algorithm>
+#include <variant>
 #include "game/settings/two_players.h"
+
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -12,28 +16,21 @@ void replace_all(std::string& words, const std::string& name, const std::string&
     words.replace(at, name.size(), by);
   }
 }
+constexpr std::size_t max_codes = 2;  // of an action
 
 }  // namespace
 
 std::vector<std::string> help_lines(const Settings& settings, bool pad) {
-  const auto keys = [&](Action action, std::size_t max_codes = 2) {
-    return codes_in_words(settings.bindings, action, pad, max_codes);
-  };
-  const auto both = [&](Action one, Action other) { return keys(one, 1) + " " + keys(other, 1); };
-  std::vector<std::string> lines = {both(Action::left, Action::right) + ": run, swing",
-                                    keys(Action::jump) + ": jump, let go",
-                                    (settings.toggle_grab ? "" : "Hold ") + keys(Action::grab) + ": grab a rope",
-                                    both(Action::up, Action::down) + ": climb",
-                                    keys(Action::throw_line, 1) + ": throw a line   " + keys(Action::cut, 1) + ": cut",
-                                    both(Action::reel_in, Action::reel_out) + ": reel in, out",
-                                    keys(Action::restart) + ": restart   " + keys(Action::retry, 1) + ": checkpoint",
-                                    keys(Action::pause, 1) + ": pause"};
-  if (pad) return lines;
-  lines.back() += "   " + keys(Action::step) + ": one tick   " + keys(Action::slow_motion) + ": slow";
-  lines.push_back(keys(Action::debug_view) + ": debug view, drag   " + keys(Action::panel) + ": parameters");
-  lines.push_back(keys(Action::film) + ": film   " + keys(Action::fullscreen) + ": full screen   " +
-                  keys(Action::screenshot) + ": picture");
-  lines.push_back(keys(Action::mute) + ": sound   " + keys(Action::help) + ": hide this");
+  std::vector<std::string> lines;
+  for (const Action action : all_actions()) {
+    std::string keys = codes_in_words(settings.bindings, action, pad, max_codes);
+    const bool bound = std::any_of(
+        settings.bindings.codes(action).begin(), settings.bindings.codes(action).end(),
+        [pad](const engine::InputCode& code) { return std::holds_alternative<engine::PadButton>(code) == pad; });
+    if (!bound) continue;
+    if (action == Action::grab && !settings.toggle_grab) keys = words::filled(words::help_hold, {{"keys", keys}});
+    lines.push_back(words::filled(words::help_entry, {{"keys", keys}, {"action", action_title(action)}}));
+  }
   return lines;
 }
 
@@ -43,18 +40,17 @@ std::vector<std::string> help_lines_for_two(const Settings& settings, bool pad) 
   std::vector<std::string> lines = help_lines(half, pad);
   if (pad) return lines;  // the second gamepad has the same buttons
   const Bindings second = bindings_of(1, settings);
-  const auto key = [&second](Action action) { return codes_in_words(second, action, false, 1); };
-  lines.push_back("Second player: " + key(Action::left) + " " + key(Action::right) + ": run   " + key(Action::jump) +
-                  ": jump   " + key(Action::grab) + ": grab   " + key(Action::up) + " " + key(Action::down) +
-                  ": climb");
-  lines.push_back("   " + key(Action::throw_line) + ": throw a line   " + key(Action::reel_in) + ", " +
-                  key(Action::reel_out) + ": reel in, out");
+  for (const Action action : all_actions()) {
+    if (second.codes(action).empty()) continue;
+    lines.push_back(words::filled(words::help_second_player, {{"keys", codes_in_words(second, action, false, 1)},
+                                                              {"action", action_title(action)}}));
+  }
   return lines;
 }
 
 std::vector<std::string> help_line(const Settings& settings, bool pad) {
   if (pad) return {};
-  return {codes_in_words(settings.bindings, Action::help, false, 1) + ": help"};
+  return {words::filled(words::help_key, {{"key", codes_in_words(settings.bindings, Action::help, false, 1)}})};
 }
 
 std::string name_in_braces(Action action) {

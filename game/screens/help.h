@@ -8,7 +8,7 @@
 
 namespace game {
 
-/// Returns lines that explain the keys, or the buttons of a gamepad, in a run.
+/// Returns a line for each action that has a key, or a button of a gamepad.
 std::vector<std::string> help_lines(const Settings& settings, bool pad);
 
 /// The same in a level for two: the keys of the first player, and behind them those of the second.

@@ -2,12 +2,15 @@
 
 #include "game/screens/help.h"
 #include "game/settings/action.h"
+#include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
 
 namespace game {
 namespace {
 
 constexpr int ticks_longer = 3 * ticks_per_second;
+
+constexpr std::uint16_t need_a_rope = button_grab | button_up | button_down | button_reel_in | button_reel_out;
 
 }  // namespace
 
@@ -21,8 +24,9 @@ void Hint::begin(const std::string& hint) {
   ticks_left_ = ticks_longer;
 }
 
-void Hint::tick(std::uint16_t buttons) {
-  wanted_ = static_cast<std::uint16_t>(wanted_ & ~buttons);
+void Hint::tick(std::uint16_t buttons, bool holds) {
+  const auto done = static_cast<std::uint16_t>(holds ? buttons : buttons & ~need_a_rope);
+  wanted_ = static_cast<std::uint16_t>(wanted_ & ~done);
   if (buttons != 0) any_ = false;
   if (wanted_ == 0 && !any_ && ticks_left_ > 0) --ticks_left_;
 }

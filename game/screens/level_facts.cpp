@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <exception>
 #include <limits>
-#include <utility>
 
 #include "game/view/hud.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -17,17 +17,6 @@ std::string level_title(const Level& level) {
   std::replace(title.begin(), title.end(), '_', ' ');
   if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title;
-}
-
-std::string medals_in_words(const Level& level) {
-  std::string words;
-  for (const auto& [medal, seconds] :
-       {std::pair{Medal::gold, level.medals.gold}, std::pair{Medal::silver, level.medals.silver},
-        std::pair{Medal::bronze, level.medals.bronze}}) {
-    if (seconds <= 0.0) continue;
-    words += (words.empty() ? "" : "   ") + medal_title(medal) + " " + seconds_in_words(ticks_in(seconds));
-  }
-  return words;
 }
 
 std::vector<Level> levels_in_order() {
@@ -72,7 +61,9 @@ Medal medal_of(const Level& level, const Best& run) {
 std::string best_in_words(const Level& level, const std::optional<Best>& best) {
   if (!best) return "";
   const std::string medal = medal_title(medal_of(level, *best));
-  return seconds_in_words(best->ticks) + (best->assisted ? " with help" : medal.empty() ? "" : ", " + medal);
+  const std::string time = seconds_in_words(best->ticks);
+  if (best->assisted) return words::filled(words::best_with_assists, {{"time", time}});
+  return medal.empty() ? time : words::filled(words::best_with_medal, {{"time", time}, {"medal", medal}});
 }
 
 }  // namespace game

@@ -13,14 +13,12 @@ namespace game {
 
 /// Returns the title of a level, or "First swing" for first_swing.
 std::string level_title(const Level& level);
-/// Returns "Gold 12.00 s   Silver 15.00 s   Bronze 20.00 s"; empty if the level has no medals.
-std::string medals_in_words(const Level& level);
 /// Returns all levels of the assets folder in their order. Skips levels that cannot be read, with a message on standard
 /// error.
 std::vector<Level> levels_in_order();
 LevelKey level_key(const Level& level);
 
-/// Returns "12.35 s, Gold" or "14.00 s with help"; empty if there is no best run.
+/// Returns "12.35 s, Gold" or "14.00 s with assists"; empty if there is no best run.
 std::string best_in_words(const Level& level, const std::optional<Best>& best);
 /// Returns the times at the checkpoints, each with its difference to the reference if that is known, two in a line:
 /// "Checkpoint 1: 8.32 s (−0.42 s)   2: 12.05 s".

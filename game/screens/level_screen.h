@@ -1,21 +1,18 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/tick/tick.h"
-#include "game/screens/card.h"
-#include "game/screens/menu.h"
+#include "game/screens/card_grid.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
 #include "game/simulation/level.h"
-#include "game/view/view.h"
+#include "game/words/words.h"
 
 namespace game {
 
-/// The list of levels. The selected level is shown behind it.
+/// The levels as cards, with hint, best time and medals of the one with the focus.
 class LevelScreen : public Screen {
  public:
   /// The session must outlive it.
@@ -24,21 +21,19 @@ class LevelScreen : public Screen {
   void shown() override;
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
-  std::string title() const override { return "levels"; }
+  std::string title() const override { return words::screen_levels; }
 
  private:
-  void fill_menu();
-  void show_focused(std::int64_t elapsed_ns);
+  void fill_grid();
+  void make_a_picture(const GridPlace& place);
   void draw_facts(engine::Canvas& canvas, double text_scale) const;
-  const Level& focused() const { return levels_[static_cast<std::size_t>(menu_.focus())]; }
+  void draw_medal_limits(engine::Canvas& canvas, ribbon::Vec2 right, double size) const;
+  void draw_no_levels(engine::Canvas& canvas, double text_scale) const;
+  const Level& focused() const { return levels_[static_cast<std::size_t>(grid_.focus())]; }
 
   Session* session_;
   const std::vector<Level> levels_;
-  Menu menu_;
-  std::optional<Simulation> preview_;
-  std::optional<View> view_;
-  int previewed_ = -1;
-  engine::FixedTick clock_{ticks_per_second, 2};
+  CardGrid grid_;
 };
 
 /// Replaces all screens by the title screen and the list of levels.

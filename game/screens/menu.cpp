@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "game/screens/style.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -73,18 +74,15 @@ void Menu::draw_row(Canvas& canvas, Vec2 at, const MenuPlace& place, int item) c
   canvas.text({at.x + margin, y}, shown.label, size, color);
   if (shown.value.empty()) return;
   if (!shown.adjustable) {
-    const double medal_width = shown.medal == Medal::none ? 0.0 : 1.2 * size;
-    canvas.text({at.x + place.width - margin - medal_width, y}, shown.value, size, color, Align::right);
-    const Vec2 disc{at.x + place.width - margin - 0.8 * size, at.y + 0.5 * height - 0.45 * size};
-    if (medal_width > 0.0) canvas.panel(disc, {0.8 * size, 0.8 * size}, 0.4 * size, style::of_medal(shown.medal));
+    canvas.text({at.x + place.width - margin, y}, shown.value, size, color, Align::right);
     return;
   }
   const double left = at.x + place.width * (1.0 - value_width);
   const double right = at.x + place.width - margin;
   canvas.text({0.5 * (left + right), y}, shown.value, size, color, Align::center);
   if (!focused) return;
-  canvas.text({left, y}, "‹", size, style::gold);
-  canvas.text({right, y}, "›", size, style::gold, Align::right);
+  canvas.text({left, y}, words::less, size, style::gold);
+  canvas.text({right, y}, words::more, size, style::gold, Align::right);
 }
 
 void Menu::draw(Canvas& canvas, const MenuPlace& place) const {
@@ -96,10 +94,11 @@ void Menu::draw(Canvas& canvas, const MenuPlace& place) const {
   const double middle = place.top_left.x + 0.5 * place.width;
   const double step = canvas.line_height(0.6 * place.text_size);
   if (first > 0)
-    canvas.text({middle, place.top_left.y - step}, "▲", 0.6 * place.text_size, style::faint, Align::center);
+    canvas.text({middle, place.top_left.y - step}, words::more_above, 0.6 * place.text_size, style::faint,
+                Align::center);
   if (last < size()) {
-    canvas.text({middle, place.top_left.y + place.rows() * place.row_height()}, "▼", 0.6 * place.text_size,
-                style::faint, Align::center);
+    canvas.text({middle, place.top_left.y + place.rows() * place.row_height()}, words::more_below,
+                0.6 * place.text_size, style::faint, Align::center);
   }
 }
 

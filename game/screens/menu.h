@@ -6,15 +6,13 @@
 
 #include "engine/draw/canvas.h"
 #include "game/screens/menu_input.h"
-#include "game/simulation/medals.h"
 
 namespace game {
 
 struct MenuItem {
   std::string label;
-  std::string value{};        ///< at the right; empty: none
-  bool adjustable = false;    ///< left and right change the value
-  Medal medal = Medal::none;  ///< drawn beside the value
+  std::string value{};      ///< at the right; empty: none
+  bool adjustable = false;  ///< left and right change the value
 };
 
 /// The rectangle of a menu in pixels.

@@ -51,7 +51,8 @@ MenuInput MenuReader::read(const WindowInput& input, std::int64_t elapsed_ns) {
   menu.mouse_moved = input.mouse_moved;
   menu.clicked = input.pressed(MouseButton::left);
   menu.mouse = input.mouse;
-  if (input.wheel.y != 0.0) menu.down += input.wheel.y > 0.0 ? -1 : 1;
+  if (input.pressed(engine::WheelTurn::up)) --menu.down;
+  if (input.pressed(engine::WheelTurn::down)) ++menu.down;
   return menu;
 }
 

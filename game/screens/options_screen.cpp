@@ -7,6 +7,7 @@
 #include "game/screens/card.h"
 #include "game/screens/controls_screen.h"
 #include "game/screens/style.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -22,52 +23,49 @@ Option choice(const char* label, bool Settings::*which, const char* off, const c
           [=](Settings& settings, int) { settings.*which = !(settings.*which); }};
 }
 
-std::string per_cent(int value) { return std::to_string(value) + " %"; }
+std::string per_cent(int value) { return words::filled(words::per_cent, {{"number", std::to_string(value)}}); }
 
 /// The options in order. The menu has one line before them, for the keys, and one after them, to go back.
 const std::vector<Option>& options() {
   static const std::vector<Option> all = {
-      choice("Catch a rope", &Settings::toggle_grab, "hold the key", "press once"),
-      {"Game speed", [](const Settings& settings) { return per_cent(settings.speed); },
+      choice(words::catch_a_rope, &Settings::toggle_grab, words::hold_the_key, words::press_once),
+      {words::game_speed, [](const Settings& settings) { return per_cent(settings.speed); },
        [](Settings& settings, int step) {
          settings.speed = std::clamp(settings.speed + 10 * step, Settings::min_speed, 100);
        }},
-      choice("Longer reach", &Settings::long_reach, "off", "on, from the next level"),
-      choice("After a fall", &Settings::no_fall, "back to start or checkpoint", "back to the last foothold"),
-      choice("Ghost of the best run", &Settings::ghost, "hidden", "shown"),
-      choice("Motion", &Settings::reduced_motion, "full", "reduced: no shake"),
-      choice("Colours", &Settings::colour_safe, "normal", "high contrast"),
-      choice("Rope strain", &Settings::strain_tint, "hidden", "coloured"),
-      {"Sound volume", [](const Settings& settings) { return per_cent(settings.sound.volume); },
+      choice(words::longer_reach, &Settings::long_reach, words::off, words::from_next_level),
+      choice(words::after_a_fall, &Settings::no_fall, words::back_to_checkpoint, words::back_to_foothold),
+      choice(words::ghost_of_best, &Settings::ghost, words::hidden, words::shown),
+      choice(words::motion, &Settings::reduced_motion, words::full_motion, words::reduced_motion),
+      choice(words::colours, &Settings::colour_safe, words::normal_colours, words::high_contrast),
+      choice(words::rope_strain, &Settings::strain_tint, words::hidden, words::coloured),
+      {words::volume, [](const Settings& settings) { return per_cent(settings.sound.volume); },
        [](Settings& settings, int step) {
          settings.sound.volume = std::clamp(settings.sound.volume + 10 * step, 0, 100);
        }},
-      {"Music volume", [](const Settings& settings) { return per_cent(settings.sound.music); },
+      {words::music_volume, [](const Settings& settings) { return per_cent(settings.sound.music); },
        [](Settings& settings, int step) {
          settings.sound.music = std::clamp(settings.sound.music + 10 * step, 0, 100);
        }},
-      {"Sound", [](const Settings& settings) { return settings.sound.muted ? "off" : "on"; },
+      {words::sound, [](const Settings& settings) { return settings.sound.muted ? words::off : words::on; },
        [](Settings& settings, int) { settings.sound.muted = !settings.sound.muted; }},
-      choice("Keys in the corner", &Settings::help, "hidden", "shown"),
-      choice("Full screen", &Settings::fullscreen, "off", "on"),
+      choice(words::keys_shown, &Settings::help, words::hidden, words::shown),
+      choice(words::full_screen, &Settings::fullscreen, words::off, words::on),
   };
   return all;
 }
 
-const Card card{.headline = "Options",
-                .lines = {"With lower speed, a longer reach or without falls, times count but earn no medal."},
-                .width = 660.0,
-                .text_size = 20.0,
-                .line_size = 16.0};
+const Card card{
+    .headline = words::options, .lines = {words::options_note}, .width = 660.0, .text_size = 20.0, .line_size = 16.0};
 
 }  // namespace
 
 OptionsScreen::OptionsScreen(Session& session) : session_(&session) { fill_menu(); }
 
 void OptionsScreen::fill_menu() {
-  std::vector<MenuItem> items = {{"Keys and buttons …"}};
+  std::vector<MenuItem> items = {{words::keys_and_buttons_more}};
   for (const Option& option : options()) items.push_back({option.label, option.value(session_->settings), true});
-  items.push_back({"Back"});
+  items.push_back({words::back});
   menu_.set_items(std::move(items));
 }
 
@@ -87,7 +85,7 @@ void OptionsScreen::draw(engine::Canvas& canvas, double text_scale) {
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));
-  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+  draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 
 }  // namespace game

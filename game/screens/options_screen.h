@@ -3,6 +3,7 @@
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -14,7 +15,7 @@ class OptionsScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
-  std::string title() const override { return "options"; }
+  std::string title() const override { return words::screen_options; }
 
  private:
   void fill_menu();

@@ -5,6 +5,7 @@
 #include "game/screens/options_screen.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -14,14 +15,15 @@ enum Item { resume, again, options, levels, quit };
 }  // namespace
 
 PauseScreen::PauseScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
-  card_.headline = "Paused";
+  card_.headline = words::paused;
+  card_.width = 300.0;
   card_.lines = {level_title(play.run().level())};
-  std::vector<MenuItem> items = {{"Resume"}, {"Restart level"}, {"Options"}};
+  std::vector<MenuItem> items = {{words::resume}, {words::restart_level}, {words::options}};
   if (play.is_direct()) {
-    items.push_back({"Quit"});
+    items.push_back({words::quit});
   } else {
-    items.push_back({"Levels"});
-    items.push_back({"Title screen"});
+    items.push_back({words::levels});
+    items.push_back({words::title_screen});
   }
   menu_.set_items(std::move(items));
 }
@@ -51,12 +53,17 @@ Next PauseScreen::choose(int item) {
 }
 
 void PauseScreen::draw(engine::Canvas& canvas, double text_scale) {
+  card_.side = play_->free_side(canvas);
   draw_shade(canvas);
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card_, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card_, rows));
-  const std::string step = codes_in_words(session_->settings.bindings, Action::step, false, 1);
-  draw_menu_keys(canvas, text_scale, session_->uses_pad, session_->uses_pad ? "" : "   " + step + ": one tick");
+  std::string keys = menu_keys(session_->uses_pad);
+  if (!session_->uses_pad) {
+    keys +=
+        words::filled(words::menu_step, {{"key", codes_in_words(session_->settings.bindings, Action::step, false, 1)}});
+  }
+  draw_keys_line(canvas, text_scale, keys);
 }
 
 }  // namespace game

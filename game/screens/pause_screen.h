@@ -4,6 +4,7 @@
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -18,7 +19,7 @@ class PauseScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
-  std::string title() const override { return "paused"; }
+  std::string title() const override { return words::screen_paused; }
   Tune tune() const override { return Tune::none; }
 
  private:

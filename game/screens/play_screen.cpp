@@ -1,5 +1,6 @@
 #include "game/screens/play_screen.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -10,11 +11,30 @@
 #include "game/settings/two_players.h"
 #include "game/simulation/buttons.h"
 #include "game/view/hud.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
 
-constexpr int results_delay = 45;  // ticks, from the goal to the results
+constexpr int results_delay = 45;   // ticks, from the goal to the results
+constexpr double min_beside = 0.4;  // of the width, for a run beside the panel
+
+/// Returns the larger part of the canvas beside a panel; the whole canvas if both are narrow.
+Rectangle beside(const Rectangle& panel, const engine::Canvas& canvas) {
+  const double left = panel.corner.x;
+  const double right = canvas.width() - panel.corner.x - panel.size.x;
+  if (std::max(left, right) < min_beside * canvas.width()) return {};
+  const double start = left >= right ? 0.0 : panel.corner.x + panel.size.x;
+  return {{start, 0.0}, {std::max(left, right), 1.0 * canvas.height()}};
+}
+
+/// Returns whether a player holds a rope or its line.
+bool holds_a_cord(const Simulation& simulation) {
+  for (int k = 0; k < simulation.players(); ++k) {
+    if (simulation.player(k).held_place(simulation.scene().coupling())) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -31,7 +51,10 @@ PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
   if (!run_.has_replay()) level_file_.emplace(run_.level().map.file);
 }
 
-std::string PlayScreen::title() const { return run_.level().name + (run_.has_replay() ? ", a replay" : ""); }
+std::string PlayScreen::title() const {
+  const std::string& name = run_.level().name;
+  return run_.has_replay() ? words::filled(words::screen_replay, {{"level", name}}) : name;
+}
 
 void PlayScreen::shown() {
   controls_.discard();
@@ -80,8 +103,9 @@ bool PlayScreen::is_won() const {
 }
 
 Next PlayScreen::update(const Frame& frame) {
-  const engine::WindowInput input = panel_.update(frame.input, frame.canvas, frame.text_scale,
-                                                  1e-9 * static_cast<double>(frame.elapsed_ns), run_, meter_);
+  const engine::WindowInput input =
+      panel_.update(frame.input, frame.canvas, frame.text_scale, 1e-9 * static_cast<double>(frame.elapsed_ns), run_,
+                    meter_, session_->frame_times);
   if (run_.is_tuned()) {
     assisted_ = true;
     recording_.clear();  // it ended when the tuning began
@@ -99,7 +123,7 @@ void PlayScreen::reload_if_changed(std::int64_t elapsed_ns) {
     if (level.map.content_hash == run_.level().map.content_hash) return;  // written by the panel
     level.assists = run_.level().assists;
     run_.set_level(std::move(level), false);
-    session_->notice.show("The level was reloaded");
+    session_->notice.show(words::level_reloaded);
     restart();
   } catch (const engine::ReplayError& error) {
     report_recording_failure(error);
@@ -202,7 +226,6 @@ void PlayScreen::tick() {
   }
   const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
-  hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons));
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t start = engine::now_ns();
   try {
@@ -210,8 +233,11 @@ void PlayScreen::tick() {
   } catch (const engine::ReplayError& error) {  // thrown once; the run continues without a recording
     report_recording_failure(error);
   }
-  meter_.add(run_.simulation(), engine::now_ns() - start);
+  const std::int64_t took = engine::now_ns() - start;
+  meter_.add(run_.simulation(), took);
+  session_->frame_times.add(FrameTimes::Part::physics, took);
   race_.tick(run_.simulation());
+  hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons), holds_a_cord(run_.simulation()));
   session_->sounds.tick(run_.simulation());
 }
 
@@ -220,7 +246,6 @@ void PlayScreen::report_recording_failure(const engine::ReplayError& error) {
   recording_.clear();  // it is incomplete
   if (records_runs()) return session_->report_no_recordings();
   recording_failed_ = true;
-  view_options_.notice = "Recording stopped: the file cannot be written";
 }
 
 void PlayScreen::choose_message() {
@@ -231,37 +256,59 @@ void PlayScreen::choose_message() {
   const auto key = [this](Action action) {
     return codes_in_words(session_->settings.bindings, action, session_->uses_pad, 1);
   };
-  const std::string leave = session_->uses_pad ? "B: back" : "Esc: back";
+  const std::string leave = session_->uses_pad ? words::leave_button : words::leave_key;
   if (is_over() && options_.verify) {
     const bool same = run_.exit_status() == 0;
-    return set(same ? "Verified" : "Differs from the recording", run_.closing_line() + "   " + leave);
+    return set(same ? words::verified : words::differs,
+               words::filled(words::two_parts, {{"first", run_.closing_line()}, {"second", leave}}));
   }
-  if (is_over()) return set("End of the recording", leave);
+  if (is_over()) return set(words::end_of_recording, leave);
   const auto goal = simulation().goal_ticks();
-  if (stopped_) return set("Stopped", key(Action::pause) + ": resume   " + key(Action::step) + ": one tick");
-  if (goal && !won_) return set("You made it!", "in " + seconds_in_words(*goal));
+  if (stopped_) {
+    return set(words::stopped,
+               words::filled(words::stopped_keys, {{"pause", key(Action::pause)}, {"step", key(Action::step)}}));
+  }
+  if (goal && !won_) return set(words::made_it, words::filled(words::made_it_in, {{"time", seconds_in_words(*goal)}}));
   if (run_.has_replay()) return set("", "");
   if (simulation().players() == 2 && !goal && simulation().is_at_flag(0) != simulation().is_at_flag(1))
     return set("", "One is at the flag: both must touch it");
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && hint_.is_shown() && !goal) return set("", hint);
-  set("", slowed_ == 1 ? "" : "slow motion 1/" + std::to_string(slowed_));
+  set("", slowed_ == 1 ? "" : words::filled(words::slow_motion, {{"factor", std::to_string(slowed_)}}));
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, true); }
 
-void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_keys) {
+/// Draws the run without texts over it.
+void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
+
+/// Chooses what the HUD says, and where it may be: beside the panel, if that is shown at an edge.
+void PlayScreen::fill_hud(const engine::Canvas& canvas, double text_scale) {
   const Settings& settings = session_->settings;
-  const bool help = settings.help;
+  const bool for_two = simulation().players() == 2;
   const bool pad = session_->uses_pad;
-  keys_ = run_.has_replay()                     ? std::vector<std::string>{"Replay: the controls are off"}
-          : help && simulation().players() == 2 ? help_lines_for_two(settings, pad)
-          : help                                ? help_lines(settings, pad)
-                                                : help_line(settings, pad);
+  keys_ = run_.has_replay()          ? std::vector<std::string>{words::replay_controls}
+          : settings.help && for_two ? help_lines_for_two(settings, pad)
+          : settings.help            ? help_lines(settings, pad)
+                                     : help_line(settings, pad);
   choose_message();
+  view_options_.keys = &keys_;
+  notice_ = recording_failed_ ? words::recording_stopped : session_->notice.text();
+  view_options_.notice = notice_.c_str();
   view_options_.text_scale = text_scale;
-  view_options_.keys = shows_keys && !keys_.empty() ? &keys_ : nullptr;
-  view_options_.signs = signs_in_words(run_.level(), settings, pad);
+  view_options_.panel = view_options_.free = {};
+  const auto panel = panel_.place();
+  if (!panel) return;
+  view_options_.panel = {panel->corner, panel->size};
+  view_options_.free = beside(view_options_.panel, canvas);
+}
+
+void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool with_hud) {
+  const std::int64_t start = engine::now_ns();
+  const Settings& settings = session_->settings;
+  view_options_.hud = with_hud;
+  fill_hud(canvas, text_scale);
+  view_options_.signs = signs_in_words(run_.level(), settings, session_->uses_pad);
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;
@@ -269,10 +316,13 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool shows_
   view_options_.second_ghost = race_.ghost_at(simulation().run_ticks(), 1);
   view_options_.split = race_.message();
   view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
-  panel_.draw(canvas);
+  if (with_hud) panel_.draw(canvas);
+  session_->frame_times.add(FrameTimes::Part::drawing, engine::now_ns() - start);
 }
 
-void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
+double PlayScreen::free_side(const engine::Canvas& canvas) const {
+  return canvas.to_pixels(simulation().player().position()).x < 0.5 * canvas.width() ? 1.0 : -1.0;
+}
 
 void PlayScreen::finish_recording() {
   try {

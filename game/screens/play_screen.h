@@ -32,6 +32,7 @@ class PlayScreen : public Screen {
   void draw(engine::Canvas& canvas, double text_scale) override;
   void draw_below(engine::Canvas& canvas, double text_scale) override;
   void leave() override;
+  bool shows_notice() const override { return true; }
   std::string title() const override;
   Tune tune() const override { return stopped_ ? Tune::none : tune_of(run_.level()); }
 
@@ -41,6 +42,9 @@ class PlayScreen : public Screen {
   void restart();
   /// Marks the run as assisted: it earns no medal.
   void mark_assisted() { assisted_ = true; }
+
+  /// The side of the canvas, −1 left or 1 right, at which a card does not cover the player.
+  double free_side(const engine::Canvas& canvas) const;
 
   const Simulation& simulation() const { return run_.simulation(); }
   const RunOptions& options() const { return options_; }
@@ -74,7 +78,8 @@ class PlayScreen : public Screen {
   void finish_recording();
   void report_recording_failure(const engine::ReplayError& error);
   void choose_message();
-  void draw_run(engine::Canvas& canvas, double text_scale, bool shows_keys);
+  void fill_hud(const engine::Canvas& canvas, double text_scale);
+  void draw_run(engine::Canvas& canvas, double text_scale, bool with_hud);
 
   Session* session_;
   RunOptions options_;
@@ -90,6 +95,7 @@ class PlayScreen : public Screen {
   engine::FixedTick clock_{ticks_per_second};
   Race race_;
   std::vector<std::string> keys_;
+  std::string notice_;
   Hint hint_;
   std::string recording_;
   bool started_ = false;

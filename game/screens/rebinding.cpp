@@ -1,6 +1,7 @@
 #include "game/screens/rebinding.h"
 
 #include "engine/window/input_names.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -45,12 +46,12 @@ bool Rebinding::take(const WindowInput& input, Bindings& bindings) {
 }
 
 std::string Rebinding::prompt(const Bindings& bindings) const {
-  const std::string wanted = "“" + std::string(action_title(action_)) + "”";
+  const std::string_view action = action_title(action_);
   const auto owner = contested_ ? bindings.action_of(*contested_) : std::nullopt;
-  if (!owner) return "Press a key or button for " + wanted + " (one that it has: taken away; Esc or Start: stop)";
-  const std::string code(engine::input_title(*contested_));
-  return code + " is for “" + std::string(action_title(*owner)) + "”. Press it again to use it for " + wanted +
-         " instead";
+  if (!owner) return words::filled(words::press_a_key, {{"action", action}});
+  return words::filled(
+      words::key_is_taken,
+      {{"key", engine::input_title(*contested_)}, {"owner", action_title(*owner)}, {"action", action}});
 }
 
 }  // namespace game

@@ -1,16 +1,21 @@
 #include "game/screens/results_screen.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 
+#include "game/screens/card_grid.h"
 #include "game/screens/level_facts.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/play_screen.h"
 #include "game/view/hud.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
+
+using ribbon::Vec2;
 
 enum Meaning { next_level, again, watch, levels, quit };
 
@@ -19,6 +24,23 @@ std::string level_after(const std::string& name) {
   const std::vector<Level> levels = levels_in_order();
   const auto found = std::find_if(levels.begin(), levels.end(), [&](const Level& level) { return level.name == name; });
   return found == levels.end() || found + 1 == levels.end() ? "" : (found + 1)->name;
+}
+
+std::string falls_in_words(int falls) {
+  if (falls == 0) return words::no_falls;
+  return falls == 1 ? words::one_fall : words::filled(words::some_falls, {{"count", std::to_string(falls)}});
+}
+
+/// Returns the limit of the next better medal; empty if there is none to win.
+std::string next_medal_in_words(const Level& level, const Best& run) {
+  const Medal medal = medal_of(level, run);
+  if (run.assisted || medal == Medal::gold) return "";
+  const std::array wanted = {level.medals.bronze, level.medals.silver, level.medals.gold};
+  const auto better = static_cast<std::size_t>(medal) + 1;
+  const double seconds = wanted[better - 1];
+  if (seconds <= 0.0) return "";
+  return words::filled(words::next_medal, {{"medal", medal_title(static_cast<Medal>(better))},
+                                           {"time", seconds_in_words(ticks_in(seconds))}});
 }
 
 }  // namespace
@@ -37,22 +59,28 @@ ResultsScreen::ResultsScreen(Session& session, PlayScreen& play) : session_(&ses
 void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before, bool is_best) {
   const Level& level = play_->run().level();
   const Medal medal = medal_of(level, run);
-  card_.headline = seconds_in_words(run.ticks) + (medal == Medal::none ? "" : "   " + medal_title(medal) + "!");
-  card_.lines = {"You made it through “" + level_title(level) + "”"};
-  if (const std::size_t coins = level.rules.coins.size(); coins > 0)
-    card_.lines.push_back("Coins: " + std::to_string(play_->simulation().coins()) + " of " + std::to_string(coins));
-  if (is_best) card_.lines.emplace_back(before ? "Your best time so far!" : "You made it for the first time!");
-  if (before) card_.lines.push_back((is_best ? "Before it was " : "Your best is ") + best_in_words(level, before));
+  const std::string time = seconds_in_words(run.ticks);
+  card_.width = 380.0;
+  medal_ = medal;
+  card_.headline = medal == Medal::none
+                       ? time
+                       : words::filled(words::time_and_medal, {{"time", time}, {"medal", medal_title(medal)}});
+  card_.lines = {words::filled(words::made_it_through, {{"level", level_title(level)}})};
+  if (is_best) card_.lines.emplace_back(before ? words::best_so_far : words::first_time);
+  if (before) {
+    card_.lines.push_back(
+        words::filled(is_best ? words::best_before : words::best_is, {{"best", best_in_words(level, before)}}));
+  }
+  if (const std::size_t coins = level.rules.coins.size(); coins > 0) {
+    const auto found = std::to_string(play_->simulation().coins());
+    card_.lines.push_back(words::filled(words::coins_of, {{"found", found}, {"all", std::to_string(coins)}}));
+  }
   for (std::string& line : splits_in_words(run.splits, play_->race().reference())) {
     card_.lines.push_back(std::move(line));
   }
-  if (run.assisted) card_.lines.emplace_back("Well done, with some help: no medal for this time");
-  const double wanted[] = {level.medals.bronze, level.medals.silver, level.medals.gold};
-  if (run.assisted || medal == Medal::gold) return;
-  const auto better = static_cast<int>(medal) + 1;
-  const double seconds = wanted[better - 1];
-  if (seconds <= 0.0) return;
-  card_.lines.push_back(medal_title(static_cast<Medal>(better)) + " is for " + seconds_in_words(ticks_in(seconds)));
+  card_.lines.push_back(falls_in_words(play_->simulation().falls()));
+  if (run.assisted) card_.lines.emplace_back(words::no_medal);
+  if (const std::string next = next_medal_in_words(level, run); !next.empty()) card_.lines.push_back(next);
 }
 
 void ResultsScreen::fill_menu() {
@@ -62,11 +90,11 @@ void ResultsScreen::fill_menu() {
     items.push_back({label});
   };
   if (!play_->is_direct()) next_ = level_after(play_->run().level().name);
-  if (!next_.empty()) add(next_level, "Next level");
-  add(again, "Retry");
-  if (!play_->own_recording().empty()) add(watch, "Watch this run");
-  if (!play_->is_direct()) add(levels, "Levels");
-  if (play_->is_direct()) add(quit, "Quit");
+  if (!next_.empty()) add(next_level, words::next_level);
+  add(again, words::retry);
+  if (!play_->own_recording().empty()) add(watch, words::watch_run);
+  if (!play_->is_direct()) add(levels, words::levels);
+  if (play_->is_direct()) add(quit, words::quit);
   menu_.set_items(std::move(items));
 }
 
@@ -87,7 +115,7 @@ Next ResultsScreen::watch_recording() {
     return Next::open(std::make_unique<PlayScreen>(*session_, options, false));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    session_->notice.show("The recording of this run cannot be read");
+    session_->notice.show(words::recording_unreadable);
     return Next::stay();
   }
 }
@@ -104,11 +132,15 @@ Next ResultsScreen::choose(int meaning) {
 }
 
 void ResultsScreen::draw(engine::Canvas& canvas, double text_scale) {
+  card_.side = play_->free_side(canvas);
   draw_shade(canvas);
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card_, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card_, rows));
-  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+  if (medal_ == Medal::none) return draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
+  const Rectangle place = card_place(canvas, text_scale, card_, rows);
+  draw_medal(canvas, place.corner + text_scale * Vec2{44.0, 44.0}, 22.0 * text_scale, medal_);
+  draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 
 }  // namespace game

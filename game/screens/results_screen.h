@@ -9,6 +9,8 @@
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
 #include "game/settings/records.h"
+#include "game/simulation/medals.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -23,7 +25,7 @@ class ResultsScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   bool is_overlay() const override { return true; }
-  std::string title() const override { return "results"; }
+  std::string title() const override { return words::screen_results; }
 
  private:
   void fill_card(const Best& run, const std::optional<Best>& before, bool is_best);
@@ -35,6 +37,7 @@ class ResultsScreen : public Screen {
   PlayScreen* play_;
   Card card_;
   Menu menu_;
+  Medal medal_ = Medal::none;
   std::string next_{};         // name of the next level
   std::vector<int> meanings_;  // by line of the menu
 };

@@ -1,8 +1,22 @@
 #include "game/screens/screen.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace game {
+namespace {
+
+constexpr double usual_width = 1280.0;  // desktop units, for text of the usual size
+constexpr double usual_height = 720.0;
+constexpr double min_scale = 0.65;  // below it, text is hard to read
+constexpr double max_scale = 1.5;
+
+}  // namespace
+
+double text_scale_of(const engine::Canvas& canvas, double pixel_scale) {
+  const double size = std::min(canvas.width() / usual_width, canvas.height() / usual_height);
+  return pixel_scale * std::clamp(size / pixel_scale, min_scale, max_scale);
+}
 
 Next Next::open(std::unique_ptr<Screen> screen) {
   Next next{What::open, {}};

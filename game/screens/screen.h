@@ -22,6 +22,9 @@ struct Frame {
   double text_scale;             ///< pixels per unit of text sizes and margins
 };
 
+/// Returns the pixels per unit of text for a canvas with `pixel_scale` pixels per desktop unit.
+double text_scale_of(const engine::Canvas& canvas, double pixel_scale);
+
 class Screen;
 
 /// The next screen after an update.
@@ -59,6 +62,8 @@ class Screen {
   virtual void draw_below(engine::Canvas& canvas, double text_scale) { draw(canvas, text_scale); }
   /// True if the screen below must be drawn first.
   virtual bool is_overlay() const { return false; }
+  /// True if it shows the notice of the session itself. Otherwise it leaves the strip at the top free for it.
+  virtual bool shows_notice() const { return false; }
   /// Called before the screen or the window is closed, to complete files.
   virtual void leave() {}
 };

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "game/words/words.h"
+
 namespace game {
 namespace {
 
@@ -37,7 +39,7 @@ void Session::save_settings() {
 
 void Session::report_no_recordings() {
   if (std::exchange(reported_, true)) return;
-  notice.show("Runs are not recorded: the folder cannot be written");
+  notice.show(words::runs_not_recorded);
 }
 
 }  // namespace game

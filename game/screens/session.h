@@ -5,11 +5,13 @@
 #include <string>
 
 #include "engine/tick/workers.h"
+#include "game/screens/level_pictures.h"
 #include "game/settings/records.h"
 #include "game/settings/run_folder.h"
 #include "game/settings/settings.h"
 #include "game/settings/settings_file.h"
 #include "game/sound/sounds.h"
+#include "game/tuning/frame_times.h"
 #include "ribbon/box2d/step_watcher.h"
 
 namespace game {
@@ -47,6 +49,8 @@ struct Session {
   bool uses_pad = false;                          ///< the last press was on a gamepad: hints show its buttons
   std::string last_level{};                       ///< that was played, for the list of levels
   ribbon::box2d::StepWatcher* watcher = nullptr;  ///< of all runs; must outlive them
+  FrameTimes frame_times;                         ///< for the panel with figures
+  LevelPictures level_pictures;                   ///< for the list of levels
   engine::Workers workers;                        ///< for the cords of all runs, one per core
 
  private:

@@ -8,22 +8,20 @@
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"
 #include "game/screens/style.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
 
 enum Item { play, options, quit };
 
-const Card card{.headline = "Rope swing",
-                .lines = {"Swing from rope to rope to the flag"},
-                .width = 380.0,
-                .text_size = 28.0,
-                .side = -1.0};
+const Card card{
+    .headline = words::game_title, .lines = {words::tagline}, .width = 340.0, .text_size = 28.0, .column = true};
 
 }  // namespace
 
 TitleScreen::TitleScreen(Session& session) : session_(&session) {
-  menu_.set_items({{"Play"}, {"Options"}, {"Quit"}});
+  menu_.set_items({{words::play}, {words::options}, {words::quit}});
   RunOptions shown;
   shown.replay = assets_folder() + "/replays/" + default_level + ".replay";
   try {
@@ -56,13 +54,16 @@ void TitleScreen::show_run(std::int64_t elapsed_ns) {
   }
 }
 
-void TitleScreen::draw_below(engine::Canvas& canvas, double) {
+/// Draws the run beside the menu, so that its player is never behind it.
+void TitleScreen::draw_below(engine::Canvas& canvas, double text_scale) {
   if (!view_) return canvas.clear(style::sky_top, style::sky_bottom);
   ViewOptions options;
   options.hud = false;
   options.colour_safe = session_->settings.colour_safe;
   options.reduced_motion = session_->settings.reduced_motion;
   options.signs = signs_in_words(run_->level(), session_->settings, session_->uses_pad);
+  const double menu = card_place(canvas, text_scale, card, static_cast<int>(menu_.items().size())).size.x;
+  options.free = {{menu, 0.0}, {canvas.width() - menu, 1.0 * canvas.height()}};
   view_->draw(canvas, clock_.alpha(), options);
 }
 
@@ -71,7 +72,8 @@ void TitleScreen::draw(engine::Canvas& canvas, double text_scale) {
   const auto rows = static_cast<int>(menu_.items().size());
   draw_card(canvas, text_scale, card, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));
-  draw_menu_keys(canvas, text_scale, session_->uses_pad);
+  const double width = card_place(canvas, text_scale, card, rows).size.x;
+  draw_keys_line(canvas, text_scale, session_->uses_pad ? words::title_buttons : words::title_keys, width);
 }
 
 Next to_title(Session& session) {

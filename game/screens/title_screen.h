@@ -8,6 +8,7 @@
 #include "game/screens/session.h"
 #include "game/simulation/recorded_run.h"
 #include "game/view/view.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -20,7 +21,9 @@ class TitleScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(engine::Canvas& canvas, double text_scale) override;
   void draw_below(engine::Canvas& canvas, double text_scale) override;
-  std::string title() const override { return "title"; }
+  std::string title() const override { return words::screen_title; }
+  /// The run behind the menu; null if its recording cannot be read.
+  const RecordedRun* run() const { return run_ ? &*run_ : nullptr; }
 
  private:
   void show_run(std::int64_t elapsed_ns);

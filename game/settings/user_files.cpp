@@ -25,6 +25,40 @@ std::string folder(const char* variable, const char* below_home) {
   return std::string(home) + below_home + "/ropeswing";
 }
 
+/// Returns the absolute path that a value of user-dirs.dirs names: "$HOME/Pictures" or "/mnt/pictures". Empty if it
+/// names none, or the home itself, which means that there is no such folder.
+std::string path_of(std::string value, const std::string& home) {
+  if (value.size() < 2 || value.front() != '"' || value.back() != '"') return "";
+  value = value.substr(1, value.size() - 2);
+  const std::string begin = "$HOME";
+  if (value.starts_with(begin)) value.replace(0, begin.size(), home);
+  const fs::path path = fs::path(value).lexically_normal();
+  const bool is_home = (path / "").lexically_normal() == (fs::path(home) / "").lexically_normal();
+  return path.is_absolute() && !is_home ? path.string() : "";
+}
+
+/// Returns a folder by its name in the desktop's list of the user's folders; empty if that names none.
+std::string desktop_folder(const std::string& name) {
+  if (const char* const chosen = std::getenv(name.c_str()); chosen != nullptr && fs::path(chosen).is_absolute())
+    return chosen;
+  const char* const home = std::getenv("HOME");
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  if (home == nullptr || !fs::path(home).is_absolute()) return "";
+  const bool has_config = config != nullptr && fs::path(config).is_absolute();
+  std::ifstream list((has_config ? std::string(config) : std::string(home) + "/.config") + "/user-dirs.dirs");
+  std::string found;
+  for (std::string line; std::getline(list, line);) {
+    if (line.starts_with(name + "=")) found = path_of(line.substr(name.size() + 1), home);
+  }
+  return found;
+}
+
+std::string saving_folder(const std::string& name, const char* below_data) {
+  const std::string chosen = desktop_folder(name);
+  if (!chosen.empty()) return chosen;
+  return data_folder().empty() ? "" : data_folder() + below_data;
+}
+
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw std::runtime_error(path + ": cannot be written: " + reason);
 }
@@ -46,6 +80,10 @@ void replace(const std::string& path, Write write) {
 std::string config_folder() { return folder("XDG_CONFIG_HOME", "/.config"); }
 
 std::string data_folder() { return folder("XDG_DATA_HOME", "/.local/share"); }
+
+std::string pictures_folder() { return saving_folder("XDG_PICTURES_DIR", "/pictures"); }
+
+std::string videos_folder() { return saving_folder("XDG_VIDEOS_DIR", "/videos"); }
 
 std::optional<std::string> read_user_file(const std::string& path) {
   std::error_code ignored;

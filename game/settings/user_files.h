@@ -11,6 +11,12 @@ std::string config_folder();
 /// $XDG_DATA_HOME/ropeswing, or ~/.local/share/ropeswing; empty if there is no home.
 std::string data_folder();
 
+/// Returns the user's folder for pictures: $XDG_PICTURES_DIR, or that of user-dirs.dirs in the folder of settings of
+/// the desktop, or pictures in data_folder(); empty if there is no home. It may not exist yet.
+std::string pictures_folder();
+/// The same for videos: XDG_VIDEOS_DIR, or videos in data_folder().
+std::string videos_folder();
+
 /// Reads a regular file of at most 1 MiB. Returns nothing if it does not exist. Throws a std::runtime_error with the
 /// path if it cannot be read or is not a regular file.
 std::optional<std::string> read_user_file(const std::string& path);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <utility>
+
+#include "game/words/panel_words.h"
 
 namespace game {
 namespace {
@@ -16,18 +19,29 @@ using ribbon::box2d::Coupling;
 
 void show_cost(const Meter& meter) {
   const std::vector<float> recent = meter.recent_us();
-  ImGui::Text("a tick: %.0f µs, at most %.0f µs in the last second (of 16667)", meter.median_us(), meter.worst_us());
+  ImGui::Text(words::panel::tick_cost, meter.median_us(), meter.worst_us());
   if (recent.empty()) return;
   ImGui::PlotLines("##us", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0.0F,
                    1.1F * static_cast<float>(meter.worst_us()), {ImGui::GetContentRegionAvail().x, 0.0F});
 }
 
+void show_frame(const FrameTimes& times) {
+  const FrameTimes::Figures physics = times.of(FrameTimes::Part::physics);
+  const FrameTimes::Figures drawing = times.of(FrameTimes::Part::drawing);
+  const FrameTimes::Figures whole = times.of(FrameTimes::Part::whole);
+  ImGui::TextUnformatted(words::panel::frame_figures);
+  ImGui::Text(words::panel::physics, physics.mean_ms, physics.worst_ms);
+  ImGui::Text(words::panel::drawing, drawing.mean_ms, drawing.worst_ms);
+  ImGui::Text(words::panel::whole, whole.mean_ms, whole.worst_ms);
+}
+
 /// As in Goto 2017, Fig. 4.1.
 void show_legend() {
-  const std::array<std::pair<const char*, ImVec4>, 3> points = {{{"free", {0.35F, 0.55F, 1.0F, 1.0F}},
-                                                                 {"dragged", {1.0F, 0.85F, 0.25F, 1.0F}},
-                                                                 {"constrained", {1.0F, 0.35F, 0.3F, 1.0F}}}};
-  ImGui::TextUnformatted("points (F3):");
+  const std::array<std::pair<const char*, ImVec4>, 3> points = {
+      {{words::panel::free, {0.35F, 0.55F, 1.0F, 1.0F}},
+       {words::panel::dragged, {1.0F, 0.85F, 0.25F, 1.0F}},
+       {words::panel::constrained, {1.0F, 0.35F, 0.3F, 1.0F}}}};
+  ImGui::TextUnformatted(words::panel::points);
   for (const auto& [name, color] : points) {
     ImGui::SameLine();
     ImGui::TextColored(color, "%s", name);
@@ -39,9 +53,9 @@ void show_solving(const Simulation& simulation) {
   const b2World& world = simulation.scene().world();
   int near = 0;
   for (const ribbon::box2d::CordId c : coupling.cords()) near += coupling.cord(c).near_count();
-  ImGui::Text("cords: %d in %d islands, %d circles and edges near them", coupling.size(), coupling.islands(), near);
-  ImGui::Text("Box2D: %d bodies, %d contacts, %d proxies in a tree %d high", world.GetBodyCount(),
-              world.GetContactCount(), world.GetProxyCount(), world.GetTreeHeight());
+  ImGui::Text(words::panel::cords, coupling.size(), coupling.islands(), near);
+  ImGui::Text(words::panel::bodies, world.GetBodyCount(), world.GetContactCount(), world.GetProxyCount(),
+              world.GetTreeHeight());
 }
 
 void cell(const std::string& text) {
@@ -101,13 +115,13 @@ double greatest_tension(const Coupling& coupling, ribbon::box2d::CordId cord) {
   return tensions.empty() ? 0.0 : *std::max_element(tensions.begin(), tensions.end());
 }
 
-void show_tables(const Simulation& simulation, const Meter& meter) {
+void show_tables(const Simulation& simulation, const Meter& meter, const FrameTimes& times) {
+  show_frame(times);
   show_cost(meter);
   show_legend();
   show_solving(simulation);
-  constexpr std::array titles = {"cord",          "points",  "contacts",  "tension N",   "inverted",
-                                 "Newton/solves", "impacts", "fallbacks", "unconverged", "peak stretch"};
-  if (!ImGui::BeginTable("cords", static_cast<int>(titles.size()),
+  const auto& titles = words::panel::columns;
+  if (!ImGui::BeginTable("##cords", static_cast<int>(std::size(titles)),
                          ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit |
                              ImGuiTableFlags_BordersInnerV,
                          {0.0F, ImGui::GetTextLineHeightWithSpacing() *

@@ -2,6 +2,7 @@
 
 #include "game/simulation/meter.h"
 #include "game/simulation/simulation.h"
+#include "game/tuning/frame_times.h"
 
 namespace game {
 
@@ -12,6 +13,6 @@ double greatest_tension(const ribbon::box2d::Coupling& coupling, ribbon::box2d::
 
 /// Adds the cost of a tick, a legend of the points' colours, and figures of all cords and of Box2D to the current ImGui
 /// window.
-void show_tables(const Simulation& simulation, const Meter& meter);
+void show_tables(const Simulation& simulation, const Meter& meter, const FrameTimes& times);
 
 }  // namespace game

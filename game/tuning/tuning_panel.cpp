@@ -10,6 +10,8 @@
 #include "engine/window/sdl_canvas.h"
 #include "game/tuning/parameters.h"
 #include "game/tuning/tables.h"
+#include "game/words/panel_words.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -21,12 +23,12 @@ bool slide(const char* label, double& value, double min, double max, bool logari
 }
 
 std::string title_of(const engine::Scene& scene, const Level& level, ribbon::box2d::CordId cord) {
-  std::string title = "cord " + std::to_string(cord);
   const engine::MapObject* object = level.map.find(scene.cord_object(cord));
-  if (object != nullptr && !object->name.empty()) title += ": " + object->name;
-  title += " (";
-  title += ribbon::box2d::solver_name(scene.coupling().cord(cord).solver());
-  return title + ")";
+  const std::string name = object == nullptr || object->name.empty() ? "" : ": " + object->name;
+  return words::filled(words::panel::cord,
+                       {{"number", std::to_string(cord)},
+                        {"name", name},
+                        {"solver", ribbon::box2d::solver_name(scene.coupling().cord(cord).solver())}});
 }
 
 }  // namespace
@@ -36,10 +38,10 @@ TuningPanel::TuningPanel() : panel_(engine::HeadlessCanvas::default_font()) {}
 bool TuningPanel::takes_restart() { return std::exchange(wants_restart_, false); }
 
 engine::WindowInput TuningPanel::update(const engine::WindowInput& input, const engine::Canvas& canvas, double scale,
-                                        double seconds, RecordedRun& run, const Meter& meter) {
+                                        double seconds, RecordedRun& run, const Meter& meter, const FrameTimes& times) {
   if (!is_shown_) return input;
   panel_.begin(input, canvas.width(), canvas.height(), scale, seconds);
-  show(run, meter, scale);
+  show(run, meter, times, scale);
   panel_.end();
   apply_change(run);
   return without_captured(panel_, input);
@@ -49,17 +51,17 @@ void TuningPanel::draw(engine::Canvas& canvas) const {
   if (is_shown_) panel_.draw(canvas);
 }
 
-void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale) {
+void TuningPanel::show(const RecordedRun& run, const Meter& meter, const FrameTimes& times, double scale) {
   const auto unit = static_cast<float>(scale);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - 12.0F * unit, 64.0F * unit}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
-  ImGui::SetNextWindowSize({430.0F * unit, std::max(200.0F * unit, screen.y - 90.0F * unit)}, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Ropes and parameters (F2)", &is_shown_)) {
-    show_tables(run.simulation(), meter);
+  ImGui::SetNextWindowPos({screen.x - 12.0F * unit, 12.0F * unit}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
+  ImGui::SetNextWindowSize({430.0F * unit, std::max(200.0F * unit, screen.y - 24.0F * unit)}, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin(words::panel::title, &is_shown_)) {
+    show_tables(run.simulation(), meter, times);
     ImGui::Separator();
     ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // space for the names
     if (run.has_replay()) {
-      ImGui::TextWrapped("This is a replay: parameters cannot be changed.");
+      ImGui::TextWrapped(words::panel::replay);
     } else {
       show_file(run);
       show_world(run);
@@ -74,59 +76,61 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, double scale)
     }
     ImGui::PopItemWidth();
   }
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  place_ = {{static_cast<double>(corner.x), static_cast<double>(corner.y)},
+            {static_cast<double>(size.x), static_cast<double>(size.y)}};
   ImGui::End();
 }
 
 void TuningPanel::show_file(const RecordedRun& run) {
-  if (run.is_tuned())
-    ImGui::TextColored({1.0F, 0.83F, 0.36F, 1.0F}, "Parameters changed: no medal, no best time, no recording.");
-  if (ImGui::Button("Restart with these values")) wants_restart_ = true;
+  if (run.is_tuned()) ImGui::TextColored({1.0F, 0.83F, 0.36F, 1.0F}, words::panel::changed);
+  if (ImGui::Button(words::panel::restart)) wants_restart_ = true;
   const bool is_changed = tuned_ && tuned_->is_changed();
   ImGui::BeginDisabled(!is_changed);
   ImGui::SameLine();
-  if (ImGui::Button("Reset to the file")) wants_file_ = true;
+  if (ImGui::Button(words::panel::reset)) wants_file_ = true;
   ImGui::SameLine();
-  if (ImGui::Button("Write to the level")) ImGui::OpenPopup("Overwrite?");
+  if (ImGui::Button(words::panel::write)) ImGui::OpenPopup(words::panel::ask_overwrite);
   ImGui::EndDisabled();
-  if (ImGui::BeginPopupModal("Overwrite?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::Text("The changed values are written to %s.\nEverything else in the file stays.",
-                run.level().map.file.c_str());
-    if (ImGui::Button("Overwrite")) {
+  if (ImGui::BeginPopupModal(words::panel::ask_overwrite, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    ImGui::Text(words::panel::will_overwrite, run.level().map.file.c_str());
+    if (ImGui::Button(words::panel::overwrite)) {
       write();
       ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();
-    if (ImGui::Button("Cancel")) ImGui::CloseCurrentPopup();
+    if (ImGui::Button(words::panel::cancel)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   if (!message_.empty()) ImGui::TextWrapped("%s", message_.c_str());
 }
 
 void TuningPanel::show_world(const RecordedRun& run) {
-  if (!ImGui::CollapsingHeader("World")) return;
+  if (!ImGui::CollapsingHeader(words::panel::world)) return;
   const b2Vec2 gravity = run.simulation().scene().world().GetGravity();
   double value = std::round(1e4 * static_cast<double>(gravity.y)) / 1e4;  // removes the digits of single precision
-  if (slide("gravity_y [m/s²]", value, -30.0, 5.0, false)) change_ = Change{engine::map_itself, "gravity_y", value};
+  if (slide(words::panel::gravity, value, -30.0, 5.0, false)) change_ = Change{engine::map_itself, "gravity_y", value};
 }
 
 void TuningPanel::show_player(const RecordedRun& run) {
-  if (!ImGui::CollapsingHeader("Player")) return;
+  if (!ImGui::CollapsingHeader(words::panel::player)) return;
   PlayerTuning tuning = run.simulation().player().tuning();
-  bool moved = slide("run speed [m/s]", tuning.run_speed, 1.0, 20.0, false);
-  moved |= slide("gain on the ground [m/s²]", tuning.ground_acceleration, 1.0, 100.0, false);
-  moved |= slide("gain in the air [m/s²]", tuning.air_acceleration, 0.0, 40.0, false);
-  moved |= slide("jump speed [m/s]", tuning.jump_speed, 1.0, 20.0, false);
-  moved |= slide("pump [m/s²]", tuning.pump_acceleration, 0.0, 20.0, false);
-  moved |= slide("reach [m]", tuning.grab_range, 0.3, 3.0, false);
-  moved |= slide("climb speed [m/s]", tuning.climb_speed, 0.1, 10.0, false);
-  moved |= slide("hop speed [m/s]", tuning.hop_speed, 0.0, 10.0, false);
+  bool moved = slide(words::panel::run_speed, tuning.run_speed, 1.0, 20.0, false);
+  moved |= slide(words::panel::ground_gain, tuning.ground_acceleration, 1.0, 100.0, false);
+  moved |= slide(words::panel::air_gain, tuning.air_acceleration, 0.0, 40.0, false);
+  moved |= slide(words::panel::jump_speed, tuning.jump_speed, 1.0, 20.0, false);
+  moved |= slide(words::panel::pump, tuning.pump_acceleration, 0.0, 20.0, false);
+  moved |= slide(words::panel::reach, tuning.grab_range, 0.3, 3.0, false);
+  moved |= slide(words::panel::climb_speed, tuning.climb_speed, 0.1, 10.0, false);
+  moved |= slide(words::panel::hop_speed, tuning.hop_speed, 0.0, 10.0, false);
   if (moved) player_ = tuning;
 }
 
 void TuningPanel::show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord) {
   const int object = scene.cord_object(cord);
   if (object == 0) {
-    ImGui::TextWrapped("The player's own line is not part of a level.");
+    ImGui::TextWrapped(words::panel::own_line);
     return;
   }
   for (const Switch& option : switches_of(scene.coupling(), cord)) {
@@ -136,7 +140,7 @@ void TuningPanel::show_cord(const engine::Scene& scene, ribbon::box2d::CordId co
   if (scene.coupling().cord(cord).solver() == ribbon::box2d::Solver::direct) {
     constexpr std::array names = {"tr_bdf2", "implicit_euler"};
     int chosen = static_cast<int>(scene.coupling().cord(cord).direct().def().accuracy.integrator);
-    if (ImGui::Combo("integrator", &chosen, names.data(), static_cast<int>(names.size()))) {
+    if (ImGui::Combo(words::panel::integrator, &chosen, names.data(), static_cast<int>(names.size()))) {
       change_ = Change{object, "integrator", std::string(names[static_cast<std::size_t>(chosen)])};
     }
   }
@@ -168,7 +172,7 @@ void TuningPanel::show_parameter(const Parameter& parameter, double value, int o
       change_ = Change{object, parameter.property, value};
     }
   } else {
-    ImGui::TextDisabled("%s: off", parameter.property);
+    ImGui::TextDisabled(words::panel::is_off, parameter.property);
   }
   ImGui::PopID();
 }
@@ -204,7 +208,7 @@ void TuningPanel::apply_change(RecordedRun& run) {
 void TuningPanel::write() {
   try {
     tuned_->write();
-    message_ = "written";
+    message_ = words::panel::written;
   } catch (const std::runtime_error& error) {
     message_ = error.what();
   }

@@ -6,6 +6,7 @@
 #include "engine/panel/debug_panel.h"
 #include "game/simulation/meter.h"
 #include "game/simulation/recorded_run.h"
+#include "game/tuning/frame_times.h"
 #include "game/tuning/parameters.h"
 #include "game/tuning/tuned_level.h"
 
@@ -18,11 +19,17 @@ class TuningPanel {
 
   void toggle() { is_shown_ = !is_shown_; }
   bool is_shown() const { return is_shown_; }
+  /// The place of the panel on the canvas in px.
+  struct Place {
+    ribbon::Vec2 corner, size;
+  };
+  /// Returns its place in the last update; none if it is not shown.
+  std::optional<Place> place() const { return is_shown_ ? place_ : std::nullopt; }
 
   /// Runs a frame `seconds` after the last one, before its ticks, and applies changes to the run. Returns the input
   /// that the panel does not use.
   engine::WindowInput update(const engine::WindowInput& input, const engine::Canvas& canvas, double scale,
-                             double seconds, RecordedRun& run, const Meter& meter);
+                             double seconds, RecordedRun& run, const Meter& meter, const FrameTimes& times);
   void draw(engine::Canvas& canvas) const;
 
   /// Returns true once after the user requested a restart.
@@ -36,7 +43,7 @@ class TuningPanel {
     std::optional<engine::Properties::Value> value;  ///< none: remove the property
   };
 
-  void show(const RecordedRun& run, const Meter& meter, double scale);
+  void show(const RecordedRun& run, const Meter& meter, const FrameTimes& times, double scale);
   void show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord);
   void show_parameter(const Parameter& parameter, double value, int object);
   void show_world(const RecordedRun& run);
@@ -47,6 +54,7 @@ class TuningPanel {
 
   engine::DebugPanel panel_;
   bool is_shown_ = false;
+  std::optional<Place> place_;
   bool wants_restart_ = false;
   bool wants_file_ = false;  // reset to the values of the file
   std::optional<Change> change_;

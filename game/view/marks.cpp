@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "game/words/words.h"
+
 namespace game {
 namespace {
 
@@ -108,7 +110,7 @@ void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
-void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
+void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double clearance, double height) {
   if (text.empty() || !pen.sees(foot, 8.0)) return;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
@@ -121,7 +123,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
   double width = 0.0;
   for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
   const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
-  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, 0.7});
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, clearance});
   const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
   for (const double x : {0.2, 0.8}) {
     const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});
@@ -139,6 +141,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double height) {
     pen.canvas.text(at + Vec2{0.0, 1.5}, lines[k], size, mix(pen.colors.wood, white, 0.45), engine::Align::center);
     pen.canvas.text(at, lines[k], size, pen.colors.ink, engine::Align::center);
   }
+  pen.labels.push_back({corner, board});
 }
 
 void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass) {
@@ -150,17 +153,17 @@ void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass
 }
 
 void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
-  std::array<char, 32> text{};
-  if (mass >= 1000.0) {
-    std::snprintf(text.data(), text.size(), "%.3g t", mass / 1000.0);
-  } else {
-    std::snprintf(text.data(), text.size(), "%.3g kg", mass);
-  }
+  const bool is_heavy = mass >= 1000.0;
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.3g", is_heavy ? mass / 1000.0 : mass);
+  const std::string text = words::filled(is_heavy ? words::tonnes : words::kilograms, {{"number", number.data()}});
   const double size = 0.52 * radius * pen.scale();
   if (size < 6.0) return;
   const Vec2 at = pen.canvas.to_pixels(center) - Vec2{0.0, 0.5 * pen.canvas.line_height(size)};
-  pen.canvas.text(at + Vec2{1.0, 1.0}, text.data(), size, pen.colors.ink, engine::Align::center);
-  pen.canvas.text(at, text.data(), size, {250, 240, 220}, engine::Align::center);
+  pen.canvas.text(at + Vec2{1.0, 1.0}, text, size, pen.colors.ink, engine::Align::center);
+  pen.canvas.text(at, text, size, {250, 240, 220}, engine::Align::center);
+  const double width = pen.canvas.text_width(text, size);
+  pen.labels.push_back({at - Vec2{0.5 * width, 0.0}, {width, pen.canvas.line_height(size)}});
 }
 
 void draw_thrown_line(Pen& pen, Vec2 hand, Vec2 tip, double slack) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "engine/draw/canvas.h"
+#include "game/view/free_space.h"
 #include "game/view/palette.h"
 #include "game/view/stamps.h"
 #include "game/view/textures.h"
@@ -17,10 +19,11 @@ struct Pen {
   double time = 0.0;            ///< s, since the start of the run
   bool reduced_motion = false;  ///< no waving, drifting or pulsing
   Place place = Place::hills;
-  Stamps* stamps = nullptr;     ///< of the view; null: none are kept
-  bool prepares = false;        ///< the stamps of all sizes are made now, so that no later frame takes longer
-  engine::TexturedMesh mesh{};  // scratch memory
-  engine::Mesh shape{};         // scratch memory
+  Stamps* stamps = nullptr;         ///< of the view; null: none are kept
+  bool prepares = false;            ///< the stamps of all sizes are made now, so that no later frame takes longer
+  engine::TexturedMesh mesh{};      // scratch memory
+  engine::Mesh shape{};             // scratch memory
+  std::vector<Rectangle> labels{};  ///< px, the texts of the level that were drawn: the HUD does not cover them
 
   double scale() const { return canvas.view().pixels_per_metre; }
   /// The corners of the visible rectangle of the world, m.

@@ -1,11 +1,13 @@
 #include "game/view/strain_legend.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "game/view/cords.h"
+#include "game/view/hud_style.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -13,17 +15,24 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-constexpr std::array<std::pair<double, std::string_view>, 5> marks = {
+constexpr std::array<std::pair<double, const char*>, 5> marks = {
     {{0.0, "0"}, {0.001, "0.1 %"}, {0.01, "1 %"}, {0.04, "4 %"}, {max_strain, "10 %"}}};
+
+constexpr double letter_size = 14.0;  // units of text
 
 }  // namespace
 
-void draw_strain_legend(engine::Canvas& canvas, double text_scale) {
-  const double size = 14.0 * text_scale;
-  const Vec2 box{96.0 * text_scale, 210.0 * text_scale};
-  const Vec2 corner{canvas.width() - box.x - 14.0 * text_scale, 0.5 * (canvas.height() - box.y)};
-  canvas.panel(corner, box, 0.5 * size, {20, 24, 34, 170});
-  canvas.text(corner + Vec2{0.5 * box.x, 0.4 * size}, "stretched by", size, {255, 255, 255}, engine::Align::center);
+Vec2 strain_legend_size(const engine::Canvas& canvas, double text_scale) {
+  const double title = canvas.text_width(words::stretched_by, letter_size * text_scale);
+  return {std::max(96.0 * text_scale, title + 20.0 * text_scale), 240.0 * text_scale};
+}
+
+void draw_strain_legend(engine::Canvas& canvas, Vec2 corner, double text_scale) {
+  const double size = letter_size * text_scale;
+  const Vec2 box = strain_legend_size(canvas, text_scale);
+  canvas.panel(corner, box, 0.5 * size, hud_style::paper);
+  canvas.text(corner + Vec2{0.5 * box.x, 0.4 * size}, words::stretched_by, size, hud_style::white,
+              engine::Align::center);
   const Vec2 bar = corner + Vec2{14.0 * text_scale, 2.2 * size};
   const double high = box.y - 3.2 * size;
   constexpr int steps = 32;
@@ -36,9 +45,9 @@ void draw_strain_legend(engine::Canvas& canvas, double text_scale) {
     if (k > 0) mesh.indices.insert(mesh.indices.end(), {2 * k - 2, 2 * k - 1, 2 * k + 1, 2 * k - 2, 2 * k + 1, 2 * k});
   }
   canvas.textured(mesh, {});
-  for (const auto& [strain, words] : marks) {
+  for (const auto& [strain, percentage] : marks) {
     const double y = (1.0 - std::sqrt(strain / max_strain)) * high;
-    canvas.text(bar + Vec2{24.0 * text_scale, y - 0.6 * size}, words, size, {230, 236, 242});
+    canvas.text(bar + Vec2{24.0 * text_scale, y - 0.6 * size}, percentage, size, hud_style::faint);
   }
 }
 

@@ -19,7 +19,7 @@
 #include "game/view/palette.h"
 #include "game/view/pen.h"
 #include "game/view/sticky_rim.h"
-#include "game/view/strain_legend.h"
+#include "game/view/view_in.h"
 #include "game/view/water.h"
 #include "game/view/wheels.h"
 
@@ -35,6 +35,11 @@ bool is_player(const Simulation& simulation, const b2Body& body) {
   }
   return false;
 }
+
+// The space in m below the boards of signs. At the start the player does not cover the text.
+constexpr double above_ground = 0.7;
+constexpr double above_player = 1.9;
+constexpr double near_start = 6.0;  // m
 
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
@@ -95,7 +100,9 @@ bool is_aimed_at(const Simulation& simulation, std::size_t hook) {
 void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
-    draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k]);
+    const Sign& sign = level.signs[k];
+    const bool at_start = length(sign.at - level.player_start) < near_start;
+    draw_sign(pen, sign.at, signs.empty() ? sign.text : signs[k], at_start ? above_player : above_ground);
   }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);
@@ -105,6 +112,13 @@ void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::s
     const std::optional<Target>& target = simulation.target(k);
     if (target && !target->hook) draw_aim(pen, target->place());
   }
+}
+
+/// Returns the box of the player on the canvas, px.
+Rectangle box_of_player(const engine::Canvas& canvas, const Player& player, Vec2 at) {
+  const Vec2 half{player.tuning().radius, 0.5 * player.tuning().height};
+  const double scale = canvas.view().pixels_per_metre;
+  return {canvas.to_pixels(at) - scale * half, 2.0 * scale * half};
 }
 
 /// Draws the player's lines during a throw. A held or released line is drawn as a cord.
@@ -145,7 +159,12 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   prepared_safe_ = options.colour_safe;
   if (pen.prepares) stamps_.clear();
   effects_.follow(pen.colors, pen.reduced_motion);
-  canvas.set_view(effects_.view(alpha, canvas.width(), canvas.height(), pen.reduced_motion));
+  const FigureState figure = figure_of(*simulation_, now, time);
+  const bool in_part = options.free.size.x >= 1.0 && options.free.size.y >= 1.0;
+  const Vec2 size = in_part ? options.free.size : Vec2{1.0 * canvas.width(), 1.0 * canvas.height()};
+  engine::View camera = effects_.view(alpha, static_cast<int>(size.x), static_cast<int>(size.y), pen.reduced_motion);
+  if (in_part) camera = view_in(options.free, canvas, camera, figure.at, simulation_->level().map.size);
+  canvas.set_view(camera);
 
   draw_backdrop(pen);
   draw_marks(pen, *simulation_, options.signs);
@@ -163,14 +182,14 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   draw_players(pen, *simulation_, effects_, now, alpha);
   if (const auto& weather = simulation_->scene().weather()) draw_water(pen, weather->def().water_level);
   effects_.draw(pen, alpha);
-  const Vec2 player = figure_of(*simulation_, now, time).at;
-  draw_foreground(pen, player);
-  effects_.fall().draw(pen, player, alpha);
+  draw_foreground(pen, figure.at);
+  effects_.fall().draw(pen, figure.at, alpha);
   if (options.debug) {
     for (const DrawnCord& cord : cords) draw_debug(pen, cord);
   }
-  if (options.strain_tint) draw_strain_legend(canvas, options.text_scale);
-  if (options.hud) draw_hud(canvas, *simulation_, options);
+  if (!options.hud) return;
+  draw_hud(canvas, *simulation_, options, {pen.labels, box_of_player(canvas, simulation_->player(), figure.at)},
+           places_);
 }
 
 }  // namespace game

@@ -9,6 +9,7 @@
 #include "game/simulation/meter.h"
 #include "game/simulation/simulation.h"
 #include "game/view/effects.h"
+#include "game/view/free_space.h"
 #include "game/view/stamps.h"
 
 namespace game {
@@ -35,6 +36,13 @@ struct ViewOptions {
   double text_scale = 1.0;                         ///< pixels per desktop unit
   const SplitMessage* split = nullptr;             ///< or null
   const Meter* meter = nullptr;                    ///< statistics for the debug view, or null
+  Rectangle free{};                                ///< px, where the player is shown; no size: the whole canvas
+  Rectangle panel{};                               ///< px, of a panel that is drawn later; no size: none
+};
+
+/// Where the boxes of the HUD were in the last frame, as indices of their possible places.
+struct HudPlaces {
+  int time = 0, split = 0, keys = 0, message = 0, notice = 0, goal = 0, legend = 0, figures = 0;
 };
 
 /// Draws a run of a level. The camera follows the player, or both players, within the level.
@@ -51,6 +59,7 @@ class View {
   Stamps stamps_;
   int prepared_height_ = 0;  // px, of the canvas for which the stamps were made
   bool prepared_safe_ = false;
+  HudPlaces places_;
 };
 
 }  // namespace game

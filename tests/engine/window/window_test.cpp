@@ -15,12 +15,16 @@
 
 using engine::Align;
 using engine::Color;
+using engine::fitting_size;
 using engine::HeadlessCanvas;
 using engine::InputState;
 using engine::Key;
 using engine::MouseButton;
+using engine::single_presses;
+using engine::WheelTurn;
 using engine::Window;
 using engine::WindowInput;
+using engine::WindowSize;
 using ribbon::Vec2;
 using test_support::bytes_of;
 using test_support::Environment;
@@ -209,6 +213,58 @@ TEST(InputState, LosingTheFocusReleasesEverything) {
   const WindowInput input = state.take();
   EXPECT_TRUE(input.keys_held.none() && input.buttons_held.none());
   EXPECT_TRUE(input.released(Key::shift) && input.released(MouseButton::right));
+}
+
+TEST(SinglePresses, AreInOrderAndTheLastOneHasTheRest) {
+  InputState events;
+  events.mouse_at({10.0, 10.0});
+  events.key_down(Key::down);
+  events.key_up(Key::down);
+  events.key_down(Key::down);
+  events.button_down(MouseButton::left);
+  events.mouse_at({50.0, 50.0});
+  events.wheel({0.0, -2.0});
+  events.text("x");
+  events.quit();
+  const std::vector<WindowInput> parts = single_presses(events.take());
+  ASSERT_EQ(parts.size(), 5U);
+  EXPECT_TRUE(parts[0].pressed(Key::down));
+  EXPECT_FALSE(parts[0].held(Key::down)) << "it is held by a later press";
+  EXPECT_TRUE(parts[1].pressed(Key::down));
+  EXPECT_TRUE(parts[1].held(Key::down));
+  EXPECT_FALSE(parts[1].pressed(MouseButton::left));
+  EXPECT_TRUE(parts[2].pressed(MouseButton::left));
+  EXPECT_EQ(parts[2].mouse, (ribbon::Vec2{10.0, 10.0}));
+  EXPECT_FALSE(parts[2].quit);
+  EXPECT_TRUE(parts[3].pressed(WheelTurn::down));
+  EXPECT_TRUE(parts[4].pressed(WheelTurn::down));
+  EXPECT_EQ(parts[4].mouse, (ribbon::Vec2{50.0, 50.0}));
+  EXPECT_EQ(parts[4].text, "x");
+  EXPECT_TRUE(parts[4].released(Key::down));
+  EXPECT_TRUE(parts[4].quit);
+  EXPECT_TRUE(events.take().presses.empty());
+}
+
+TEST(SinglePresses, WithoutAPressThereIsOnePart) {
+  InputState events;
+  events.focus_lost();
+  const std::vector<WindowInput> parts = single_presses(events.take());
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_TRUE(parts[0].focus_lost);
+}
+
+TEST(SinglePresses, AFineWheelPressesOnceInAPoll) {
+  InputState events;
+  for (int k = 0; k < 10; ++k) events.wheel({0.0, 0.1});
+  EXPECT_EQ(single_presses(events.take()).size(), 1U);
+}
+
+TEST(WindowSize, FitsTheUsablePartOfTheDisplay) {
+  EXPECT_EQ(fitting_size({1280, 720}, {1920, 1040}), (WindowSize{1280, 720}));
+  EXPECT_EQ(fitting_size({1280, 720}, {800, 600}), (WindowSize{800, 600}));
+  EXPECT_EQ(fitting_size({1280, 720}, {1366, 728}, {4, 30}), (WindowSize{1280, 698}));
+  EXPECT_EQ(fitting_size({1280, 720}, {}), (WindowSize{1280, 720})) << "unknown";
+  EXPECT_EQ(fitting_size({1280, 720}, {20, 20}, {30, 30}), (WindowSize{1, 1}));
 }
 
 TEST(InputState, MouseAndQuit) {

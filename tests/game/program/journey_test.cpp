@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "tests/game/process.h"
 #include "tests/game/program.h"
 #include "tests/game/program/journey.h"
+#include "tests/support/environment.h"
 #include "tests/support/sdl_events.h"
 
 namespace game {
@@ -290,6 +292,73 @@ TEST_F(Journey, TheMouseWorksMenusToo) {
   test_support::push_button(MouseButton::right, false, {5.0, 5.0});
   frame();
   EXPECT_EQ(screen(), "title");
+}
+
+TEST_F(Journey, EveryPressOfAFrameCountsInOrder) {
+  open();
+  const auto press = [](std::initializer_list<Key> pressed) {
+    for (const Key key : pressed) {
+      test_support::push_key(key, true);
+      test_support::push_key(key, false);
+    }
+  };
+  press({Key::down, Key::enter});
+  frame();
+  EXPECT_EQ(screen(), "options") << "the second line of the title";
+  press({Key::up, Key::enter});
+  frame();
+  EXPECT_EQ(screen(), "title") << "the last line of the options";
+  press({Key::enter, Key::down, Key::down, Key::left});
+  frame();
+  EXPECT_EQ(screen(), "options");
+  EXPECT_EQ(app->session().settings.speed, 90) << "two lines down on the screen that the first presses opened";
+  press({Key::up, Key::up, Key::enter, Key::escape, Key::escape, Key::down, Key::enter});
+  EXPECT_FALSE(frame()) << "to the keys, back to the options and title, and down to the last line";
+}
+
+TEST_F(Journey, TwoClicksInAFrameAreAtTheirOwnPlaces) {
+  open();
+  app->draw();
+  const engine::Canvas& canvas = app->window().canvas();
+  for (double y = 0.0; y < canvas.height() && screen() == "title"; y += 4.0) {
+    test_support::push_button(MouseButton::left, true, {200.0, y});
+    test_support::push_button(MouseButton::left, false, {200.0, y});
+    test_support::push_button(MouseButton::right, true, {900.0, 5.0});
+    test_support::push_button(MouseButton::right, false, {900.0, 5.0});
+    test_support::push_mouse({1000.0, 500.0});
+    ASSERT_TRUE(frame());
+    ASSERT_EQ(screen(), "title") << "the second click goes back from what the first one opened";
+    test_support::push_button(MouseButton::left, true, {200.0, y});
+    test_support::push_mouse({1000.0, 500.0});
+    frame();
+    test_support::push_button(MouseButton::left, false, {1000.0, 500.0});
+    frame();
+  }
+  EXPECT_EQ(screen(), "levels") << "the mouse has left the line in the same frame";
+}
+
+TEST_F(Journey, AScreenshotGoesToTheUsersFolderWhosePathIsToldOnce) {
+  const test_support::Environment pictures("XDG_PICTURES_DIR", nullptr);
+  open();
+  app->draw();
+  const std::string folder = data() + "/ropeswing/pictures";
+  tap(Key::f12);
+  app->draw();
+  EXPECT_EQ(app->session().notice.text(), "Screenshot: " + folder + "/ropeswing-1.png");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/ropeswing-1.png"));
+  tap(Key::f12);
+  app->draw();
+  EXPECT_EQ(app->session().notice.text(), "Screenshot: ropeswing-2.png");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/ropeswing-2.png"));
+}
+
+TEST_F(Journey, AScreenshotThatCannotBeWrittenIsReported) {
+  const test_support::Environment pictures("XDG_PICTURES_DIR", "/proc/nowhere");
+  open();
+  app->draw();
+  tap(Key::f12);
+  app->draw();
+  EXPECT_NE(app->session().notice.text().find("/proc/nowhere"), std::string::npos) << app->session().notice.text();
 }
 
 TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {

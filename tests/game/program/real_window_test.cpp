@@ -59,6 +59,8 @@ class Person {
     return there;
   }
   void does(const std::string& what) const { said_by(xdotool(what)); }
+  /// Returns the size of the window: "  Geometry: 800x600".
+  std::string size() const { return said_by(xdotool("getwindowgeometry " + window_) + " | tail -1"); }
 
  private:
   std::string xdotool(const std::string& arguments) const { return "DISPLAY=" + display_ + " xdotool " + arguments; }
@@ -111,11 +113,14 @@ class RealWindow : public testing::Test {
     }
     return false;
   }
-  /// Moves the mouse down the window and clicks until another screen is shown.
+  /// Moves the mouse down the window by half a line at a time and clicks until another screen is shown.
   void click_down_to_something(int x) {
     const std::string here = person->screen();
-    for (int y = 250; y < 500 && person->screen() == here; y += 12) {
+    for (int y = 320; y < 500 && person->screen() == here; y += 24) {
       person->does("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+      // The mouse stays where it is until the screen may have changed, so that it does not move over that screen.
+      for (int look = 0; look < 100 && person->screen() == here; ++look) {
+      }
     }
   }
 
@@ -168,6 +173,19 @@ TEST_F(RealWindow, KeysAndMouseGoThroughEveryScreenAndTheGameEndsCleanly) {
   EXPECT_EQ(ropeswing("--headless --verify --replay " + path).status, 0);
 }
 
+TEST(SmallDisplay, TheFirstWindowFitsOnIt) {
+  if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0) {
+    GTEST_SKIP() << "Xvfb or xdotool is not installed";
+  }
+  XServer server{"800x600x24"};
+  ASSERT_TRUE(server.starts());
+  Process game("ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=x11 SDL_RENDER_DRIVER=software DISPLAY=" +
+               server.display() + " exec " TEST_ROPESWING " >/dev/null 2>&1");
+  Person person(server.display(), game);
+  ASSERT_TRUE(person.finds_the_window());
+  EXPECT_EQ(person.size(), "  Geometry: 800x600");
+}
+
 struct KeyOf {
   game::Button button;
   const char* name;  // in xdotool
@@ -195,7 +213,7 @@ TEST_F(RealWindow, ARunIsPlayedFromTheTitleToTheGoalAndBackToTheTitle) {
   click_down_to_something(200);
   ASSERT_EQ(person->sees("levels"), "levels");
   ASSERT_EQ(game::levels_in_order().at(1).name, level);
-  person->does("key Down");
+  person->does("key Right");
   person->does("key Return");
   ASSERT_EQ(person->sees(level), level);
   person->does("key n");

@@ -73,20 +73,29 @@ TEST(Video, AnFfmpegThatFailsFailsTheProgram) {
 TEST(Film, TakesThirtyFramesASecond) {
   const std::string folder = fake_ffmpeg();
   const Environment path("PATH", (folder + ":" + std::getenv("PATH")).c_str());
-  const fs::path before = fs::current_path();
-  fs::current_path(folder);
+  const std::string videos = scratch("new") + "/videos";
+  fs::remove_all(videos);
   const engine::Raster raster(64, 36);
-  game::Film film;
+  game::Film film(videos);
   EXPECT_EQ(film.take(raster, 1'000'000'000), "");
-  EXPECT_EQ(film.toggle(raster), "Recording a video to ropeswing-1.mp4");
+  EXPECT_EQ(film.toggle(raster), "Recording a video to " + videos + "/ropeswing-1.mp4");
   for (int frame = 0; frame < 144; ++frame) EXPECT_EQ(film.take(raster, 1'000'000'000 / 144), "");
   EXPECT_EQ(film.toggle(raster), "Video: ropeswing-1.mp4");
-  EXPECT_NEAR(static_cast<double>(fs::file_size("ropeswing-1.mp4")), 31.0 * 64 * 36 * 4, 64 * 36 * 4);
+  EXPECT_NEAR(static_cast<double>(fs::file_size(videos + "/ropeswing-1.mp4")), 31.0 * 64 * 36 * 4, 64 * 36 * 4);
 
   film.toggle(raster);
   EXPECT_EQ(film.take(engine::Raster(70, 36), 1'000'000), "The window has another size now; video: ropeswing-2.mp4");
   EXPECT_FALSE(film.is_running());
-  fs::current_path(before);
+}
+
+TEST(Film, ReportsAFolderThatCannotBeMade) {
+  const engine::Raster raster(64, 36);
+  game::Film nowhere("/proc/nowhere");
+  const std::string said = nowhere.toggle(raster);
+  EXPECT_NE(said.find("/proc/nowhere"), std::string::npos) << said;
+  EXPECT_FALSE(nowhere.is_running());
+  game::Film homeless("");
+  EXPECT_EQ(homeless.toggle(raster), "No video: there is no home folder for it");
 }
 
 }  // namespace

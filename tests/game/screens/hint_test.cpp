@@ -7,8 +7,8 @@
 namespace game {
 namespace {
 
-void tick(Hint& hint, int buttons, int ticks) {
-  for (int k = 0; k < ticks; ++k) hint.tick(static_cast<std::uint16_t>(buttons));
+void tick(Hint& hint, int buttons, int ticks, bool holds = false) {
+  for (int k = 0; k < ticks; ++k) hint.tick(static_cast<std::uint16_t>(buttons), holds);
 }
 
 TEST(Hint, StaysUntilAllThatItNamesWasDoneAndAMomentLonger) {
@@ -19,13 +19,26 @@ TEST(Hint, StaysUntilAllThatItNamesWasDoneAndAMomentLonger) {
   EXPECT_TRUE(hint.is_shown()) << "before any input";
   tick(hint, button_right | button_jump, 600);
   EXPECT_TRUE(hint.is_shown()) << "the rope was not caught yet";
-  tick(hint, button_grab, 1);
+  tick(hint, button_grab, 600);
+  EXPECT_TRUE(hint.is_shown()) << "the key was pressed in the air";
+  tick(hint, button_grab, 1, true);
   tick(hint, 0, 120);
   EXPECT_TRUE(hint.is_shown());
   tick(hint, 0, 120);
   EXPECT_FALSE(hint.is_shown());
   hint.begin("{right} runs");
   EXPECT_TRUE(hint.is_shown()) << "in the next run";
+}
+
+TEST(Hint, ToClimbIsDoneOnlyOnARope) {
+  Hint hint;
+  hint.begin("climb with {up}");
+  tick(hint, button_up, 600);
+  EXPECT_TRUE(hint.is_shown());
+  tick(hint, 0, 600, true);
+  EXPECT_TRUE(hint.is_shown()) << "it hangs still";
+  tick(hint, button_up, 300, true);
+  EXPECT_FALSE(hint.is_shown());
 }
 
 TEST(Hint, ThatNamesNoKeyStaysUntilAnyInput) {

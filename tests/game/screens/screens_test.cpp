@@ -57,8 +57,8 @@ class Screens : public testing::TestWithParam<Picture> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Screens,
-                         testing::Values(Picture{1280, 720, 1.0}, Picture{800, 450, 0.625}, Picture{1920, 1080, 1.5},
-                                         Picture{640, 480, 0.5}));
+                         testing::Values(Picture{1280, 720, 1.0}, Picture{960, 540, 0.75}, Picture{1920, 1080, 1.5},
+                                         Picture{640, 480, 0.65}));
 
 TEST_P(Screens, NoTextOfMenusIsCutOff) {
   TitleScreen title(session);
@@ -80,12 +80,12 @@ TEST_P(Screens, NoTextOfRunsIsCutOff) {
   PlayScreen play(session, asked, false);
   play.shown();
   EXPECT_NE(texts_of(play).find("F1: help"), std::string::npos);
-  EXPECT_EQ(texts_of(play).find("Space: jump, let go"), std::string::npos);
+  EXPECT_EQ(texts_of(play).find("Space: Jump, let go"), std::string::npos);
   session.settings.help = true;
   const std::string playing = texts_of(play);
-  EXPECT_NE(playing.find("Space: jump, let go"), std::string::npos) << playing;
+  EXPECT_NE(playing.find("Space: Jump, let go"), std::string::npos) << playing;
   session.uses_pad = true;
-  EXPECT_NE(texts_of(play).find("A: jump, let go"), std::string::npos) << "of the device that is used";
+  EXPECT_NE(texts_of(play).find("A: Jump, let go"), std::string::npos) << "of the device that is used";
   PauseScreen pause(session, play);
   EXPECT_NE(texts_of(pause).find("Options"), std::string::npos);
 }
@@ -103,10 +103,10 @@ TEST_P(Screens, ResultsShowTimeAndBest) {
   EXPECT_NE(texts_of(first).find("You made it for the first time!"), std::string::npos);
   ResultsScreen again(session, play);
   const std::string same = texts_of(again);
-  EXPECT_NE(same.find("Your best is "), std::string::npos) << same;
+  EXPECT_NE(same.find("Your best: "), std::string::npos) << same;
   play.mark_assisted();
   ResultsScreen helped(session, play);
-  EXPECT_NE(texts_of(helped).find("with some help"), std::string::npos);
+  EXPECT_NE(texts_of(helped).find("With assists"), std::string::npos);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "game/settings/user_files.h"
 #include "game/simulation/medals.h"
 #include "tests/game/program.h"
+#include "tests/support/environment.h"
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
 
@@ -285,6 +286,44 @@ TEST(Records, WithoutAFolderTheyAreStoredInMemory) {
   notice.clear();
   EXPECT_TRUE(unwritable.offer({"swing", 7}, {400, false}, "", notice));
   EXPECT_EQ(notice, "") << "once is enough";
+}
+
+/// Folders of the user for pictures and videos: by environment, by the desktop's list, or among the game's own data.
+class UserFolders : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(config);
+    std::filesystem::create_directories(config);
+  }
+  void list(const std::string& text) const { write_bytes(config + "/user-dirs.dirs", text); }
+
+  const std::string config = scratch("user_dirs");
+  const test_support::Environment home{"HOME", "/home/somebody"};
+  const test_support::Environment config_home{"XDG_CONFIG_HOME", config.c_str()};
+  const test_support::Environment data_home{"XDG_DATA_HOME", nullptr};
+  const test_support::Environment pictures{"XDG_PICTURES_DIR", nullptr};
+  const test_support::Environment videos{"XDG_VIDEOS_DIR", nullptr};
+};
+
+TEST_F(UserFolders, AreThoseOfTheDesktop) {
+  EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures");
+  EXPECT_EQ(videos_folder(), "/home/somebody/.local/share/ropeswing/videos");
+  list("# a comment\nXDG_PICTURES_DIR=\"$HOME/My Pictures\"\nXDG_VIDEOS_DIR=\"/mnt/videos\"\n");
+  EXPECT_EQ(pictures_folder(), "/home/somebody/My Pictures");
+  EXPECT_EQ(videos_folder(), "/mnt/videos");
+  const test_support::Environment chosen("XDG_PICTURES_DIR", "/elsewhere");
+  EXPECT_EQ(pictures_folder(), "/elsewhere");
+}
+
+TEST_F(UserFolders, EntriesThatNameNoFolderAreIgnored) {
+  for (const char* value : {"\"$HOME\"", "\"$HOME/\"", "\"relative\"", "unquoted", "\"", ""}) {
+    list(std::string("XDG_PICTURES_DIR=") + value + "\n");
+    EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures") << value;
+  }
+  const test_support::Environment relative("XDG_PICTURES_DIR", "pictures");
+  EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures");
+  const test_support::Environment homeless("HOME", nullptr);
+  EXPECT_EQ(pictures_folder(), "");
 }
 
 TEST(RunFolder, KeepsTheNewest) {

@@ -176,11 +176,12 @@ struct Panelled {
   RecordedRun run;
   TuningPanel panel;
   Meter meter;
+  FrameTimes times;
   engine::HeadlessCanvas canvas{1280, 720};
 
   explicit Panelled(const RunOptions& options) : run(options) {}
   void frame(const engine::WindowInput& input = {}) {
-    panel.update(input, canvas, 1.0, 1.0 / 60.0, run, meter);
+    panel.update(input, canvas, 1.0, 1.0 / 60.0, run, meter, times);
     if (!run.is_over()) run.tick({});
     meter.add(run.simulation(), 1'000'000);
   }
