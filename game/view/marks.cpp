@@ -16,6 +16,12 @@ using ribbon::Vec2;
 
 constexpr Color white{255, 255, 255};
 
+// m, the space below the boards of signs, higher where the player stands at the start
+constexpr double above_ground = 0.7;
+constexpr double above_player = 1.9;
+constexpr double beside_start = 1.2;  // m, from the start to the side of such a board
+constexpr double near_start = 3.0;    // m, up or down
+
 void draw_pole(Pen& pen, Vec2 foot, Vec2 top, double width) {
   pen.canvas.polyline(std::array{foot, top}, width + 0.05, pen.colors.ink);
   pen.canvas.strip(std::array{foot, top}, {&pen.images.wood, width, 6.0 * width, 0.0, pen.colors.wood});
@@ -110,7 +116,7 @@ void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
-void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double clearance, double height) {
+void draw_sign(Pen& pen, Vec2 foot, std::string_view text, Vec2 start, double height) {
   if (text.empty() || !pen.sees(foot, 8.0)) return;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
@@ -123,7 +129,10 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, double clearance, dou
   double width = 0.0;
   for (const std::string_view line : lines) width = std::max(width, pen.canvas.text_width(line, size));
   const Vec2 board{width + 1.6 * size, step * static_cast<double>(lines.size()) + 0.9 * size};
-  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, clearance});
+  const Vec2 apart = start - foot;
+  const bool at_start =
+      std::abs(apart.x) < 0.5 * board.x / pen.scale() + beside_start && std::abs(apart.y) < near_start;
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, at_start ? above_player : above_ground});
   const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
   for (const double x : {0.2, 0.8}) {
     const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});

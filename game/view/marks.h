@@ -20,9 +20,10 @@ void draw_hook(Pen& pen, ribbon::Vec2 at, bool in_range);
 /// Draws where a line would stick to a surface.
 void draw_aim(Pen& pen, ribbon::Vec2 at);
 
-/// Draws a wooden board on posts that stand at the height of `foot`. `text`: lines separated by '\n'; `clearance`: m,
-/// below the board; `height`: of the letters, m. Adds the board to the labels of the pen.
-void draw_sign(Pen& pen, ribbon::Vec2 foot, std::string_view text, double clearance, double height = 0.32);
+/// Draws a wooden board on posts that stand at the height of `foot`. `text`: lines separated by '\n'; `start`: m, the
+/// feet of the player at the start, which does not stand before the board; `height`: of the letters, m. Adds the board
+/// to the labels of the pen.
+void draw_sign(Pen& pen, ribbon::Vec2 foot, std::string_view text, ribbon::Vec2 start, double height = 0.32);
 
 /// Draws an iron weight with its mass in kg.
 void draw_weight(Pen& pen, ribbon::Vec2 center, double radius, double angle, double mass);

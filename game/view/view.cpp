@@ -36,11 +36,6 @@ bool is_player(const Simulation& simulation, const b2Body& body) {
   return false;
 }
 
-// The space in m below the boards of signs. At the start the player does not cover the text.
-constexpr double above_ground = 0.7;
-constexpr double above_player = 1.9;
-constexpr double near_start = 6.0;  // m
-
 std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& now) {
   std::vector<DrawnBody> bodies;
   const std::span<const engine::SceneBody> made = simulation.scene().bodies();
@@ -100,9 +95,7 @@ bool is_aimed_at(const Simulation& simulation, std::size_t hook) {
 void draw_marks(Pen& pen, const Simulation& simulation, const std::vector<std::string>& signs) {
   const Level& level = simulation.level();
   for (std::size_t k = 0; k < level.signs.size(); ++k) {
-    const Sign& sign = level.signs[k];
-    const bool at_start = length(sign.at - level.player_start) < near_start;
-    draw_sign(pen, sign.at, signs.empty() ? sign.text : signs[k], at_start ? above_player : above_ground);
+    draw_sign(pen, level.signs[k].at, signs.empty() ? level.signs[k].text : signs[k], level.player_start);
   }
   for (std::size_t k = 0; k < level.checkpoints.size(); ++k)
     draw_checkpoint(pen, level.checkpoints[k].center, level.checkpoints[k].size, simulation.checkpoint() == k);

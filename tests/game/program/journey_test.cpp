@@ -15,7 +15,6 @@
 #include "tests/game/process.h"
 #include "tests/game/program.h"
 #include "tests/game/program/journey.h"
-#include "tests/support/environment.h"
 #include "tests/support/sdl_events.h"
 
 namespace game {
@@ -335,30 +334,6 @@ TEST_F(Journey, TwoClicksInAFrameAreAtTheirOwnPlaces) {
     frame();
   }
   EXPECT_EQ(screen(), "levels") << "the mouse has left the line in the same frame";
-}
-
-TEST_F(Journey, AScreenshotGoesToTheUsersFolderWhosePathIsToldOnce) {
-  const test_support::Environment pictures("XDG_PICTURES_DIR", nullptr);
-  open();
-  app->draw();
-  const std::string folder = data() + "/ropeswing/pictures";
-  tap(Key::f12);
-  app->draw();
-  EXPECT_EQ(app->session().notice.text(), "Screenshot: " + folder + "/ropeswing-1.png");
-  EXPECT_TRUE(std::filesystem::exists(folder + "/ropeswing-1.png"));
-  tap(Key::f12);
-  app->draw();
-  EXPECT_EQ(app->session().notice.text(), "Screenshot: ropeswing-2.png");
-  EXPECT_TRUE(std::filesystem::exists(folder + "/ropeswing-2.png"));
-}
-
-TEST_F(Journey, AScreenshotThatCannotBeWrittenIsReported) {
-  const test_support::Environment pictures("XDG_PICTURES_DIR", "/proc/nowhere");
-  open();
-  app->draw();
-  tap(Key::f12);
-  app->draw();
-  EXPECT_NE(app->session().notice.text().find("/proc/nowhere"), std::string::npos) << app->session().notice.text();
 }
 
 TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
