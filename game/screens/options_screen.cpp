@@ -57,7 +57,7 @@ const std::vector<Option>& options() {
 const Card card{.headline = "Options",
                 .lines = {"With lower speed, a longer reach or without falls, times count but earn no medal."},
                 .width = 660.0,
-                .text_size = 20.0,
+                .text_size = 18.0,
                 .line_size = 16.0};
 
 }  // namespace
