@@ -56,7 +56,7 @@ const std::vector<Option>& options() {
 }
 
 const Card card{
-    .headline = words::options, .lines = {words::options_note}, .width = 660.0, .text_size = 20.0, .line_size = 16.0};
+    .headline = words::options, .lines = {words::options_note}, .width = 660.0, .text_size = 18.0, .line_size = 16.0};
 
 }  // namespace
 

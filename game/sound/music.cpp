@@ -7,8 +7,13 @@
 namespace game {
 namespace {
 
-constexpr std::int64_t budget_ns = 4'000'000;       // per frame, for the wanted piece
-constexpr std::int64_t idle_budget_ns = 2'000'000;  // per frame of a menu, for a later one
+// Of the time between two frames, a part renders the wanted piece; in a menu a smaller one then renders a later piece.
+// At 60 frames a second these are 4 ms and 2 ms. A slow machine, with fewer frames, gets as much in a second.
+constexpr std::int64_t budget_part = 4;
+constexpr std::int64_t later_part = 8;
+constexpr std::int64_t max_budget_ns = 25'000'000;
+
+std::int64_t part_of(std::int64_t elapsed_ns, std::int64_t part) { return std::min(elapsed_ns / part, max_budget_ns); }
 
 }  // namespace
 
@@ -69,10 +74,11 @@ void Music::render_some(Piece& piece, std::int64_t budget_ns) {
 
 void Music::frame(std::int64_t elapsed_ns, Tune wanted, double volume) {
   if (wanted != Tune::none && volume > 0.0 && audio_->has_device()) {
-    render_some(pieces_[static_cast<std::size_t>(wanted)], budget_ns);
+    render_some(pieces_[static_cast<std::size_t>(wanted)], part_of(elapsed_ns, budget_part));
     const auto later =
         std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.renderer != nullptr; });
-    if (is_ready(Tune::menu) && wanted == Tune::menu && later != pieces_.end()) render_some(*later, idle_budget_ns);
+    if (is_ready(Tune::menu) && wanted == Tune::menu && later != pieces_.end())
+      render_some(*later, part_of(elapsed_ns, later_part));
   }
   fades_.advance(elapsed_ns, wanted, is_ready(wanted));
   for (std::size_t k = 0; k < tune_count; ++k) {

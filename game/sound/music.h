@@ -48,8 +48,8 @@ class Music {
 
   /// The message of the first score that could not be read; empty if there is none.
   const std::string& load_error() const { return load_error_; }
-  /// Call it in each frame. `volume`: 0 … 1. Costs about 4 ms until the wanted piece is rendered, in
-  /// a menu then 2 ms until the others are.
+  /// Call it in each frame. `volume`: 0 … 1. Until the wanted piece is rendered it takes a quarter
+  /// of the time between frames, in a menu then an eighth until the others are.
   void frame(std::int64_t elapsed_ns, Tune wanted, double volume);
   bool is_ready(Tune tune) const { return tune != Tune::none && pieces_[static_cast<std::size_t>(tune)].loop >= 0; }
 

@@ -39,7 +39,7 @@ void write_tampered(const std::string& path) {
   writer.finish();
 }
 
-/// The inputs of the golden run in a level with assists, after some ticks without input. Returns nothing.
+/// The inputs of the golden run in a level with assists, after some ticks without input.
 void write_run(const std::string& path, const game::Assists& assists, int wait) {
   const engine::Replay replay = engine::load_replay(golden());
   game::Level level = game::load_level("first_swing");
