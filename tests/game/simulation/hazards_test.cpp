@@ -80,7 +80,7 @@ TEST(Fire, AndSpikesAreRefusedWithTheReason) {
             std::string::npos);
   MapObject turned = box_of(20, "spikes", {5.0, 5.0}, {1.0, 1.0});
   turned.rotation = 0.3;
-  EXPECT_NE(level_refusal({turned}).find("is rotated; accepted is a spikes with the rotation 0"), std::string::npos);
+  EXPECT_NE(level_refusal({turned}).find("is rotated; accepted is the rotation 0"), std::string::npos);
 }
 
 constexpr int way = 30;
