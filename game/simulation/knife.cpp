@@ -15,7 +15,10 @@ using ribbon::box2d::CordPoint;
 using ribbon::box2d::Coupling;
 
 /// Returns the place of a cord in columns.
-double column_of(const CordPoint& place, int rows) { return place.point / rows + place.along; }
+double column_of(const CordPoint& place, int rows) {
+  const int column = place.point / rows;
+  return column + place.along;
+}
 
 /// Returns whether the part of the cord before a place carries it: there is the nearest constrained point, or, without
 /// one, that end is the higher one.

@@ -12,7 +12,8 @@ inline bool is_cuttable(const ribbon::box2d::CordView& cord) {
 
 /// Returns the index of the point in the middle row of a column.
 inline std::size_t middle_point(const ribbon::box2d::CordShape& shape, int column) {
-  return static_cast<std::size_t>(column * shape.rows + shape.rows / 2);
+  const int point = column * shape.rows + shape.rows / 2;
+  return static_cast<std::size_t>(point);
 }
 
 /// Cuts a cord across at a column, 1 … columns − 2, so that both pieces have a link or more.

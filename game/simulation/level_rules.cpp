@@ -25,14 +25,15 @@ void check_shape(const MapObject& object, std::initializer_list<MapShape> accept
   if (std::find(accepted.begin(), accepted.end(), object.shape) != accepted.end()) return;
   std::string names;
   for (const MapShape shape : accepted) names += (names.empty() ? "" : ", ") + std::string(engine::shape_name(shape));
-  throw object.error("the shape of a " + object.kind + " is " + std::string(engine::shape_name(object.shape)) +
+  const std::string what = object.kind == "spikes" ? "spikes" : "a " + object.kind;
+  throw object.error("the shape of " + what + " is " + std::string(engine::shape_name(object.shape)) +
                      "; accepted is " + names);
 }
 
 /// Returns the rectangle of an object that is not rotated.
 Area upright_area(const MapObject& object) {
   if (object.rotation == 0.0) return {object.position, object.size};
-  throw object.error("is rotated; accepted is a " + object.kind + " with the rotation 0");
+  throw object.error("is rotated; accepted is the rotation 0");
 }
 
 /// Checks that a property names an object of one of these classes. Returns its id, or 0 without the property.

@@ -43,17 +43,17 @@ Vec2 place(const Scene& scene) { return ribbon::box2d::to_double(scene.bodies()[
 TEST(Track, TurnsBackAtItsEndsOrGoesRound) {
   const Track open({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, false);
   EXPECT_EQ(open.length(), 7.0);
-  EXPECT_EQ(open.at(0.0), Vec2(0.0, 0.0));
-  EXPECT_EQ(open.at(5.0), Vec2(3.0, 2.0));
-  EXPECT_EQ(open.at(7.0), Vec2(3.0, 4.0));
-  EXPECT_EQ(open.at(9.0), Vec2(3.0, 2.0));
-  EXPECT_EQ(open.at(14.0 + 1.0), Vec2(1.0, 0.0));
+  EXPECT_EQ(open.at(0.0), (Vec2{0.0, 0.0}));
+  EXPECT_EQ(open.at(5.0), (Vec2{3.0, 2.0}));
+  EXPECT_EQ(open.at(7.0), (Vec2{3.0, 4.0}));
+  EXPECT_EQ(open.at(9.0), (Vec2{3.0, 2.0}));
+  EXPECT_EQ(open.at(14.0 + 1.0), (Vec2{1.0, 0.0}));
   EXPECT_EQ(open.nearest({1.0, 0.5}), 1.0);
   EXPECT_EQ(open.nearest({9.0, 1.0}), 4.0);
   const Track closed({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, true);
   EXPECT_EQ(closed.length(), 12.0);
-  EXPECT_EQ(closed.at(7.0 + 2.5), Vec2(1.5, 2.0));
-  EXPECT_EQ(closed.at(12.0 + 5.0), Vec2(3.0, 2.0));
+  EXPECT_EQ(closed.at(7.0 + 2.5), (Vec2{1.5, 2.0}));
+  EXPECT_EQ(closed.at(12.0 + 5.0), (Vec2{3.0, 2.0}));
 }
 
 TEST(ScenePath, ACircleIsOnItsPathAtTheEndOfEachTick) {

@@ -142,18 +142,18 @@ struct Hanging {
 };
 
 TEST(Knife, CutsTheHeldCordBelowTheHand) {
-  Hanging run_(true);
+  Hanging hanging(true);
   const double arc =
-      run_.simulation.scene().coupling().cord(run_.held().cord).arc(run_.held().point, run_.held().along);
-  run(run_.simulation, 1, button_grab | button_cut);
-  ASSERT_EQ(pieces(run_.simulation, rope), 2);
-  const ribbon::box2d::CordView cord = run_.simulation.scene().coupling().cord(run_.held().cord);
+      hanging.simulation.scene().coupling().cord(hanging.held().cord).arc(hanging.held().point, hanging.held().along);
+  run(hanging.simulation, 1, button_grab | button_cut);
+  ASSERT_EQ(pieces(hanging.simulation, rope), 2);
+  const ribbon::box2d::CordView cord = hanging.simulation.scene().coupling().cord(hanging.held().cord);
   EXPECT_EQ(cord.kind(0), ribbon::PointKind::constrained) << "it still hangs from the pin";
   const double end = cord.arc(cord.shape().columns - 1);
   EXPECT_GT(end, arc);
   EXPECT_LT(end, arc + 0.11) << "a link of 0.1 m at most is left below the hand";
-  run(run_.simulation, 30, button_grab | button_cut);
-  EXPECT_EQ(pieces(run_.simulation, rope), 2) << "a press cuts once";
+  run(hanging.simulation, 30, button_grab | button_cut);
+  EXPECT_EQ(pieces(hanging.simulation, rope), 2) << "a press cuts once";
 }
 
 TEST(Knife, CutsAnotherCordInReachFirst) {
@@ -186,9 +186,10 @@ TEST(Knife, DoesNotReachAcrossTheLevel) {
 }
 
 TEST(Knife, ACutGoesBackAndIsGoneAfterAFall) {
-  const Hanging run_(true, {hanging_rope(11, {6.7, 8.0})});
-  expect_goes_back(run_.level, 160, {button_grab, button_grab, button_grab | button_cut, button_grab | button_right});
-  Simulation simulation(run_.level);
+  const Hanging hanging(true, {hanging_rope(11, {6.7, 8.0})});
+  expect_goes_back(hanging.level, 160,
+                   {button_grab, button_grab, button_grab | button_cut, button_grab | button_right});
+  Simulation simulation(hanging.level);
   run(simulation, 20, button_grab);
   run(simulation, 1, button_grab | button_cut);
   EXPECT_EQ(pieces(simulation, rope) + pieces(simulation, 11), 3);

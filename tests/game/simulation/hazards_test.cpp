@@ -80,7 +80,7 @@ TEST(Fire, AndSpikesAreRefusedWithTheReason) {
             std::string::npos);
   MapObject turned = box_of(20, "spikes", {5.0, 5.0}, {1.0, 1.0});
   turned.rotation = 0.3;
-  EXPECT_NE(level_refusal({turned}).find("is rotated; accepted is a spikes with the rotation 0"), std::string::npos);
+  EXPECT_NE(level_refusal({turned}).find("is rotated; accepted is the rotation 0"), std::string::npos);
 }
 
 constexpr int way = 30;
@@ -100,7 +100,7 @@ TEST(Chaser, FollowsItsPathToItsEnd) {
   EXPECT_NEAR(simulation.rules().chase().position(0, 1.0).x, 7.0, 1e-9);
   EXPECT_NEAR(simulation.rules().chase().position(0, 0.0).x, 7.0 - 5.0 / 60.0, 1e-9);
   run(simulation, 240);
-  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), Vec2(12.0, 10.0));
+  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), (Vec2{12.0, 10.0}));
 }
 
 TEST(Chaser, WaitsUntilThePlayerPasses) {
@@ -115,7 +115,7 @@ TEST(Chaser, WaitsUntilThePlayerPasses) {
   EXPECT_NEAR(simulation.rules().chase().position(0, 1.0).x, 2.0 + 13.0 * 5.0 / 60.0, 1e-9);
   run(simulation, 1, button_retry);
   EXPECT_FALSE(simulation.rules().chase().is_running(0)) << "it is back, and waits again";
-  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), Vec2(2.0, 6.0));
+  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), (Vec2{2.0, 6.0}));
 }
 
 TEST(Chaser, KillsWhatItTouchesAndIsBackAtItsStart) {
@@ -127,7 +127,7 @@ TEST(Chaser, KillsWhatItTouchesAndIsBackAtItsStart) {
   EXPECT_EQ(simulation.falls(), 0);
   run(simulation, 1);  // 0.5 + 13 · 8 / 60 + 0.5 + 0.3 > 3
   EXPECT_EQ(simulation.falls(), 1);
-  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), Vec2(0.5, 2.8));
+  EXPECT_EQ(simulation.rules().chase().position(0, 1.0), (Vec2{0.5, 2.8}));
   MapObject square = box_of(20, "chaser", {0.5, 2.8}, {1.0, 1.0});
   square.properties.insert("path", std::int64_t{way});
   square.properties.insert("speed", 8.0);
