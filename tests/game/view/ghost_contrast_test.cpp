@@ -36,6 +36,12 @@ std::vector<Color> backdrops(const Palette& colors) {
   return all;
 }
 
+/// With any kind of colour blindness.
+TEST(Clothes, OfTwoPlayersDifferInBrightness) {
+  EXPECT_GE(contrast(clothes_of(0).jacket, clothes_of(1).jacket), 2.0);
+  EXPECT_GE(contrast(clothes_of(0).scarf, clothes_of(1).scarf), 2.0);
+}
+
 TEST(Ghost, DiffersFromEveryBackdrop) {
   for (const bool safe : {false, true}) {
     const Palette& colors = palette(safe);
