@@ -228,6 +228,7 @@ void PlayScreen::tick() {
   if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
   run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t start = engine::now_ns();
+  const int falls = simulation().falls();
   try {
     run_.tick(input);
   } catch (const engine::ReplayError& error) {  // thrown once; the run continues without a recording
@@ -236,6 +237,10 @@ void PlayScreen::tick() {
   const std::int64_t took = engine::now_ns() - start;
   meter_.add(run_.simulation(), took);
   session_->frame_times.add(FrameTimes::Part::physics, took);
+  if (simulation().falls() > falls) {
+    controls_.ignore_held();
+    second_controls_.ignore_held();
+  }
   race_.tick(run_.simulation());
   hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons), holds_a_cord(run_.simulation()));
   session_->sounds.tick(run_.simulation());

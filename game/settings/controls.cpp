@@ -83,6 +83,13 @@ void Controls::discard() {
   grabs_ = false;
 }
 
+void Controls::ignore_held() {
+  discard_presses();
+  grabs_ = false;
+  stale_ = with(stale_, held_);
+  held_ = 0;
+}
+
 void Controls::discard_presses() {
   tapped_ = 0;
   wheel_left_.fill(0);

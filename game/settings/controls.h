@@ -28,6 +28,9 @@ class Controls {
   /// Discards unused presses, ignores buttons that are still down from a menu until they are up, and ends a toggled
   /// grab.
   void discard();
+  /// Ignores the keys that are held, until each is up, and ends a toggled grab: after a fall
+  /// they would act on what they were not meant for.
+  void ignore_held();
   /// Discards unused presses only. For single steps, in which a button that is held counts.
   void discard_presses();
 

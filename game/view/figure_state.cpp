@@ -67,10 +67,14 @@ void hold(FigureState& state, const Coupling& coupling, const Snapshot& now, con
 
 }  // namespace
 
+Vec2 held_position(const Coupling& coupling, const Snapshot& now, const CordPoint& held) {
+  return position(coupling.cord(held.cord), now, held);
+}
+
 std::optional<Vec2> held_position(const Coupling& coupling, const Snapshot& now, const b2Body& body) {
   const auto held = coupling.body(body).held_place();
   if (!held) return std::nullopt;
-  return position(coupling.cord(held->cord), now, *held);
+  return held_position(coupling, now, *held);
 }
 
 FigureState figure_of(const Simulation& simulation, const Snapshot& now, double time, int number) {

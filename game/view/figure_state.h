@@ -13,6 +13,10 @@ FigureState figure_of(const Simulation& simulation, const Snapshot& now, double 
 /// Returns the state of a ghost.
 FigureState figure_of(const GhostPose& ghost, double time);
 
+/// Returns the position of a held place in m.
+ribbon::Vec2 held_position(const ribbon::box2d::Coupling& coupling, const Snapshot& now,
+                           const ribbon::box2d::CordPoint& held);
+
 /// Returns the position on a cord that a body holds in m, or nothing.
 std::optional<ribbon::Vec2> held_position(const ribbon::box2d::Coupling& coupling, const Snapshot& now,
                                           const b2Body& body);

@@ -16,6 +16,7 @@ using game::Simulation;
 constexpr int left = game::button_left;
 constexpr int right = game::button_right;
 constexpr int jump = game::button_jump;
+constexpr int grab = game::button_grab;
 constexpr int reel_in = game::button_reel_in;
 
 double x(const Simulation& s, int player) { return s.player(player).position().x; }
@@ -103,11 +104,35 @@ std::vector<Move> swing_me_across(int player) {
           to_flag(0, 13.2)};
 }
 
+std::vector<Move> the_light_one_first(int player) {
+  const auto is_up = [](const Simulation& s) { return y(s, 1) > 8.7 && s.player(1).is_on_ground(); };
+  if (player == 1) {
+    return {left_of(1, 13.5),
+            halt(1),
+            until(0, [](const Simulation& s) { return x(s, 0) < 9.0; }),
+            left_of(1, 9.6),
+            until(left, is_up),
+            to_flag(1, 2.9)};
+  }
+  return {until(0, [](const Simulation& s) { return x(s, 1) < 14.0; }),
+          left_of(0, 11.1),
+          halt(0),
+          for_ticks(grab, 20),
+          until(grab | game::button_up, [](const Simulation& s) { return y(s, 0) > 10.2; }),
+          for_ticks(left | jump, 1),
+          left_of(0, 8.6),
+          until(left | jump, [](const Simulation& s) { return x(s, 0) < 6.6; }),
+          halt(0),
+          until(reel_in, is_up),
+          to_flag(0, 2.9)};
+}
+
 }  // namespace
 
 std::vector<Move> winning_script_for_two(const std::string& level, int player) {
   if (level == "over_you_go") return over_you_go(player);
   if (level == "pull_me_up") return pull_me_up(player);
+  if (level == "the_light_one_first") return the_light_one_first(player);
   if (level == "swing_me_across") return swing_me_across(player);
   return {};
 }

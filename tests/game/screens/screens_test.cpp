@@ -90,6 +90,20 @@ TEST_P(Screens, NoTextOfRunsIsCutOff) {
   EXPECT_NE(texts_of(pause).find("Options"), std::string::npos);
 }
 
+TEST_P(Screens, NoTextOfARunOfTwoIsCutOff) {
+  RunOptions asked;
+  asked.level = "pull_me_up";
+  PlayScreen play(session, asked, false);
+  play.shown();
+  EXPECT_NE(texts_of(play).find("hold Q to pull up ←"), std::string::npos) << "keys of both halves";
+  session.settings.help = true;
+  const std::string playing = texts_of(play);
+  EXPECT_NE(playing.find("A D: run, swing"), std::string::npos) << playing;
+  EXPECT_NE(playing.find("Second player: ← →: run"), std::string::npos) << playing;
+  LevelScreen levels(session);
+  EXPECT_NE(texts_of(levels).find("Pull me up, for two"), std::string::npos);
+}
+
 TEST_P(Screens, ResultsShowTimeAndBest) {
   const engine::Replay golden = engine::load_replay(test_support::golden());
   RunOptions asked;

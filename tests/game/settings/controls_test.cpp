@@ -74,6 +74,24 @@ TEST(Controls, AHeldButtonCountsInEveryTick) {
   EXPECT_EQ(hands.tick(), button_right) << "an unplugged gamepad holds nothing";
 }
 
+/// Until it is pressed again.
+TEST(Controls, AKeyHeldBeforeAFallIsIgnored) {
+  Hands hands;
+  hands.events.key_down(Key::d);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_right);
+  hands.controls.ignore_held();
+  EXPECT_EQ(hands.tick(), 0);
+  hands.events.key_down(Key::space);
+  hands.frame();
+  EXPECT_EQ(hands.tick(), button_jump);
+  hands.events.key_up(Key::d);
+  hands.frame();
+  hands.events.key_down(Key::d);
+  hands.frame();
+  EXPECT_EQ(hands.tick() & button_right, button_right);
+}
+
 TEST(Controls, ASingleNotchOfTheWheelReelsForAWhile) {
   Hands hands;
   hands.events.wheel({0.0, -1.0});

@@ -306,6 +306,20 @@ TEST(TwoPlayers, TheGhostHasBoth) {
   EXPECT_FALSE(Ghost::load(TEST_ASSETS "/replays/first_swing.replay", load_level("first_swing"))->at(0, 1));
 }
 
+TEST(TheLightOneFirst, TheThinRopeBreaksUnderTheHeavyOne) {
+  const Level level = load_level("the_light_one_first");
+  Simulation simulation(level);
+  while (x(simulation, 0) > 13.0) simulation.tick(press(button_left, 0));
+  while (x(simulation, 1) > 11.2) simulation.tick(press(0, button_left));
+  int breaks = 0;
+  for (int k = 0; k < 120; ++k) {
+    simulation.tick(press(0, button_grab | button_up));
+    for (const ribbon::box2d::CutEvent& cut : simulation.scene().coupling().cut_events()) breaks += cut.broke ? 1 : 0;
+  }
+  EXPECT_GE(breaks, 1);
+  EXPECT_NEAR(y(simulation, 1), 3.75, 0.1);
+}
+
 std::string refusal_of(const engine::TiledMap& map) {
   return test_support::refusal<engine::MapError>([&map] { level_of(map); });
 }
@@ -321,8 +335,7 @@ engine::TiledMap with_second(const std::function<void(engine::MapObject&)>& chan
 
 TEST(LevelForTwo, SaysWhatIsWrongAndWhatIsAccepted) {
   const auto moved = with_second([](engine::MapObject& second) { second.position.x += 1.0; });
-  EXPECT_NE(refusal_of(moved).find("a cord with an end 1 m from its player"), std::string::npos)
-      << refusal_of(moved);
+  EXPECT_NE(refusal_of(moved).find("a cord with an end 1 m from its player"), std::string::npos) << refusal_of(moved);
   const auto shaped = with_second([](engine::MapObject& second) { second.shape = engine::MapShape::rectangle; });
   EXPECT_NE(refusal_of(shaped).find("accepted is point"), std::string::npos);
   engine::TiledMap three = level_for_two().map;

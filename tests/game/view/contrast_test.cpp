@@ -46,6 +46,12 @@ void each_palette(Use use) {
       use(palette(safe, place), std::string(place_name(place)) + (safe ? ", colour-safe" : ""));
 }
 
+/// With any kind of colour blindness.
+TEST(Clothes, OfTwoPlayersDifferInBrightness) {
+  EXPECT_GE(contrast(clothes_of(0).jacket, clothes_of(1).jacket), 2.0);
+  EXPECT_GE(contrast(clothes_of(0).scarf, clothes_of(1).scarf), 2.0);
+}
+
 TEST(Ghost, DiffersFromEveryBackdrop) {
   each_palette([](const Palette& colors, const std::string& name) {
     const GhostColors ghost = ghost_colors(colors);

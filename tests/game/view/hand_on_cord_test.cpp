@@ -69,9 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Recorded, HandOnCord, testing::ValuesIn(level_names()),
 TEST_P(HandOnCord, AHandHoldsThePlaceThatThePlayerHolds) {
   for_each_tick(GetParam(), [](const Frame& frame) {
     const ribbon::box2d::Coupling& coupling = frame.simulation.scene().coupling();
-    const Player& player = frame.simulation.player();
-    const auto held =
-        player.held_place(coupling) ? held_position(coupling, frame.now, player.body()) : std::optional<Vec2>();
+    const auto place = frame.simulation.player().held_place(coupling);
+    const auto held = place ? std::optional(held_position(coupling, frame.now, *place)) : std::nullopt;
     ASSERT_EQ(held.has_value(), frame.state.cord.has_value());
     if (!held) return;
     const auto& hand = frame.pose.hand;
