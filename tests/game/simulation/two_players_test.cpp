@@ -100,6 +100,8 @@ TEST(TwoPlayers, EitherReachesTheCheckpointAndBothReturnToIt) {
   run(simulation, 240, 0, 0);
   EXPECT_NEAR(x(simulation, 0), 11.6, 0.3) << "the rope between them comes to rest";
   EXPECT_NEAR(x(simulation, 1), 12.4, 0.3);
+  run(simulation, 90, button_left, button_right);
+  EXPECT_LT(x(simulation, 1) - x(simulation, 0), simulation.tether()->length() + 0.05) << "both are tied again";
 }
 
 TEST(Tether, KeepsThePlayersWithinItsLength) {
