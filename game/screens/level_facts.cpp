@@ -40,12 +40,12 @@ std::vector<std::string> splits_in_words(const Splits& splits, const Splits& ref
   int in_line = 0;
   for (std::size_t k = 0; k < splits.size(); ++k) {
     if (!splits[k]) continue;
-    std::string words = std::to_string(k + 1) + ": " + seconds_in_words(*splits[k]);
-    if (k < reference.size() && reference[k]) words += " (" + difference_in_words(*splits[k], *reference[k]) + ")";
+    std::string line = std::to_string(k + 1) + ": " + seconds_in_words(*splits[k]);
+    if (k < reference.size() && reference[k]) line += " (" + difference_in_words(*splits[k], *reference[k]) + ")";
     if (in_line == 0) {
-      lines.push_back("Checkpoint " + words);
+      lines.push_back(words::filled(words::checkpoint_splits, {{"splits", line}}));
     } else {
-      lines.back() += "   " + words;
+      lines.back() += "   " + line;
     }
     in_line = (in_line + 1) % 2;
   }

@@ -276,7 +276,7 @@ void PlayScreen::choose_message() {
   if (goal && !won_) return set(words::made_it, words::filled(words::made_it_in, {{"time", seconds_in_words(*goal)}}));
   if (run_.has_replay()) return set("", "");
   if (simulation().players() == 2 && !goal && simulation().is_at_flag(0) != simulation().is_at_flag(1))
-    return set("", "One is at the flag: both must touch it");
+    return set("", words::one_at_flag);
   const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
   if (slowed_ == 1 && hint_.is_shown() && !goal) return set("", hint);
   set("", slowed_ == 1 ? "" : words::filled(words::slow_motion, {{"factor", std::to_string(slowed_)}}));

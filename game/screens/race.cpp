@@ -5,6 +5,7 @@
 #include "engine/window/sdl_window.h"
 #include "game/screens/level_facts.h"
 #include "game/view/hud.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -19,8 +20,7 @@ void Race::check(const Level& level) const {
   try {
     Ghost::open(rival_, level);
   } catch (const engine::ReplayError& error) {
-    throw engine::ReplayError("--ghost " + rival_ + " cannot be raced against: " + error.what() +
-                              "; accepted is a recording of the level that is played");
+    throw engine::ReplayError(words::filled(words::rival_refused, {{"file", rival_}, {"reason", error.what()}}));
   }
 }
 
@@ -34,7 +34,7 @@ void Race::begin(const Level& level) {
   const bool by_rival = !rival_.empty();
   const std::string path = by_rival ? rival_ : session_->records.replay_path(level_);
   if (session_->settings.ghost || by_rival) ghost_ = Ghost::load(path, level);
-  if (by_rival && !ghost_) session_->notice.show("The recording is of another version of this level: no ghost");
+  if (by_rival && !ghost_) session_->notice.show(words::rival_of_other_version);
   if (const auto best = session_->records.best(level_); best && !by_rival) reference_ = best->splits;
   const bool is_known = !reference_.empty() || level.checkpoints.empty();
   if (!is_known) scout_ = Ghost::load(path, level);

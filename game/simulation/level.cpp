@@ -16,7 +16,7 @@ using engine::MapObject;
 const std::vector<std::string> own_kinds = {"player", "player_2", "goal",   "checkpoint", "hook", "text",
                                             "blade",  "fire",     "spikes", "chaser",     "coin"};
 const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox", "lines",
-                                                 "gold",  "silver", "bronze", "knife", "place"};
+                                                 "gold",  "silver", "bronze", "knife",   "place"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 

@@ -88,9 +88,10 @@ std::string assets_folder();
 ///   broken). After a death it is back at its start
 /// - `coin`: point; the player collects it by touch, and keeps it after a fall
 /// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines, gold, silver,
-/// bronze [s], knife (the player can cut cords; false by default), place (hills, cave, harbour or storm; by default hills). Bodies and the player float in the water of the map;
-/// see WaterForces. A line can be thrown at bodies with the property `sticky` too. Throws engine::MapError if the file
-/// does not exist, if the map has other or invalid objects or properties, or if the scene cannot be built.
+/// bronze [s], knife (the player can cut cords; false by default), place (hills, cave, harbour or storm; by default
+/// hills). Bodies and the player float in the water of the map; see WaterForces. A line can be thrown at bodies with
+/// the property `sticky` too. Throws engine::MapError if the file does not exist, if the map has other or invalid
+/// objects or properties, or if the scene cannot be built.
 Level load_level(const std::string& name);
 
 /// Returns the level of a map. Throws like load_level.

@@ -98,6 +98,9 @@ LevelRules read_rules(const engine::TiledMap& map) {
     if (object.kind == "blade") rules.blades.push_back(read_blade(object, map));
     if (object.kind == "fire") rules.fires.push_back(read_fire(object));
     if (object.kind == "chaser") rules.chasers.push_back(read_chaser(object, map));
+    if (object.kind == "circle" && object.properties.integer_or("path", 0) != 0) {
+      rules.rails.push_back(engine::track_of(object, map));
+    }
     if (object.kind == "spikes") {
       check_shape(object, {MapShape::rectangle});
       object.properties.check_known_properties({});

@@ -39,8 +39,9 @@ struct LevelRules {
   std::vector<Fire> fires;
   std::vector<Area> spikes;
   std::vector<Chaser> chasers;
-  std::vector<ribbon::Vec2> coins;  ///< m
-  bool knife = false;               ///< the player can cut cords
+  std::vector<ribbon::Vec2> coins;   ///< m
+  std::vector<engine::Track> rails;  ///< on which circles of the scene ride, to be drawn
+  bool knife = false;                ///< the player can cut cords
 };
 
 /// Reads the objects of the classes blade, fire, spikes, chaser and coin, and the property `knife` of the map;

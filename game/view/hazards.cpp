@@ -182,9 +182,7 @@ void draw_hazards(Pen& pen, const Simulation& simulation, double alpha) {
 }
 
 void draw_rails(Pen& pen, const Level& level) {
-  for (const engine::MapObject& circle : level.map.objects) {
-    if (circle.kind != "circle" || circle.properties.integer_or("path", 0) == 0) continue;
-    const engine::Track track = engine::track_of(circle, level.map);
+  for (const engine::Track& track : level.rules.rails) {
     pen.canvas.polyline(track.points(), 0.12, with_alpha(pen.colors.ink, 150));
     pen.canvas.polyline(track.points(), 0.05, with_alpha(mix(pen.colors.iron, white, 0.3), 200));
   }

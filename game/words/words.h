@@ -118,6 +118,7 @@ inline constexpr const char* two_parts = "{first}   {second}";
 inline constexpr const char* end_of_recording = "End of the recording";
 inline constexpr const char* stopped = "Stopped";
 inline constexpr const char* stopped_keys = "{pause}: resume   {step}: one tick";
+inline constexpr const char* one_at_flag = "One is at the flag: both must touch it";
 inline constexpr const char* made_it = "You made it!";
 inline constexpr const char* made_it_in = "in {time}";
 inline constexpr const char* slow_motion = "slow motion 1/{factor}";
@@ -139,11 +140,15 @@ inline constexpr const char* best_is = "Your best: {best}";
 inline constexpr const char* no_medal = "With assists: no medal for this time";
 inline constexpr const char* next_medal = "{medal}: {time} or less";
 inline constexpr const char* coins_of = "Coins: {found} of {all}";
+inline constexpr const char* checkpoint_splits = "Checkpoint {splits}";
 inline constexpr const char* no_falls = "Without a fall";
 inline constexpr const char* one_fall = "1 fall";
 inline constexpr const char* some_falls = "{count} falls";
 
 // Notices
+inline constexpr const char* rival_refused =
+    "--ghost {file} cannot be raced against: {reason}; accepted is a recording of the level that is played";
+inline constexpr const char* rival_of_other_version = "The recording is of another version of this level: no ghost";
 inline constexpr const char* pad_found = "A gamepad is plugged in";
 inline constexpr const char* pad_lost = "The gamepad was unplugged";
 inline constexpr const char* sound_missing = "A sound is missing: {reason}";

@@ -84,7 +84,7 @@ TEST(Burning, ARopeInAFireIsBlackAndFlames) {
   EXPECT_GE(shapes_of(simulation), before + 3) << "a flame on the rope";
   CountingCanvas canvas;
   const Palette& colors = palette(false);
-  const Pen pen{canvas, colors, textures(colors)};
+  const Pen pen{canvas, colors, textures(false, Place::hills)};
   std::vector<engine::Color> tints;
   add_char(pen, drawn(simulation, 0), simulation.rules().burning(), tints);
   ASSERT_EQ(tints.size(), 41U);
