@@ -18,16 +18,21 @@ void replace_all(std::string& words, const std::string& name, const std::string&
 }
 constexpr std::size_t max_codes = 2;  // of an action
 
+/// Returns whether an action has a key or mouse button, or one of a gamepad.
+bool has_codes(const Bindings& bindings, Action action, bool of_pad) {
+  const auto& codes = bindings.codes(action);
+  return std::any_of(codes.begin(), codes.end(), [of_pad](const engine::InputCode& code) {
+    return std::holds_alternative<engine::PadButton>(code) == of_pad;
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> help_lines(const Settings& settings, bool pad) {
   std::vector<std::string> lines;
   for (const Action action : all_actions()) {
     std::string keys = codes_in_words(settings.bindings, action, pad, max_codes);
-    const bool bound = std::any_of(
-        settings.bindings.codes(action).begin(), settings.bindings.codes(action).end(),
-        [pad](const engine::InputCode& code) { return std::holds_alternative<engine::PadButton>(code) == pad; });
-    if (!bound) continue;
+    if (!has_codes(settings.bindings, action, pad)) continue;
     if (action == Action::grab && !settings.toggle_grab) keys = words::filled(words::help_hold, {{"keys", keys}});
     lines.push_back(words::filled(words::help_entry, {{"keys", keys}, {"action", action_title(action)}}));
   }
@@ -37,13 +42,19 @@ std::vector<std::string> help_lines(const Settings& settings, bool pad) {
 std::vector<std::string> help_lines_for_two(const Settings& settings, bool pad) {
   Settings half = settings;
   half.bindings = bindings_of(0, settings);
-  std::vector<std::string> lines = help_lines(half, pad);
-  if (pad) return lines;  // the second gamepad has the same buttons
+  if (pad) return help_lines(half, pad);  // the second gamepad has the same buttons
   const Bindings second = bindings_of(1, settings);
+  std::vector<std::string> lines;
   for (const Action action : all_actions()) {
-    if (second.codes(action).empty()) continue;
-    lines.push_back(words::filled(words::help_second_player, {{"keys", codes_in_words(second, action, false, 1)},
-                                                              {"action", action_title(action)}}));
+    if (!has_codes(half.bindings, action, pad)) continue;
+    const std::string keys = codes_in_words(half.bindings, action, pad, 1);
+    if (!has_codes(second, action, pad)) {
+      lines.push_back(words::filled(words::help_entry, {{"keys", keys}, {"action", action_title(action)}}));
+      continue;
+    }
+    lines.push_back(words::filled(
+        words::help_of_two,
+        {{"first", keys}, {"second", codes_in_words(second, action, pad, 1)}, {"action", action_title(action)}}));
   }
   return lines;
 }

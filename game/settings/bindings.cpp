@@ -26,7 +26,7 @@ Bindings Bindings::defaults() {
   bind(Action::grab, {Key::e, Key::shift, PadButton::x, PadButton::right_trigger});
   bind(Action::throw_line, {MouseButton::left, Key::f, PadButton::y});
   bind(Action::throw_second, {MouseButton::right, Key::g, PadButton::left_trigger});
-  bind(Action::tie, {Key::v});
+  bind(Action::tie, {Key::v, PadButton::right_stick});
   bind(Action::cut, {Key::c, PadButton::left_stick});
   bind(Action::reel_in, {Key::q, WheelTurn::up, PadButton::right_shoulder});
   bind(Action::reel_out, {Key::z, WheelTurn::down, PadButton::left_shoulder});
@@ -34,7 +34,7 @@ Bindings Bindings::defaults() {
   bind(Action::restart, {Key::r, PadButton::back});
   bind(Action::pause, {Key::p, Key::escape, PadButton::start});
   bind(Action::step, {Key::n});
-  bind(Action::slow_motion, {Key::x, PadButton::right_stick});
+  bind(Action::slow_motion, {Key::x});
   bind(Action::help, {Key::f1, Key::h});
   bind(Action::debug_view, {Key::f3});
   bind(Action::panel, {Key::f2});

@@ -112,8 +112,8 @@ TEST(TwoHalves, HintsAndHelpNameTheKeysOfBoth) {
   EXPECT_EQ(hint_in_words("{jump} {jump_2}", {}, true), "A A");
   std::string help;
   for (const std::string& line : help_lines_for_two({}, false)) help += line + "\n";
-  EXPECT_NE(help.find("A D: run, swing"), std::string::npos) << help;
-  EXPECT_NE(help.find("Second player: ← →: run"), std::string::npos) << help;
+  EXPECT_NE(help.find("A | ←: Run or swing left"), std::string::npos) << help;
+  EXPECT_NE(help.find("Space | Enter: Jump, let go"), std::string::npos) << help;
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ class LineCanvas : public engine::Canvas {
   void paint_mesh(const engine::Mesh&, engine::Color) override {}
   void paint_text(Vec2, std::string_view, double, engine::Color) override {}
   void paint_textured(const engine::TexturedMesh& mesh, const engine::Texture&, const engine::PixelBox&) override {
-    if (mesh.vertices.empty() || mesh.vertices.front().color != palette(false).line) return;
+    if (mesh.vertices.empty() || mesh.vertices.front().color != palette(false, Place::storm).line)
+      return;  // that of the level
     for (const engine::TexturedVertex& vertex : mesh.vertices) corners.push_back(to_world(vertex.at));
   }
 };
