@@ -15,7 +15,7 @@ constexpr float beyond = 1e9F;  // px, outside any canvas
 /// Returns the colour of the gradient at the middle of a row.
 std::uint32_t color_at(const Raster::Skyline& look, int row) {
   const double t = std::clamp((row + 0.5 - look.top) / (look.bottom - look.top), 0.0, 1.0);
-  return packed(mixed(spread(look.upper), spread(look.lower), static_cast<Lanes>(256.0 * t + 0.5)));
+  return packed(mixed(spread(look.upper), spread(look.lower), static_cast<Lanes>(std::lround(256.0 * t))));
 }
 
 int column(double x, int width) { return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, 1.0 * width)); }

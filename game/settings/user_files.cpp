@@ -54,7 +54,7 @@ std::string desktop_folder(const std::string& name) {
 }
 
 std::string saving_folder(const std::string& name, const char* below_data) {
-  const std::string chosen = desktop_folder(name);
+  std::string chosen = desktop_folder(name);
   if (!chosen.empty()) return chosen;
   return data_folder().empty() ? "" : data_folder() + below_data;
 }

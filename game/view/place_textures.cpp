@@ -28,7 +28,8 @@ Image ground_image(Shade shade) {
   for (int y = 0; y < ground_side; ++y)
     for (int x = 0; x < ground_side; ++x) texels.push_back(shade((x + 0.5) / ground_side, (y + 0.5) / ground_side));
   const auto at = [&](int x, int y) {
-    return texels[static_cast<std::size_t>((y & (ground_side - 1)) * ground_side + (x & (ground_side - 1)))];
+    return texels[static_cast<std::size_t>(y & (ground_side - 1)) * ground_side +
+                  static_cast<std::size_t>(x & (ground_side - 1))];
   };
   return drawn(2 * ground_side, 2 * ground_side, [&](double u, double v) {
     const double x = u * ground_side - 0.5;

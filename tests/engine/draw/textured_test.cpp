@@ -358,7 +358,7 @@ TEST(Textured, CopiesTexelsAtTheirOwnSize) {
   raster.fill(rectangle({5.0, 6.0}, {13.0, 14.0}), {&image, Filter::nearest, Wrap::clamp, Wrap::clamp});
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {
-      const Color c = texels[static_cast<std::size_t>(8 * y + x)];
+      const Color c = texels[8 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)];
       const int red = static_cast<int>(pixel(raster, 5 + x, 6 + y) >> 16U);
       EXPECT_NEAR(red, c.r * c.a / 255.0, 1.0) << x << " " << y;
     }

@@ -21,7 +21,7 @@ const std::string replays = TEST_ASSETS "/replays/";
 
 /// An empty folder of that name.
 std::string folder(const std::string& name) {
-  const std::string path = scratch(name);
+  std::string path = scratch(name);
   fs::remove_all(path);
   fs::create_directories(path);
   return path;

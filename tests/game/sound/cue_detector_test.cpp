@@ -182,7 +182,7 @@ struct Swing {
 };
 
 Swing swing_with(double breaking_force) {
-  const Level level = first_swing_level();
+  const Level& level = first_swing_level();
   Simulation simulation(level);
   ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   for (const ribbon::box2d::CordId id : coupling.cords()) {

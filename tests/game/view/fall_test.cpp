@@ -76,7 +76,9 @@ TEST(Veil, AnIrisIsDarkOutsideOfItsHole) {
   engine::HeadlessCanvas canvas(200, 100);
   canvas.clear({200, 200, 200});
   draw_iris(canvas, {100.0, 50.0}, 0.3);
-  const auto pixel = [&](int x, int y) { return canvas.raster().pixels()[static_cast<std::size_t>(200 * y + x)]; };
+  const auto pixel = [&](int x, int y) {
+    return canvas.raster().pixels()[200 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)];
+  };
   EXPECT_EQ(pixel(100, 50), 0xc8c8c8U);
   EXPECT_EQ(pixel(100 + 31, 50), 0xc8c8c8U);
   EXPECT_NE(pixel(100 + 36, 50), 0xc8c8c8U);
