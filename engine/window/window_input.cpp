@@ -41,6 +41,8 @@ WindowInput without_events(const WindowInput& input) {
   rest.left_stick = input.left_stick;
   rest.right_stick = input.right_stick;
   rest.pads = input.pads;
+  rest.each_pad = input.each_pad;
+  for (PadInput& pad : rest.each_pad) pad.pressed = pad.released = {};
   return rest;
 }
 
@@ -80,6 +82,7 @@ std::vector<WindowInput> single_presses(const WindowInput& input) {
   last.keys_released = input.keys_released;
   last.buttons_released = input.buttons_released;
   last.pad_released = input.pad_released;
+  last.each_pad = input.each_pad;  // the order of presses of different players does not matter
   last.pad_found = input.pad_found;
   last.pad_lost = input.pad_lost;
   return parts;

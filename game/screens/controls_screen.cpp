@@ -54,6 +54,7 @@ Next ControlsScreen::update(const Frame& frame) {
   if (choice->item == rows() - 1) return Next::back();
   if (choice->item == rows() - 2) {
     bindings = Bindings::defaults();
+    session_->settings.second_bindings = Bindings::second_defaults();
   } else {
     rebinding_.emplace(all_actions()[static_cast<std::size_t>(choice->item)]);
   }

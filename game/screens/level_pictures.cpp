@@ -20,13 +20,13 @@ engine::Image image_of(const engine::Raster& raster) {
 
 }  // namespace
 
-const engine::Image* LevelPictures::of(const Level& level) const {
-  const auto found = images_.find(level.map.content_hash);
+const engine::Image* LevelPictures::of(const Level& level, bool colour_safe) const {
+  const auto found = images_.find(key_of(level, colour_safe));
   return found == images_.end() || !found->second ? nullptr : &*found->second;
 }
 
 void LevelPictures::make(const Level& level, const std::vector<std::string>& signs, bool colour_safe) {
-  auto& image = images_[level.map.content_hash];
+  auto& image = images_[key_of(level, colour_safe)];
   if (image) return;
   try {
     const Simulation simulation(level);

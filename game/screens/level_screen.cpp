@@ -55,7 +55,8 @@ void LevelScreen::shown() { fill_grid(); }
 void LevelScreen::fill_grid() {
   std::vector<PictureCard> cards;
   for (const Level& level : levels_) {
-    PictureCard card{title_in_list(level), "", Medal::none, session_->level_pictures.of(level)};
+    PictureCard card{title_in_list(level), "", Medal::none,
+                     session_->level_pictures.of(level, session_->settings.colour_safe)};
     if (const auto best = session_->records.best(level_key(level))) {
       card.time = seconds_in_words(best->ticks);
       card.medal = medal_of(level, *best);
@@ -80,7 +81,7 @@ void LevelScreen::make_a_picture(const GridPlace& place) {
   const Level* missing = nullptr;
   for (int k = 0; k < grid_.size(); ++k) {
     const Level& level = levels_[static_cast<std::size_t>(k)];
-    if (session_->level_pictures.has_tried(level)) continue;
+    if (session_->level_pictures.has_tried(level, session_->settings.colour_safe)) continue;
     if (missing == nullptr) missing = &level;
     if (!grid_.shows(k, place)) continue;
     missing = &level;

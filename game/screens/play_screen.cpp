@@ -143,7 +143,7 @@ Next PlayScreen::play(const Frame& frame) {
   take_controls(frame.input, mouse);
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
-  race_.advance(ticks, simulation().run_ticks());
+  if (frame.elapsed_ns > 0) race_.advance(ticks, simulation().run_ticks());  // once a frame
   if (!is_won()) {
     won_ = false;  // restarted
   } else if (!std::exchange(won_, true)) {

@@ -22,7 +22,8 @@ std::optional<InputCode> first_pressed(const WindowInput& input, std::size_t cou
 }  // namespace
 
 std::optional<InputCode> pressed_code(const WindowInput& input) {
-  if (const auto key = first_pressed<Key>(input, engine::key_count)) return key;
+  // The last keys are the sides of Shift and Ctrl, which are pressed together with these.
+  if (const auto key = first_pressed<Key>(input, static_cast<std::size_t>(Key::left_shift))) return key;
   if (const auto button = first_pressed<engine::MouseButton>(input, engine::mouse_button_count)) return button;
   if (const auto turn = first_pressed<engine::WheelTurn>(input, engine::wheel_turn_count)) return turn;
   return first_pressed<engine::PadButton>(input, engine::pad_button_count);

@@ -30,13 +30,11 @@ constexpr std::array<Vec2, 8> directions_around = {{{0.0, 1.0},
 constexpr std::array<Vec2, 5> directions_ahead = {
     {{0.5, 0.866}, {0.707, 0.707}, {0.866, 0.5}, {0.259, 0.966}, {0.0, 1.0}}};
 
-/// The first thing that a ray meets, apart from sensors and the player.
+/// The first thing that a ray meets, apart from sensors and players, through which lines fly.
 class FirstHit : public b2RayCastCallback {
  public:
-  explicit FirstHit(const b2Body& player) : player_(&player) {}
-
   float ReportFixture(b2Fixture* fixture, const b2Vec2& point, const b2Vec2& normal, float fraction) override {
-    if (fixture->IsSensor() || fixture->GetBody() == player_) return -1.0F;
+    if (fixture->IsSensor() || fixture->GetFilterData().categoryBits == player_category) return -1.0F;
     body = fixture->GetBody();
     at = point;
     outwards = normal;
@@ -46,9 +44,6 @@ class FirstHit : public b2RayCastCallback {
   b2Body* body = nullptr;
   b2Vec2 at{0.0F, 0.0F};
   b2Vec2 outwards{0.0F, 0.0F};
-
- private:
-  const b2Body* player_;
 };
 
 bool is_sticky(const engine::Scene& scene, const b2Body* body) {
@@ -69,7 +64,7 @@ std::optional<Target> surface(const engine::Scene& scene, const Player& player, 
   const double size = length(direction);
   if (size == 0.0) return std::nullopt;
   const Vec2 from = player.hand();
-  FirstHit hit(player.body());
+  FirstHit hit;
   scene.world().RayCast(&hit, to_float(from), to_float(from + (range / size) * direction));
   if (hit.body == nullptr || !is_sticky(scene, hit.body)) return std::nullopt;
   const Vec2 at = to_double(hit.at) + player.line().tuning().radius * to_double(hit.outwards);

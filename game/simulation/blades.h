@@ -27,6 +27,9 @@ class Blades {
 
   void add_to(ribbon::box2d::Hasher& hasher) const;
 
+  /// Forgets how the cords moved: they were put where they are.
+  void store(const engine::Scene& scene);
+
  private:
   struct Piece {
     ribbon::box2d::CordId cord;
@@ -37,7 +40,6 @@ class Blades {
   void move(const std::vector<Blade>& blades, const engine::Scene& scene);
   void find_cuts(const engine::Scene& scene, ribbon::box2d::CordId cord);
   void cut_at_columns(engine::Scene& scene, ribbon::box2d::CordId cord);
-  void store(const engine::Scene& scene);
   bool rests(ribbon::box2d::CordId cord) const;
 
   std::vector<Points> local_;   // the edges in the frames of their bodies, m; those without a body in the world

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include "game/simulation/player.h"
@@ -102,6 +103,14 @@ void check_tether(const Level& level, const MapObject& player_2, const engine::S
   if (!cord || coupling.cord(*cord).solver() != ribbon::box2d::Solver::direct || coupling.cord(*cord).shape().rows != 1)
     throw player_2.error(named + "; accepted is the id of a cord of the direct solver with one row");
   const auto points = coupling.cord(*cord).positions();
+  // What holds it would be lost where the cord is laid anew for players that were put elsewhere.
+  bool is_free = coupling.cord(*cord).direct().pulleys().empty();
+  for (int p = 0; p < static_cast<int>(points.size()); ++p) {
+    is_free = is_free && coupling.cord(*cord).kind(p) == ribbon::PointKind::free;
+  }
+  const bool meets_players = (coupling.cord(*cord).filter().maskBits & player_category) != 0;
+  if (!is_free || meets_players)
+    throw player_2.error(named + "; accepted is a cord without pins, anchors and wheels that is not solid");
   const ribbon::Vec2 waist{0.0, 0.5 * PlayerTuning{}.height};
   for (const double gap :
        {length(points.front() - level.player_start - waist), length(points.back() - level.second->start - waist)}) {
@@ -168,7 +177,7 @@ Level level_of(engine::TiledMap map) {
   if (second != nullptr) {
     const engine::Properties& p = second->properties;
     level.second = SecondPlayer{second->position, p.number_or("mass", PlayerTuning{}.mass, {0.1, 1e4}),
-                                static_cast<int>(p.integer_or("tether", 0))};
+                                static_cast<int>(p.integer_or("tether", 0, {0, std::numeric_limits<int>::max()}))};
   }
   read_map_properties(level);
   if (const MapObject* goal = level.sandbox ? find_only(level.map, "goal", engine::MapShape::rectangle, {})

@@ -106,9 +106,14 @@ void Lines::add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling) {
 
 void Lines::add_to(ribbon::box2d::Hasher& hasher) const {
   for (const Line& line : all()) line.add_to(hasher);
-  if (count_ == 1) return;  // recordings of levels with one line end here
-  hasher.add(static_cast<int>(last_thrown_));
-  hasher.add(static_cast<int>(knot_count_));
+  if (count_ > 1) hasher.add(static_cast<int>(last_thrown_));
+  for (const Knot& knot : std::span(knots_).first(knot_count_)) {
+    hasher.add(knot.cord);
+    hasher.add(knot.end);
+    hasher.add(knot.place);
+    hasher.add(knot.grip.value_or(-1));
+    hasher.add(static_cast<int>(knot.is_tied));
+  }
 }
 
 }  // namespace game

@@ -167,11 +167,14 @@ void Player::stay_low() {
   if (velocity.y > most) body_->SetLinearVelocity({velocity.x, most});
 }
 
-/// Throws, releases, flies, reels and knots the lines. A player that holds another cord releases it when one arrives.
+/// Throws, releases, flies, reels and knots the lines. When one arrives, the player lets go of a cord or a ledge.
 void Player::handle_lines(const Command& command, const Targets& targets, ribbon::box2d::Coupling& coupling,
                           double dt) {
   lines_.use(command.lines, targets, hand(), coupling, dt);
-  if (lines_.arrive() && holds_cord(coupling)) release_cord(coupling);
+  if (lines_.arrive()) {
+    if (holds_cord(coupling)) release_cord(coupling);
+    leave_ledge();
+  }
   lines_.move(command.lines, coupling, *body_, {0.0, tuning_.hand_height}, dt);
 }
 
@@ -231,7 +234,7 @@ void Player::cut_jump(bool key_is_down) {
 bool Player::catch_cord(ribbon::box2d::Coupling& coupling) {
   std::array<ribbon::box2d::CordId, Lines::most + 2> except{};
   std::size_t excepted = 0;
-  if (tether_) except[excepted++] = *tether_;
+  if (tether_ && coupling.grip(*tether_).is_valid()) except[excepted++] = coupling.grip(*tether_).state().cord;
   for (const Line& line : lines_.all()) {
     if (line.is_held()) except[excepted++] = *line.cord();
   }
@@ -263,18 +266,23 @@ bool Player::catch_ledge() {
   return ledge_.has_value();
 }
 
-/// Holds the body below the edge. A jump leaves it upwards.
+void Player::leave_ledge() {
+  if (!ledge_) return;
+  ledge_.reset();
+  may_catch_ = false;
+}
+
+/// Holds the body below the edge, unless something has pulled it away. A jump leaves it upwards.
 void Player::hang_from_ledge(const Command& command, double dt) {
-  if (!command.grab || command.jump) {
-    ledge_.reset();
-    may_catch_ = false;
+  const Vec2 way = ledge_->edge - Vec2{ledge_->side * tuning_.radius, tuning_.hand_height} - position();
+  if (!command.grab || command.jump || length(way) > tuning_.max_arm_length) {
+    leave_ledge();
     if (!command.jump) return;
     body_->SetLinearVelocity({0.0F, static_cast<float>(tuning_.jump_speed)});
     ticks_since_jump_pressed_ = long_ago;
     jump_can_be_cut_ = false;
     return;
   }
-  const Vec2 way = ledge_->edge - Vec2{ledge_->side * tuning_.radius, tuning_.hand_height} - position();
   const double speed = std::min(tuning_.ledge_speed, length(way) / dt);
   const Vec2 direction = length(way) > 0.0 ? (1.0 / length(way)) * way : Vec2{};
   // Box2D adds gravity before it moves the body.

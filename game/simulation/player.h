@@ -34,9 +34,9 @@ class Player {
   /// Releases everything and places the player at rest at `feet`, m.
   void put(ribbon::Vec2 feet, ribbon::box2d::Coupling& coupling);
 
-  /// Declares that the body also holds an end of this cord at its waist. The player never catches or releases it,
+  /// Declares that the body also holds a cord at its waist, by this grip. The player never catches or releases it,
   /// except in put().
-  void set_tether(ribbon::box2d::CordId cord) { tether_ = cord; }
+  void set_tether(ribbon::box2d::GripId grip) { tether_ = grip; }
   /// Returns the place of a cord or line that the player holds in its hand; not of the tether.
   std::optional<ribbon::box2d::CordPoint> held_place(const ribbon::box2d::Coupling& coupling) const;
 
@@ -74,6 +74,7 @@ class Player {
   void cut_jump(bool key_is_down);
   bool catch_cord(ribbon::box2d::Coupling& coupling);
   bool catch_ledge();
+  void leave_ledge();
   void hang_from_ledge(const Command& command, double dt);
   void hang(const Command& command, ribbon::box2d::Coupling& coupling, double dt);
   void climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::box2d::Coupling& coupling);
@@ -88,7 +89,7 @@ class Player {
   Lines lines_;
   std::optional<Ledge> ledge_;
   std::optional<ribbon::box2d::GripId> grip_id_;  // of the held cord, not of a line
-  std::optional<ribbon::box2d::CordId> tether_;   // held at the waist too
+  std::optional<ribbon::box2d::GripId> tether_;   // of the rope at the waist; it stays with a piece of a cut one
   int direction_ = 0;                             // 1 right, −1 left, in the last tick
   int pump_ticks_left_ = 0;
   bool can_climb_ = true;                // the held cord is one of the direct solver

@@ -58,6 +58,10 @@ bool Rules::meet(const Player& player) {
   return chase_.touches(level_->chasers, player);
 }
 
+void Rules::cords_were_put(const engine::Scene& scene) {
+  if (!level_->blades.empty()) blades_.store(scene);
+}
+
 void Rules::return_to(const Rules& start) {
   std::vector<std::uint8_t> coins = std::move(coins_);
   *this = start;

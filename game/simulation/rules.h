@@ -31,6 +31,8 @@ class Rules {
   bool meet(const Player& player);
   /// After a fall: all is as at the start of the run, but the coins stay collected.
   void return_to(const Rules& start);
+  /// Cords were put elsewhere since the last tick, which no blade has cut on their way.
+  void cords_were_put(const engine::Scene& scene);
   /// Sends the chasers back, for a player that is put back in a scene that goes on.
   void send_chasers_back() { chase_.go_back(level_->chasers); }
 

@@ -19,18 +19,21 @@ namespace game {
 
 /// What a run remembers of one of its players, besides the Player.
 struct Seat {
-  Targets targets{};             ///< of its lines
-  ribbon::Vec2 foothold{};       ///< m, feet: the position after a fall with the assist no_fall
-  ribbon::Vec2 next_foothold{};  ///< m, feet: becomes foothold if the player keeps standing
-  int standing_ticks = 0;        ///< on firm ground
+  Targets targets{};                    ///< of its lines
+  std::optional<std::size_t> inside{};  ///< the checkpoint in which it is
+  ribbon::Vec2 foothold{};              ///< m, feet: the position after a fall with the assist no_fall
+  ribbon::Vec2 next_foothold{};         ///< m, feet: becomes foothold if the player keeps standing
+  int standing_ticks = 0;               ///< on firm ground
   std::uint16_t buttons_before = 0;
 };
 
 /// State of a Simulation between two ticks.
 struct SavedTick {
-  /// Drag, checkpoint, the seats, ticks, ticks of the run, falls, and ticks at the goal: the members of Simulation with
+  /// Drag, checkpoint, the seats, ticks, ticks of the run, falls, the player that fell last, and ticks at the
+  /// goal: the members of Simulation with
   /// these names.
-  using Progress = std::tuple<Drag, std::optional<std::size_t>, std::array<Seat, 2>, int, int, int, std::optional<int>>;
+  using Progress =
+      std::tuple<Drag, std::optional<std::size_t>, std::array<Seat, 2>, int, int, int, int, std::optional<int>>;
 
   ribbon::box2d::CouplingState cords;
   ribbon::box2d::WorldSnapshot world;

@@ -219,14 +219,15 @@ bool Simulation::drop_load(const Player& player) {
   for (const engine::SceneBody& made : scene_->bodies()) {
     if (made.kind != engine::BodyKind::load) continue;
     const auto hangs = coupling.body(*made.body).held_place();
-    if (hangs && hangs->cord == held->cord) dropped = coupling.body(*made.body).release() || dropped;
+    if (!hangs || hangs->cord != held->cord) continue;
+    dropped = coupling.grip(*coupling.body(*made.body).first_grip()).release() || dropped;  // lines on it stay
   }
   return dropped;
 }
 
 /// At the goal the player stops, or goes on holding what it holds.
 std::uint16_t Simulation::buttons_after_goal(const Player& player) const {
-  const bool holds = player.held_place(scene_->coupling()).has_value();
+  const bool holds = player.ledge() || player.held_place(scene_->coupling());
   return holds ? static_cast<std::uint16_t>(button_grab) : std::uint16_t{0};
 }
 
@@ -258,7 +259,9 @@ void Simulation::put_at(Vec2 first, Vec2 second) {
   players_[0]->put(first, scene_->coupling());
   if (!players_[1]) return;
   players_[1]->put(second, scene_->coupling());
-  if (tether_) tether_->lay(*players_[0], *players_[1], scene_->coupling());
+  if (!tether_) return;
+  tether_->lay(*players_[0], *players_[1], scene_->coupling());
+  rules_.cords_were_put(*scene_);
 }
 
 bool Simulation::is_at_flag(int number) const {
@@ -273,9 +276,14 @@ void Simulation::check_players() {
   std::optional<int> fallen;
   for (int k = 0; k < players(); ++k) {
     const Vec2 at = player(k).position();
+    std::optional<std::size_t> inside;
     for (std::size_t c = 0; c < level_->checkpoints.size(); ++c) {
-      if (level_->checkpoints[c].contains(at)) checkpoint_ = c;
+      if (level_->checkpoints[c].contains(at)) inside = c;
     }
+    // A player that waits in an earlier one does not take it back.
+    std::optional<std::size_t>& was_inside = seats_[static_cast<std::size_t>(k)].inside;
+    if (inside && inside != was_inside) checkpoint_ = inside;
+    was_inside = inside;
     if (level_->assists.no_fall) update_foothold(k);
     const bool dies = !goal_ticks_ && rules_.meet(player(k));
     if (dies || at.y <= -fall_depth) fallen = k;
@@ -287,6 +295,7 @@ void Simulation::check_players() {
     return put_at(foothold, foothold);
   }
   ++falls_;
+  last_fallen_ = *fallen;
   put_players_back();
 }
 
@@ -354,8 +363,10 @@ void Simulation::add_to(ribbon::box2d::Hasher& game, int number) const {
   game.add(held ? held->along : 0.0);
   game.add(scene_->coupling().body(one.body()).velocity());
   one.add_to(game);
+  if (players() == 2) game.add(static_cast<int>(seats_[at(number)].inside.value_or(level_->checkpoints.size())));
   if (!level_->assists.no_fall) return;
   game.add(seats_[at(number)].foothold);
+  game.add(seats_[at(number)].next_foothold);
   game.add(seats_[at(number)].standing_ticks);
 }
 

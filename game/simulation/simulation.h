@@ -92,6 +92,7 @@ class Simulation {
   int run_ticks() const { return run_ticks_; }                    ///< since the last restart
   int falls() const { return falls_; }                            ///< out of the level, since the last restart
   std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< run_ticks() when the goal was reached
+  int last_fallen() const { return last_fallen_; }                ///< the player that fell last
   /// The last checkpoint of the level that the player entered; it returns there after a fall.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
   int coins() const { return rules_.coins(); }  ///< collected since the last restart
@@ -125,7 +126,7 @@ class Simulation {
   template <typename Self>
   static auto progress_of(Self& self) {
     return std::tie(self.drag_, self.checkpoint_, self.seats_, self.ticks_, self.run_ticks_, self.falls_,
-                    self.goal_ticks_);
+                    self.last_fallen_, self.goal_ticks_);
   }
 
   const Level* level_;
@@ -148,6 +149,7 @@ class Simulation {
   int ticks_ = 0;
   int run_ticks_ = 0;
   int falls_ = 0;
+  int last_fallen_ = 0;
   std::optional<int> goal_ticks_;
   int restarts_ = 0;
 };

@@ -42,8 +42,8 @@ void Tether::tie(Player& first, Player& second, ribbon::box2d::Coupling& couplin
   const int last = coupling.cord(cord_).shape().columns - 1;
   grips_[0] = coupling.hold(cord_, 0, first.body(), {0.0F, 0.0F});
   grips_[1] = coupling.hold(cord_, last, second.body(), {0.0F, 0.0F});
-  first.set_tether(cord_);
-  second.set_tether(cord_);
+  first.set_tether(grips_[0]);
+  second.set_tether(grips_[1]);
 }
 
 void Tether::reel(int direction, ribbon::box2d::Coupling& coupling, double dt) {

@@ -41,7 +41,13 @@ CameraSubject Effects::subject() const {
   return now;
 }
 
+Effects::Moving Effects::player(int number) const {
+  const Player& player = simulation_->player(number);
+  return {player.position(), ribbon::box2d::to_double(player.body().GetLinearVelocity())};
+}
+
 void Effects::start_again(const CameraSubject& now) {
+  camera_ = Camera(simulation_->level().map.size);  // the level may have been reloaded with another size
   camera_.jump_to(now);
   particles_.clear();
   trail_.clear();
@@ -54,7 +60,8 @@ void Effects::start_again(const CameraSubject& now) {
 /// Advances by the ticks since the last frame.
 void Effects::advance(const CameraSubject& now, int gap) {
   if (simulation_->falls() > falls_) {
-    fall_.begin(before_.at, before_.velocity);
+    const Moving& fallen = players_before_[static_cast<std::size_t>(simulation_->last_fallen())];
+    fall_.begin(fallen.at, fallen.velocity);
     trail_.clear();
   }
   for (int k = 1; k <= gap; ++k) {
@@ -67,7 +74,7 @@ void Effects::advance(const CameraSubject& now, int gap) {
     between.lands = now.lands && k == gap;
     if (was_closing) camera_.jump_to(between);
     camera_.tick(between);
-    trail_.add(between.at);
+    trail_.add(players_before_[0].at + (was_closing ? 1.0 : 1.0 * k / gap) * (player(0).at - players_before_[0].at));
   }
 }
 
@@ -86,6 +93,7 @@ void Effects::follow(const Palette& palette, bool reduced_motion) {
     was_on_ground_ = on_ground;
   }
   before_ = now;
+  for (int k = 0; k < simulation_->players(); ++k) players_before_[static_cast<std::size_t>(k)] = player(k);
   falls_ = simulation_->falls();
   seen_ticks_ = simulation_->ticks();
   seen_run_ticks_ = simulation_->run_ticks();
@@ -95,8 +103,9 @@ void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
   const Player& player = simulation_->player();
   const Vec2 feet = player.position() - Vec2{0.0, 0.5 * player.tuning().height};
   const Color dust = mix(palette.soil, {255, 255, 255}, 0.45);
-  if (now.lands && now.impact > min_dust_speed) add_dust(particles_, feet, now.impact / 10.0, dust);
-  const bool runs = player.is_on_ground() && std::abs(now.velocity.x) > 3.0;
+  const double impact = std::max(-players_before_[0].velocity.y, 0.0);
+  if (now.lands && impact > min_dust_speed) add_dust(particles_, feet, impact / 10.0, dust);
+  const bool runs = player.is_on_ground() && std::abs(this->player(0).velocity.x) > 3.0;
   if (runs && simulation_->ticks() / step_ticks != seen_ticks_ / step_ticks) add_dust(particles_, feet, 0.0, dust);
   const Place place = simulation_->level().place;
   const bool has_leaves = place == Place::hills || place == Place::storm;

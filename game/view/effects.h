@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -13,8 +14,8 @@
 namespace game {
 
 /// Visual effects that are not part of the simulation: the motion of the camera, dust, leaves, sparks, confetti, the
-/// trail of a fast player, and what is drawn after a fall. They follow a
-/// run by ticks and never change it. Views of the same ticks are equal.
+/// trail of a fast player (the first one), and what is drawn after a fall. They follow a run by ticks and never change
+/// it. Views of the same ticks are equal.
 class Effects {
  public:
   explicit Effects(const Simulation& simulation);
@@ -25,9 +26,9 @@ class Effects {
     return camera_.view(alpha, width, height, reduced_motion);
   }
   void draw(Pen& pen, double alpha) const;
-  /// Draws the trail of the player at `at` (m), behind it.
+  /// Draws the trail of the first player at `at` (m), behind it.
   void draw_trail(Pen& pen, ribbon::Vec2 at) const {
-    if (!fall_.is_shown()) trail_.draw(pen, at, before_.velocity);
+    if (!fall_.is_shown()) trail_.draw(pen, at, players_before_[0].velocity);
   }
   const Fall& fall() const { return fall_; }
 
@@ -42,7 +43,15 @@ class Effects {
   Particles particles_;
   Trail trail_;
   Fall fall_;
+  /// Where a player was after the last tick.
+  struct Moving {
+    ribbon::Vec2 at;        // m
+    ribbon::Vec2 velocity;  // m/s
+  };
+  Moving player(int number) const;
+
   CameraSubject before_{};
+  std::array<Moving, 2> players_before_{};
   bool was_on_ground_ = true;
   bool had_goal_ = false;
   std::optional<std::size_t> checkpoint_{};

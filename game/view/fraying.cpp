@@ -35,9 +35,10 @@ void draw_fibre(Pen& pen, Vec2 from, Vec2 to, double strength, int seed) {
 double load_share(const DrawnCord& cord, int link) {
   const ribbon::box2d::CordView view = cord.coupling.cord(cord.index);
   if (cord.shape.rows > 1 || view.solver() != ribbon::box2d::Solver::direct) return 0.0;
-  const double most = view.direct().def().breaking_force;
   const auto tensions = view.direct().tensions();
-  if (!std::isfinite(most) || most <= 0.0 || link < 0 || static_cast<std::size_t>(link) >= tensions.size()) return 0.0;
+  if (link < 0 || static_cast<std::size_t>(link) >= tensions.size()) return 0.0;
+  const double most = view.direct().breaking_force(link);
+  if (!std::isfinite(most) || most <= 0.0) return 0.0;
   return std::max(0.0, tensions[static_cast<std::size_t>(link)] / most);
 }
 

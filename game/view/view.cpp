@@ -129,7 +129,7 @@ void draw_players(Pen& pen, const Simulation& simulation, const Effects& effects
     falling.velocity = fall.velocity();
     falling.on_ground = false;
     falling.time = pen.time;
-    return draw_figure(pen, pose_of(falling));
+    return draw_figure(pen, pose_of(falling), clothes_of(simulation.last_fallen()));
   }
   effects.draw_trail(pen, figure_of(simulation, now, pen.time).at);
   for (int k = simulation.players() - 1; k >= 0; --k) {  // the first one in front
@@ -147,9 +147,11 @@ void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options
   const Place place = simulation_->level().place;
   const Palette& colors = palette(options.colour_safe, place);
   Pen pen{canvas, colors, textures(options.colour_safe, place), time, options.reduced_motion, place, &stamps_};
-  pen.prepares = prepared_height_ != canvas.height() || prepared_safe_ != options.colour_safe;
+  pen.prepares =
+      prepared_height_ != canvas.height() || prepared_safe_ != options.colour_safe || prepared_place_ != place;
   prepared_height_ = canvas.height();
   prepared_safe_ = options.colour_safe;
+  prepared_place_ = place;
   if (pen.prepares) stamps_.clear();
   effects_.follow(pen.colors, pen.reduced_motion);
   const FigureState figure = figure_of(*simulation_, now, time);

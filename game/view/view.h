@@ -59,6 +59,7 @@ class View {
   Stamps stamps_;
   int prepared_height_ = 0;  // px, of the canvas for which the stamps were made
   bool prepared_safe_ = false;
+  Place prepared_place_ = Place::hills;
   HudPlaces places_;
 };
 

@@ -50,7 +50,7 @@ TEST(ScoreRenderer, StringsAndPadsAreInTune) {
       const Sound sound = played(voice, note);
       const double right = level(sound, frequency, 0.4);
       EXPECT_GT(right, 0.01) << voice << ' ' << note;
-      for (const double cents : {-60.0, 60.0}) {
+      for (const double cents : {-15.0, 15.0}) {
         EXPECT_LT(level(sound, frequency * std::exp2(cents / 1200.0), 0.4), right) << voice << ' ' << note << cents;
       }
     }

@@ -20,6 +20,7 @@ using engine::HeadlessCanvas;
 using engine::InputState;
 using engine::Key;
 using engine::MouseButton;
+using engine::PadButton;
 using engine::single_presses;
 using engine::WheelTurn;
 using engine::Window;
@@ -245,6 +246,25 @@ TEST(SinglePresses, AreInOrderAndTheLastOneHasTheRest) {
   EXPECT_TRUE(events.take().presses.empty());
 }
 
+/// A press of one player must not take away what the other one holds or presses on its gamepad.
+TEST(SinglePresses, KeepTheGamepadsApart) {
+  InputState events;
+  events.pad_down(PadButton::x, 1);
+  events.take();
+  events.key_down(Key::down);
+  events.pad_down(PadButton::a, 1);
+  events.key_down(Key::up);
+  const std::vector<WindowInput> parts = single_presses(events.take());
+  ASSERT_EQ(parts.size(), 3U);
+  int presses = 0;
+  for (const WindowInput& part : parts) {
+    EXPECT_TRUE(part.with_pad(1).held(PadButton::x));
+    presses += part.with_pad(1).pressed(PadButton::a) ? 1 : 0;
+    EXPECT_FALSE(part.with_pad(0).pressed(PadButton::a));
+  }
+  EXPECT_EQ(presses, 1);
+}
+
 TEST(SinglePresses, WithoutAPressThereIsOnePart) {
   InputState events;
   events.focus_lost();
@@ -256,7 +276,9 @@ TEST(SinglePresses, WithoutAPressThereIsOnePart) {
 TEST(SinglePresses, AFineWheelPressesOnceInAPoll) {
   InputState events;
   for (int k = 0; k < 10; ++k) events.wheel({0.0, 0.1});
-  EXPECT_EQ(single_presses(events.take()).size(), 1U);
+  const std::vector<WindowInput> parts = single_presses(events.take());
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_TRUE(parts[0].pressed(WheelTurn::up));
 }
 
 TEST(WindowSize, FitsTheUsablePartOfTheDisplay) {

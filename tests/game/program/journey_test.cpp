@@ -173,10 +173,6 @@ TEST_F(Journey, TwoPlayByHalvesOfTheKeyboardAndByTwoGamepads) {
   EXPECT_LT(walked(1), -0.3);
   test_support::push_key(Key::d, false);
   test_support::push_key(Key::left, false);
-  test_support::push_key(Key::right_shift, true);
-  frame();
-  EXPECT_EQ(play().simulation().players(), 2);
-  test_support::push_key(Key::right_shift, false);
   tap(Key::r);
   VirtualPad first;
   VirtualPad second;

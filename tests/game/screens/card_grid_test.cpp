@@ -59,7 +59,7 @@ TEST(LevelCards, HavePicturesOfTheLevelsSoonAfterTheyAreShown) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     screen.update({engine::WindowInput{}, MenuInput{}, canvas, 16'666'667, 1.0});
   }
-  for (const std::string& name : names) EXPECT_NE(session.level_pictures.of(load_level(name)), nullptr) << name;
+  for (const std::string& name : names) EXPECT_NE(session.level_pictures.of(load_level(name), false), nullptr) << name;
 }
 
 TEST(LevelCards, WithoutLevelsTheScreenSaysWhereItLookedAndWhatToDo) {

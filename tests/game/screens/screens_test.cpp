@@ -114,7 +114,7 @@ TEST_P(Screens, ResultsShowTimeAndBest) {
   while (!play.is_over()) play.update({{}, {}, canvas, 16'666'667, 1.0});
   ASSERT_TRUE(play.simulation().goal_ticks());
   ResultsScreen first(session, play);
-  EXPECT_NE(texts_of(first).find("For the first time!"), std::string::npos);
+  EXPECT_NE(texts_of(first).find("First completion!"), std::string::npos);
   ResultsScreen again(session, play);
   const std::string same = texts_of(again);
   EXPECT_NE(same.find("Your best: "), std::string::npos) << same;

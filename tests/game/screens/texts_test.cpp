@@ -69,7 +69,7 @@ class Texts : public testing::TestWithParam<Size> {
   /// Draws a menu with and without a notice.
   void expect_readable(Screen& menu, const std::string& what) {
     for (const char* notice : {"",
-                               "/home/somebody/.local/share/ropeswing/best.json: cannot be written: "
+                               "/home/a_player/.local/share/ropeswing/best.json: cannot be written: "
                                "no space left on device, so that times of this and of later runs are lost"}) {
       session.notice.show(notice);
       draw(menu);
@@ -144,6 +144,23 @@ TEST_P(Texts, OfTheListOfLevelsAreReadable) {
   }
 }
 
+/// All tests here rest on it.
+TEST(TextCanvas, FindsWhatIsCutHiddenOrOverlaps) {
+  const engine::Color white{255, 255, 255};
+  TextCanvas canvas(200, 100);
+  canvas.text({10.0, 10.0}, "one", 20.0, white);
+  EXPECT_EQ(canvas.faults(), "");
+  canvas.text({20.0, 15.0}, "two", 20.0, white);
+  EXPECT_EQ(canvas.faults(), "overlap: one | two\n");
+  canvas.forget();
+  canvas.text({-5.0, 10.0}, "left", 20.0, white);
+  EXPECT_EQ(canvas.faults(), "cut: left\n");
+  canvas.forget();
+  canvas.text({10.0, 10.0}, "under", 20.0, white);
+  canvas.panel({0.0, 0.0}, {100.0, 60.0}, 0.0, {1, 2, 3});
+  EXPECT_EQ(canvas.faults(), "hidden by a panel: under\n");
+}
+
 /// Everything that a run can show at once, at the start of every level.
 TEST_P(Texts, OfEveryLevelAreReadable) {
   for (const std::string& name : level_names()) {
@@ -161,7 +178,7 @@ TEST_P(Texts, OfEveryLevelAreReadable) {
     expect_fine("hint");
     session.settings.strain_tint = true;
     expect_fine("legend");
-    session.notice.show("Screenshot: /home/somebody/Pictures/ropeswing-12.png");
+    session.notice.show("Screenshot: /home/a_player/Pictures/ropeswing-12.png");
     expect_fine("notice");
     session.settings.help = true;
     expect_fine("help");

@@ -298,7 +298,7 @@ class UserFolders : public testing::Test {
   void list(const std::string& text) const { write_bytes(config + "/user-dirs.dirs", text); }
 
   const std::string config = scratch("user_dirs");
-  const test_support::Environment home{"HOME", "/home/somebody"};
+  const test_support::Environment home{"HOME", "/home/a_player"};
   const test_support::Environment config_home{"XDG_CONFIG_HOME", config.c_str()};
   const test_support::Environment data_home{"XDG_DATA_HOME", nullptr};
   const test_support::Environment pictures{"XDG_PICTURES_DIR", nullptr};
@@ -306,10 +306,10 @@ class UserFolders : public testing::Test {
 };
 
 TEST_F(UserFolders, AreThoseOfTheDesktop) {
-  EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures");
-  EXPECT_EQ(videos_folder(), "/home/somebody/.local/share/ropeswing/videos");
+  EXPECT_EQ(pictures_folder(), "/home/a_player/.local/share/ropeswing/pictures");
+  EXPECT_EQ(videos_folder(), "/home/a_player/.local/share/ropeswing/videos");
   list("# a comment\nXDG_PICTURES_DIR=\"$HOME/My Pictures\"\nXDG_VIDEOS_DIR=\"/mnt/videos\"\n");
-  EXPECT_EQ(pictures_folder(), "/home/somebody/My Pictures");
+  EXPECT_EQ(pictures_folder(), "/home/a_player/My Pictures");
   EXPECT_EQ(videos_folder(), "/mnt/videos");
   const test_support::Environment chosen("XDG_PICTURES_DIR", "/elsewhere");
   EXPECT_EQ(pictures_folder(), "/elsewhere");
@@ -318,10 +318,10 @@ TEST_F(UserFolders, AreThoseOfTheDesktop) {
 TEST_F(UserFolders, EntriesThatNameNoFolderAreIgnored) {
   for (const char* value : {"\"$HOME\"", "\"$HOME/\"", "\"relative\"", "unquoted", "\"", ""}) {
     list(std::string("XDG_PICTURES_DIR=") + value + "\n");
-    EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures") << value;
+    EXPECT_EQ(pictures_folder(), "/home/a_player/.local/share/ropeswing/pictures") << value;
   }
   const test_support::Environment relative("XDG_PICTURES_DIR", "pictures");
-  EXPECT_EQ(pictures_folder(), "/home/somebody/.local/share/ropeswing/pictures");
+  EXPECT_EQ(pictures_folder(), "/home/a_player/.local/share/ropeswing/pictures");
   const test_support::Environment homeless("HOME", nullptr);
   EXPECT_EQ(pictures_folder(), "");
 }

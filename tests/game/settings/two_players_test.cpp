@@ -50,6 +50,9 @@ TEST(TwoHalves, EachKeyBelongsToOnePlayer) {
                              KeyCase{Key::right_shift, 0, button_grab},
                              KeyCase{Key::page_up, 0, button_reel_in},
                              KeyCase{Key::page_down, 0, button_reel_out},
+                             KeyCase{Key::comma, 0, button_reel_in},
+                             KeyCase{Key::period, 0, button_reel_out},
+                             KeyCase{Key::slash, 0, button_throw},
                              KeyCase{Key::remove, 0, button_throw}}) {
     InputState events;
     events.key_down(key.key);

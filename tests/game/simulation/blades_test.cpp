@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/game/simulation/rule_level.h"
+#include "tests/game/simulation/small_level.h"
 
 namespace game {
 namespace {
@@ -14,7 +14,7 @@ constexpr int rope = 10;
 MapObject blade(std::vector<Vec2> edge) { return line_of(20, "blade", std::move(edge)); }
 
 /// A level whose rope hangs from (10, 10) down to y = 6.
-Level level_with(MapObject blade) { return level_of(rule_map({hanging_rope(rope, {10.0, 10.0}), std::move(blade)})); }
+Level level_with(MapObject blade) { return level_of(small_map({hanging_rope(rope, {10.0, 10.0}), std::move(blade)})); }
 
 TEST(Blade, CutsWhatCrossesItsEdgeThereOnce) {
   const Level level = level_with(blade({{9.5, 8.02}, {10.5, 8.02}}));
@@ -31,7 +31,8 @@ TEST(Blade, CutsWhatCrossesItsEdgeThereOnce) {
 
 /// A rope without a pin falls along the edge, which it meets at each of its points.
 TEST(Blade, DoesNotChopARopeThatSlidesAlongIt) {
-  const Level level = level_of(rule_map({hanging_rope(rope, {10.0, 10.0}, false), blade({{9.5, 8.02}, {10.5, 8.02}})}));
+  const Level level =
+      level_of(small_map({hanging_rope(rope, {10.0, 10.0}, false), blade({{9.5, 8.02}, {10.5, 8.02}})}));
   Simulation simulation(level);
   run(simulation, 60);
   EXPECT_GE(pieces(simulation, rope), 2);
@@ -77,7 +78,7 @@ TEST(Blade, GoesWithTheBodyThatCarriesIt) {
   carrier.properties.insert("velocity_x", 3.0);
   MapObject edge = blade({{5.0, 8.02}, {6.0, 8.02}});
   edge.properties.insert("body", std::int64_t{30});
-  const Level level = level_of(rule_map({hanging_rope(rope, {10.0, 10.0}), carrier, edge}));
+  const Level level = level_of(small_map({hanging_rope(rope, {10.0, 10.0}), carrier, edge}));
   Simulation simulation(level);
   run(simulation, 60);
   EXPECT_EQ(pieces(simulation, rope), 1);
@@ -129,7 +130,7 @@ struct Hanging {
   }
   static Level made(bool knife, std::vector<MapObject> others) {
     others.push_back(hanging_rope(rope, {6.0, 7.0}));
-    engine::TiledMap map = rule_map(std::move(others), {6.0, 3.0});
+    engine::TiledMap map = small_map(std::move(others), {6.0, 3.0});
     map.properties.insert("knife", knife);
     return level_of(std::move(map));
   }
@@ -171,13 +172,13 @@ TEST(Knife, IsOnlyInLevelsWithTheProperty) {
   Hanging without(false);
   run(without.simulation, 2, button_grab | button_cut);
   EXPECT_EQ(pieces(without.simulation, rope), 1);
-  engine::TiledMap map = rule_map({});
+  engine::TiledMap map = small_map({});
   map.properties.insert("knife", 1.0);
   EXPECT_NE(level_refusal(map).find("property \"knife\" is 1, accepted is true or false"), std::string::npos);
 }
 
 TEST(Knife, DoesNotReachAcrossTheLevel) {
-  engine::TiledMap map = rule_map({hanging_rope(rope, {10.0, 7.0})});
+  engine::TiledMap map = small_map({hanging_rope(rope, {10.0, 7.0})});
   map.properties.insert("knife", true);
   const Level level = level_of(std::move(map));
   Simulation simulation(level);

@@ -1,4 +1,4 @@
-// A level needs its idea: players who only press the same keys again and again do not reach the flag.
+// A level needs its idea: players that only press the same keys again and again do not reach the flag.
 
 #include <gtest/gtest.h>
 

@@ -5,16 +5,13 @@
 #include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
-#include "tests/game/simulation/press.h"
-#include "tests/support/small_level.h"
+#include "tests/game/simulation/small_level.h"
 
 namespace game {
 namespace {
 
-using engine::MapObject;
-using ribbon::Vec2;
-using test_support::ground;
-using test_support::small_level;
+/// Returns a level whose ground is up to y = 1 m.
+Level level_with(std::vector<MapObject> objects) { return level_of(small_map(std::move(objects), {10.0, 1.0}, 1.0)); }
 
 constexpr double top = 4.4;  // m, of the wall: too high for a jump
 
@@ -27,7 +24,7 @@ Simulation jump_at_wall(const Level& level, int buttons_of_fall) {
   return simulation;
 }
 
-Level wall() { return small_level({10.0, 1.0}, {ground({14.0, 1.0}, {20.0, top})}); }
+Level wall() { return level_with({ground({14.0, 1.0}, {20.0, top})}); }
 
 TEST(Ledge, IsHeldByAHandAtItsEdge) {
   const Level level = wall();
@@ -64,13 +61,24 @@ TEST(Ledge, IsNotHeldWithoutTheKeyOrOnTheWayUp) {
 
 /// A ledge is a level top with room above it.
 TEST(Ledge, IsNotUnderARoofOrOnASlope) {
-  const Level roofed =
-      small_level({10.0, 1.0}, {ground({14.0, 1.0}, {20.0, top}), ground({14.0, top + 0.1}, {20.0, top + 2.0})});
+  const Level roofed = level_with({ground({14.0, 1.0}, {20.0, top}), ground({14.0, top + 0.1}, {20.0, top + 2.0})});
   EXPECT_FALSE(jump_at_wall(roofed, button_right | button_grab).player().ledge());
-  MapObject slope = test_support::object("ground", engine::MapShape::polygon, {14.0, 1.0});
+  MapObject slope = engine::thing(0, "ground", MapShape::polygon, {14.0, 1.0});
   slope.points = {{14.0, 1.0}, {20.0, 1.0}, {20.0, top + 4.0}, {14.0, top}};
-  const Level sloping = small_level({10.0, 1.0}, {slope});
+  const Level sloping = level_with({slope});
   EXPECT_FALSE(jump_at_wall(sloping, button_right | button_grab).player().ledge());
+}
+
+TEST(Ledge, IsLeftForALine) {
+  const Level level = level_with({ground({14.0, 1.0}, {20.0, top}), point_of(0, "hook", {11.0, 7.0})});
+  Simulation simulation = jump_at_wall(level, button_right | button_grab);
+  ASSERT_TRUE(simulation.player().ledge());
+  run(simulation, 1, button_grab | button_throw);
+  for (int k = 0; k < 30 && !simulation.player().line().is_held(); ++k) run(simulation, 1, button_grab);
+  ASSERT_TRUE(simulation.player().line().is_held());
+  EXPECT_FALSE(simulation.player().ledge());
+  run(simulation, 60, button_grab | button_reel_in);
+  EXPECT_LT(simulation.player().position().x, 13.0) << "it swings on the line";
 }
 
 TEST(Ledge, IsHeldAfterGoingBack) {

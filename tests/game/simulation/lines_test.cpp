@@ -8,24 +8,21 @@
 #include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
-#include "tests/game/simulation/press.h"
-#include "tests/support/refusal.h"
-#include "tests/support/small_level.h"
+#include "tests/game/simulation/small_level.h"
 
 namespace game {
 namespace {
 
-using engine::MapObject;
-using ribbon::Vec2;
 using ribbon::box2d::to_double;
-using test_support::crate;
-using test_support::ground;
-using test_support::hook;
-using test_support::Property;
-using test_support::small_level;
 
-const std::vector<Property> sticky = {{"sticky", true}};
-const std::vector<Property> two_lines = {{"lines", std::int64_t{2}}};
+/// Returns a level whose ground is up to y = 1 m. `lines`: how many the player can hold.
+Level level_with(Vec2 feet, std::vector<MapObject> objects, std::int64_t lines = 1) {
+  engine::TiledMap map = small_map(std::move(objects), feet, 1.0);
+  if (lines != 1) map.properties.insert("lines", lines);
+  return level_of(std::move(map));
+}
+
+MapObject hook(Vec2 place) { return point_of(0, "hook", place); }
 
 void tick(Simulation& simulation, int buttons, int ticks = 1, Vec2 pointer = {}) {
   engine::TickInput input = press(buttons);
@@ -46,12 +43,11 @@ b2Body& body_of(const Simulation& simulation, engine::BodyKind kind) {
   return *std::find_if(bodies.begin(), bodies.end(), [kind](const auto& made) { return made.kind == kind; })->body;
 }
 
-MapObject ceiling(const std::vector<Property>& properties = sticky) {
-  return ground({0.0, 8.0}, {40.0, 9.0}, properties);
-}
+MapObject bare_ceiling() { return ground({0.0, 8.0}, {40.0, 9.0}); }
+MapObject ceiling() { return sticky(bare_ceiling()); }
 
 TEST(Aim, MeetsTheStickySurfaceInTheDirectionOfThePointer) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()});
+  const Level level = level_with({10.0, 1.0}, {ceiling()});
   Simulation simulation(level);
   tick(simulation, 0, 1, {14.0, 6.7});
   ASSERT_TRUE(simulation.target());
@@ -63,19 +59,19 @@ TEST(Aim, MeetsTheStickySurfaceInTheDirectionOfThePointer) {
 
 TEST(Aim, SeesNoSurfaceThatIsNotStickyHiddenOrTooFar) {
   const auto has_target = [](std::vector<MapObject> objects, Vec2 feet) {
-    const Level level = small_level(feet, std::move(objects));
+    const Level level = level_with(feet, std::move(objects));
     Simulation simulation(level);
     tick(simulation, 0, 1, feet + Vec2{0.0, 10.0});
     return simulation.target().has_value();
   };
   EXPECT_TRUE(has_target({ceiling()}, {10.0, 1.0}));
-  EXPECT_FALSE(has_target({ceiling({})}, {10.0, 1.0}));
+  EXPECT_FALSE(has_target({bare_ceiling()}, {10.0, 1.0}));
   EXPECT_FALSE(has_target({ceiling(), ground({0.0, 5.0}, {40.0, 5.5})}, {10.0, 1.0}));
-  EXPECT_FALSE(has_target({ground({0.0, 14.0}, {40.0, 15.0}, sticky)}, {10.0, 1.0}));
+  EXPECT_FALSE(has_target({sticky(ground({0.0, 14.0}, {40.0, 15.0}))}, {10.0, 1.0}));
 }
 
 TEST(Aim, LooksAheadWithoutAPointer) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()});
+  const Level level = level_with({10.0, 1.0}, {ceiling()});
   Simulation simulation(level);
   tick(simulation, button_left, 2);  // the pointer is on the ground, which is not sticky
   ASSERT_TRUE(simulation.target());
@@ -85,7 +81,7 @@ TEST(Aim, LooksAheadWithoutAPointer) {
 }
 
 TEST(Line, SticksToASurfaceAndCarriesThePlayer) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()});
+  const Level level = level_with({10.0, 1.0}, {ceiling()});
   Simulation simulation(level);
   throw_line(simulation, button_throw, {10.0, 8.0});
   ASSERT_TRUE(line(simulation, 0).is_held());
@@ -96,9 +92,9 @@ TEST(Line, SticksToASurfaceAndCarriesThePlayer) {
 
 /// What the line meets on its way becomes the place from which it hangs.
 TEST(Line, WrapsAroundAPeg) {
-  MapObject peg = test_support::object("circle", engine::MapShape::ellipse, {13.0, 4.5}, {0.6, 0.6});
+  MapObject peg = disc_of(0, "circle", {13.0, 4.5}, 0.3);
   peg.properties.insert("body", std::string("static"));
-  const Level level = small_level({10.0, 1.0}, {ceiling(), peg});
+  const Level level = level_with({10.0, 1.0}, {ceiling(), peg});
   Simulation simulation(level);
   throw_line(simulation, button_throw, {13.2, 7.9});
   ASSERT_TRUE(line(simulation, 0).is_held());
@@ -117,7 +113,7 @@ TEST(Line, WrapsAroundAPeg) {
 
 /// The player stands, and the crate comes.
 TEST(Line, PullsALooseBody) {
-  const Level level = small_level({10.0, 1.0}, {crate({17.0, 1.0}, {1.0, 1.0}, 30.0, sticky)});
+  const Level level = level_with({10.0, 1.0}, {sticky(crate({17.0, 1.0}, {1.0, 1.0}, 30.0))});
   Simulation simulation(level);
   const b2Body& load = body_of(simulation, engine::BodyKind::load);
   throw_line(simulation, button_throw, {17.0, 1.5});
@@ -141,7 +137,7 @@ TEST(Line, PullsALooseBody) {
 /// Standing against the pull of the line stores energy, which a jump sets free.
 TEST(Line, ThrowsAPlayerThatHasChargedIt) {
   const auto speed = [](int ticks_of_reeling) {
-    const Level level = small_level({6.0, 1.0}, {hook({15.5, 3.0})});
+    const Level level = level_with({6.0, 1.0}, {hook({15.5, 3.0})});
     Simulation simulation(level);
     throw_line(simulation, button_throw, {15.5, 3.0});
     tick(simulation, button_reel_in, ticks_of_reeling);
@@ -154,7 +150,7 @@ TEST(Line, ThrowsAPlayerThatHasChargedIt) {
 }
 
 TEST(TwoLines, AreThrownHeldAndReleasedByHand) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()}, two_lines);
+  const Level level = level_with({10.0, 1.0}, {ceiling()}, 2);
   Simulation simulation(level);
   throw_line(simulation, button_throw, {8.0, 7.0});
   throw_line(simulation, button_throw_second, {12.0, 7.0});
@@ -171,7 +167,7 @@ TEST(TwoLines, AreThrownHeldAndReleasedByHand) {
 
 /// From line to line, without the ground.
 TEST(TwoLines, CarryThePlayerFromOneToTheOther) {
-  const Level level = small_level({6.0, 1.0}, {ceiling()}, two_lines);
+  const Level level = level_with({6.0, 1.0}, {ceiling()}, 2);
   Simulation simulation(level);
   throw_line(simulation, button_throw, {6.0, 8.0});
   tick(simulation, button_reel_in, 60);
@@ -190,7 +186,7 @@ TEST(TwoLines, CarryThePlayerFromOneToTheOther) {
 }
 
 TEST(TwoLines, AreOneWhereTheLevelDoesNotSay) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()});
+  const Level level = level_with({10.0, 1.0}, {ceiling()});
   Simulation simulation(level);
   throw_line(simulation, button_throw_second, {8.0, 7.0});
   EXPECT_EQ(simulation.player().lines().all().size(), 1U);
@@ -201,19 +197,19 @@ TEST(TwoLines, AreOneWhereTheLevelDoesNotSay) {
 
 TEST(TwoLines, AreRefusedInOtherNumbers) {
   for (const std::int64_t lines : {0, 3}) {
-    EXPECT_EQ(test_support::refusal<engine::MapError>([lines] {
-                small_level({10.0, 1.0}, {}, {{"lines", lines}});
-              }),
-              ": property \"lines\" is " + std::to_string(lines) + ", accepted is a whole number from 1 to 2");
+    EXPECT_EQ(
+        test_support::refusal<engine::MapError>([lines] {
+          level_with({10.0, 1.0}, {}, lines);
+        }),
+        "test.tmj: map: property \"lines\" is " + std::to_string(lines) + ", accepted is a whole number from 1 to 2");
   }
 }
 
 /// The crate is pushed off its shelf, and hangs.
 TEST(Knot, HangsACrateFromTheCeiling) {
   const auto height = [](bool ties) {
-    const Level level = small_level(
-        {10.0, 5.0}, {ceiling(), ground({8.0, 4.0}, {14.0, 5.0}), crate({13.0, 5.0}, {0.8, 0.8}, 20.0, sticky)},
-        two_lines);
+    const Level level = level_with(
+        {10.0, 5.0}, {ceiling(), ground({8.0, 4.0}, {14.0, 5.0}), sticky(crate({13.0, 5.0}, {0.8, 0.8}, 20.0))}, 2);
     Simulation simulation(level);
     throw_line(simulation, button_throw, {13.0, 5.4});
     throw_line(simulation, button_throw_second, {12.0, 7.9});
@@ -231,7 +227,7 @@ TEST(Knot, HangsACrateFromTheCeiling) {
 }
 
 TEST(Knot, FixesALineToWhatIsAtHand) {
-  const Level level = small_level({10.0, 1.0}, {hook({10.5, 3.2}), crate({15.0, 1.0}, {0.8, 0.8}, 20.0, sticky)});
+  const Level level = level_with({10.0, 1.0}, {hook({10.5, 3.2}), sticky(crate({15.0, 1.0}, {0.8, 0.8}, 20.0))});
   Simulation simulation(level);
   throw_line(simulation, button_throw, {15.0, 1.4});
   ASSERT_TRUE(line(simulation, 0).is_held());
@@ -248,7 +244,7 @@ TEST(Knot, FixesALineToWhatIsAtHand) {
 }
 
 TEST(Knot, NeedsALineAndAPlace) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()}, two_lines);
+  const Level level = level_with({10.0, 1.0}, {ceiling()}, 2);
   Simulation simulation(level);
   tick(simulation, button_tie);
   EXPECT_EQ(simulation.scene().coupling().size(), 0);
@@ -258,7 +254,7 @@ TEST(Knot, NeedsALineAndAPlace) {
 }
 
 TEST(Knot, TakesTheFirstLineAwayWhenThereAreTooMany) {
-  const Level level = small_level({10.0, 1.0}, {ceiling()}, two_lines);
+  const Level level = level_with({10.0, 1.0}, {ceiling()}, 2);
   Simulation simulation(level);
   for (int k = 0; k < 6; ++k) {
     throw_line(simulation, button_throw, {8.0, 7.0});
@@ -272,7 +268,7 @@ TEST(Knot, TakesTheFirstLineAwayWhenThereAreTooMany) {
 
 /// In flight, held, and knotted, by a moving body too.
 TEST(Lines, GoBack) {
-  const Level level = small_level({10.0, 1.0}, {ceiling(), crate({15.0, 1.0}, {0.8, 0.8}, 20.0, sticky)}, two_lines);
+  const Level level = level_with({10.0, 1.0}, {ceiling(), sticky(crate({15.0, 1.0}, {0.8, 0.8}, 20.0))}, 2);
   Simulation simulation(level);
   throw_line(simulation, button_throw, {15.0, 1.4});
   const auto play_on = [&simulation] {

@@ -3,14 +3,20 @@
 #include <cstdint>
 
 #include "engine/tick/input.h"
+#include "game/simulation/simulation.h"
 
 namespace game {
 
-/// Returns the input of a tick with these buttons (game/simulation/buttons.h).
-inline engine::TickInput press(int buttons) {
+/// Returns the input of a tick with these buttons (game/simulation/buttons.h) of the first and the second player.
+inline engine::TickInput press(int buttons, int second = 0) {
   engine::TickInput input;
   input.buttons = static_cast<std::uint16_t>(buttons);
+  input.second_buttons = static_cast<std::uint16_t>(second);
   return input;
+}
+
+inline void run(Simulation& simulation, int ticks, int buttons = 0, int second = 0) {
+  for (int k = 0; k < ticks; ++k) simulation.tick(press(buttons, second));
 }
 
 }  // namespace game

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/dice.h"
 
 namespace game {
@@ -29,11 +31,25 @@ TEST(Sweep, FindsAParallelEdgeThatASegmentPassesWithinATick) {
   EXPECT_FALSE(swept_crossing(from, {{1.5, 1.0}, {1.5, 3.0}}, edge, {{1.0, -3.2}, {1.0, -3.0}}));
 }
 
-/// Small steps of the same motion find a crossing exactly where the sweep does, except where they only graze.
+/// Returns a segment on its way from one place to another.
+Segment between(const Segment& from, const Segment& to, double time) {
+  return {from.a + time * (to.a - from.a), from.b + time * (to.b - from.b)};
+}
+
+/// Returns the distance of a point from a segment.
+double distance(ribbon::Vec2 point, const Segment& segment) {
+  const ribbon::Vec2 way = segment.b - segment.a;
+  const double along = std::clamp(dot(point - segment.a, way) / dot(way, way), 0.0, 1.0);
+  return length(segment.a + along * way - point);
+}
+
+/// Small steps of the same motion find the crossings of the sweep, except those that last for less than a step; and
+/// where the sweep says, the segments meet.
 TEST(Sweep, AgreesWithSmallSteps) {
   test_support::Dice dice(5);
   const auto place = [&dice] { return ribbon::Vec2{dice(-1.0, 1.0), dice(-1.0, 1.0)}; };
   int meetings = 0;
+  int grazes = 0;  // too short for a step
   for (int trial = 0; trial < 400; ++trial) {
     const Segment from{place(), place()};
     const Segment to{place(), place()};
@@ -44,17 +60,21 @@ TEST(Sweep, AgreesWithSmallSteps) {
     bool found = false;
     for (int k = 0; k <= steps && !found; ++k) {
       const double t = static_cast<double>(k) / steps;
-      const auto at = [t](const Segment& a, const Segment& b) {
-        return Segment{a.a + t * (b.a - a.a), a.b + t * (b.b - a.b)};
-      };
-      found = crossing(at(from, to), at(edge_from, edge_to)).has_value();
+      found = crossing(between(from, to, t), between(edge_from, edge_to, t)).has_value();
     }
-    meetings += found ? 1 : 0;
+    const auto swept = swept_crossing(from, to, edge_from, edge_to);
     if (found) {
-      EXPECT_TRUE(swept_crossing(from, to, edge_from, edge_to)) << trial;
+      EXPECT_TRUE(swept) << trial;
+      ++meetings;
     }
+    if (!swept) continue;
+    grazes += found ? 0 : 1;
+    const Segment segment = between(from, to, swept->time);
+    const ribbon::Vec2 meets = segment.a + swept->place * (segment.b - segment.a);
+    EXPECT_LT(distance(meets, between(edge_from, edge_to, swept->time)), 1e-9) << trial;
   }
   EXPECT_GT(meetings, 100);
+  EXPECT_LE(grazes, 4);
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
-#include "tests/game/simulation/rule_level.h"
+#include "tests/game/simulation/small_level.h"
 
 namespace game {
 namespace {
@@ -13,21 +14,17 @@ namespace {
 constexpr double level_of_water = 8.0;  // m
 
 engine::TiledMap sea(std::vector<MapObject> objects, Vec2 feet = {3.0, 2.0}) {
-  engine::TiledMap map = rule_map(std::move(objects), feet);
+  engine::TiledMap map = small_map(std::move(objects), feet);
   map.properties.insert("water_level", level_of_water);
   return map;
 }
 
-MapObject crate(double mass, Vec2 center) {
-  MapObject object = box_of(20, "load", center, {1.0, 1.0});
-  object.properties.insert("mass", mass);
-  return object;
-}
+MapObject crate_at(Vec2 center, double mass) { return crate(center - Vec2{0.0, 0.5}, {1.0, 1.0}, mass); }
 
 b2Body& first_load(Simulation& simulation) {
   for (const engine::SceneBody& made : simulation.scene().bodies())
     if (made.kind != engine::BodyKind::ground) return *made.body;
-  return *simulation.scene().bodies()[0].body;
+  throw std::logic_error("the level has no load");
 }
 
 TEST(Submerged, IsThePartOfABodyBelowALevel) {
@@ -47,7 +44,7 @@ TEST(Submerged, IsThePartOfABodyBelowALevel) {
 
 /// It displaces its own mass: 70 kg a metre of depth of a crate 1 m wide.
 TEST(Water, ACrateFloatsByWhatItDisplaces) {
-  const Level level = level_of(sea({crate(35.0, {10.0, 8.3})}));
+  const Level level = level_of(sea({crate_at({10.0, 8.3}, 35.0)}));
   Simulation simulation(level);
   run(simulation, 900);
   EXPECT_NEAR(static_cast<double>(first_load(simulation).GetPosition().y), level_of_water, 0.02);
@@ -55,7 +52,7 @@ TEST(Water, ACrateFloatsByWhatItDisplaces) {
 }
 
 TEST(Water, AHeavyCrateSinksSlowly) {
-  const Level level = level_of(sea({crate(200.0, {10.0, 7.0})}));
+  const Level level = level_of(sea({crate_at({10.0, 7.0}, 200.0)}));
   Simulation simulation(level);
   run(simulation, 60);
   const double fallen = 7.0 - static_cast<double>(first_load(simulation).GetPosition().y);
@@ -99,8 +96,8 @@ TEST(Water, ThePlayerFloatsWithItsHeadOutAndLeapsOut) {
 }
 
 TEST(Water, DoesNothingAboveItsSurface) {
-  const Level wet = level_of(sea({crate(35.0, {10.0, 15.0})}, {3.0, 12.0}));
-  const Level dry = level_of(rule_map({crate(35.0, {10.0, 15.0})}, {3.0, 12.0}));
+  const Level wet = level_of(sea({crate_at({10.0, 15.0}, 35.0)}, {3.0, 12.0}));
+  const Level dry = level_of(small_map({crate_at({10.0, 15.0}, 35.0)}, {3.0, 12.0}));
   Simulation one(wet);
   Simulation other(dry);
   run(one, 30, button_right);
@@ -110,7 +107,7 @@ TEST(Water, DoesNothingAboveItsSurface) {
 }
 
 TEST(Water, GoesBackAndIsAsAtTheStartAfterAFall) {
-  const Level level = level_of(sea({crate(35.0, {10.0, 8.3}), hanging_rope(10, {10.0, 12.0})}, {10.0, 5.0}));
+  const Level level = level_of(sea({crate_at({10.0, 8.3}, 35.0), hanging_rope(10, {10.0, 12.0})}, {10.0, 5.0}));
   expect_goes_back(level, 200, {button_right, button_right | button_jump, 0, 0, button_jump});
   Simulation simulation(level);
   run(simulation, 30, button_jump);

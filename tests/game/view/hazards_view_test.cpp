@@ -8,34 +8,11 @@
 #include "game/view/fraying.h"
 #include "game/view/hazards.h"
 #include "game/view/view.h"
-#include "tests/game/simulation/rule_level.h"
+#include "tests/game/simulation/small_level.h"
+#include "tests/game/view/counting_canvas.h"
 
 namespace game {
 namespace {
-
-/// Counts the shapes that are drawn.
-class CountingCanvas : public engine::Canvas {
- public:
-  int width() const override { return 1280; }
-  int height() const override { return 720; }
-  double text_width(std::string_view utf8, double size) const override {
-    return 0.5 * size * static_cast<double>(utf8.size());
-  }
-  double line_height(double size) const override { return size; }
-  bool shows(std::string_view part) const {
-    return std::any_of(texts.begin(), texts.end(),
-                       [part](const std::string& text) { return text.find(part) != std::string::npos; });
-  }
-
-  int shapes = 0;
-  std::vector<std::string> texts;
-
- protected:
-  void paint_background(engine::Color, engine::Color) override {}
-  void paint_mesh(const engine::Mesh&, engine::Color) override { ++shapes; }
-  void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
-  void paint_text(Vec2, std::string_view utf8, double, engine::Color) override { texts.emplace_back(utf8); }
-};
 
 DrawnCord drawn(const Simulation& simulation, ribbon::box2d::CordId id) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
@@ -55,7 +32,7 @@ engine::TiledMap loaded(double breaking_force) {
   MapObject load = box_of(11, "load", {6.0, 5.7}, {0.6, 0.6});
   load.properties.insert("mass", 50.0);
   load.properties.insert("cord", std::int64_t{10});
-  return rule_map({rope, load});
+  return small_map({rope, load});
 }
 
 TEST(Fraying, ARopeNearItsBreakingForceIsFrayedWhereItIsLoadedMost) {
@@ -77,7 +54,7 @@ TEST(Fraying, ARopeNearItsBreakingForceIsFrayedWhereItIsLoadedMost) {
 TEST(Burning, ARopeInAFireIsBlackAndFlames) {
   MapObject fire = box_of(20, "fire", {6.0, 8.0}, {0.5, 0.15});
   fire.properties.insert("seconds", 2.0);
-  const Level level = level_of(rule_map({hanging_rope(10, {6.0, 10.0}), fire}));
+  const Level level = level_of(small_map({hanging_rope(10, {6.0, 10.0}), fire}));
   Simulation simulation(level);
   const int before = shapes_of(simulation);
   run(simulation, 60);
@@ -97,7 +74,7 @@ TEST(Burning, ARopeInAFireIsBlackAndFlames) {
 
 TEST(Hazards, AreDrawnAndCoinsAreCounted) {
   const auto shapes_with = [](std::vector<MapObject> objects) {
-    const Level level = level_of(rule_map(std::move(objects)));
+    const Level level = level_of(small_map(std::move(objects)));
     const Simulation simulation(level);
     return shapes_of(simulation);
   };
@@ -109,17 +86,17 @@ TEST(Hazards, AreDrawnAndCoinsAreCounted) {
   MapObject chaser = disc_of(20, "chaser", {5.0, 5.0}, 0.5);
   chaser.properties.insert("path", std::int64_t{21});
   EXPECT_GT(shapes_with({chaser, line_of(21, "path", {{5.0, 5.0}, {9.0, 5.0}})}), empty);
-  const Level level = level_of(rule_map({point_of(20, "coin", {5.0, 2.5}), point_of(21, "coin", {8.0, 9.0})}));
+  const Level level = level_of(small_map({point_of(20, "coin", {5.0, 2.5}), point_of(21, "coin", {8.0, 9.0})}));
   Simulation simulation(level);
   run(simulation, 40, button_right);
   CountingCanvas canvas;
   View(simulation).draw(canvas, 1.0, {});
-  EXPECT_TRUE(canvas.shows("coins 1/2"));
-  const Level without = level_of(rule_map({}));
+  EXPECT_TRUE(canvas.shows_part("coins 1/2"));
+  const Level without = level_of(small_map({}));
   const Simulation plain(without);
   CountingCanvas other;
   View(plain).draw(other, 1.0, {});
-  EXPECT_FALSE(other.shows("coins"));
+  EXPECT_FALSE(other.shows_part("coins"));
 }
 
 }  // namespace

@@ -11,32 +11,11 @@
 
 #include "engine/window/sdl_canvas.h"
 #include "game/simulation/buttons.h"
+#include "tests/game/view/counting_canvas.h"
 #include "tests/support/mixed_level.h"
 
 namespace game {
 namespace {
-
-/// Records the texts and the number of shapes.
-class RecordingCanvas : public engine::Canvas {
- public:
-  int width() const override { return 1280; }
-  int height() const override { return 720; }
-  double text_width(std::string_view utf8, double size) const override {
-    return 0.5 * size * static_cast<double>(utf8.size());
-  }
-  double line_height(double size) const override { return size; }
-
-  bool shows(const std::string& text) const { return std::find(texts.begin(), texts.end(), text) != texts.end(); }
-
-  std::vector<std::string> texts;
-  int shapes = 0;
-
- protected:
-  void paint_background(engine::Color, engine::Color) override {}
-  void paint_mesh(const engine::Mesh&, engine::Color) override { ++shapes; }
-  void paint_textured(const engine::TexturedMesh&, const engine::Texture&, const engine::PixelBox&) override {}
-  void paint_text(ribbon::Vec2, std::string_view utf8, double, engine::Color) override { texts.emplace_back(utf8); }
-};
 
 int contacts_of(const Simulation& simulation) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
@@ -47,7 +26,7 @@ int contacts_of(const Simulation& simulation) {
   return count;
 }
 
-void draw(RecordingCanvas& canvas, const Level& level, bool debug) {
+void draw(CountingCanvas& canvas, const Level& level, bool debug) {
   Simulation simulation(level);
   for (int k = 0; k < 3; ++k) simulation.tick({});
   ViewOptions options;
@@ -56,19 +35,19 @@ void draw(RecordingCanvas& canvas, const Level& level, bool debug) {
 }
 
 TEST(View, ShowsTheCountsOfEachSolverInUse) {
-  RecordingCanvas mixed;
+  CountingCanvas mixed;
   draw(mixed, test_support::mixed_swing(), true);
   EXPECT_TRUE(mixed.shows("tangled"));
   EXPECT_TRUE(mixed.shows("iterations"));
   EXPECT_TRUE(mixed.shows("unconverged in all"));
   EXPECT_TRUE(mixed.shows("82"));  // points of a cord of the thesis's
   EXPECT_TRUE(mixed.shows("41"));  // and of the hammock
-  RecordingCanvas direct;
+  CountingCanvas direct;
   draw(direct, load_level("first_swing"), true);
   EXPECT_TRUE(direct.shows("iterations"));
   EXPECT_TRUE(direct.shows("impacts in all"));
   EXPECT_FALSE(direct.shows("tangled"));
-  RecordingCanvas playing;
+  CountingCanvas playing;
   draw(playing, test_support::mixed_swing(), false);
   EXPECT_FALSE(playing.shows("iterations"));
 }
@@ -79,7 +58,7 @@ TEST(View, ShowsWhichCordsAreAsleep) {
   ViewOptions options;
   options.debug = true;
   for (const bool expected : {false, true}) {
-    RecordingCanvas canvas;
+    CountingCanvas canvas;
     View(simulation).draw(canvas, 1.0, options);
     EXPECT_EQ(canvas.shows("asleep"), expected);
     for (int k = 0; k < 90; ++k) simulation.tick({});
@@ -89,7 +68,7 @@ TEST(View, ShowsWhichCordsAreAsleep) {
 TEST(View, ShowsANotice) {
   const Level level = load_level("first_swing");
   const Simulation simulation(level);
-  RecordingCanvas canvas;
+  CountingCanvas canvas;
   ViewOptions options;
   options.notice = "The recording has ended";
   View(simulation).draw(canvas, 1.0, options);
@@ -99,8 +78,8 @@ TEST(View, ShowsANotice) {
 /// All points, all bars between them, the box of each cord, and a line and a dot for each contact.
 TEST(View, TheDebugViewDrawsThePointsAndBarsOfEitherSolver) {
   const auto more_in_debug = [](const Level& level) {
-    RecordingCanvas playing;
-    RecordingCanvas debug;
+    CountingCanvas playing;
+    CountingCanvas debug;
     draw(playing, level, false);
     draw(debug, level, true);
     Simulation simulation(level);
@@ -121,8 +100,8 @@ TEST(View, TheDebugViewShowsContacts) {
   while (contacts_of(simulation) == 0 && simulation.ticks() < 600) simulation.tick({});
   const int contacts = contacts_of(simulation);
   ASSERT_GT(contacts, 0);
-  RecordingCanvas playing;
-  RecordingCanvas debug;
+  CountingCanvas playing;
+  CountingCanvas debug;
   ViewOptions options;
   View(simulation).draw(playing, 1.0, options);
   options.debug = true;
@@ -175,13 +154,13 @@ TEST(View, ShowsWheels) {
   EXPECT_LT(before.angle, 0.0);
   EXPECT_NEAR(interpolate(simulation.previous(), simulation.current(), 0.25).wheels[0].angle,
               0.75 * before.angle + 0.25 * after.angle, 1e-12);
-  RecordingCanvas canvas;
+  CountingCanvas canvas;
   View(simulation).draw(canvas, 1.0, {});
   const int shown = canvas.shapes;
   simulation.scene().coupling().pulley(simulation.scene().wheels()[0].pulley).remove();
   simulation.tick({});
   EXPECT_EQ(simulation.current().wheels[0].radius, 0.0);
-  RecordingCanvas without;
+  CountingCanvas without;
   View(simulation).draw(without, 1.0, {});
   EXPECT_LT(without.shapes, shown);
 }
@@ -249,12 +228,12 @@ TEST(View, DrawingDoesNotChangeARun) {
 TEST(View, AHangingWeightHasAnEye) {
   const Level level = load_level("sandbox");
   Simulation simulation(level);
-  RecordingCanvas hanging;
+  CountingCanvas hanging;
   View(simulation).draw(hanging, 1.0, {});
   for (const engine::SceneBody& made : simulation.scene().bodies()) {
     if (made.kind == engine::BodyKind::load) simulation.scene().coupling().body(*made.body).release();
   }
-  RecordingCanvas let_go;
+  CountingCanvas let_go;
   View(simulation).draw(let_go, 1.0, {});
   EXPECT_EQ(hanging.shapes, let_go.shapes + 4);
 }
@@ -263,7 +242,7 @@ TEST(View, TheStrainLegendIsThereOnRequest) {
   const Level level = load_level("first_swing");
   const Simulation simulation(level);
   for (const bool wanted : {false, true}) {
-    RecordingCanvas canvas;
+    CountingCanvas canvas;
     ViewOptions options;
     options.strain_tint = wanted;
     View(simulation).draw(canvas, 1.0, options);

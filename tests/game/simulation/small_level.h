@@ -10,7 +10,7 @@
 #include "tests/engine/scene/scene_map.h"
 #include "tests/game/simulation/press.h"
 
-// Small levels for the rules of the game.
+// Levels of a few objects, made in code. Lengths are in m. Objects with the id 0 get one from small_map.
 
 namespace game {
 
@@ -47,12 +47,32 @@ inline MapObject point_of(int id, const std::string& kind, Vec2 at) {
   return engine::thing(id, kind, MapShape::point, at);
 }
 
-/// Returns the map of a level of 40 by 20 m with a ground from x = 0 to 40 m whose top is at y = 2 m, a player whose
-/// feet are at `feet`, a goal at (38, 3), and these objects, whose ids begin at 10.
-inline engine::TiledMap rule_map(std::vector<MapObject> objects, Vec2 feet = {3.0, 2.0}) {
+/// A ground between two corners.
+inline MapObject ground(Vec2 low, Vec2 high) { return box_of(0, "ground", 0.5 * (low + high), high - low); }
+
+/// A crate that stands on `foot`.
+inline MapObject crate(Vec2 foot, Vec2 size, double mass) {
+  MapObject load = box_of(0, "load", foot + Vec2{0.0, 0.5 * size.y}, size);
+  load.properties.insert("mass", mass);
+  return load;
+}
+
+/// The same object, at which lines can be thrown.
+inline MapObject sticky(MapObject object) {
+  object.properties.insert("sticky", true);
+  return object;
+}
+
+/// Returns the map of a level of 40 by 20 m with a ground from x = 0 to 40 m up to y = `top`, a player whose feet are
+/// at `feet`, a goal on the ground at x = 38, and these objects, whose ids are 0, or begin at 10.
+inline engine::TiledMap small_map(std::vector<MapObject> objects, Vec2 feet = {3.0, 2.0}, double top = 2.0) {
+  int next = 100;
+  for (MapObject& object : objects) {
+    if (object.id == 0) object.id = next++;
+  }
   objects.push_back(point_of(1, "player", feet));
-  objects.push_back(box_of(2, "goal", {38.0, 3.0}, {1.0, 2.0}));
-  objects.push_back(box_of(3, "ground", {20.0, 1.0}, {40.0, 2.0}));
+  objects.push_back(box_of(2, "goal", {38.0, top + 1.0}, {1.0, 2.0}));
+  objects.push_back(box_of(3, "ground", {20.0, 0.5 * top}, {40.0, top}));
   engine::TiledMap map = engine::map_of(std::move(objects));
   map.properties = engine::Properties("test.tmj: map");
   map.size = {40.0, 20.0};
@@ -62,7 +82,9 @@ inline engine::TiledMap rule_map(std::vector<MapObject> objects, Vec2 feet = {3.
 inline std::string level_refusal(const engine::TiledMap& map) {
   return test_support::refusal<engine::MapError>([&] { level_of(map); });
 }
-inline std::string level_refusal(std::vector<MapObject> objects) { return level_refusal(rule_map(std::move(objects))); }
+inline std::string level_refusal(std::vector<MapObject> objects) {
+  return level_refusal(small_map(std::move(objects)));
+}
 
 /// Returns the number of cords from an object of the map.
 inline int pieces(const Simulation& simulation, int object) {
@@ -70,10 +92,6 @@ inline int pieces(const Simulation& simulation, int object) {
   for (const ribbon::box2d::CordId id : simulation.scene().coupling().cords())
     count += simulation.scene().cord_object(id) == object ? 1 : 0;
   return count;
-}
-
-inline void run(Simulation& simulation, int ticks, int buttons = 0) {
-  for (int k = 0; k < ticks; ++k) simulation.tick(press(buttons));
 }
 
 /// Checks that a run goes back: from each of some ticks on, it has the same bits when it is repeated from a saved
