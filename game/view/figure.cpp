@@ -13,11 +13,19 @@ using ribbon::Vec2;
 
 constexpr Color skin{244, 200, 160};
 constexpr Color hair{84, 52, 44};
-constexpr Color trousers{112, 84, 78};
-constexpr Color trousers_far{82, 62, 62};
 constexpr Color boots{58, 42, 44};
-constexpr std::array<Clothes, 2> clothes_of_players{{{{58, 128, 168}, {42, 92, 126}, {250, 104, 66}, {204, 66, 52}},
-                                                     {{246, 202, 92}, {200, 156, 62}, {96, 60, 130}, {70, 42, 98}}}};
+constexpr Clothes clothes_of_first{.jacket = {58, 128, 168},
+                                   .jacket_far = {42, 92, 126},
+                                   .scarf = {250, 104, 66},
+                                   .scarf_shade = {204, 66, 52},
+                                   .trousers = {112, 84, 78},
+                                   .trousers_far = {82, 62, 62}};
+constexpr Clothes clothes_of_second{.jacket = {246, 202, 92},
+                                    .jacket_far = {200, 156, 62},
+                                    .scarf = {96, 60, 130},
+                                    .scarf_shade = {70, 42, 98},
+                                    .trousers = {112, 84, 78},
+                                    .trousers_far = {82, 62, 62}};
 constexpr double outline = 0.055;  // m, half of it on each side
 constexpr double head_radius = 0.19;
 
@@ -37,9 +45,9 @@ std::vector<Limb> limbs_of(const Pose& pose, const Clothes& clothes) {
         boots};
   };
   return {{{pose.shoulder[0], pose.elbow[0], pose.hand[0]}, 0.115, clothes.jacket_far},
-          {{pose.hip, pose.knee[0], pose.foot[0]}, 0.15, trousers_far},
+          {{pose.hip, pose.knee[0], pose.foot[0]}, 0.15, clothes.trousers_far},
           boot(0),
-          {{pose.hip, pose.knee[1], pose.foot[1]}, 0.16, trousers},
+          {{pose.hip, pose.knee[1], pose.foot[1]}, 0.16, clothes.trousers},
           boot(1),
           {{pose.hip, chest, pose.neck - Vec2{0.0, 0.06}}, 0.32, clothes.jacket},
           {{pose.shoulder[1], pose.elbow[1], pose.hand[1]}, 0.12, clothes.jacket}};
@@ -83,7 +91,7 @@ void draw_scarf(Pen& pen, const Pose& pose, const Clothes& clothes) {
 
 }  // namespace
 
-const Clothes& clothes_of(int player) { return clothes_of_players[static_cast<std::size_t>(player)]; }
+const Clothes& clothes_of(int player) { return player == 0 ? clothes_of_first : clothes_of_second; }
 
 void draw_figure(Pen& pen, const Pose& pose, const Clothes& clothes) {
   const std::vector<Limb> limbs = limbs_of(pose, clothes);

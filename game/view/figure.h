@@ -7,7 +7,7 @@ namespace game {
 
 /// The colours of the clothes of a player; those of the parts on the far side of the body are darker.
 struct Clothes {
-  engine::Color jacket, jacket_far, scarf, scarf_shade;
+  engine::Color jacket, jacket_far, scarf, scarf_shade, trousers, trousers_far;
 };
 /// Returns the clothes of the first (0) or the second player (1). Their jackets differ in brightness too.
 const Clothes& clothes_of(int player);
