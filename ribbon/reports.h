@@ -13,7 +13,7 @@ struct IslandReport {
   int searches = 0;      ///< stages restarted with a line search, because full Newton steps did not converge
   int fallbacks = 0;     ///< substeps redone by implicit Euler, because a stage did not converge
   int energy_gains = 0;  ///< substeps redone, by implicit Euler or with a smaller tolerance, because the energy rose
-                         ///< without a cause; not checked while a point of the cord is driven
+                         ///< without a cause; not checked while drives, or what it touches, move at several velocities
   int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
   int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
   int posed = 0;     ///< steps that were redone with contacts that are linearised once (posed as one convex problem),

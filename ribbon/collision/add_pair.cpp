@@ -56,7 +56,6 @@ int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
     anchor.body_position = rigid.position;
     anchor.velocity = rigid.velocity;
     anchor.angular_velocity = rigid.angular_velocity;
-    state.driven = state.driven || !(rigid.velocity == Vec2{}) || rigid.angular_velocity != 0.0;
   }
   return contacts.scene.add(anchor);
 }

@@ -141,7 +141,6 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
     pair.contact_distance = contact_distance;
     pair.disc_radius = circle.radius;
     pair.tangent_speed = circle.tangent_speed;
-    state.driven = state.driven || circle.tangent_speed != 0.0;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
     add_pair(state, search.contacts, member, pair, member.pressing_mass, circle.friction, circle.restitution);
@@ -178,7 +177,6 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
     pair.contact_distance = contact_distance;
     pair.disc_radius = cord.def.radius;
     pair.tangent_speed = segment.tangent_speed;
-    state.driven = state.driven || segment.tangent_speed != 0.0;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
     add_pair(state, search.contacts, member, pair, member.pressing_mass, segment.friction, segment.restitution);

@@ -62,6 +62,19 @@ bool Impacts::touch_kinematic(const ContactScene& scene) const {
   return false;
 }
 
+bool Impacts::touch_driver(const ContactScene& scene, Vec2 velocity) const {
+  const auto drives = [&](int anchor) {
+    if (!scene.anchors.is_kinematic(anchor)) return false;
+    const BodyAnchor& body = scene.anchors.body(anchor);
+    return !(body.velocity == velocity) || body.angular_velocity != 0.0;
+  };
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    const ContactPair& pair = scene.pairs[k];
+    if (is_hit(k) && (pair.tangent_speed != 0.0 || drives(pair.disc) || drives(pair.a))) return true;
+  }
+  return false;
+}
+
 bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> before,
                                std::span<const Vec2> after, double dt, ActiveContacts& active) {
   active.begin_other(scene.anchors, x);

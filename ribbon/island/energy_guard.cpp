@@ -19,6 +19,7 @@ constexpr double max_total_gain = 5e-7;           // a cord may have gained so m
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
+constexpr double same_velocity = 1e-4;      // as a share: targets and bodies have positions of single precision
 
 /// Returns an upper bound, J, for the work of media on an island in a step.
 double max_medium_work(const IslandState& state) {
@@ -32,6 +33,31 @@ double max_medium_work(const IslandState& state) {
   return work;
 }
 
+/// Returns an upper bound, J, for the work of drag on an island in a substep. With the velocity V of the frame, a point
+/// that moves at v gets the power
+///
+///     −c·v·(v − V) = −c·|v − V|² − c·V·(v − V) ≤ c·|V|·|v − V|.
+double max_drag_work(const IslandState& state) {
+  const double speed = length(state.frame_velocity);
+  if (speed == 0.0) return 0.0;
+  double work = 0.0;
+  for (const Member& member : state.members) {
+    const CordParts& cord = *member.cord;
+    for (std::size_t i = 0; cord.def.drag > 0.0 && i < member.points; ++i) {
+      const std::size_t p = member.first_point + i;
+      const double relative = std::max(length(state.start.velocities[p] - state.frame_velocity),
+                                       length(state.velocities[p] - state.frame_velocity));
+      work += cord.def.drag * cord.own_masses[i] * speed * relative * state.start.dt;
+    }
+  }
+  return work;
+}
+
+/// Returns an upper bound, J, for the work that is done in a substep, as far as it is known.
+double max_known_work(const IslandState& state) { return grip_work(state) + wheel_work(state) + max_drag_work(state); }
+
+bool moves_with(Vec2 velocity, Vec2 frame) { return length(velocity - frame) <= same_velocity * length(frame); }
+
 }  // namespace
 
 void EnergyGuard::begin_step(const IslandState& state) {
@@ -41,6 +67,32 @@ void EnergyGuard::begin_step(const IslandState& state) {
     regainable_ += member.cord->state.regainable_energy;
     drift_ += member.cord->state.energy_drift;
   }
+}
+
+/// What drives: points that are pinned or dragged and kinematic bodies that hold the cord. If there are none, the first
+/// kinematic body that may be touched tells the frame; it and all others drive as soon as they are.
+void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
+  bool found = false;
+  state.frame_velocity = {};
+  const auto add = [&](Vec2 velocity) {
+    if (!found) state.frame_velocity = velocity;
+    found = true;
+    state.driven = state.driven || !moves_with(velocity, state.frame_velocity);
+  };
+  for (std::size_t p = 0; p < state.points; ++p) {
+    if (state.constrained[p] != 0) add(state.drive_velocities[p]);
+  }
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    if (state.constrained[state.center(k)] == 0) continue;
+    add(state.drive_velocities[state.center(k)]);
+    state.driven = state.driven || state.drive_velocities[state.angle(k)].x != 0.0;
+  }
+  if (!found) {
+    for (const BodyAnchor& anchor : contacts.scene.anchors.bodies()) {
+      if (!found && anchor.is_kinematic()) add(anchor.velocity);
+    }
+  }
+  state.driven = state.driven || (state.frame_velocity != Vec2{} && (state.in_medium || !state.wheels.empty()));
 }
 
 void EnergyGuard::find_scale(const IslandState& state) {
@@ -73,21 +125,24 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   sum.elastic = wheel_energy(state);
   sum.potential = wheel_load_energy(state);
   const std::vector<Vec2>& x = state.positions;
+  const Vec2 frame = state.frame_velocity;
+  const Vec2 origin = state.now * frame;
   for (const Member& member : state.members) {
     const CordParts& cord = *member.cord;
     sum.elastic += cord.elasticity->energy(state.motion_of(member), IslandState::tensions_of(member, state.tensions));
     for (std::size_t p = 0; p < cord.state.loads.size(); ++p) {
-      sum.potential -= dot(cord.state.loads[p], x[member.first_point + p]);
+      sum.potential -= dot(cord.state.loads[p], x[member.first_point + p] - origin);
     }
   }
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);
+    const Vec2 v = state.is_scalar(p) ? state.velocities[p] : state.velocities[p] - frame;
+    sum.kinetic += 0.5 * state.masses[p] * dot(v, v);
   }
   for (std::size_t p = 0; p < state.points; ++p)
-    sum.potential -= state.masses[p] * dot(state.free_accelerations[p], x[p]);
+    sum.potential -= state.masses[p] * dot(state.free_accelerations[p], x[p] - origin);
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const std::size_t center = state.center(k);
-    sum.potential -= state.masses[center] * dot(state.free_accelerations[center], x[center]);
+    sum.potential -= state.masses[center] * dot(state.free_accelerations[center], x[center] - origin);
   }
   if (!contacts.empty()) {
     contacts.active.update(contacts.scene, x);
@@ -96,12 +151,16 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   return sum;
 }
 
+bool EnergyGuard::is_driven(const IslandState& state, const Contacts& contacts) {
+  return state.driven || contacts.impacts.touch_driver(contacts.scene, state.frame_velocity);
+}
+
 void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
-  if (!state.is_pushed()) after_ = total_energy(state, contacts);
+  if (!is_pushed(state, contacts)) after_ = total_energy(state, contacts);
 }
 
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
-  if (state.driven) return false;
+  if (is_driven(state, contacts)) return false;
   after_ = total_energy(state, contacts);
   const double share = tolerated * scale(before);
   double allowed = regainable_ + share;
@@ -109,7 +168,7 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
     allowed = std::max(std::min(regainable_, max_regainable_touching * scale(before)), share);
   }
   const double gain = after_.total() - before.total();
-  const double known = grip_work(state) + wheel_work(state) + allowed;
+  const double known = max_known_work(state) + allowed;
   if (gain <= known) return false;
   return !(state.in_medium && gain <= known + max_medium_work(state));
 }
@@ -126,10 +185,11 @@ void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts,
 }
 
 void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {
+  if (is_pushed(state, contacts)) return;
   const double kept = regainable_ > 0.0 ? regainable_decay * regainable_ : regainable_;
   const double scene = scale(before);
   const double lost = before.total() - after_.total();
-  const double unexplained = lost < 0.0 ? std::min(0.0, lost + (grip_work(state) + wheel_work(state))) : lost;
+  const double unexplained = lost < 0.0 ? std::min(0.0, lost + max_known_work(state)) : lost;
   const double most = contacts.empty() ? max_regainable : max_regainable_touching;
   regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, most * scene);
   if (contacts.impacts.any() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain

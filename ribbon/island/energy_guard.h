@@ -8,6 +8,7 @@ namespace ribbon {
 
 /// Watches the energy of an island. A substep may regain what recent substeps lost. Rounding and the tolerance may add
 /// a little more, which must be lost again before more is gained. That bounds the gain of a cord that nothing drives.
+/// Where all that drives moves with one velocity, energy is measured in the inertial frame in which it rests.
 class EnergyGuard {
  public:
   using Energy = Cord::Energy;
@@ -16,14 +17,23 @@ class EnergyGuard {
 
   /// Reads the energies that the cords may regain and have lost.
   void begin_step(const IslandState& state);
+  /// Finds the frame in which what drives the island rests, if there is one. Its bodies are known.
+  static void find_frame(IslandState& state, const Contacts& contacts);
   /// Finds the scale of the scene's potential energy; its bodies are known.
   void find_scale(const IslandState& state);
   /// Writes what the cords may regain and have lost back to them.
   void store(const IslandState& state) const;
 
-  /// Returns the total energy. Contacts are evaluated at the current positions.
+  /// Returns the total energy in that frame. Contacts are evaluated at the current positions.
   static Energy total_energy(IslandState& state, Contacts& contacts);
-  /// Stores the energy at the end of the substep, unless something drives the island.
+  /// Returns whether something changes the energy by an amount that is not known: what drives the island otherwise than
+  /// in one frame or, since the substep began, what it touched.
+  static bool is_driven(const IslandState& state, const Contacts& contacts);
+  /// Returns whether a medium may change it too.
+  static bool is_pushed(const IslandState& state, const Contacts& contacts) {
+    return state.in_medium || is_driven(state, contacts);
+  }
+  /// Stores the energy at the end of the substep, unless something pushes the island.
   void measure(IslandState& state, Contacts& contacts);
   /// Measures, and returns whether the energy has risen since `before` by more than the work of grips, what may be
   /// regained and `tolerated` [share of the scene's energy]. Near contacts the larger one of the last two counts.
@@ -35,6 +45,7 @@ class EnergyGuard {
   /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself.
   void remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before);
   /// Ends a substep: updates what may be regained and what was lost, and slows down what has gained too much in all.
+  /// Nothing, where something pushes the island.
   void account(IslandState& state, const Contacts& contacts, const Energy& before);
 
  private:

@@ -68,6 +68,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   load_bodies(state_);
   if (bounds_.enabled()) bounds_.store_start(state_);
   if (bounds_.enabled() || state_.coupled) stages_.reserve_linearised(state_, contacts_);
+  EnergyGuard::find_frame(state_, contacts_);
   guard_.find_scale(state_);
   work_.begin_attempt(state_);
 }

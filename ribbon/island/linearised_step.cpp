@@ -54,7 +54,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
   context.begin_substep(0.0, state.dt);
   const Cord::Energy before = context.energy_before();
   contact_energy_ = context.contacts.energy_of_forces();
-  is_impact_ = impact_is_due_ = false;
+  is_impact_ = impact_is_due_ = was_pushed_ = false;
   double time = 0.0;
   double max = state.dt;
   for (int piece = 1; time < state.dt; ++piece) {
@@ -77,7 +77,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
   }
-  if (!state.is_pushed()) context.guard.account(state, context.contacts, before);
+  if (!was_pushed_) context.guard.account(state, context.contacts, before);
 }
 
 bool LinearisedStep::take_truncated(const StepContext& context, Restitution& restitution) {
@@ -86,13 +86,14 @@ bool LinearisedStep::take_truncated(const StepContext& context, Restitution& res
   context.begin_substep(0.0, state.dt);
   const Cord::Energy before = context.energy_before();
   contact_energy_ = context.contacts.energy_of_forces();
+  was_pushed_ = false;
   const Piece taken = take_piece(context, 0.0, state.dt, ContactSolve::truncated);
   if (!(taken.result.position_error <= NewtonSolver::max_displacement)) {
     context.return_to_start();
     return false;
   }
   end_piece(context, taken, state.dt, restitution);
-  if (!state.is_pushed()) context.guard.account(state, context.contacts, before);
+  if (!was_pushed_) context.guard.account(state, context.contacts, before);
   return true;
 }
 
@@ -155,9 +156,10 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);
     restore_momentum(state, contacts);
-    if (state.is_pushed()) changed = limit_speeds(state) || changed;
+    if (EnergyGuard::is_pushed(state, contacts)) changed = limit_speeds(state) || changed;
   }
   context.guard.measure(state, contacts);
+  was_pushed_ = was_pushed_ || EnergyGuard::is_pushed(state, contacts);
   state.restart = true;
   if (contacts.empty()) return changed;
   contact_energy_ = contacts.energy();

@@ -35,6 +35,7 @@ class LinearisedStep {
   Rollback rollback_;
   bool is_impact_ = false;       // this piece takes an impact
   bool impact_is_due_ = false;   // the next one does
+  bool was_pushed_ = false;      // something changed the energy in the step by an amount that is not known
   double contact_energy_ = 0.0;  // J, at the stiffness of the piece before
 };
 

@@ -70,7 +70,7 @@ Spin spin(const IslandState& state, std::span<const Vec2> x, std::span<const Vec
 
 void slow_down(IslandState& state, double excess) {
   double turning = 0.0;
-  Vec2 mean_velocity;
+  Vec2 mean_velocity = state.frame_velocity;
   const Vec2 middle = mean(state, state.positions);
   if (is_free(state)) {
     const Spin all = spin(state, state.positions, state.velocities);
@@ -95,7 +95,7 @@ void slow_down(IslandState& state, double excess) {
 }
 
 void restore_momentum(IslandState& state, const Contacts& contacts) {
-  if (!contacts.impacts.any() || state.is_pushed() || contacts.impacts.touch_kinematic(contacts.scene) ||
+  if (!contacts.impacts.any() || state.driven || state.in_medium || contacts.impacts.touch_kinematic(contacts.scene) ||
       !is_free(state))
     return;
   const SubstepStart& start = state.start;

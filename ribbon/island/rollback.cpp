@@ -23,7 +23,9 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
 
 bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
-  if (state.driven) return limit_speeds(state);
+  // Of a way that drives make, nothing can be taken back.
+  const bool moved = state.frame_velocity != Vec2{};
+  if (moved || EnergyGuard::is_driven(state, context.contacts)) return limit_speeds(state);
   const bool limited = state.in_medium && limit_speeds(state);
   const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
   if (is_sound()) return limited;

@@ -66,7 +66,7 @@ void Substeps::end(const StepContext& context, const Cord::Energy& before, doubl
     restore_momentum(state, contacts);
     context.guard.measure(state, contacts);
   }
-  if (!state.is_pushed()) context.guard.account(state, contacts, before);
+  context.guard.account(state, contacts, before);
   if (contacts.empty()) return;
   state.touch_changed = contacts.active.changed();
   contacts.store(state.positions);

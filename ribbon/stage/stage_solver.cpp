@@ -75,6 +75,7 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
 
 /// What is driven moves at constant velocity from where the step found it to its target.
 void StageSolver::place_driven(IslandState& state, double time) {
+  state.now = time;
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (state.constrained[p] == 0) continue;
     state.positions[p] = prediction.positions[p] = state.drive_starts[p] + time * state.drive_velocities[p];

@@ -34,7 +34,6 @@ void IslandState::drive(std::size_t slot, Vec2 velocity) {
   constrained[slot] = 1;
   drive_starts[slot] = positions[slot];
   drive_velocities[slot] = velocity;
-  driven = driven || !(velocity == Vec2{});
   restart = restart || !(velocities[slot] == velocity);
   velocities[slot] = velocity;
 }
@@ -58,7 +57,7 @@ void IslandState::resize(std::size_t slots, std::size_t tension_count) {
 }
 
 void IslandState::begin_substep(double time, double substep_dt) {
-  start.time = time;
+  now = start.time = time;
   start.dt = substep_dt;
   start.positions = positions;
   start.velocities = velocities;
@@ -66,6 +65,7 @@ void IslandState::begin_substep(double time, double substep_dt) {
 }
 
 void IslandState::return_to_start() {
+  now = start.time;
   positions = start.positions;
   velocities = start.velocities;
   tensions = start.tensions;

@@ -123,13 +123,15 @@ struct IslandState {
   std::size_t points = 0;     ///< of all cords
   std::size_t duals = 0;      ///< tensions that are unknowns of the linear system
   bool coupled = false;       ///< false: a single cord whose bodies hold one point each, which its own solver can solve
-  bool driven = false;        ///< drives, reels or unlocked cells change the energy
+  bool driven = false;        ///< drives at several velocities, reels or unlocked cells change the energy
   bool in_medium = false;     ///< a medium acts on a cord and changes the energy
   bool reeling = false;       ///< a reel changes rest lengths
   bool unlocking = false;     ///< inverted cells are turned back in this step
   bool restart = false;       ///< the accelerations are out of date
   bool jolted = false;        ///< a cord that runs through a groove changes its speed at once
   bool touch_changed = false;  ///< a contact began or ended in the last substep
+  double now = 0.0;            ///< s, of the positions, since the step began
+  Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work
 
   // By slot:
   std::vector<Vec2> positions;
@@ -146,8 +148,6 @@ struct IslandState {
   std::vector<double> tensions;
   SubstepStart start;  ///< of the current substep
 
-  /// Returns whether something outside changes the energy by an amount that is not known.
-  bool is_pushed() const { return driven || in_medium; }
   std::size_t center(std::size_t body) const { return points + 2 * body; }
   std::size_t angle(std::size_t body) const { return points + 2 * body + 1; }
   std::size_t groove(std::size_t wheel) const { return points + 2 * bodies.size() + wheel; }

@@ -226,7 +226,6 @@ void load_body(IslandState& state, std::size_t k) {
     state.drive_starts[slot] = state.positions[slot];
     state.drive_velocities[slot] = state.velocities[slot];
   }
-  state.driven = state.driven || (kinematic && !(body.velocity == Vec2{} && body.angular_velocity == 0.0));
 }
 
 /// Reads the acceleration of a body that held the same point in the last step. It is out of date if something else has
