@@ -219,7 +219,7 @@ void Gatherer::add_shapes_of(CoupledCord& cord, const StepConditions& conditions
   sort(near);
   for (auto first = near.begin(); first != near.end();) {
     const auto last = std::find_if(first, near.end(), [&](const NearShape& s) { return s.number != first->number; });
-    const std::span<const NearShape> parts(first, last);
+    const std::span<const NearShape> parts(&*first, static_cast<std::size_t>(last - first));
     const b2Fixture& fixture = *first->fixture;
     first = last;
     Surface surface{static_cast<double>(fixture.GetFriction()), static_cast<double>(fixture.GetRestitution())};

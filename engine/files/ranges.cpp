@@ -1,8 +1,8 @@
 #include "engine/files/ranges.h"
 
-#include <charconv>
 #include <cstddef>
-#include <iterator>
+
+#include "engine/files/number_text.h"
 
 namespace engine {
 namespace {
@@ -16,10 +16,7 @@ std::string range_words(std::string noun, const std::string* min, const std::str
 
 }  // namespace
 
-std::string number_in_words(double value) {
-  char digits[32];
-  return {digits, std::to_chars(std::begin(digits), std::end(digits), value).ptr};
-}
+std::string number_in_words(double value) { return shortest_text(value); }
 
 std::string range_in_words(NumberRange range) {
   const std::string min = number_in_words(range.min);

@@ -1,13 +1,12 @@
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/files/number_text.h"
 #include "engine/replay/solver_step.h"
 #include "engine/replay/solver_step_fields.h"
 
@@ -56,11 +55,10 @@ class Writer {
       append_text(std::isnan(value) ? "nan" : value > 0.0 ? "infinity" : "-infinity");
       return;
     }
-    char digits[32];
-    const std::string_view written(digits, std::to_chars(std::begin(digits), std::end(digits), value).ptr);
+    const std::string written = shortest_text(value);
     text_ += written;
     // Without ".0" the reader would take a whole number for an integer, which has no −0 and a limited range.
-    if (written.find_first_not_of("-0123456789") == std::string_view::npos) text_ += ".0";
+    if (written.find_first_not_of("-0123456789") == std::string::npos) text_ += ".0";
   }
   void put(ribbon::Vec2 v) {
     text_ += '[';

@@ -1,13 +1,12 @@
 #include "engine/sound/score.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
+#include "engine/files/number_text.h"
 #include "engine/files/regular_file.h"
 
 namespace engine {
@@ -42,12 +41,6 @@ std::vector<std::string> words_of(std::string_view line) {
   std::vector<std::string> words;
   for (std::string word; in >> word && word[0] != '#';) words.push_back(word);
   return words;
-}
-
-std::optional<double> number_in(const std::string& word) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::fixed);
-  return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
 /// Returns the key of a note such as F#4.
@@ -96,7 +89,7 @@ class Reader {
   }
 
   double number(const std::string& what, const std::string& word, double min, double max) const {
-    const auto value = number_in(word);
+    const auto value = fixed_number(word);
     if (value && *value >= min && *value <= max) return *value;
     std::ostringstream range;
     range << "a number from " << min << " to " << max;

@@ -80,8 +80,9 @@ Sound load_wav(const std::string& path) {
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (!in || in.bad()) throw SoundError(path + ": reading failed");
-  if (bytes.view().size() > max_file_bytes) fail(path, "is larger than 16 MiB");
-  return parse_wav(bytes.view(), path);
+  const std::string all = bytes.str();
+  if (all.size() > max_file_bytes) fail(path, "is larger than 16 MiB");
+  return parse_wav(all, path);
 }
 
 std::string wav_of(const Sound& sound) {

@@ -62,10 +62,16 @@ bool waits_for_display(SDL_Renderer* renderer) {
   return SDL_GetRendererInfo(renderer, &info) == 0 && (info.flags & both) == both;
 }
 
+/// Zero if the caller of each frame keeps the time, as a browser does: waiting there would block the page.
 Clock::duration frame_time(SDL_Window* window) {
+#ifdef __EMSCRIPTEN__
+  (void)window;
+  return Clock::duration::zero();
+#else
   SDL_DisplayMode mode{};
   const bool known = SDL_GetWindowDisplayMode(window, &mode) == 0 && mode.refresh_rate > 0;
   return std::chrono::nanoseconds(1'000'000'000 / (known ? std::clamp(mode.refresh_rate, 30, 240) : 60));
+#endif
 }
 
 WindowSize usable_size(int display) {

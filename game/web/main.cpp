@@ -1,0 +1,75 @@
+#include <emscripten.h>
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/window/sdl_window.h"
+#include "game/program/app.h"
+
+// The game in a page: the browser calls each frame. page/page.js starts it.
+
+EM_JS(void, tell_page, (const char* sentence), { Module.gameEnded(UTF8ToString(sentence)); });
+EM_JS(void, tell_first_frame, (), { Module.gameShown(); });
+
+namespace {
+
+struct Page {
+  std::unique_ptr<game::App> app;
+  std::int64_t shown_ns = 0;
+  bool was_shown = false;
+};
+
+/// Lives as long as the page, for main() returns before the first frame.
+Page& page() {
+  static Page one;
+  return one;
+}
+
+/// Ends the game and shows a sentence in its place; an empty one for an end that the player chose.
+void end_game(const std::string& sentence) {
+  emscripten_cancel_main_loop();
+  page().app.reset();
+  tell_page(sentence.c_str());
+}
+
+void run_frame() {
+  Page& here = page();
+  try {
+    const std::int64_t now = engine::now_ns();
+    const bool goes_on = here.app->frame(now - here.shown_ns);
+    here.shown_ns = now;
+    if (!here.was_shown) tell_first_frame();
+    here.was_shown = true;
+    if (goes_on) return;
+    here.app->finish();
+    end_game("");
+  } catch (const std::exception& error) {
+    here.app->save_recordings();
+    end_game(error.what());
+  }
+}
+
+/// The page gives at most one pair: level NAME, or replay FILE.
+game::RunOptions options_of(int argc, char** argv) {
+  game::RunOptions options;
+  if (argc < 3) return options;
+  if (std::string_view(argv[1]) == "level") options.level = argv[2];
+  if (std::string_view(argv[1]) == "replay") options.replay = argv[2];
+  return options;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    page().app = std::make_unique<game::App>(options_of(argc, argv));
+    page().shown_ns = engine::now_ns();
+    emscripten_set_main_loop(run_frame, 0, 0);
+  } catch (const std::exception& error) {
+    tell_page(error.what());
+  }
+  return 0;
+}

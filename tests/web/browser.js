@@ -1,0 +1,92 @@
+// Headless Chromium, driven through its DevTools pipe: pages, real key events, pictures, and what the console said.
+'use strict';
+const {spawn} = require('node:child_process');
+const {mkdtempSync, rmSync} = require('node:fs');
+const {tmpdir} = require('node:os');
+const path = require('node:path');
+
+const wait = ms => new Promise(done => setTimeout(done, ms));
+
+class Browser {
+  constructor(...flags) {
+    this.profile = mkdtempSync(path.join(tmpdir(), 'ropeswing-chromium-'));
+    this.process = spawn('chromium', ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--window-size=1280,720',
+      '--hide-scrollbars', '--no-first-run', '--autoplay-policy=user-gesture-required', `--user-data-dir=${this.profile}`,
+      ...flags, 'about:blank'], {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
+    this.next = 1;
+    this.waiting = new Map();
+    this.errors = [];
+    let rest = '';
+    this.process.stdio[4].on('data', data => {
+      const parts = (rest + data).split('\0');
+      rest = parts.pop();
+      for (const part of parts) this.receive(JSON.parse(part));
+    });
+  }
+
+  receive(message) {
+    if (message.id) {
+      const {done, fail} = this.waiting.get(message.id);
+      this.waiting.delete(message.id);
+      return message.error ? fail(new Error(message.error.message)) : done(message.result);
+    }
+    const {method, params} = message;
+    if (method === 'Runtime.exceptionThrown')
+      this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+    if (method === 'Log.entryAdded' && params.entry.level === 'error') this.errors.push(params.entry.text);
+    if (method === 'Runtime.consoleAPICalled' && ['error', 'assert'].includes(params.type))
+      this.errors.push(params.args.map(arg => arg.value ?? arg.description).join(' '));
+  }
+
+  call(method, params = {}) {
+    const id = this.next++;
+    const message = {id, method, params, ...(this.session && {sessionId: this.session})};
+    this.process.stdio[3].write(JSON.stringify(message) + '\0');
+    return new Promise((done, fail) => this.waiting.set(id, {done, fail}));
+  }
+
+  async start() {
+    const {targetInfos} = await this.call('Target.getTargets');
+    const {targetId} = targetInfos.find(target => target.type === 'page');
+    this.session = (await this.call('Target.attachToTarget', {targetId, flatten: true})).sessionId;
+    for (const part of ['Page', 'Runtime', 'Log']) await this.call(part + '.enable');
+    return this;
+  }
+
+  async open(url) {
+    await this.call('Page.navigate', {url: 'about:blank'});
+    await this.call('Page.navigate', {url});
+  }
+
+  async value(expression) {
+    const {result, exceptionDetails} = await this.call('Runtime.evaluate',
+      {expression, awaitPromise: true, returnByValue: true});
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  }
+
+  // Waits until an expression of the page is true; the milliseconds are those of a slow machine.
+  async until(expression, ms = 60000) {
+    for (const end = Date.now() + ms; Date.now() < end; await wait(50)) {
+      if (await this.value(expression).catch(() => false)) return;
+    }
+    throw new Error('never became true: ' + expression);
+  }
+
+  async key(type, code, key, number) {
+    await this.call('Input.dispatchKeyEvent', {type, code, key, windowsVirtualKeyCode: number});
+  }
+
+  async picture(file) {
+    const {data} = await this.call('Page.captureScreenshot', {format: 'png'});
+    require('node:fs').writeFileSync(file, Buffer.from(data, 'base64'));
+    return data;
+  }
+
+  close() {
+    this.process.kill();
+    this.process.on('exit', () => rmSync(this.profile, {recursive: true, force: true}));
+  }
+}
+
+module.exports = {Browser, wait};
