@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,16 @@
 
 namespace study {
 
+/// The counted work of the cords in the ticks of a run, by IslandReport::work: the same on every machine.
+struct WorkFigures {
+  double mean = unavailable;
+  double p99 = unavailable;
+  double most = unavailable;
+};
+
+/// Returns the figures of all ticks; NaN without ticks.
+WorkFigures figures_of(std::span<const std::int64_t> tick_work);
+
 /// The measurement of a setting of the grid.
 struct Measured {
   Setting setting;
@@ -23,11 +35,13 @@ struct Measured {
   WindowErrors windows;       ///< of time and solver, in windows; only for the level's own cords
   double windows_resolution_m = 0.0;
   ribbon::IslandReport work;
+  WorkFigures tick_work;  ///< only of the direct solver
   int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;
   double cost_us = 0.0;
   double p99_us = 0.0;
+  double most_us = 0.0;  ///< the most expensive tick; of each tick the median over the repeats
 
   Point point() const;
 };
@@ -53,6 +67,7 @@ struct Study {
   std::vector<Measured> settings;
   int runs = 0;                  ///< number of runs for errors, without those that were saved in the folder
   std::string no_chains_reason;  ///< why chains of Box2D are missing; empty if they are present
+  std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
   bool complete = false;         ///< false if it was interrupted
 
   std::vector<Point> points() const;
@@ -68,7 +83,8 @@ struct StudyOptions {
 };
 
 /// Measures a level and its recorded input over the grid. Continues saved results of the same level, replay, grid and
-/// program. Throws engine::ReplayError for a file that is not a replay, has no ticks or is of another level.
+/// program. Throws engine::ReplayError for a file that is not a replay, has no ticks or is of another level, and
+/// engine::MapError if no cord exists in any tick.
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
 
 /// The same for inputs that were not recorded; no results are saved.

@@ -4,7 +4,12 @@
 
 namespace study {
 
+Setting present() { return {"direct", "own", 0, 0.0}; }
+
+bool is_present(const Setting& setting) { return setting == present(); }
+
 std::string name_of(const Setting& setting) {
+  if (is_present(setting)) return "as in the level";
   std::string name = "substeps=" + std::to_string(setting.substeps);
   if (is_box2d(setting)) {
     name += " iterations=" + std::to_string(setting.iterations) + "/" + std::to_string(3 * setting.iterations / 8);
@@ -32,7 +37,7 @@ Mesh mesh_of(const Setting& setting) { return {setting.points, setting.rows}; }
 bool is_box2d(const Setting& setting) { return setting.solver.starts_with("box2d"); }
 
 std::vector<Setting> grid(bool quick) {
-  std::vector<Setting> all = {{"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
+  std::vector<Setting> all = {present(), {"direct", "implicit_euler", 1, 1e-2}, {}, {"direct", "tr_bdf2", 4, 1e-4}};
   const auto add = [&all](const Setting& setting) {
     for (const Setting& known : all) {
       if (known == setting) return;

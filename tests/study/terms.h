@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/study/level_file.h"
-#include "tests/study/trace.h"
+#include "tests/study/errors.h"
 
 namespace study {
 
