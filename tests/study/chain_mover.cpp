@@ -155,8 +155,8 @@ std::string chains_unsupported_reason(const game::Level& level, std::span<const 
   if (level.second) return "chains are held by one player, and the level is for two";
   for (const engine::MapObject& object : level.map.objects) {
     const bool ties = object.kind == "tie";
-    const bool hangs = object.kind != "wheel" && object.kind != "chaser" && object.properties.has("cord") &&
-                       object.kind != "anchor";
+    const bool hangs =
+        object.kind != "wheel" && object.kind != "chaser" && object.properties.has("cord") && object.kind != "anchor";
     if (ties || hangs || (object.kind == "anchor" && object.properties.has("body"))) {
       return "chains hang at fixed points and are held by the player, and object " + std::to_string(object.id) +
              " of the level " + (ties ? "ties cords together" : "is held by a cord");

@@ -42,8 +42,7 @@ void add_places(Errors& errors, const Trace& run, const Trace& reference, std::s
     for_each_common_cord(run, reference, k, [&](std::size_t i, std::size_t j, std::size_t cord) {
       const double own_length = run.lengths[cord];
       for (std::size_t s = 0; s < Trace::stations; ++s) {
-        const Vec2 off =
-            run.places[k][i * Trace::stations + s] - reference.places[k][j * Trace::stations + s];
+        const Vec2 off = run.places[k][i * Trace::stations + s] - reference.places[k][j * Trace::stations + s];
         position.add(square_of(off));
         relative.add(square_of(off) / (own_length * own_length));
       }

@@ -11,15 +11,15 @@ namespace study {
 /// Energy and momentum are not drifts: the player adds and removes both, so each is compared with that of the reference
 /// in the same tick.
 struct Errors {
-  double position_m = unavailable;   ///< RMS over all stations of cords that exist in both runs, and ticks
-  double position_relative = unavailable;    ///< the same, relative to each cord's length
-  double player_m = 0.0;             ///< RMS over all ticks
-  double stretch = 0.0;              ///< of the peak, relative to a cord's length
-  double tension = unavailable;      ///< of the peak, relative to the reference's peak
-  double penetration = unavailable;  ///< maximum of the run itself after any tick, relative to the cord's radius
-  double energy = unavailable;       ///< maximum after any tick, relative to total weight × longest cord
-  double momentum = unavailable;     ///< maximum after any tick, relative to total mass × √(g × longest cord)
-  double body_m = unavailable;       ///< RMS over the second player, the dynamic bodies and all ticks
+  double position_m = unavailable;         ///< RMS over all stations of cords that exist in both runs, and ticks
+  double position_relative = unavailable;  ///< the same, relative to each cord's length
+  double player_m = 0.0;                   ///< RMS over all ticks
+  double stretch = 0.0;                    ///< of the peak, relative to a cord's length
+  double tension = unavailable;            ///< of the peak, relative to the reference's peak
+  double penetration = unavailable;        ///< maximum of the run itself after any tick, relative to the cord's radius
+  double energy = unavailable;             ///< maximum after any tick, relative to total weight × longest cord
+  double momentum = unavailable;           ///< maximum after any tick, relative to total mass × √(g × longest cord)
+  double body_m = unavailable;             ///< RMS over the second player, the dynamic bodies and all ticks
 
   /// Returns the largest of the errors that are lengths, m; 0 if nothing is compared.
   double greatest_length() const;

@@ -130,7 +130,8 @@ void LevelFile::multiply_links(Json& cord, double times) {
 
 void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
   if (setting.points != 1.0) multiply_links(cord, setting.points);
-  if (is_present(setting) || is_box2d(setting)) return;  // of chains the cords only give the geometry, and are not stepped
+  if (is_present(setting) || is_box2d(setting))
+    return;  // of chains the cords only give the geometry, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
   const bool is_reeved = std::find(reeved_.begin(), reeved_.end(), cord["id"].get<int>()) != reeved_.end();
@@ -334,7 +335,8 @@ std::string LevelFile::with_changes(const std::string& text, const Json& before,
 
 void LevelFile::apply(const Setting& setting) const {
   if (!has_cords()) {
-    throw std::runtime_error(path_ + ": has no cord that the setting could be written to; accepted is a level with a "
+    throw std::runtime_error(path_ +
+                             ": has no cord that the setting could be written to; accepted is a level with a "
                              "cord or ribbon. Thrown lines have theirs from LineTuning::accuracy");
   }
   std::string text = read_file(path_);

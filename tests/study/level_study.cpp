@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "engine/replay/replay.h"
 #include "tests/study/chain_mover.h"
@@ -121,7 +122,9 @@ class LevelStudy {
     }
     const Setting finest = reference({finer_mesh}, false, options_->quick);
     if (stopped()) return study;
-    const bool has_finer = options_->grid.empty() && file_->left_out_reason(finest).empty();
+    const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
+                                              [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
+    const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
     const Trace fine = has_finer ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
     const game::Level original = file_->level();
@@ -129,6 +132,10 @@ class LevelStudy {
                           accuracy_of(reference({}, true, options_->quick)),
                           options_->quick ? few_windows : many_windows);
     progress_.add(work_of_windows());
+    if (options_->films) {
+      study.stage = stage_of(original, converged_[Mesh{}].trace);
+      study.converged_film = frames_of(converged_[Mesh{}].trace, study.stage);
+    }
     study.windows = windows.count();
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
@@ -138,10 +145,12 @@ class LevelStudy {
       Measured measured;
       if (const Measured* known = results_->find(setting)) {
         measured = *known;
+        last_ = {};  // its film is that of the saved run
       } else {
         measured = measure_error(setting, fine, windows);
         results_->add(measured);
       }
+      if (options_->films) study.films.push_back(film_of(setting, study.stage));
       study.settings.push_back(measured);
       progress_.add(work_of(setting));
     }
@@ -211,9 +220,22 @@ class LevelStudy {
     return true;
   }
 
+  /// The film of a measured setting.
+  Film film_of(const Setting& setting, const Stage& stage) {
+    if (mesh_of(setting) != Mesh{}) return {};
+    const std::optional<Trace> saved = is_present(setting) ? own_ : results_->run(run_name_of(setting));
+    const Trace trace = saved ? *saved : std::exchange(last_, {});
+    const Converged& own = converged_[Mesh{}];
+    return {frames_of(trace, stage), greatest_error(trace, own.trace, own.about.ticks)};
+  }
+
+  static std::string run_name_of(const Setting& setting) { return setting.solver + " " + name_of(setting); }
+
   Measured measure_error(const Setting& setting, const Trace& fine, const Windows& windows) {
     const Converged& own = converged_[mesh_of(setting)];
-    const Trace trace = is_present(setting) ? own_ : run_once(file_->with(setting), method_of(setting));
+    last_ = is_present(setting) ? own_ : run_once(file_->with(setting), method_of(setting));
+    const Trace& trace = last_;
+    if (options_->films && !is_present(setting)) results_->add_run(run_name_of(setting), trace);
     Measured measured;
     measured.setting = setting;
     measured.error = difference(trace, own.trace, own.about.ticks);
@@ -260,7 +282,8 @@ class LevelStudy {
   const StudyOptions* options_;
   std::vector<engine::TickInput> inputs_;
   int runs_ = 0;
-  Trace own_;  // of the level as it is
+  Trace own_;   // of the level as it is
+  Trace last_;  // of the last measured setting
   std::string no_chains_reason_;
   Grid grid_;
   Progress progress_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/film.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
 #include "tests/study/setting.h"
@@ -65,10 +66,13 @@ struct Study {
   double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
   double compared_players = 0.0;  ///< share of the windows' ticks in which players are compared
   std::vector<Measured> settings;
-  int runs = 0;                  ///< number of runs for errors, without those that were saved in the folder
-  std::string no_chains_reason;  ///< why chains of Box2D are missing; empty if they are present
+  int runs = 0;                       ///< number of runs for errors, without those that were saved in the folder
+  std::string no_chains_reason;       ///< why chains of Box2D are missing; empty if they are present
+  Stage stage;                        ///< of the films, if the options ask for them
+  std::string converged_film;         ///< of the level's own points and rows
+  std::vector<Film> films;            ///< by setting; empty ones for other points and rows
   std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
-  bool complete = false;         ///< false if it was interrupted
+  bool complete = false;              ///< false if it was interrupted
 
   std::vector<Point> points() const;
 };
@@ -77,6 +81,7 @@ struct StudyOptions {
   bool quick = false;
   int repeats = 9;
   std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
+  bool films = false;                            ///< make films of the settings
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds

@@ -18,9 +18,8 @@ using Json = nlohmann::ordered_json;
 unsigned long long hash_of(const std::string& path) { return ribbon::box2d::hash_bytes(read_file(path)); }
 
 Json json_of(const Errors& e) {
-  return Json::array(
-      {e.position_m, e.position_relative, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum,
-       e.body_m});
+  return Json::array({e.position_m, e.position_relative, e.player_m, e.stretch, e.tension, e.penetration, e.energy,
+                      e.momentum, e.body_m});
 }
 
 /// JSON writes null for NaN.
@@ -113,6 +112,7 @@ void Results::add(const Measured& measured) {
 std::string Results::path_of_run(const std::string& name) const {
   std::string file = name;
   std::replace(file.begin(), file.end(), ' ', '_');
+  std::replace(file.begin(), file.end(), '/', '_');
   return folder_ + "/" + file + ".run";
 }
 

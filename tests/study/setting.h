@@ -47,7 +47,8 @@ bool is_present(const Setting& setting);
 bool is_box2d(const Setting& setting);
 
 /// Returns the grid: both integrators, 1 … 8 substeps, three tolerances; few and many iterations; half and twice the
-/// points; two and three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step from each.
+/// points; two and three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step from each, for
+/// the level's own points.
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 

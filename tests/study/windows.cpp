@@ -79,9 +79,8 @@ Windows::Windows(const game::Level& level, std::span<const engine::TickInput> in
 }
 
 WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy) const {
-  return pooled([&](const Window& window) {
-    return run_from(*level_, inputs_, window.begin, window.longest(), accuracy);
-  });
+  return pooled(
+      [&](const Window& window) { return run_from(*level_, inputs_, window.begin, window.longest(), accuracy); });
 }
 
 /// RMS over the compared ticks of all windows.

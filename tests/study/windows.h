@@ -62,8 +62,8 @@ class Windows {
   WindowErrors agreement_;
 };
 
-/// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations of those
-/// that exist in both, their players, and their bodies.
+/// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations of
+/// those that exist in both, their players, and their bodies.
 std::size_t agreeing_cord_ticks(const Trace& a, const Trace& b, double most);
 std::size_t agreeing_player_ticks(const Trace& a, const Trace& b, double most);
 std::size_t agreeing_body_ticks(const Trace& a, const Trace& b, double most);
