@@ -39,8 +39,15 @@ double number_of(const std::string& text) {
 GuardRow row_of(const std::vector<std::string>& cells) {
   if (cells.size() != 9 || cells[0].empty()) throw std::invalid_argument("cells");
   const auto count = [&cells](std::size_t k) { return static_cast<std::int64_t>(number_of(cells[k])); };
-  return {cells[0],           cells[1],           static_cast<std::size_t>(count(2)), count(3), count(4),
-          number_of(cells[5]), number_of(cells[6]), number_of(cells[7]),                cells[8]};
+  return {cells[0],
+          cells[1],
+          static_cast<std::size_t>(count(2)),
+          count(3),
+          count(4),
+          number_of(cells[5]),
+          number_of(cells[6]),
+          number_of(cells[7]),
+          cells[8]};
 }
 
 GuardRow measure_row(const std::string& level, const std::string& replay) {
@@ -95,7 +102,8 @@ std::vector<std::string> worse(const GuardRow& accepted, const GuardRow& measure
     lines.push_back("error " + significant(measured.error_m, 3) + " m instead of " + significant(accepted.error_m, 3) +
                     " m" + percent_of(measured.error_m, accepted.error_m));
   }
-  if (!measured.failure.empty() && measured.failure != accepted.failure) lines.push_back("it fails: " + measured.failure);
+  if (!measured.failure.empty() && measured.failure != accepted.failure)
+    lines.push_back("it fails: " + measured.failure);
   return lines;
 }
 
@@ -160,7 +168,8 @@ int check(const Guard& guard) {
   for (const std::string& level : levels_of(guard, rows)) {
     const GuardRow* accepted = find(rows, level);
     if (accepted == nullptr) {
-      throw std::runtime_error(guard.file + " has no row of " + level + "; accepted is a level that --accept has added");
+      throw std::runtime_error(guard.file + " has no row of " + level +
+                               "; accepted is a level that --accept has added");
     }
     const GuardRow now = measure_row(level, guard.replay.empty() ? accepted->replay : guard.replay);
     const std::vector<std::string> lines = worse(*accepted, now);

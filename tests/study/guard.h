@@ -13,7 +13,7 @@ struct GuardRow {
   std::string level;   ///< a name, or a .tmj file, as --level
   std::string replay;  ///< its recorded input; empty: that of the level in the assets
   std::size_t ticks = 0;
-  std::int64_t work = 0;      ///< counted work of all ticks
+  std::int64_t work = 0;       ///< counted work of all ticks
   std::int64_t most_work = 0;  ///< of the greatest tick
   double error_m = 0.0;
   double work_margin = 5.0;    ///< accepted increase of both kinds of work, %

@@ -55,7 +55,8 @@ TEST_F(LevelStudy, AGuardReadsWhatItWrites) {
   EXPECT_NE(complaint(whole + "swing,,100\n").find("line 4: is not a row"), std::string::npos);
   EXPECT_NE(complaint(whole + "third,,100,-5,1,1,5,20,\n").find("line 4: is not a row"), std::string::npos);
   EXPECT_NE(complaint(whole + whole.substr(whole.find("swing"))).find("has swing again"), std::string::npos);
-  EXPECT_NE(refusal<std::runtime_error>([&] { read_guard(home + "/none.csv"); }).find("cannot read"), std::string::npos);
+  EXPECT_NE(refusal<std::runtime_error>([&] { read_guard(home + "/none.csv"); }).find("cannot read"),
+            std::string::npos);
   EXPECT_NE(refusal<std::runtime_error>([&] { write_guard(home + "/no/file.csv", {row()}); }).find("cannot write"),
             std::string::npos);
 }
@@ -77,7 +78,9 @@ TEST_F(LevelStudy, AGuardNoticesAMoreExpensiveLevel) {
   EXPECT_EQ(accept({guard.file, {}, ""}), 0);
   EXPECT_EQ(check({guard.file, {}, ""}), 0);
   testing::internal::GetCapturedStdout();
-  EXPECT_NE(refusal<std::runtime_error>([&] { check({guard.file, {"first_swing"}, ""}); }).find("has no row of"),
+  EXPECT_NE(refusal<std::runtime_error>([&] {
+              check({guard.file, {"first_swing"}, ""});
+            }).find("has no row of"),
             std::string::npos);
 }
 

@@ -230,6 +230,9 @@ void add_advice(Report& report, const Study& study, const Advice& advice) {
   for (std::size_t k = 0; k < study.settings.size(); ++k) {
     if (is_present(study.settings[k].setting)) report.present = k;
   }
+  report.notes.emplace_back(
+      "The picture shows the errors that recommendations use: the larger of those from the start and in windows. Other "
+      "methods and other numbers of points have no windows: their marks are small, and not compared with the others.");
   report.notes.push_back(
       "The 99th percentile and the greatest tick of a recommendation are those of counted work, which "
       "is the same on every machine: on this one a tick takes " +
@@ -259,7 +262,7 @@ std::vector<std::string> findings_of(const Terms& terms) {
 Report report_of(const Study& study, const LevelFile& file, const Advice& advice) {
   Report report;
   report.title = study.level;
-  report.points = study.points();
+  report.points = applicable(study);  // as recommendations see them
   add_notes(report, study, file);
   add_advice(report, study, advice);
   add_table(report, study);

@@ -66,7 +66,7 @@ function drawGroup(group) {
   for (const [us, label] of [[167, '1 % of a frame'], [1670, '10 %']]) {
     if (us < x0 || us > x1) continue;
     element(svg, 'line', {class: 'frame', x1: x(us), x2: x(us), y1: top, y2: height - bottom});
-    element(svg, 'text', {class: 'soft', x: x(us) - 4, y: height - bottom - 6, 'text-anchor': 'end'}, label);
+    element(svg, 'text', {class: 'soft', x: x(us) - 4, y: top + 32, 'text-anchor': 'end'}, label);
   }
   element(svg, 'text', {x: 0.5 * (left + width), y: height - 8, 'text-anchor': 'middle'}, 'cost [µs a tick]');
   element(svg, 'text', {x: 14, y: 0.5 * height, 'text-anchor': 'middle', transform: `rotate(-90 14 ${0.5 * height})`},

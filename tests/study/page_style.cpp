@@ -16,7 +16,7 @@ h1{font-size:1.2em;margin:.2em 0}h2{font-size:1.1em}
 svg{display:block;width:100%}svg text{fill:var(--ink);font:13px sans-serif}svg .soft{fill:var(--soft)}
 svg .grid{stroke:var(--faint)}svg .frame{stroke:var(--soft);stroke-dasharray:4 4}
 svg .front{fill:none;stroke:var(--ink);stroke-width:2}
-svg .point{cursor:pointer}svg .chosen{stroke:var(--ink);stroke-width:3}svg .point:focus{outline:2px solid var(--ink)}
+svg .point{cursor:pointer}svg .chosen{stroke:var(--ink);stroke-width:3}svg .point:focus{outline:none}svg .point:focus-visible{outline:2px dotted var(--ink)}
 svg .ring{fill:none;stroke:var(--ink);stroke-width:2}
 canvas{width:100%;border:1px solid var(--faint)}
 #controls{display:flex;flex-wrap:wrap;gap:.5em;align-items:center;margin:.3em 0}#seek{flex:1 1 6em;min-width:4em}

@@ -134,9 +134,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
   auto* baseline = app.add_option("--baseline", arguments.table,
                                   "Count the work of all scenes and recorded runs and compare it with this table")
                        ->excludes("--scene", "--level");
-  auto* check = app.add_option("--check", arguments.guard,
-                               "Compare the work and the error of levels, those of --level or of the file, with this file")
-                    ->excludes("--scene");
+  auto* check =
+      app.add_option("--check", arguments.guard,
+                     "Compare the work and the error of levels, those of --level or of the file, with this file")
+          ->excludes("--scene");
   check->excludes(baseline);
   app.add_flag("--accept", arguments.accept, "Rewrite the table or the file instead");
   app.add_flag("--csv", arguments.csv,
