@@ -29,6 +29,7 @@ ribbon::CordDef line_def(const LineTuning& tuning, double length, bool is_pinned
   def.drag = air_drag;
   def.tension_only = true;
   def.friction = rope_friction;
+  def.accuracy = tuning.accuracy;
   if (is_pinned) def.pins = {0};
   return def;
 }

@@ -7,6 +7,7 @@
 #include "game/simulation/target.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
+#include "ribbon/cord_def.h"
 #include "ribbon/vec2.h"
 
 namespace game {
@@ -24,6 +25,7 @@ struct LineTuning {
   double radius = 0.03;               ///< m
   double damping = 0.03;              ///< s
   int points = 21;
+  ribbon::Accuracy accuracy = {};  ///< of the solver
 };
 
 /// A line in a hand of the player: it is thrown at a target, held, reeled in and out, and released. Then it hangs at

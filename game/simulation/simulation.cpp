@@ -192,10 +192,12 @@ void Simulation::make_players() {
   PlayerTuning tuning;
   tuning.mass = level_->player_mass;
   tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
-  players_[0] = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines));
+  LineTuning line;
+  line.accuracy = level_->line_accuracy;
+  players_[0] = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines), line);
   if (!level_->second) return;
   tuning.mass = level_->second->mass;
-  players_[1] = std::make_unique<Player>(scene_->world(), level_->second->start, tuning, at(level_->lines));
+  players_[1] = std::make_unique<Player>(scene_->world(), level_->second->start, tuning, at(level_->lines), line);
   for (const std::unique_ptr<Player>& player : players_) {
     for (b2Fixture* fixture = player->body().GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       b2Filter filter = fixture->GetFilterData();

@@ -146,11 +146,27 @@ Method chain_method(const Setting& setting) {
   return {make, [latest] { (*latest)->show(); }, meets_cords | meets_none};
 }
 
-std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs) {
+std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs,
+                                      const Trace& own) {
   const auto scene = level.make_scene();
   const Coupling& coupling = scene->coupling();
   if (scene->weather()) return "no wind and water act on a chain, and the level has them";
   if (!scene->wheels().empty()) return "a chain does not run around wheels, and the level has some";
+  if (level.second) return "chains are held by one player, and the level is for two";
+  for (const engine::MapObject& object : level.map.objects) {
+    const bool ties = object.kind == "tie";
+    const bool hangs =
+        object.kind != "wheel" && object.kind != "chaser" && object.properties.has("cord") && object.kind != "anchor";
+    if (ties || hangs || (object.kind == "anchor" && object.properties.has("body"))) {
+      return "chains hang at fixed points and are held by the player, and object " + std::to_string(object.id) +
+             " of the level " + (ties ? "ties cords together" : "is held by a cord");
+    }
+  }
+  const auto is_as_at_first = [&own](const auto& cords) { return cords == own.cords.front(); };
+  if (!std::all_of(own.cords.begin(), own.cords.end(), is_as_at_first) ||
+      own.cords.front().size() != static_cast<std::size_t>(coupling.size())) {
+    return "a chain exists from the first tick to the last, and cords of the level come and go";
+  }
   for (int c = 0; c < coupling.size(); ++c) {
     if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct || coupling.cord(c).shape().rows > 1) {
       return "a chain has no width, and cord " + std::to_string(c) + " of the level is a ribbon";

@@ -17,7 +17,8 @@ namespace study {
 /// cord between them. One run at a time.
 Method chain_method(const Setting& setting);
 
-/// Returns why a level cannot be run with chains, in a sentence; empty if it can.
-std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs);
+/// Returns why a level cannot be run with chains, in a sentence; empty if it can. `own` is the run of its own cords.
+std::string chains_unsupported_reason(const game::Level& level, std::span<const engine::TickInput> inputs,
+                                      const Trace& own);
 
 }  // namespace study

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "game/simulation/buttons.h"
+#include "tests/study/errors.h"
 #include "tests/study/level_file.h"
 #include "tests/study/level_study.h"
 #include "tests/study/trace.h"
@@ -164,15 +165,25 @@ TEST(ChainMover, ARestartResetsTheChains) {
   EXPECT_EQ(restarted.player.back(), fresh.player.back());
 }
 
+std::string reason_of(const game::Level& level, const std::vector<TickInput>& inputs) {
+  return chains_unsupported_reason(level, inputs, run(level, pressed(1, 0)));
+}
+
 TEST(ChainMover, RibbonsAndDragsHaveNoChains) {
-  EXPECT_EQ(chains_unsupported_reason(converged(), pressed(3, game::button_grab)), "");
-  EXPECT_NE(chains_unsupported_reason(test_support::mixed_swing(), {}).find("cord 0 of the level is a ribbon"),
-            std::string::npos);
-  EXPECT_NE(chains_unsupported_reason(converged(), pressed(3, game::button_drag)).find("drags cords"),
-            std::string::npos);
+  EXPECT_EQ(reason_of(converged(), pressed(3, game::button_grab)), "");
+  EXPECT_NE(reason_of(test_support::mixed_swing(), {}).find("cord 0 of the level is a ribbon"), std::string::npos);
+  EXPECT_NE(reason_of(converged(), pressed(3, game::button_drag)).find("drags cords"), std::string::npos);
   game::Level windy = converged();
   windy.map.properties.insert("wind_x", 3.0);
-  EXPECT_NE(chains_unsupported_reason(windy, {}).find("wind"), std::string::npos);
+  EXPECT_NE(reason_of(windy, {}).find("wind"), std::string::npos);
+  const auto own = [](const char* name) {
+    return reason_of(LevelFile(TEST_ASSETS "/levels/" + std::string(name)).level(), {});
+  };
+  EXPECT_NE(own("heavy_load.tmj").find("is held by a cord"), std::string::npos);
+  EXPECT_NE(own("swing_me_across.tmj").find("for two"), std::string::npos);
+  Trace cut = run(converged(), pressed(2, 0));
+  cut.cords.back().pop_back();
+  EXPECT_NE(chains_unsupported_reason(converged(), {}, cut).find("come and go"), std::string::npos);
 }
 
 TEST(ChainMover, AStudyHasChainsWhereTheyAreApplicable) {

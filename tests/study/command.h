@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/limits.h"
+
 namespace study {
 
 /// The options of tradeoff for a level.
@@ -15,11 +17,14 @@ struct Command {
   bool quick = false;
   bool terms = false;
   bool apply = false;
-  std::optional<double> max_error_m;
-  std::optional<double> budget_us;
+  Limits limits;
   std::optional<int> validation_runs;  ///< number of runs that verify recommendations
   int repeats = 9;
 };
+
+/// Returns the recorded input of a level: the command's, or that of the level in the assets folder. Throws
+/// std::runtime_error if there is none.
+std::string replay_of(const Command& command, const LevelFile& file);
 
 /// Runs the command and prints its results. Returns the exit status: 0; 1 if no setting in the grid meets the request,
 /// or if it was interrupted. Throws engine::MapError, engine::ReplayError or std::runtime_error for what cannot be

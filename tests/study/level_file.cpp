@@ -35,14 +35,46 @@ LevelFile::LevelFile(const std::string& path) : path_(path) {
   hash_ = level.map.content_hash;
   pixels_per_metre_ = level.map.pixels_per_metre;
   json_ = Json::parse(read_file(path_));
-  int cords = 0;
-  for_each_cord(json_, [&cords](const Json&) { ++cords; });
   for_each_object(json_, "wheel", [this](const Json& wheel) { reeved_.push_back(find(wheel, "cord")->get<int>()); });
-  if (cords == 0) throw engine::MapError(path_ + ": has no cord; a study is of one with a cord or more");
 }
 
 game::Level LevelFile::level_of(const Json& json) const {
   return game::level_of(engine::parse_tiled_map(json.dump(), path_));
+}
+
+game::Level LevelFile::level_of(const Json& json, const Setting& setting) const {
+  game::Level level = level_of(json);
+  if (setting.solver == "direct" && !is_present(setting)) level.line_accuracy = accuracy_of(setting);
+  return level;
+}
+
+bool LevelFile::has_cords() const {
+  bool found = false;
+  Json json = json_;
+  for_each_cord(json, [&found](const Json&) { found = true; });
+  return found;
+}
+
+std::string LevelFile::left_out_reason(const Setting& setting) const {
+  if (is_box2d(setting) || (setting.solver == "direct" && mesh_of(setting) == Mesh{})) return {};
+  Json json = json_;
+  bool any = false;
+  for_each_cord(json, [&](Json& cord) {
+    Setting own = setting;
+    own.points = 1.0;
+    own.rows = 1;
+    Json without = cord;
+    if (setting.solver == "direct") apply_setting(without, own);
+    apply_setting(cord, setting);
+    any = any || cord != without;
+  });
+  if (!any) return "no cord of the map can have it";
+  try {
+    level_of(json);
+  } catch (const engine::MapError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 template <typename Visit>
@@ -83,6 +115,12 @@ void LevelFile::set(Json& cord, const std::string& name, const Json& value) {
   properties.push_back({{"name", name}, {"type", value.is_number_integer() ? "int" : type}, {"value", value}});
 }
 
+int LevelFile::rows_of(const Json& cord) {
+  const Json* rows = find(cord, "rows");
+  if (rows != nullptr) return rows->get<int>();
+  return kind_of(cord) == "ribbon" ? 3 : 1;
+}
+
 void LevelFile::multiply_links(Json& cord, double times) {
   const Json* columns = find(cord, "columns");
   if (columns == nullptr) return;
@@ -92,7 +130,8 @@ void LevelFile::multiply_links(Json& cord, double times) {
 
 void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
   if (setting.points != 1.0) multiply_links(cord, setting.points);
-  if (is_box2d(setting)) return;  // the cords only give the geometry, and are not stepped
+  if (is_present(setting) || is_box2d(setting))
+    return;  // of chains the cords only give the geometry, and are not stepped
   const Json* solver = find(cord, "solver");
   const bool is_thesis = solver != nullptr && *solver == "thesis";
   const bool is_reeved = std::find(reeved_.begin(), reeved_.end(), cord["id"].get<int>()) != reeved_.end();
@@ -122,8 +161,10 @@ double LevelFile::ribbon_stiffness() const {
 
 /// A ribbon with the rope's mass, bending stiffness and thickness: half the radius on both sides of its width.
 void LevelFile::make_ribbon(Json& cord, int rows) const {
-  const Json* own_rows = find(cord, "rows");
-  if (own_rows != nullptr && own_rows->get<int>() > 1) return;
+  if (rows_of(cord) > 1) {
+    change_rows(cord, rows);
+    return;
+  }
   const Json* own_radius = find(cord, "radius");
   const double radius = own_radius == nullptr ? ribbon::CordDef{}.radius : own_radius->get<double>();
   set(cord, "rows", rows);
@@ -136,12 +177,23 @@ void LevelFile::make_ribbon(Json& cord, int rows) const {
   set(cord, "tension_only", nullptr);
 }
 
+/// Keeps the width, which by default follows from the rows.
+void LevelFile::change_rows(Json& cord, int rows) const {
+  if (rows_of(cord) == rows) return;
+  const auto scene = level().make_scene();
+  for (const ribbon::box2d::CordId c : scene->coupling().cords()) {
+    if (scene->cord_object(c) != cord["id"].get<int>()) continue;
+    set(cord, "width", scene->coupling().cord(c).direct().def().width);
+  }
+  set(cord, "rows", rows);
+  if (rows > 2 && find(cord, "bending_stiffness") == nullptr) set(cord, "bending_stiffness", 1e-6);  // required
+}
+
 /// A cord of the thesis with the same mass and columns. Its springs are as stiff and its bars as damped as substeps of
 /// 1/60 s allow. (The remaining error is then that of the sweeps of the spring correction.)
 void LevelFile::make_thesis(Json& cord, const Setting& setting) {
   const int columns = find(cord, "columns")->get<int>();
-  const Json* rows = find(cord, "rows");
-  const int own_rows = rows == nullptr ? 1 : rows->get<int>();
+  const int own_rows = rows_of(cord);
   const double mass = find(cord, "mass")->get<double>();
   for (const char* name : {"stretch_stiffness",
                            "bending_stiffness",
@@ -191,7 +243,7 @@ game::Level LevelFile::moved(const Setting& setting, double offset) const {
     apply_setting(cord, setting);
     displace(cord, offset);
   });
-  return level_of(json);
+  return level_of(json, setting);
 }
 
 game::Level LevelFile::displaced(double offset) const {
@@ -282,6 +334,11 @@ std::string LevelFile::with_changes(const std::string& text, const Json& before,
 }
 
 void LevelFile::apply(const Setting& setting) const {
+  if (!has_cords()) {
+    throw std::runtime_error(path_ +
+                             ": has no cord that the setting could be written to; accepted is a level with a "
+                             "cord or ribbon. Thrown lines have theirs from LineTuning::accuracy");
+  }
   std::string text = read_file(path_);
   Json json = json_;
   for_each_cord(json, [&](Json& cord) {

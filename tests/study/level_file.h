@@ -21,7 +21,7 @@ struct Variation {
 /// A level's file, which can be read and written with other settings.
 class LevelFile {
  public:
-  /// Throws engine::MapError for a file that is not a level, or has no cord.
+  /// Throws engine::MapError for a file that is not a level.
   explicit LevelFile(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -32,10 +32,16 @@ class LevelFile {
   /// Returns the stretch stiffness of ribbons in place of inextensible ropes, N: five times the weight of everything
   /// that moves stretches one of them by 1e-4.
   double ribbon_stiffness() const;
-  /// Returns the level with a setting for all cords. Throws engine::MapError if it cannot be built.
+  /// Returns the level with a setting for all cords of the map and, of the direct solver, for lines that are thrown.
+  /// Throws engine::MapError if it cannot be built.
   game::Level with(const Setting& setting) const;
   /// The same, with the cords moved by `offset` [m] to the right.
   game::Level moved(const Setting& setting, double offset) const;
+  /// Returns why the level cannot have the setting; empty if it can. It can have every setting of the direct solver for
+  /// its own points and rows.
+  std::string left_out_reason(const Setting& setting) const;
+  /// Returns whether the map has a cord or ribbon.
+  bool has_cords() const;
   /// Returns the level with its cords moved by `offset` [m] to the right.
   game::Level displaced(double offset) const;
   /// Returns a random variation of the level: each cord, and the player, within Variation; the same for the same seed.
@@ -47,27 +53,31 @@ class LevelFile {
   /// Returns whether a cord declares the property with a value other than false or 0.
   bool declares(const std::string& property) const;
 
-  /// Writes these settings to the file and leaves every other byte. Throws std::runtime_error if it cannot be written;
-  /// then the file is unchanged.
+  /// Writes these settings to the cords of the file and leaves every other byte. Throws std::runtime_error if it has no
+  /// cord, or cannot be written; then the file is unchanged.
   void apply(const Setting& setting) const;
 
  private:
   using Json = nlohmann::ordered_json;
   game::Level level_of(const Json& json) const;
+  game::Level level_of(const Json& json, const Setting& setting) const;
   template <typename Visit>
   static void for_each_object(Json& json, const std::string& kind, Visit&& visit);
   template <typename Visit>
   static void for_each_cord(Json& json, Visit&& visit) {
     for_each_object(json, "cord", visit);
+    for_each_object(json, "ribbon", visit);
   }
   static void set(Json& cord, const std::string& name, const Json& value);
   static std::string with_changes(const std::string& text, const Json& before, const Json& after);
   static const Json* find(const Json& cord, const std::string& name);
   void displace(Json& cord, double offset) const;
+  static int rows_of(const Json& cord);
   static void multiply_links(Json& cord, double times);
   /// Ropes around wheels stay ropes of the direct solver.
   void apply_setting(Json& cord, const Setting& setting) const;
   void make_ribbon(Json& cord, int rows) const;
+  void change_rows(Json& cord, int rows) const;
   static void make_thesis(Json& cord, const Setting& setting);
 
   std::string path_;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "engine/replay/replay.h"
 #include "tests/study/chain_mover.h"
@@ -56,10 +58,31 @@ std::vector<Mesh> meshes_of(const std::vector<Setting>& grid) {
   return meshes;
 }
 
-std::vector<Setting> grid_of(const StudyOptions& options, bool chains) {
-  std::vector<Setting> all = options.grid.empty() ? grid(options.quick) : options.grid;
-  if (!chains) all.erase(std::remove_if(all.begin(), all.end(), is_box2d), all.end());
-  return all;
+/// The settings of the grid that the level can have, and sentences about the others but chains.
+struct Grid {
+  std::vector<Setting> settings;
+  std::vector<std::string> left_out;
+};
+
+Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
+  Grid grid;
+  std::map<std::string, std::string> left_out;  // settings by reason
+  for (const Setting& setting : options.grid.empty() ? study::grid(options.quick) : options.grid) {
+    if (is_box2d(setting) && !chains) continue;
+    const std::string reason = file.left_out_reason(setting);
+    if (reason.empty()) {
+      grid.settings.push_back(setting);
+      continue;
+    }
+    std::string& names = left_out[reason];
+    names += (names.empty() ? "" : ", ") + setting.solver + " " + name_of(setting);
+  }
+  for (const auto& [reason, names] : left_out) grid.left_out.push_back(names + ": " + reason);
+  return grid;
+}
+
+std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
+  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
 }
 
 struct Converged {
@@ -75,9 +98,10 @@ class LevelStudy {
         results_(&results),
         options_(&options),
         inputs_(std::move(inputs)),
-        no_chains_reason_(options.grid.empty() ? chains_unsupported_reason(file.level(), inputs_)
+        own_(run_of_own_cords()),
+        no_chains_reason_(options.grid.empty() ? chains_unsupported_reason(file.level(), inputs_, own_)
                                                : "the grid does not have them"),
-        grid_(grid_of(options, no_chains_reason_.empty())),
+        grid_(grid_of(options, file, no_chains_reason_.empty())),
         progress_(options, all_work()) {}
 
   Study run() {
@@ -91,32 +115,42 @@ class LevelStudy {
     Study study;
     study.ticks = inputs_.size();
     study.no_chains_reason = no_chains_reason_;
-    for (const Mesh& mesh : meshes_of(grid_)) {
+    study.left_out = grid_.left_out;
+    for (const Mesh& mesh : meshes_of(grid_.settings)) {
       if (!find_reference(mesh)) return study;
       study.references.push_back(converged_[mesh].about);
     }
     const Setting finest = reference({finer_mesh}, false, options_->quick);
     if (stopped()) return study;
-    const Trace fine = options_->grid.empty() ? converged_run(finest, 0.0) : Trace{};
+    const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
+                                              [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
+    const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
+    const Trace fine = has_finer ? converged_run(finest, 0.0) : Trace{};
     progress_.add(work_of(finest));
     const game::Level original = file_->level();
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
                           accuracy_of(reference({}, true, options_->quick)),
                           options_->quick ? few_windows : many_windows);
     progress_.add(work_of_windows());
+    if (options_->films) {
+      study.stage = stage_of(original, converged_[Mesh{}].trace);
+      study.converged_film = frames_of(converged_[Mesh{}].trace, study.stage);
+    }
     study.windows = windows.count();
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();
-    for (const Setting& setting : grid_) {
+    for (const Setting& setting : grid_.settings) {
       if (stopped()) return study;
       Measured measured;
       if (const Measured* known = results_->find(setting)) {
         measured = *known;
+        last_ = {};  // its film is that of the saved run
       } else {
         measured = measure_error(setting, fine, windows);
         results_->add(measured);
       }
+      if (options_->films) study.films.push_back(film_of(setting, study.stage));
       study.settings.push_back(measured);
       progress_.add(work_of(setting));
     }
@@ -126,10 +160,10 @@ class LevelStudy {
 
   double all_work() const {
     double sum = work_of(reference({finer_mesh}, false, options_->quick)) + work_of_windows();
-    for (const Mesh& mesh : meshes_of(grid_)) {
+    for (const Mesh& mesh : meshes_of(grid_.settings)) {
       sum += 2.0 * work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick));
     }
-    for (const Setting& setting : grid_) sum += (1.0 + options_->repeats) * work_of(setting);
+    for (const Setting& setting : grid_.settings) sum += (1.0 + options_->repeats) * work_of(setting);
     return sum;
   }
 
@@ -146,6 +180,15 @@ class LevelStudy {
     Trace trace = run_once(file_->moved(setting, offset));
     results_->add_run(name, trace);
     return trace;
+  }
+
+  /// Throws engine::MapError if there is nothing to study.
+  Trace run_of_own_cords() {
+    Trace own = converged_run(present(), 0.0);
+    if (own.has_cords()) return own;
+    throw engine::MapError(file_->path() +
+                           ": there is nothing to study: no cord exists in any tick of the recording, as the map has "
+                           "none and no line arrives; accepted is a level with a cord, a ribbon or a thrown line");
   }
 
   Trace run_once(const game::Level& level, const Method& method = {}) {
@@ -177,9 +220,22 @@ class LevelStudy {
     return true;
   }
 
+  /// The film of a measured setting.
+  Film film_of(const Setting& setting, const Stage& stage) {
+    if (mesh_of(setting) != Mesh{}) return {};
+    const std::optional<Trace> saved = is_present(setting) ? own_ : results_->run(run_name_of(setting));
+    const Trace trace = saved ? *saved : std::exchange(last_, {});
+    const Converged& own = converged_[Mesh{}];
+    return {frames_of(trace, stage), greatest_error(trace, own.trace, own.about.ticks)};
+  }
+
+  static std::string run_name_of(const Setting& setting) { return setting.solver + " " + name_of(setting); }
+
   Measured measure_error(const Setting& setting, const Trace& fine, const Windows& windows) {
     const Converged& own = converged_[mesh_of(setting)];
-    const Trace trace = run_once(file_->with(setting), method_of(setting));
+    last_ = is_present(setting) ? own_ : run_once(file_->with(setting), method_of(setting));
+    const Trace& trace = last_;
+    if (options_->films && !is_present(setting)) results_->add_run(run_name_of(setting), trace);
     Measured measured;
     measured.setting = setting;
     measured.error = difference(trace, own.trace, own.about.ticks);
@@ -187,10 +243,11 @@ class LevelStudy {
     measured.chaotic = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.resolution_m = 10.0 * own.about.agreement_m;
     if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
-      measured.windows = windows.errors(accuracy_of(setting));
+      measured.windows = windows.errors(window_accuracy_of(setting));
       measured.windows_resolution_m = 10.0 * windows.agreement().greatest();
     }
     measured.work = trace.work;
+    if (setting.solver == "direct") measured.tick_work = figures_of(trace.tick_work);
     measured.contacts = trace.contacts;
     measured.unconverged_ticks = trace.unconverged_ticks;
     measured.failure = failure_of(trace, own.trace, own.about.ticks);
@@ -215,6 +272,7 @@ class LevelStudy {
       const bool shows = is_box2d(settings[k].setting);
       settings[k].cost_us = shows ? timings[k].share_us : timings[k].median_us;
       settings[k].p99_us = shows ? timings[k].share_p99_us : timings[k].p99_us;
+      settings[k].most_us = timings[k].worst_us;
     }
     return true;
   }
@@ -223,14 +281,24 @@ class LevelStudy {
   Results* results_;
   const StudyOptions* options_;
   std::vector<engine::TickInput> inputs_;
+  int runs_ = 0;
+  Trace own_;   // of the level as it is
+  Trace last_;  // of the last measured setting
   std::string no_chains_reason_;
-  std::vector<Setting> grid_;
+  Grid grid_;
   Progress progress_;
   std::map<Mesh, Converged> converged_;
-  int runs_ = 0;
 };
 
 }  // namespace
+
+WorkFigures figures_of(std::span<const std::int64_t> tick_work) {
+  if (tick_work.empty()) return {};
+  const std::vector<double> ticks(tick_work.begin(), tick_work.end());
+  double sum = 0.0;
+  for (const double work : ticks) sum += work;
+  return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0)};
+}
 
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
   if (!run.failure.empty()) return run.failure;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "tests/study/film.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
 #include "tests/study/setting.h"
@@ -12,6 +15,16 @@
 #include "tests/study/windows.h"
 
 namespace study {
+
+/// The counted work of the cords in the ticks of a run, by IslandReport::work: the same on every machine.
+struct WorkFigures {
+  double mean = unavailable;
+  double p99 = unavailable;
+  double most = unavailable;
+};
+
+/// Returns the figures of all ticks; NaN without ticks.
+WorkFigures figures_of(std::span<const std::int64_t> tick_work);
 
 /// The measurement of a setting of the grid.
 struct Measured {
@@ -23,11 +36,13 @@ struct Measured {
   WindowErrors windows;       ///< of time and solver, in windows; only for the level's own cords
   double windows_resolution_m = 0.0;
   ribbon::IslandReport work;
+  WorkFigures tick_work;  ///< only of the direct solver
   int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;
   double cost_us = 0.0;
   double p99_us = 0.0;
+  double most_us = 0.0;  ///< the most expensive tick; of each tick the median over the repeats
 
   Point point() const;
 };
@@ -51,9 +66,13 @@ struct Study {
   double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
   double compared_players = 0.0;  ///< share of the windows' ticks in which players are compared
   std::vector<Measured> settings;
-  int runs = 0;                  ///< number of runs for errors, without those that were saved in the folder
-  std::string no_chains_reason;  ///< why chains of Box2D are missing; empty if they are present
-  bool complete = false;         ///< false if it was interrupted
+  int runs = 0;                       ///< number of runs for errors, without those that were saved in the folder
+  std::string no_chains_reason;       ///< why chains of Box2D are missing; empty if they are present
+  Stage stage;                        ///< of the films, if the options ask for them
+  std::string converged_film;         ///< of the level's own points and rows
+  std::vector<Film> films;            ///< by setting; empty ones for other points and rows
+  std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
+  bool complete = false;              ///< false if it was interrupted
 
   std::vector<Point> points() const;
 };
@@ -62,13 +81,15 @@ struct StudyOptions {
   bool quick = false;
   int repeats = 9;
   std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
+  bool films = false;                            ///< make films of the settings
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds
 };
 
 /// Measures a level and its recorded input over the grid. Continues saved results of the same level, replay, grid and
-/// program. Throws engine::ReplayError for a file that is not a replay, has no ticks or is of another level.
+/// program. Throws engine::ReplayError for a file that is not a replay, has no ticks or is of another level, and
+/// engine::MapError if no cord exists in any tick.
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options);
 
 /// The same for inputs that were not recorded; no results are saved.

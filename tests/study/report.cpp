@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/study/page.h"
 #include "tests/study/plot.h"
 #include "tests/study/text.h"
 
@@ -19,22 +20,6 @@ constexpr const char* gnuplot_hint =
     "the package is gnuplot-nox, game/setup tests installs it. All numbers are written";
 
 std::string number(double value) { return significant(value, 4); }
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "&lt;";
-    } else if (c == '>') {
-      safe += "&gt;";
-    } else if (c == '&') {
-      safe += "&amp;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
 
 void write(const std::string& path, const std::string& content) {
   std::ofstream out(path, std::ios::binary);
@@ -81,12 +66,9 @@ std::string json_of(const Report& report) {
 }
 
 std::string head_of(const std::string& title) {
-  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
-         "</title>\n<style>\nbody{font:16px/1.5 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}\n"
-         "table{border-collapse:collapse}\ntd,th{padding:.2em .8em;text-align:right;border-bottom:1px solid #ddd}\n"
-         "td:nth-child(-n+2),th:nth-child(-n+2){text-align:left}\ntr.front{font-weight:bold}\ntr.failed{color:#a00}\n"
-         "img{max-width:100%}\n</style>\n<h1>" +
-         escaped(title) + "</h1>\n";
+  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title) + "</title>\n<style>" + page_style + "</style>\n<h1>" + escaped(title) + "</h1>\n";
 }
 
 /// Returns true also if there is nothing to draw.
@@ -116,13 +98,12 @@ void add_rows(std::ostringstream& out, const Report& report, const std::string& 
   }
 }
 
-std::string html_of(const Report& report) {
+/// The notes, the table and the further plots.
+std::string method_of(const Report& report) {
   std::ostringstream out;
-  out << head_of(report.title + ": error against cost");
   for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
-  out << "<p><img src=\"front.svg\" alt=\"Error against cost, both logarithmic\"></p>\n"
-         "<p>Bold: no other setting is both cheaper and more exact.</p>\n<table>\n<tr><th>method<th>setting<th>µs a "
-         "tick<th>99th percentile<th>"
+  out << "<p>Bold: no other setting is both cheaper and more exact.</p>\n<div class=\"wide\">\n<table>\n"
+         "<tr><th>method<th>setting<th>µs a tick<th>99th percentile<th>"
       << escaped(report.axis);
   for (const std::string& column : report.columns) out << "<th>" << escaped(column);
   out << "\n";
@@ -130,13 +111,7 @@ std::string html_of(const Report& report) {
     if (!group.empty()) out << "<tr><th colspan=\"" << 5 + report.columns.size() << "\">" << escaped(group) << "\n";
     add_rows(out, report, group);
   }
-  out << "</table>\n";
-  for (const Metric& metric : report.metrics) {
-    if (std::none_of(metric.values.begin(), metric.values.end(), [](double v) { return std::isfinite(v); })) continue;
-    out << "<h2>" << escaped(metric.name) << "</h2>\n<p><img src=\"" << metric.name << ".svg\" alt=\"" << metric.name
-        << " against cost\"></p>\n";
-  }
-  out << "</html>\n";
+  out << "</table>\n</div>\n";
   return out.str();
 }
 
@@ -147,7 +122,7 @@ void write_report(const Report& report, const std::string& folder) {
   std::filesystem::create_directories(folder, ignored);
   write(folder + "/points.csv", csv_of(report));
   write(folder + "/points.json", json_of(report));
-  write(folder + "/index.html", html_of(report));
+  write(folder + "/index.html", page_of(report, method_of(report)));
   bool drawn = plot(folder, report.points, report.axis, "front");
   for (const Metric& metric : report.metrics) {
     std::vector<Point> points = report.points;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,11 @@ struct Report {
   std::vector<std::vector<std::string>> cells{};  ///< their texts
   std::vector<Metric> metrics{};                  ///< further plots: different kinds of errors are not combined
   std::string axis = "error [m]";                 ///< the label of the points' own error
+  std::string headline{};                         ///< the recommendation in a sentence; empty: none
+  std::optional<std::size_t> recommended{};       ///< its point
+  std::optional<std::size_t> present{};           ///< the point of the present setting
+  std::vector<std::string> findings{};            ///< a line each, behind the picture: terms that are needed and not
+  std::string films{};  ///< JSON for page_script.js: the stage, and films by point; empty: none
 };
 
 /// Thrown if a plot could not be drawn; all other files are written.

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 unsigned long long hash_of(const std::string& path) { return ribbon::box2d::hash_bytes(read_file(path)); }
 
 Json json_of(const Errors& e) {
-  return Json::array(
-      {e.position_m, e.position_relative, e.player_m, e.stretch, e.tension, e.penetration, e.energy, e.momentum});
+  return Json::array({e.position_m, e.position_relative, e.player_m, e.stretch, e.tension, e.penetration, e.energy,
+                      e.momentum, e.body_m});
 }
 
 /// JSON writes null for NaN.
@@ -27,7 +27,7 @@ double number_of(const Json& j) { return j.is_null() ? unavailable : j.get<doubl
 
 Errors errors_of(const Json& j) {
   const auto at = [&j](std::size_t k) { return number_of(j.at(k)); };
-  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
 }
 
 Json json_of(const Measured& m) {
@@ -41,7 +41,8 @@ Json json_of(const Measured& m) {
           {"error", json_of(m.error)},
           {"mesh", json_of(m.mesh)},
           {"chaotic", m.chaotic.values},
-          {"windows", {m.windows.position_m, m.windows.player_m, m.windows_resolution_m}},
+          {"windows", {m.windows.position_m, m.windows.player_m, m.windows.body_m, m.windows_resolution_m}},
+          {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most}},
           {"resolution", m.resolution_m},
           {"contacts", m.contacts},
           {"iterations", m.work.iterations},
@@ -59,8 +60,11 @@ Measured measured_of(const Json& j) {
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k) m.chaotic.values[k] = number_of(j.at("chaotic").at(k));
-  m.windows = {number_of(j.at("windows").at(0)), number_of(j.at("windows").at(1))};
-  m.windows_resolution_m = j.at("windows").at(2);
+  const auto windows = [&j](std::size_t k) { return number_of(j.at("windows").at(k)); };
+  m.windows = {windows(0), windows(1), windows(2)};
+  m.windows_resolution_m = windows(3);
+  const auto work = [&j](std::size_t k) { return number_of(j.at("tick_work").at(k)); };
+  m.tick_work = {work(0), work(1), work(2)};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
   m.work.iterations = j.at("iterations");
@@ -108,6 +112,7 @@ void Results::add(const Measured& measured) {
 std::string Results::path_of_run(const std::string& name) const {
   std::string file = name;
   std::replace(file.begin(), file.end(), ' ', '_');
+  std::replace(file.begin(), file.end(), '/', '_');
   return folder_ + "/" + file + ".run";
 }
 

@@ -11,7 +11,7 @@ namespace study {
 /// The solver settings of a level's cords: the parameters of a sweep.
 struct Setting {
   std::string solver = "direct";       ///< or thesis, box2d_chain, box2d_max_distance (tests/study/chain_mover.h)
-  std::string integrator = "tr_bdf2";  ///< or implicit_euler; for the direct solver
+  std::string integrator = "tr_bdf2";  ///< or implicit_euler; for the direct solver; own: each cord as in the level
   int substeps = 1;
   double tolerance = 5e-4;  ///< m, for the direct solver
   double points = 1.0;      ///< relative to the number of links of the level's cords
@@ -39,11 +39,17 @@ std::string name_of(const Setting& setting);
 /// Returns the accuracy of the direct solver.
 ribbon::Accuracy accuracy_of(const Setting& setting);
 
+/// Returns the setting that leaves the level as it is.
+Setting present();
+bool is_present(const Setting& setting);
+
 /// Returns whether chains of Box2D's joints replace the cords.
 bool is_box2d(const Setting& setting);
 
 /// Returns the grid: both integrators, 1 … 8 substeps, three tolerances; few and many iterations; half and twice the
-/// points; two and three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step from each.
+/// points; two and three rows; the thesis's method; Box2D's chains. `quick`: the presets, and one step from each, for
+/// the level's own points.
+/// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for

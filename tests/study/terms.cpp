@@ -39,14 +39,14 @@ void note(Symptom& symptom, std::size_t tick) {
 /// The middle lines of all cords of the direct solver.
 std::vector<std::vector<Vec2>> lines_of(const ribbon::box2d::Coupling& coupling) {
   std::vector<std::vector<Vec2>> lines;
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) lines.push_back(middle_line(coupling, c));
   }
   return lines;
 }
 
 bool any_pushing(const ribbon::box2d::Coupling& coupling, double gravity) {
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct && pushes(coupling.cord(c).direct(), gravity))
       return true;
   }
@@ -69,7 +69,7 @@ bool any_mutual_crossing(const std::vector<std::vector<Vec2>>& lines) {
 
 /// Returns the number of cells with inverted corners.
 bool any_inverted_cell(const ribbon::box2d::Coupling& coupling) {
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
     const int rows = coupling.cord(c).shape().rows;
     const auto x = coupling.cord(c).positions();
     const auto at = [&](std::size_t column, int row) {

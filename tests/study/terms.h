@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/errors.h"
 #include "tests/study/level_file.h"
-#include "tests/study/trace.h"
 
 namespace study {
 

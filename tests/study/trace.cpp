@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/box2d/convert.h"
+
 namespace study {
 namespace {
 
@@ -26,54 +28,6 @@ void add_stations(const std::vector<Vec2>& line, std::vector<Vec2>& places) {
   }
 }
 
-double peak(std::span<const double> values) { return *std::max_element(values.begin(), values.end()); }
-
-/// Returns NaN if any value is NaN.
-template <typename Value>
-double greatest(std::size_t count, Value&& value) {
-  double most = value(0);
-  for (std::size_t k = 1; k < count; ++k) {
-    const double next = value(k);
-    if (next > most || std::isnan(next)) most = next;
-  }
-  return most;
-}
-
-void add_places(Errors& errors, const Trace& run, const Trace& reference, std::size_t ticks) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < ticks; ++k) {
-    const std::size_t places = std::min(run.places[k].size(), reference.places[k].size());  // fewer after a cut
-    for (std::size_t s = 0; s < places; ++s) {
-      const Vec2 off = run.places[k][s] - reference.places[k][s];
-      const double own_length = run.lengths[s / Trace::stations];
-      errors.position_m += dot(off, off);
-      errors.position_relative += dot(off, off) / (own_length * own_length);
-      ++count;
-    }
-    const Vec2 off = run.player[k] - reference.player[k];
-    errors.player_m += dot(off, off);
-  }
-  errors.position_m = std::sqrt(errors.position_m / static_cast<double>(count));
-  errors.position_relative = std::sqrt(errors.position_relative / static_cast<double>(count));
-  errors.player_m = std::sqrt(errors.player_m / static_cast<double>(ticks));
-}
-
-void add_figures(Errors& errors, std::span<const Figures> run, const Trace& reference) {
-  const std::vector<Figures>& others = reference.figures;
-  const double tension = greatest(run.size(), [&](std::size_t k) { return run[k].tension; });
-  const double own = greatest(run.size(), [&](std::size_t k) { return others[k].tension; });
-  if (own > 0.0) errors.tension = std::abs(tension - own) / own;
-  errors.penetration = greatest(run.size(), [&](std::size_t k) { return run[k].penetration; });
-
-  const double longest = *std::max_element(reference.lengths.begin(), reference.lengths.end());
-  const double speed = std::sqrt(reference.gravity * longest);
-  if (!(reference.mass * speed > 0.0)) return;
-  errors.energy = greatest(run.size(), [&](std::size_t k) { return std::abs(run[k].energy - others[k].energy); }) /
-                  (reference.mass * speed * speed);
-  errors.momentum = greatest(run.size(), [&](std::size_t k) { return length(run[k].momentum - others[k].momentum); }) /
-                    (reference.mass * speed);
-}
-
 /// The filter of game::Level's cords, which do not collide with players, nor with a substitute for the cords.
 b2Filter cord_filter(const Method& method) {
   b2Filter filter;
@@ -90,39 +44,95 @@ Figures figures_of(const engine::Scene& scene, const Method& method) {
   return figures;
 }
 
-void add_tick(Trace& trace, const game::Simulation& simulation, const Method& method) {
-  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-  std::vector<Vec2>& places = trace.places.emplace_back();
-  Figures& figures = trace.figures.emplace_back(figures_of(simulation.scene(), method));
-  double& max_stretch = trace.stretch.emplace_back(0.0);
-  bool unconverged = false;
-  for (const ribbon::box2d::CordId c : coupling.cords()) {
-    if (static_cast<std::size_t>(c) >= trace.lengths.size()) continue;  // a piece of one that was cut
-    const std::vector<Vec2> line = middle_line(coupling, c);
-    add_stations(line, places);
-    const double stretch = length_of(line) / trace.lengths[static_cast<std::size_t>(c)] - 1.0;
-    max_stretch = std::max(max_stretch, stretch);
-    figures.stretch += stretch / coupling.size();
-    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
-    trace.work += coupling.cord(c).island_report();
-    trace.contacts += static_cast<int>(coupling.cord(c).direct().touches().size());
-    unconverged = unconverged || coupling.cord(c).island_report().unconverged > 0;
-  }
-  trace.unconverged_ticks += unconverged ? 1 : 0;
-  trace.player.push_back(simulation.player().position());
+double rest_length_of(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId id,
+                      const std::vector<Vec2>& line) {
+  if (coupling.cord(id).solver() != ribbon::box2d::Solver::direct) return length_of(line);
+  const ribbon::Cord& cord = coupling.cord(id).direct();
+  double sum = 0.0;
+  for (int link = 0; link + 1 < cord.def().points; ++link) sum += cord.rest_length(link);
+  return sum;
 }
 
-/// A run at its start.
-Trace trace_of(const engine::Scene& start) {
-  Trace trace;
-  for (int c = 0; c < start.coupling().size(); ++c) {
-    trace.lengths.push_back(length_of(middle_line(start.coupling(), c)));
+/// Writes down a run tick by tick.
+class Recorder {
+ public:
+  /// `start` is the run before its first tick.
+  Recorder(const engine::Scene& start, const Method& method) : method_(&method) {
+    add_new_cords(start.coupling());
+    trace_.mass = mass_of(start.world(), start.coupling());
+    trace_.gravity = static_cast<double>(start.world().GetGravity().Length());
   }
-  trace.declared = declared_contacts(start.coupling());
-  trace.mass = mass_of(start.world(), start.coupling());
-  trace.gravity = static_cast<double>(start.world().GetGravity().Length());
-  return trace;
-}
+
+  void add(const game::Simulation& simulation) {
+    const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+    add_new_cords(coupling);
+    trace_.cords.emplace_back();
+    trace_.places.emplace_back();
+    trace_.stretch.push_back(0.0);
+    trace_.figures.push_back(figures_of(simulation.scene(), *method_));
+    bool unconverged = false;
+    for (const ribbon::box2d::CordId c : coupling.cords()) unconverged = add_cord(coupling, c) || unconverged;
+    trace_.unconverged_ticks += unconverged ? 1 : 0;
+    trace_.tick_work.push_back(coupling.tick_report().work);
+    add_bodies(simulation);
+  }
+
+  Trace& trace() { return trace_; }
+
+ private:
+  void add_new_cords(const ribbon::box2d::Coupling& coupling) {
+    for (const ribbon::box2d::CordId c : coupling.cords()) {
+      const auto k = static_cast<std::size_t>(c);
+      if (k < trace_.lengths.size() && trace_.lengths[k] > 0.0) continue;
+      if (k >= trace_.lengths.size()) {
+        trace_.lengths.resize(k + 1, 0.0);
+        trace_.declared.resize(k + 1, 0);
+        versions_.resize(k + 1, 0);
+        columns_.resize(k + 1, 0);
+      }
+      const std::vector<Vec2> line = middle_line(coupling, c);
+      const double rest = rest_length_of(coupling, c, line);
+      trace_.lengths[k] = rest > 0.0 ? rest : length_of(line);
+      trace_.declared[k] = declared_contacts(coupling, c);
+      columns_[k] = coupling.cord(c).shape().columns;
+    }
+  }
+
+  /// Returns whether its solve did not converge.
+  bool add_cord(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (columns_[k] != coupling.cord(c).shape().columns) {
+      columns_[k] = coupling.cord(c).shape().columns;
+      ++versions_[k];
+    }
+    trace_.cords.back().push_back({c, versions_[k]});
+    const std::vector<Vec2> line = middle_line(coupling, c);
+    add_stations(line, trace_.places.back());
+    const bool is_direct = coupling.cord(c).solver() == ribbon::box2d::Solver::direct;
+    const double rest = is_direct ? rest_length_of(coupling, c, line) : trace_.lengths[k];
+    const double stretch = length_of(line) / rest - 1.0;
+    trace_.stretch.back() = std::max(trace_.stretch.back(), stretch);
+    trace_.figures.back().stretch += stretch / coupling.size();
+    if (!is_direct) return false;
+    trace_.work += coupling.cord(c).island_report();
+    trace_.contacts += static_cast<int>(coupling.cord(c).direct().touches().size());
+    return coupling.cord(c).island_report().unconverged > 0;
+  }
+
+  void add_bodies(const game::Simulation& simulation) {
+    trace_.player.push_back(simulation.player().position());
+    std::vector<Vec2>& bodies = trace_.bodies.emplace_back();
+    if (simulation.players() > 1) bodies.push_back(simulation.player(1).position());
+    for (const engine::SceneBody& made : simulation.scene().bodies()) {
+      if (made.body->GetType() == b2_dynamicBody) bodies.push_back(ribbon::box2d::to_double(made.body->GetPosition()));
+    }
+  }
+
+  const Method* method_;
+  Trace trace_;
+  std::vector<int> versions_;  // by cord
+  std::vector<int> columns_;   // by cord, in the last tick
+};
 
 bool is_in_bounds(Vec2 place) { return std::abs(place.x) <= max_coordinate && std::abs(place.y) <= max_coordinate; }
 
@@ -162,64 +172,50 @@ void LevelRun::show() const {
   if (method_.show) method_.show();
 }
 
+bool Trace::has_cords() const {
+  return std::any_of(cords.begin(), cords.end(), [](const auto& present) { return !present.empty(); });
+}
+
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method) {
   LevelRun run(level, inputs, method);
   run.reset();
-  Trace trace = trace_of(run.simulation().scene());
+  Recorder recorder(run.simulation().scene(), method);
   TunnellingDetector watch;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     run.tick();
     run.show();
-    add_tick(trace, run.simulation(), method);
+    recorder.add(run.simulation());
+    Trace& trace = recorder.trace();
     if (run.simulation().run_ticks() == 1) watch.reset();  // after a restart
     const engine::Scene& now = run.simulation().scene();
     trace.crossings.push_back(watch.detect(now.world(), now.coupling(), cord_filter(method)));
-    if (!std::all_of(trace.places.back().begin(), trace.places.back().end(), is_in_bounds)) {
+    const std::vector<Vec2>& places = trace.places.back();
+    if (!std::all_of(places.begin(), places.end(), is_in_bounds) || !is_in_bounds(trace.player.back())) {
       trace.failure = "blew up in tick " + std::to_string(k + 1);
       break;
     }
   }
-  return trace;
+  return std::move(recorder.trace());
 }
 
 Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
-               std::size_t ticks, const ribbon::Accuracy& accuracy) {
+               std::size_t ticks, const std::optional<ribbon::Accuracy>& accuracy) {
   LevelRun run(level, inputs);
   run.reset();
-  Trace trace = trace_of(run.simulation().scene());
+  const Method own;
+  Recorder recorder(run.simulation().scene(), own);
   for (std::size_t k = 0; k < begin; ++k) run.tick();
   for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
     ribbon::box2d::Coupling& coupling = run.simulation().scene().coupling();
     for (const ribbon::box2d::CordId c : coupling.cords()) {
-      if (coupling.cord(c).solver() == ribbon::box2d::Solver::direct) coupling.cord(c).direct().set_accuracy(accuracy);
+      if (accuracy && coupling.cord(c).solver() == ribbon::box2d::Solver::direct) {
+        coupling.cord(c).direct().set_accuracy(*accuracy);
+      }
     }
     run.tick();
-    add_tick(trace, run.simulation(), {});
+    recorder.add(run.simulation());
   }
-  return trace;
-}
-
-Errors difference(const Trace& run, const Trace& reference, std::size_t ticks) {
-  ticks = std::min({ticks, run.places.size(), reference.places.size()});
-  Errors errors;
-  if (ticks == 0) return errors;
-  add_places(errors, run, reference, ticks);
-  errors.stretch =
-      std::abs(peak(std::span(run.stretch).first(ticks)) - peak(std::span(reference.stretch).first(ticks)));
-  const std::size_t known = std::min({ticks, run.figures.size(), reference.figures.size()});
-  if (known > 0) add_figures(errors, std::span(run.figures).first(known), reference);
-  return errors;
-}
-
-std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most) {
-  const std::size_t ticks = std::min(a.places.size(), b.places.size());
-  for (std::size_t k = 0; k < ticks; ++k) {
-    if (!(length(a.player[k] - b.player[k]) <= most)) return k;
-    for (std::size_t s = 0; s < a.places[k].size(); ++s) {
-      if (!(length(a.places[k][s] - b.places[k][s]) <= most)) return k;
-    }
-  }
-  return ticks;
+  return std::move(recorder.trace());
 }
 
 }  // namespace study

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,13 +19,24 @@
 
 namespace study {
 
+/// What is compared as the same cord in two runs: a cord that is cut has another version from then on, and so have its
+/// pieces.
+struct CordVersion {
+  ribbon::box2d::CordId cord = 0;
+  int version = 0;  ///< number of changes of its number of columns
+
+  auto operator<=>(const CordVersion&) const = default;
+};
+
 /// The recorded motion of a run of a level, at places that do not depend on the cords' numbers of points.
 struct Trace {
   static constexpr int stations = 33;  ///< evenly spaced places on a cord
 
-  std::vector<double> lengths;                    ///< m, of the cords at rest
-  std::vector<std::vector<ribbon::Vec2>> places;  ///< m, by tick: of all stations of all cords
+  std::vector<double> lengths;                    ///< m, by cord: at rest when it was made; 0: it never existed
+  std::vector<std::vector<CordVersion>> cords;    ///< by tick: those that exist, ascending
+  std::vector<std::vector<ribbon::Vec2>> places;  ///< m, by tick: of all stations of these cords
   std::vector<ribbon::Vec2> player;               ///< m, by tick
+  std::vector<std::vector<ribbon::Vec2>> bodies;  ///< m, by tick: of the second player and the dynamic bodies
   std::vector<double> stretch;                    ///< by tick: maximum over cords, relative to the whole length
   std::vector<Figures> figures;                   ///< by tick
   Crossings declared;                             ///< what its cords must not pass through
@@ -32,7 +46,11 @@ struct Trace {
   ribbon::IslandReport work;                      ///< of all cords and ticks of the direct solver
   int contacts = 0;                               ///< sum over cords and ticks, after each tick
   int unconverged_ticks = 0;                      ///< ticks with an unconverged cord of the direct solver
+  std::vector<std::int64_t> tick_work;            ///< by tick: IslandReport::work of all cords of the direct solver
   std::string failure;                            ///< why it ended early; empty if it did not
+
+  /// Returns whether any cord existed in any tick.
+  bool has_cords() const;
 };
 
 /// A substitute that moves a level's cords in place of their own solver.
@@ -75,33 +93,9 @@ std::vector<ribbon::Vec2> middle_line(const ribbon::box2d::Coupling& coupling, r
 /// Runs all inputs, or until a position is NaN or beyond a kilometre.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});
 
-/// Runs up to `ticks` of the inputs from the tick `begin` on, with a setting for all cords of the direct solver. Before
-/// `begin` the level has its own settings.
+/// Runs up to `ticks` of the inputs from the tick `begin` on, with a setting for all cords of the direct solver; none:
+/// the level's own. Before `begin` the level has its own settings, and so has a line in the tick in which it arrives.
 Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
-               std::size_t ticks, const ribbon::Accuracy& accuracy);
-
-/// The errors of a run relative to a reference, each of its own kind; NaN if one of the runs lacks it.
-///
-/// Energy and momentum are not drifts: the player adds and removes both, so each is compared with that of the reference
-/// in the same tick.
-struct Errors {
-  double position_m = 0.0;           ///< RMS over all stations and ticks
-  double position_relative = 0.0;    ///< the same, relative to each cord's length
-  double player_m = 0.0;             ///< RMS over all ticks
-  double stretch = 0.0;              ///< of the peak, relative to a cord's length
-  double tension = unavailable;      ///< of the peak, relative to the reference's peak
-  double penetration = unavailable;  ///< maximum of the run itself after any tick, relative to the cord's radius
-  double energy = unavailable;       ///< maximum after any tick, relative to total weight × longest cord
-  double momentum = unavailable;     ///< maximum after any tick, relative to total mass × √(g × longest cord)
-
-  /// Returns the largest of the errors that are lengths, m.
-  double greatest_length() const { return position_m > player_m ? position_m : player_m; }
-};
-
-/// Returns the errors of `run` relative to `reference`, a run of the same level, in the first `ticks` that both have.
-Errors difference(const Trace& run, const Trace& reference, std::size_t ticks);
-
-/// Returns the number of ticks in which two runs differ by at most `most` metres everywhere. Later motion is chaotic.
-std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most);
+               std::size_t ticks, const std::optional<ribbon::Accuracy>& accuracy);
 
 }  // namespace study

@@ -69,11 +69,13 @@ class Reader {
 /// Visits all members of a trace by name. A new member does not compile until it is saved too.
 template <typename T, typename Visit>
 void visit_all(T& trace, Visit& visit) {
-  auto& [lengths, places, player, stretch, figures, declared, crossings, mass, gravity, work, contacts,
-         unconverged_ticks, failure] = trace;
+  auto& [lengths, cords, places, player, bodies, stretch, figures, declared, crossings, mass, gravity, work, contacts,
+         unconverged_ticks, tick_work, failure] = trace;
   visit(lengths);
+  visit(cords);
   visit(places);
   visit(player);
+  visit(bodies);
   visit(stretch);
   visit(figures);
   visit(declared);
@@ -83,6 +85,7 @@ void visit_all(T& trace, Visit& visit) {
   visit(work);
   visit(contacts);
   visit(unconverged_ticks);
+  visit(tick_work);
   visit(failure);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "game/simulation/buttons.h"
+#include "tests/study/errors.h"
 
 namespace study {
 namespace {
@@ -17,7 +18,9 @@ Trace still(std::size_t ticks) {
   Trace trace;
   trace.lengths = {1.0, 4.0};
   trace.places.assign(ticks, std::vector<Vec2>(2 * Trace::stations));
+  trace.cords.assign(ticks, {{0, 0}, {1, 0}});
   trace.player.assign(ticks, {});
+  trace.bodies.assign(ticks, {{0.0, 0.0}});
   trace.stretch.assign(ticks, 0.0);
   trace.mass = 3.0;
   trace.gravity = 9.0;
@@ -44,6 +47,43 @@ TEST(Trace, ErrorsAreTheirDefinitions) {
   EXPECT_NEAR(errors.stretch, 0.01, 1e-15);
   EXPECT_NEAR(errors.greatest_length(), std::sqrt(2.0), 1e-15);
   EXPECT_NEAR(difference(a, b, 3).stretch, 0.0, 1e-15);
+}
+
+/// The second cord of one run is cut in tick 6, that of the other one in tick 7, and cord 3 arrives in tick 8.
+TEST(Trace, CordsAreComparedWhileBothRunsHaveThem) {
+  Trace a = still(10);
+  Trace b = still(10);
+  for (Trace* trace : {&a, &b}) trace->lengths = {1.0, 4.0, 2.0, 2.0};
+  const auto cut = [](Trace& trace, std::size_t tick, Vec2 place) {
+    for (std::size_t k = tick; k < 10; ++k) {
+      trace.cords[k] = {{0, 0}, {1, 1}, {2, 0}};
+      trace.places[k].assign(3 * Trace::stations, place);
+    }
+  };
+  cut(a, 5, {0.0, 0.0});
+  cut(b, 6, {0.0, 0.5});
+  b.cords[7].push_back({3, 0});
+  b.places[7].insert(b.places[7].end(), Trace::stations, Vec2{50.0, 0.0});
+  const double common = 6.0 * 2.0 - 1.0 + 4.0 * 3.0;  // cords and ticks; the second one in tick 6 is not the same
+  EXPECT_NEAR(difference(a, b, 10).position_m, std::sqrt(0.25 * 12.0 / common), 1e-15);
+  EXPECT_EQ(difference(a, b, 6).position_m, 0.0);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 6U);
+  Trace none = still(10);
+  none.cords.assign(10, {});
+  none.places.assign(10, {});
+  EXPECT_TRUE(std::isnan(difference(none, a, 10).position_m));
+  EXPECT_EQ(difference(none, a, 10).greatest_length(), 0.0);
+  EXPECT_TRUE(a.has_cords());
+  EXPECT_FALSE(none.has_cords());
+}
+
+TEST(Trace, BodiesHaveAnErrorOfTheirOwn) {
+  const Trace a = still(10);
+  Trace b = still(10);
+  for (std::size_t k = 5; k < 10; ++k) b.bodies[k] = {{0.0, 4.0}};
+  EXPECT_NEAR(difference(a, b, 10).body_m, std::sqrt(8.0), 1e-15);
+  EXPECT_NEAR(difference(a, b, 10).greatest_length(), std::sqrt(8.0), 1e-15);
+  EXPECT_EQ(agreeing_ticks(a, b, 0.01), 5U);
 }
 
 TEST(Trace, ErrorsOfOtherKindsAreSharesOfTheirScales) {

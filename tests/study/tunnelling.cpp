@@ -100,12 +100,14 @@ void mark(Crossings& crossings, int cord, Crossed kind) {
 }
 
 void mark_crossings(Crossings& crossings, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines) {
-  for (int a = 0; a < coupling.size(); ++a) {
+  for (const ribbon::box2d::CordId a : coupling.cords()) {
     const Line& line = lines[static_cast<std::size_t>(a)];
     if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
       mark(crossings, a, through_itself);
     }
-    for (int b = 0; b < a && may_declare(coupling, a, &ribbon::CordDef::cord_contact); ++b) {
+    if (!may_declare(coupling, a, &ribbon::CordDef::cord_contact)) continue;
+    for (const ribbon::box2d::CordId b : coupling.cords()) {
+      if (b >= a) break;
       if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
       if (test_support::mutual_crossings(line, false, lines[static_cast<std::size_t>(b)], false) == 0) continue;
       mark(crossings, a, through_cord);
@@ -138,19 +140,25 @@ Crossings TunnellingDetector::detect(const b2World& world, const ribbon::box2d::
   const std::vector<const b2Fixture*> fixtures = fixtures_of(world, filter);
   Moment now;
   for (const b2Fixture* fixture : fixtures) now.centers.push_back(center_of(*fixture));
-  for (int c = 0; c < coupling.size(); ++c) now.lines.push_back(middle_line(coupling, c));
-  const bool is_known = before_.centers.size() == now.centers.size() && before_.lines.size() == now.lines.size();
-  const Moment& before = is_known ? before_ : now;
+  if (coupling.size() > 0) now.lines.resize(static_cast<std::size_t>(coupling.cords().back()) + 1);
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
+    now.lines[static_cast<std::size_t>(c)] = middle_line(coupling, c);
+  }
+  const bool centers_known = before_.centers.size() == now.centers.size();
 
   Crossings found(now.lines.size(), 0);
-  for (int c = 0; c < coupling.size(); ++c) {
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
+    const auto line = static_cast<std::size_t>(c);
+    const bool is_known = centers_known && line < before_.lines.size() &&
+                          before_.lines[line].size() == now.lines[line].size();  // not one that is new, or was cut
+    const Moment& before = is_known ? before_ : now;
     const std::vector<char> driven = driven_columns(coupling, c);
     const double half_thickness = 0.5 * coupling.cord(c).shape().thickness;
     for (std::size_t k = 0; k + 1 < driven.size(); ++k) {
       if (driven[k] != 0 || driven[k + 1] != 0) continue;
       for (std::size_t f = 0; f < fixtures.size(); ++f) {
-        const LinkAndPoint was = link_and_point(before, static_cast<std::size_t>(c), k, f);
-        const LinkAndPoint is = link_and_point(now, static_cast<std::size_t>(c), k, f);
+        const LinkAndPoint was = link_and_point(before, line, k, f);
+        const LinkAndPoint is = link_and_point(now, line, k, f);
         if (is_through(*fixtures[f], was, is, half_thickness)) mark(found, c, through_body);
       }
     }
@@ -160,14 +168,13 @@ Crossings TunnellingDetector::detect(const b2World& world, const ribbon::box2d::
   return found;
 }
 
-Crossings declared_contacts(const ribbon::box2d::Coupling& coupling) {
-  Crossings declared(static_cast<std::size_t>(coupling.size()), through_body);
-  for (int c = 0; c < coupling.size(); ++c) {
-    if (coupling.cord(c).solver() == ribbon::box2d::Solver::thesis) continue;
-    if (coupling.cord(c).direct().def().self_contact) mark(declared, c, through_itself);
-    if (coupling.cord(c).direct().def().cord_contact) mark(declared, c, through_cord);
+unsigned char declared_contacts(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  Crossings declared = {through_body};
+  if (coupling.cord(cord).solver() == ribbon::box2d::Solver::direct) {
+    if (coupling.cord(cord).direct().def().self_contact) mark(declared, 0, through_itself);
+    if (coupling.cord(cord).direct().def().cord_contact) mark(declared, 0, through_cord);
   }
-  return declared;
+  return declared.front();
 }
 
 std::string tunnelling_failure(const std::vector<Crossings>& run, const std::vector<Crossings>& reference,
@@ -177,7 +184,7 @@ std::string tunnelling_failure(const std::vector<Crossings>& run, const std::vec
   for (std::size_t k = 0; k < run.size(); ++k) {
     const std::size_t from = std::min(k, ticks) - std::min({k, ticks, lag});
     const std::size_t to = k < ticks ? k + lag + 1 : reference.size();
-    for (std::size_t c = 0; c < run[k].size(); ++c) {
+    for (std::size_t c = 0; c < std::min(run[k].size(), declared.size()); ++c) {
       for (const auto& [kind, what] : kinds) {
         if ((run[k][c] & declared[c] & kind) == 0 || is_marked(reference, from, to, c, kind)) continue;
         return "cord " + std::to_string(c + 1) + " went through " + what + " in tick " + std::to_string(k + 1);

@@ -19,8 +19,8 @@ enum Crossed : unsigned char {
 /// By cord, after a tick.
 using Crossings = std::vector<unsigned char>;
 
-/// Returns for each cord what it must not cross: bodies, and the objects of declared contacts.
-Crossings declared_contacts(const ribbon::box2d::Coupling& coupling);
+/// Returns what a cord must not cross: bodies, and the objects of declared contacts.
+unsigned char declared_contacts(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
 /// Detects after every tick what cords crossed. Penetration alone does not count. A middle line crosses a body if
 /// it crosses an edge, is deeper in a polygon than half the cord's thickness, is as near to a circle's centre, or if

@@ -94,7 +94,7 @@ TEST(Tunnelling, FindsOnlyDeclaredContacts) {
     loop.self_contact = loop.cord_contact = declared;
     world.add(loop);
     const Crossings seen = TunnellingDetector().detect(world.world, world.coupling, {});
-    EXPECT_EQ(declared_contacts(world.coupling)[1] & ~through_body, declared ? through_itself | through_cord : 0);
+    EXPECT_EQ(declared_contacts(world.coupling, 1) & ~through_body, declared ? through_itself | through_cord : 0);
     EXPECT_EQ(seen[0], declared ? through_cord : 0);
     EXPECT_EQ(seen[1], declared ? through_cord + through_itself : 0);
   }

@@ -22,7 +22,7 @@ std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
 
 double WindowErrors::greatest() const {
   double most = 0.0;
-  for (const double error : {position_m, player_m}) {
+  for (const double error : {position_m, player_m, body_m}) {
     if (error > most) most = error;
   }
   return most;
@@ -32,11 +32,15 @@ std::size_t agreeing_cord_ticks(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.places.size(), b.places.size());
   for (std::size_t k = 0; k < ticks; ++k) {
     double sum = 0.0;
-    for (std::size_t s = 0; s < a.places[k].size(); ++s) {
-      const ribbon::Vec2 off = a.places[k][s] - b.places[k][s];
-      sum += dot(off, off);
-    }
-    if (!(sum <= most * most * static_cast<double>(a.places[k].size()))) return k;
+    double count = 0.0;
+    for_each_common_cord(a, b, k, [&](std::size_t i, std::size_t j, std::size_t) {
+      for (std::size_t s = 0; s < Trace::stations; ++s) {
+        const ribbon::Vec2 off = a.places[k][i * Trace::stations + s] - b.places[k][j * Trace::stations + s];
+        sum += dot(off, off);
+        ++count;
+      }
+    });
+    if (!(sum <= most * most * count)) return k;
   }
   return ticks;
 }
@@ -45,6 +49,16 @@ std::size_t agreeing_player_ticks(const Trace& a, const Trace& b, double most) {
   const std::size_t ticks = std::min(a.player.size(), b.player.size());
   for (std::size_t k = 0; k < ticks; ++k) {
     if (!(length(a.player[k] - b.player[k]) <= most)) return k;
+  }
+  return ticks;
+}
+
+std::size_t agreeing_body_ticks(const Trace& a, const Trace& b, double most) {
+  const std::size_t ticks = std::min(a.bodies.size(), b.bodies.size());
+  for (std::size_t k = 0; k < ticks; ++k) {
+    for (std::size_t n = 0; n < std::min(a.bodies[k].size(), b.bodies[k].size()); ++n) {
+      if (!(length(a.bodies[k][n] - b.bodies[k][n]) <= most)) return k;
+    }
   }
   return ticks;
 }
@@ -58,35 +72,39 @@ Windows::Windows(const game::Level& level, std::span<const engine::TickInput> in
     const Trace& other = others.emplace_back(run_from(level, inputs, begin, ticks, fine));
     window.cords = agreeing_cord_ticks(other, window.reference, max_reference_difference);
     window.player = agreeing_player_ticks(other, window.reference, max_reference_difference);
+    window.bodies = agreeing_body_ticks(other, window.reference, max_reference_difference);
   }
   agreement_ =
       pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
 }
 
-WindowErrors Windows::errors(const ribbon::Accuracy& accuracy) const {
-  return pooled([&](const Window& window) {
-    return run_from(*level_, inputs_, window.begin, std::max(window.cords, window.player), accuracy);
-  });
+WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy) const {
+  return pooled(
+      [&](const Window& window) { return run_from(*level_, inputs_, window.begin, window.longest(), accuracy); });
 }
 
 /// RMS over the compared ticks of all windows.
 template <typename Run>
 WindowErrors Windows::pooled(Run&& run) const {
-  double cords = 0.0;
-  double players = 0.0;
-  WindowErrors sum{0.0, 0.0};
+  struct Sum {
+    double squares = 0.0;
+    double ticks = 0.0;
+    void add(double error, std::size_t count) {
+      if (count == 0 || std::isnan(error)) return;
+      squares += static_cast<double>(count) * error * error;
+      ticks += static_cast<double>(count);
+    }
+    double root() const { return ticks > 0.0 ? std::sqrt(squares / ticks) : unavailable; }
+  };
+  Sum cords, players, bodies;
   for (const Window& window : windows_) {
-    if (std::max(window.cords, window.player) == 0) continue;
+    if (window.longest() == 0) continue;
     const Trace trace = run(window);
-    const double position = difference(trace, window.reference, window.cords).position_m;
-    const double player = difference(trace, window.reference, window.player).player_m;
-    sum.position_m += static_cast<double>(window.cords) * position * position;
-    sum.player_m += static_cast<double>(window.player) * player * player;
-    cords += static_cast<double>(window.cords);
-    players += static_cast<double>(window.player);
+    cords.add(difference(trace, window.reference, window.cords).position_m, window.cords);
+    players.add(difference(trace, window.reference, window.player).player_m, window.player);
+    bodies.add(difference(trace, window.reference, window.bodies).body_m, window.bodies);
   }
-  return {cords > 0.0 ? std::sqrt(sum.position_m / cords) : unavailable,
-          players > 0.0 ? std::sqrt(sum.player_m / players) : unavailable};
+  return {cords.root(), players.root(), bodies.root()};
 }
 
 double Windows::share(std::size_t Window::*compared) const {

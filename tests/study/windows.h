@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "ribbon/cord_def.h"
-#include "tests/study/trace.h"
+#include "tests/study/errors.h"
 
 namespace study {
 
@@ -13,6 +15,7 @@ namespace study {
 struct WindowErrors {
   double position_m = unavailable;  ///< over all stations
   double player_m = unavailable;
+  double body_m = unavailable;  ///< over the second player and the dynamic bodies
 
   /// 0 if nothing is compared.
   double greatest() const;
@@ -30,8 +33,8 @@ class Windows {
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 
-  /// Returns the errors with a setting relative to the finer reference, in all compared ticks.
-  WindowErrors errors(const ribbon::Accuracy& accuracy) const;
+  /// Returns the errors with a setting (none: the level's own) relative to the finer reference, in all compared ticks.
+  WindowErrors errors(const std::optional<ribbon::Accuracy>& accuracy) const;
   /// Returns the differences of the references in these ticks. Errors below ten times that are unknown.
   WindowErrors agreement() const { return agreement_; }
   /// Return the share of the windows' ticks in which cords and players are compared: while the references differ by at
@@ -46,6 +49,8 @@ class Windows {
     Trace reference;         // from there on
     std::size_t cords = 0;   // number of ticks in which cords are compared
     std::size_t player = 0;  // number of ticks in which players are compared
+    std::size_t bodies = 0;  // number of ticks in which bodies are compared
+    std::size_t longest() const { return std::max({cords, player, bodies}); }
   };
   double share(std::size_t Window::*compared) const;
   template <typename Run>
@@ -57,9 +62,10 @@ class Windows {
   WindowErrors agreement_;
 };
 
-/// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations, and
-/// their players.
+/// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations of
+/// those that exist in both, their players, and their bodies.
 std::size_t agreeing_cord_ticks(const Trace& a, const Trace& b, double most);
 std::size_t agreeing_player_ticks(const Trace& a, const Trace& b, double most);
+std::size_t agreeing_body_ticks(const Trace& a, const Trace& b, double most);
 
 }  // namespace study

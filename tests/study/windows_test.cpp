@@ -20,7 +20,9 @@ Trace still(std::size_t ticks) {
   Trace trace;
   trace.lengths = {1.0};
   trace.places.assign(ticks, std::vector<Vec2>(Trace::stations));
+  trace.cords.assign(ticks, {{0, 0}});
   trace.player.assign(ticks, {});
+  trace.bodies.assign(ticks, {});
   trace.stretch.assign(ticks, 0.0);
   return trace;
 }
@@ -72,11 +74,11 @@ TEST(Windows, ErrorsFallWithTheSubsteps) {
   EXPECT_EQ(windows.count(), 2U);  // of 15 ticks in 40
   EXPECT_EQ(windows.compared_cords(), 1.0);
   EXPECT_EQ(windows.compared_players(), 1.0);
-  const double one = windows.errors({Integrator::tr_bdf2, 1, 8, 1e-5}).position_m;
-  const double four = windows.errors({Integrator::tr_bdf2, 4, 8, 1e-6}).position_m;
+  const double one = windows.errors(Accuracy{Integrator::tr_bdf2, 1, 8, 1e-5}).position_m;
+  const double four = windows.errors(Accuracy{Integrator::tr_bdf2, 4, 8, 1e-6}).position_m;
   EXPECT_NEAR(std::log(one / four) / std::log(4.0), 2.0, 0.4);
   EXPECT_LT(windows.agreement().position_m, 0.2 * four);
-  EXPECT_EQ(windows.errors({Integrator::tr_bdf2, 32, 8, 1e-7}).position_m, 0.0);
+  EXPECT_EQ(windows.errors(Accuracy{Integrator::tr_bdf2, 32, 8, 1e-7}).position_m, 0.0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "tests/baseline/check.h"
 #include "tests/study/command.h"
+#include "tests/study/guard.h"
 #include "tests/study/report.h"
 #include "tests/study/text.h"
 #include "tests/tradeoff/run_scene.h"
@@ -85,6 +86,7 @@ struct Arguments {
   bool repeats_given = false;
   std::string scene;
   std::string table;  // of the baseline
+  std::string guard;  // file of accepted levels
   study::Command study;
 };
 
@@ -94,10 +96,17 @@ void add_level_options(CLI::App& app, study::Command& study) {
   app.add_option("--replay", study.replay, "Its recorded input; default: the replay of the same name in the assets")
       ->needs(level);
   app.add_flag("--quick", study.quick, "A small grid of a level; a report of fewer scenes too");
-  app.add_option("--max-error", study.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
+  app.add_option("--max-error", study.limits.max_error_m, "Recommend the cheapest setting with at most this error: 1cm")
       ->transform(measured_in({{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}));
-  app.add_option("--budget", study.budget_us, "Recommend the most exact setting that costs at most this: 50us")
+  app.add_option("--budget", study.limits.median_us, "Recommend the most exact setting that costs at most this: 50us")
       ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
+  app.add_option("--budget-p99", study.limits.p99_us, "The same for the 99th percentile of the ticks, by counted work")
+      ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
+  app.add_option("--budget-most", study.limits.most_us, "The same for the greatest tick, by counted work")
+      ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
+  app.add_option("--budget-work", study.limits.most_work,
+                 "The same in counted work, which is the same on every machine: a number above 0, of the greatest tick")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--apply", study.apply, "Write the recommended setting to the level")->needs(level);
   app.add_option("--validate,--promises", study.validation_runs,
                  "Validate recommendations in this many runs: each varies a level, recommends settings for one random "
@@ -125,7 +134,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
   auto* baseline = app.add_option("--baseline", arguments.table,
                                   "Count the work of all scenes and recorded runs and compare it with this table")
                        ->excludes("--scene", "--level");
-  app.add_flag("--accept", arguments.accept, "Rewrite the table instead")->needs(baseline);
+  auto* check =
+      app.add_option("--check", arguments.guard,
+                     "Compare the work and the error of levels, those of --level or of the file, with this file")
+          ->excludes("--scene");
+  check->excludes(baseline);
+  app.add_flag("--accept", arguments.accept, "Rewrite the table or the file instead");
   app.add_flag("--csv", arguments.csv,
                "Print rows of comma-separated values under a header, scene,method,setting,points,…");
 }
@@ -137,7 +151,7 @@ int run_study(Arguments& arguments) {
     throw std::runtime_error("--level is given more than once; accepted is that only with --validate");
   }
   study.level = study.levels.front();
-  if (study.apply && !study.max_error_m && !study.budget_us) {
+  if (study.apply && !study.limits.any()) {
     throw std::runtime_error("--apply needs to know what for; accepted is --max-error or --budget beside it");
   }
   if (arguments.repeats_given) study.repeats = arguments.repeats;
@@ -151,7 +165,17 @@ int run(Arguments& arguments) {
     list_scenes();
     return 0;
   }
+  if (!arguments.guard.empty()) {
+    const study::Guard guard{arguments.guard, study.levels, study.replay};
+    if (guard.levels.size() > 1 && !guard.replay.empty()) {
+      throw std::runtime_error("--replay is of one level; accepted is one --level beside it");
+    }
+    return arguments.accept ? study::accept(guard) : study::check(guard);
+  }
   if (arguments.accept) {
+    if (arguments.table.empty()) {
+      throw std::runtime_error("--accept needs to know what; accepted is --baseline FILE or --check FILE beside it");
+    }
     baseline::accept(tradeoff::scenes(), arguments.table);
     return 0;
   }
@@ -162,7 +186,7 @@ int run(Arguments& arguments) {
   }
   if (study.validation_runs) return study::run(study);
   if (!study.levels.empty()) return run_study(arguments);
-  if (study.max_error_m || study.budget_us) {
+  if (study.limits.any()) {
     throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");
   }
   return run_named_scene(arguments.scene, arguments.repeats, arguments.csv, study.folder);

@@ -24,7 +24,7 @@ void repeat_once(const Timed& variant, int ticks, Samples& samples) {
   const Clock::time_point start = Clock::now();
   Clock::time_point last = start;
   Clock::duration share{};
-  samples.share.resize(static_cast<std::size_t>(ticks));
+  samples.share.resize(static_cast<std::size_t>(ticks));  // without a rest a share is the tick
   for (int k = 0; k < ticks; ++k) {
     variant.tick();
     if (variant.rest) {
@@ -35,6 +35,7 @@ void repeat_once(const Timed& variant, int ticks, Samples& samples) {
     }
     const Clock::time_point now = Clock::now();
     samples.ticks.push_back(microseconds(now - last));
+    if (!variant.rest) samples.share[static_cast<std::size_t>(k)].push_back(samples.ticks.back());
     last = now;
   }
   // By processor time, which excludes other processes. The other clock separates the rest of a tick.
@@ -45,12 +46,14 @@ void repeat_once(const Timed& variant, int ticks, Samples& samples) {
 
 Timing timing_of(const Timed& variant, const Samples& samples) {
   Timing timing{quantile(samples.means, 0.5), quantile(samples.ticks, 0.99)};
+  for (const std::vector<double>& tick : samples.share) {
+    timing.worst_us = std::max(timing.worst_us, quantile(tick, 0.5));
+  }
   if (!variant.rest) return timing;
   timing.share_us = quantile(samples.share_means, 0.5);
   timing.rest_us = timing.median_us - timing.share_us;
   std::vector<double> all;
   for (const std::vector<double>& tick : samples.share) {
-    timing.worst_us = std::max(timing.worst_us, quantile(tick, 0.5));
     all.insert(all.end(), tick.begin(), tick.end());
   }
   timing.share_p99_us = quantile(all, 0.99);

@@ -20,11 +20,11 @@ struct Timing {
                            ///< time
   double p99_us = 0.0;     ///< 99th percentile of single ticks of all repeats. Reading the clock after each adds some
                            ///< 0.03 µs
+  double worst_us = 0.0;   ///< the most expensive tick without its rest; of each tick the median over the repeats
   // With a rest:
   double share_us = 0.0;      ///< part of the median: the tick without its rest
   double rest_us = 0.0;       ///< part of the median: the rest
   double share_p99_us = 0.0;  ///< 99th percentile of single ticks without their rest
-  double worst_us = 0.0;      ///< the most expensive tick without its rest; of each tick the median over the repeats
 };
 
 /// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.

@@ -1,0 +1,151 @@
+#include "tests/study/limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tests/study/text.h"
+
+namespace study {
+namespace {
+
+/// Returns the ranks of values, equal ones with their mean rank.
+std::vector<double> ranks_of(const std::vector<double>& values) {
+  std::vector<double> ranks;
+  for (const double value : values) {
+    double below = 0.0;
+    double equal = 0.0;
+    for (const double other : values) {
+      below += other < value ? 1.0 : 0.0;
+      equal += other == value ? 1.0 : 0.0;
+    }
+    ranks.push_back(below + 0.5 * (equal - 1.0));
+  }
+  return ranks;
+}
+
+/// Returns 1 if one of the two does not vary.
+double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double ab = 0.0;
+  double aa = 0.0;
+  double bb = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ab += (a[k] - mean_a) * (b[k] - mean_b);
+    aa += (a[k] - mean_a) * (a[k] - mean_a);
+    bb += (b[k] - mean_b) * (b[k] - mean_b);
+  }
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 1.0;
+}
+
+/// Weighted sums of a line's normal equations.
+struct Sums {
+  double w = 0.0, wx = 0.0, wy = 0.0, wxx = 0.0, wxy = 0.0;
+  void add(const Sample& s) {
+    const double weight = 1.0 / (s.us * s.us);
+    w += weight;
+    wx += weight * s.work;
+    wy += weight * s.us;
+    wxx += weight * s.work * s.work;
+    wxy += weight * s.work * s.us;
+  }
+};
+
+void fit_line(Calibration& fit, const Sums& sums) {
+  const double determinant = sums.w * sums.wxx - sums.wx * sums.wx;
+  if (determinant > 1e-12 * sums.w * sums.wxx) {
+    fit.us_per_work = (sums.w * sums.wxy - sums.wx * sums.wy) / determinant;
+    fit.base_us = (sums.wy - fit.us_per_work * sums.wx) / sums.w;
+    if (fit.us_per_work >= 0.0 && fit.base_us >= 0.0) return;
+  }
+  fit.base_us = 0.0;  // one sample, or the line is not one of costs
+  fit.us_per_work = sums.wxx > 0.0 ? sums.wxy / sums.wxx : 0.0;
+}
+
+/// Returns the greatest of a setting's values relative to the usable parts of the limits.
+double usage_of(const Measured& m, const Point& point, const Limits& limits, const Calibration& calibration) {
+  double most = 0.0;
+  const auto add = [&most](const std::optional<double>& limit, double value, double share) {
+    if (limit) most = std::max(most, value / (share * *limit));
+  };
+  add(limits.max_error_m, point.error_m, usable_error_share);
+  add(limits.median_us, m.cost_us, usable_budget_share);
+  add(limits.p99_us, calibration.us(m.tick_work.p99), usable_budget_share);
+  add(limits.most_us, calibration.us(m.tick_work.most), usable_budget_share);
+  add(limits.most_work, m.tick_work.most, usable_budget_share);
+  return most;
+}
+
+}  // namespace
+
+Calibration calibrate(std::span<const Sample> samples) {
+  Calibration fit;
+  if (samples.empty()) return fit;
+  Sums sums;
+  std::vector<double> work;
+  std::vector<double> us;
+  for (const Sample& sample : samples) {
+    sums.add(sample);
+    work.push_back(sample.work);
+    us.push_back(sample.us);
+  }
+  fit_line(fit, sums);
+  fit.rank_correlation = correlation_of(ranks_of(work), ranks_of(us));
+  return fit;
+}
+
+Calibration calibrate(const Study& study) {
+  std::vector<Sample> samples;
+  for (const Measured& m : study.settings) {
+    if (m.cost_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.cost_us});
+  }
+  return calibrate(samples);
+}
+
+Choice choose(const Study& study, const Limits& limits, const Calibration& calibration) {
+  const std::vector<Point> points = applicable(study);
+  Choice choice;
+  const auto is_better = [&](std::size_t a, std::size_t b) {
+    return limits.max_error_m ? points[a].cost_us < points[b].cost_us : points[a].error_m < points[b].error_m;
+  };
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!points[k].failure.empty() || points[k].not_compared || !std::isfinite(points[k].error_m)) continue;
+    const double usage = usage_of(study.settings[k], points[k], limits, calibration);
+    if (usage <= 1.0) {
+      if (!choice.setting || is_better(k, *choice.setting)) choice.setting = k;
+    } else if (!choice.nearest || usage < choice.excess) {
+      choice.nearest = k;
+      choice.excess = usage;
+    }
+  }
+  if (choice.setting) choice.nearest.reset();
+  return choice;
+}
+
+std::string in_words(const Limits& limits) {
+  std::string words;
+  const auto add = [&words](const std::string& what, const std::optional<double>& limit, const std::string& unit) {
+    if (limit) words += (words.empty() ? "" : " and ") + what + significant(*limit, 4) + unit;
+  };
+  add("an error of ", limits.max_error_m, " m");
+  add("a cost of ", limits.median_us, " us");
+  add("a 99th percentile of ", limits.p99_us, " us");
+  add("a greatest tick of ", limits.most_us, " us");
+  add("a greatest tick of ", limits.most_work, " units of work");
+  return words;
+}
+
+std::string in_words(const Study& study, std::size_t setting, const Calibration& calibration) {
+  const Measured& m = study.settings[setting];
+  std::string words = name_of(m.setting) + ": " + fixed(m.cost_us, 2) + " us per tick";
+  if (std::isfinite(m.tick_work.most)) {
+    words += ", 99 % of the ticks within " + significant(calibration.us(m.tick_work.p99), 3) +
+             " us, the greatest tick " + significant(calibration.us(m.tick_work.most), 3) + " us (" +
+             significant(m.tick_work.most, 6) + " units of work)";
+  }
+  return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m";
+}
+
+}  // namespace study

@@ -1,0 +1,97 @@
+#include "tests/study/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace study {
+namespace {
+
+Measured setting(int substeps, double error_m, double us, WorkFigures work) {
+  Measured m;
+  m.setting.substeps = substeps;
+  m.error.position_m = error_m;
+  m.cost_us = us;
+  m.tick_work = work;
+  return m;
+}
+
+/// Three settings: a tick takes 5 us and 0.1 us per unit of work.
+Study three() {
+  Study study;
+  study.settings = {setting(1, 8e-3, 15.0, {100.0, 1000.0, 9000.0}), setting(2, 4e-3, 25.0, {200.0, 400.0, 500.0}),
+                    setting(4, 1e-3, 45.0, {400.0, 800.0, 1000.0})};
+  return study;
+}
+
+TEST(Limits, ACalibrationTurnsWorkIntoTime) {
+  const Calibration calibration = calibrate(three());
+  EXPECT_NEAR(calibration.base_us, 5.0, 1e-9);
+  EXPECT_NEAR(calibration.us_per_work, 0.1, 1e-12);
+  EXPECT_NEAR(calibration.us(9000.0), 905.0, 1e-6);
+  EXPECT_NEAR(calibration.rank_correlation, 1.0, 1e-12);
+  const std::array<Sample, 3> wrong = {{{1.0, 3.0}, {2.0, 2.0}, {3.0, 1.0}}};
+  EXPECT_NEAR(calibrate(wrong).rank_correlation, -1.0, 1e-12);
+  EXPECT_EQ(calibrate(wrong).base_us, 0.0);  // a cost does not fall with work
+  EXPECT_GT(calibrate(wrong).us_per_work, 0.0);
+  const std::array<Sample, 1> one = {{{10.0, 5.0}}};
+  EXPECT_NEAR(calibrate(one).us_per_work, 0.5, 1e-12);
+  EXPECT_EQ(calibrate(std::span<const Sample>()).us_per_work, 0.0);
+}
+
+TEST(Limits, AnErrorLimitChoosesTheCheapestWithinTheBudgets) {
+  const Study study = three();
+  const Calibration calibration = calibrate(study);
+  Limits limits;
+  limits.max_error_m = 1e-2;
+  EXPECT_EQ(choose(study, limits, calibration).setting, 0U);
+  limits.p99_us = 120.0;  // of which 90 may be used; the first setting takes 105
+  EXPECT_EQ(choose(study, limits, calibration).setting, 1U);
+  limits.p99_us.reset();
+  limits.most_us = 1000.0;  // it takes 905
+  EXPECT_EQ(choose(study, limits, calibration).setting, 1U);
+  limits.most_us = 1250.0;
+  EXPECT_EQ(choose(study, limits, calibration).setting, 0U);
+  limits.most_work = 1000.0;
+  EXPECT_EQ(choose(study, limits, calibration).setting, 1U);
+}
+
+TEST(Limits, ABudgetChoosesTheMostExact) {
+  const Study study = three();
+  const Calibration calibration = calibrate(study);
+  Limits limits;
+  limits.most_work = 1400.0;
+  EXPECT_EQ(choose(study, limits, calibration).setting, 2U);
+  limits.most_work = 1300.0;  // of which 975 may be used
+  EXPECT_EQ(choose(study, limits, calibration).setting, 1U);
+  limits.median_us = 20.0;  // of which 15 may be used
+  limits.most_work.reset();
+  EXPECT_EQ(choose(study, limits, calibration).setting, 0U);
+}
+
+TEST(Limits, WhatNothingMeetsNamesTheNearest) {
+  const Study study = three();
+  Limits limits;
+  limits.max_error_m = 5e-4;
+  limits.most_work = 800.0;
+  const Choice choice = choose(study, limits, calibrate(study));
+  EXPECT_FALSE(choice.setting);
+  ASSERT_TRUE(choice.nearest);
+  EXPECT_EQ(*choice.nearest, 2U);
+  EXPECT_NEAR(choice.excess, 1e-3 / (0.8 * 5e-4), 1e-12);
+  EXPECT_EQ(in_words(limits), "an error of 0.0005 m and a greatest tick of 800 units of work");
+  EXPECT_NE(in_words(study, 2, calibrate(study)).find("the greatest tick 105 us (1000 units of work), error 0.001 m"),
+            std::string::npos);
+}
+
+TEST(Limits, FailuresAndOtherMeshesAreNotChosen) {
+  Study study = three();
+  study.settings[0].failure = "blew up in tick 3";
+  study.settings[1].setting.points = 2.0;
+  Limits limits;
+  limits.max_error_m = 1.0;
+  EXPECT_EQ(choose(study, limits, calibrate(study)).setting, 2U);
+}
+
+}  // namespace
+}  // namespace study
