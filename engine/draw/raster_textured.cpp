@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
+#include "engine/draw/row_edges.h"
 #include "engine/draw/samplers.h"
 #include "engine/draw/span_painter.h"
 
@@ -12,14 +13,6 @@ namespace engine {
 namespace {
 
 using ribbon::Vec2;
-
-/// Returns the first pixel whose middle is at x or after it, clamped to low … high.
-int first_pixel(double x, int low, int high) {
-  // Does not use ceil, which would be a call.
-  const double near = std::clamp(x - 0.5, static_cast<double>(low), static_cast<double>(high));
-  const int whole = static_cast<int>(near);
-  return whole + (whole < near ? 1 : 0);
-}
 
 /// The quantities that are interpolated over a triangle: u and v in texels, then the colour times alpha and cover,
 /// 0 … 255: blue, green, red, alpha.
@@ -36,19 +29,6 @@ Corner corner_of(const TexturedVertex& v, double width, double height) {
   const double part = alpha / 255.0;
   return {v.at, {v.uv.x * width, v.uv.y * height, part * v.color.b, part * v.color.g, part * v.color.r, alpha}};
 }
-
-/// An edge, to find its x at a height. Always computed from its upper end, so that two triangles that share an edge get
-/// the same x: no pixel between them is missed or painted twice.
-struct Edge {
-  Edge(const Corner& upper, const Corner& lower)
-      : at(upper.at), slope((lower.at.x - upper.at.x) / (lower.at.y - upper.at.y)) {}
-  double x(double y) const { return at.x + (y - at.y) * slope; }
-
-  Vec2 at;
-  double slope;
-};
-
-bool above(const Corner& a, const Corner& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); }
 
 /// Rounds to a multiple of 1/65536, in these units. Does not use floor, which would be a call.
 std::int64_t fixed(double x) {
@@ -124,9 +104,9 @@ struct Target {
   /// Calls paint(row) for each row of a triangle whose corners are sorted from the top.
   template <typename Paint>
   void each_row(const std::array<Corner, 3>& v, Paint paint) const {
-    const Edge whole(v[0], v[2]);
-    const Edge upper(v[0], v[1]);
-    const Edge lower(v[1], v[2]);
+    const Edge whole(v[0].at, v[2].at);
+    const Edge upper(v[0].at, v[1].at);
+    const Edge lower(v[1].at, v[2].at);
     const int last = first_pixel(v[2].at.y, top, bottom);
     for (int y = first_pixel(v[0].at.y, top, bottom); y < last; ++y) {
       const double middle = y + 0.5;
@@ -209,11 +189,14 @@ class Raster::Painter {
 
   void triangle(const TexturedVertex& a, const TexturedVertex& b, const TexturedVertex& c) {
     if (target_.left >= target_.right || target_.top >= target_.bottom || is_outside(a, b, c)) return;
+    std::array<const TexturedVertex*, 3> sorted{&a, &b, &c};
+    std::sort(sorted.begin(), sorted.end(),
+              [](const auto* one, const auto* other) { return is_above(one->at, other->at); });
     const Image* const image = texture_.image;
     const double width = image != nullptr ? image->width() : 1.0;
     const double height = image != nullptr ? image->height() : 1.0;
-    std::array<Corner, 3> v{corner_of(a, width, height), corner_of(b, width, height), corner_of(c, width, height)};
-    std::sort(v.begin(), v.end(), above);
+    const std::array<Corner, 3> v{corner_of(*sorted[0], width, height), corner_of(*sorted[1], width, height),
+                                  corner_of(*sorted[2], width, height)};
     const double twice_area = cross(v[1].at - v[0].at, v[2].at - v[0].at);
     if (twice_area == 0.0) return;
     const bool has_one_color = have_one_color(v);
