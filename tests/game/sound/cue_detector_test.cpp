@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "game/simulation/buttons.h"
 #include "tests/game/program.h"
 #include "tests/support/autopilot.h"
+#include "tests/support/level_for_two.h"
 
 namespace game {
 namespace {
@@ -248,6 +250,29 @@ TEST(CueDetector, TheSameRunHasTheSameCues) {
     EXPECT_EQ(once.cues[k].noise, again.cues[k].noise);
     EXPECT_EQ(once.cues[k].how.volume, again.cues[k].how.volume);
   }
+}
+
+TEST(CueDetector, EachPlayerHasItsOwnSounds) {
+  const Level level = test_support::level_for_two({.tied = false});
+  Simulation simulation(level);
+  std::array<CueDetector, 2> detectors{CueDetector(0), CueDetector(1)};
+  std::array<Heard, 2> heard;
+  for (int k = 0; k < 120; ++k) {
+    engine::TickInput input;
+    input.second_buttons = static_cast<std::uint16_t>(k < 40 ? button_left : k < 60 ? button_left | button_jump : 0);
+    simulation.tick(input);
+    for (std::size_t p = 0; p < detectors.size(); ++p) {
+      detectors[p].update(simulation);
+      heard[p].cues.insert(heard[p].cues.end(), detectors[p].cues().begin(), detectors[p].cues().end());
+    }
+  }
+  EXPECT_EQ(heard[0].count(Noise::jump), 0);
+  EXPECT_EQ(heard[0].count(Noise::footstep), 0);
+  EXPECT_EQ(heard[1].count(Noise::jump), 1);
+  EXPECT_GE(heard[1].count(Noise::footstep), 2);
+  EXPECT_EQ(heard[1].count(Noise::thud), 0);  // heard once, with the sounds of the level
+  EXPECT_GE(heard[0].count(Noise::thud), 1);
+  for (const Cue& cue : heard[1].cues) EXPECT_NE(cue.how.pan, 0.0);  // beside the first player
 }
 
 }  // namespace
