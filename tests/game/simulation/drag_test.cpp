@@ -191,9 +191,9 @@ TEST(Drag, APointOfACutRopeIsDraggedOnAndFreeAfterwards) {
     ASSERT_TRUE(simulation.drag().cord_point());
     const ribbon::box2d::CordPoint piece = *simulation.drag().cord_point();
     EXPECT_NE(piece.cord, dragged.cord);
-    EXPECT_EQ(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::constrained);
+    EXPECT_EQ(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::operated);
     simulation.tick({});
-    EXPECT_NE(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::constrained);
+    EXPECT_EQ(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::free);
   }
 }
 
