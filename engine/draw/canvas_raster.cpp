@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
+
+#include "engine/draw/row_edges.h"
 
 namespace engine {
 namespace {
@@ -21,22 +22,6 @@ std::uint32_t blend(std::uint32_t below, std::uint32_t color, int alpha) {
 
 /// Returns cover · opacity; 255 stands for 1.
 int alpha_of(std::uint8_t cover, int opacity) { return (cover * opacity + 127) / 255; }
-
-/// Returns the first pixel whose middle is at x or after it, clamped to 0 … limit.
-int first_pixel(double x, int limit) {
-  return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(limit)));
-}
-
-/// Returns the x of an edge at a height. Always computed from its upper end, so that two triangles that share an edge
-/// get the same x and no pixel between them is missed.
-double edge_x(const MeshVertex& upper, const MeshVertex& lower, double y) {
-  const double slope = (lower.at.x - upper.at.x) / (lower.at.y - upper.at.y);
-  return upper.at.x + (y - upper.at.y) * slope;
-}
-
-bool above(const MeshVertex& a, const MeshVertex& b) {
-  return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x);
-}
 
 /// Rounds 0 … 1 to 0 … 255. Does not use lround, which would be a call for each pixel.
 std::uint8_t byte_of(double cover) {
@@ -101,20 +86,24 @@ void Raster::fill(const Mesh& mesh, std::uint32_t rgb, int opacity) {
 
 void Raster::cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
   std::array<MeshVertex, 3> v{a, b, c};
-  std::sort(v.begin(), v.end(), above);
+  std::sort(v.begin(), v.end(),
+            [](const MeshVertex& one, const MeshVertex& other) { return is_above(one.at, other.at); });
   // Meshes have no triangles without area, but far outside rounding can give 0 in the sorted order.
   if (cross(v[1].at - v[0].at, v[2].at - v[0].at) == 0.0) return;
-  const CoverPlane plane(v[0], v[1], v[2]);
-  const int first = first_pixel(v[0].at.y, height_);
-  const int last = first_pixel(v[2].at.y, height_);
+  const int first = first_pixel(v[0].at.y, 0, height_);
+  const int last = first_pixel(v[2].at.y, 0, height_);
   if (first >= last) return;
+  const CoverPlane plane(v[0], v[1], v[2]);
+  const Edge whole(v[0].at, v[2].at);
+  const Edge upper(v[0].at, v[1].at);
+  const Edge lower(v[1].at, v[2].at);
   touched_.add(first, last);
   for (int y = first; y < last; ++y) {
     const double middle = y + 0.5;
-    const double long_x = edge_x(v[0], v[2], middle);
-    const double short_x = middle < v[1].at.y ? edge_x(v[0], v[1], middle) : edge_x(v[1], v[2], middle);
-    const int begin = first_pixel(std::min(long_x, short_x), width_);
-    const int end = first_pixel(std::max(long_x, short_x), width_);
+    const double long_x = whole.x(middle);
+    const double short_x = middle < v[1].at.y ? upper.x(middle) : lower.x(middle);
+    const int begin = first_pixel(std::min(long_x, short_x), 0, width_);
+    const int end = first_pixel(std::max(long_x, short_x), 0, width_);
     if (begin >= end) continue;
     rows_[static_cast<std::size_t>(y)].add(begin, end);
     std::uint8_t* line = cover_.data() + static_cast<std::ptrdiff_t>(y) * width_;

@@ -67,10 +67,11 @@ class Raster {
   int width_;
   int height_;
   std::vector<std::uint32_t> pixels_;
-  std::vector<std::uint8_t> cover_;  // zero between two fills
-  std::vector<float> edges_;         // the y of a line at the middle of each column
-  std::vector<Range> rows_;          // the pixels of each row whose cover may be non-zero
-  Range touched_;                    // the rows whose cover may be non-zero
+  std::vector<std::uint8_t> cover_;    // zero between two fills
+  std::vector<float> edges_;           // the y of a line at the middle of each column
+  std::vector<std::uint32_t> texels_;  // scratch memory for a row of an image
+  std::vector<Range> rows_;            // the pixels of each row whose cover may be non-zero
+  Range touched_;                      // the rows whose cover may be non-zero
 };
 
 }  // namespace engine

@@ -75,11 +75,12 @@ Image Image::of_premultiplied(int width, int height, std::vector<std::uint32_t> 
 }
 
 const Image::Level& Image::level(double texels_per_pixel) const {
-  // Rounding to nearest would add 0.5. The lower value prefers sharper levels: blur is more visible than a little
-  // aliasing.
-  const int halvings =
-      texels_per_pixel > 1.0 ? static_cast<int>(std::min(std::log2(texels_per_pixel) + 0.35, 30.0)) : 0;
-  return levels_[std::min(static_cast<std::size_t>(halvings), levels_.size() - 1)];
+  // Rounding to nearest would change the level at 2^0.5. The higher value prefers sharper levels: blur is more visible
+  // than a little aliasing.
+  double limit = std::exp2(0.65);
+  std::size_t halvings = 0;
+  for (; texels_per_pixel >= limit && halvings + 1 < levels_.size(); limit *= 2.0) ++halvings;
+  return levels_[halvings];
 }
 
 }  // namespace engine

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "engine/draw/canvas_raster.h"
 #include "engine/draw/lanes.h"
@@ -20,15 +21,40 @@ std::uint32_t color_at(const Raster::Skyline& look, int row) {
 
 int column(double x, int width) { return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, 1.0 * width)); }
 
+constexpr std::size_t block = 32;  // px, columns that are compared with a row together
+
+/// The smallest and the largest y of the line in each block of columns.
+struct Block {
+  float least = beyond;
+  float most = -beyond;
+};
+
+std::vector<Block> blocks_of(const std::vector<float>& edges) {
+  std::vector<Block> blocks((edges.size() + block - 1) / block);
+  for (std::size_t x = 0; x < edges.size(); ++x) {
+    Block& own = blocks[x / block];
+    own = {std::min(own.least, edges[x]), std::max(own.most, edges[x])};
+  }
+  return blocks;
+}
+
 /// Fills the pixels of a row where the line is above the row, or, for a ceiling, below it.
-void fill_where(std::uint32_t* pixel, const std::vector<float>& edges, int row, bool is_above, std::uint32_t rgb) {
+void fill_where(std::uint32_t* pixel, const std::vector<float>& edges, const std::vector<Block>& blocks, int row,
+                bool is_above, std::uint32_t rgb) {
   const auto upper = static_cast<float>(row);
   const auto lower = static_cast<float>(row + 1);
-  const std::size_t count = edges.size();
-  if (is_above) {
-    for (std::size_t x = 0; x < count; ++x) pixel[x] = edges[x] >= lower ? rgb : pixel[x];
-  } else {
-    for (std::size_t x = 0; x < count; ++x) pixel[x] = edges[x] <= upper ? rgb : pixel[x];
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const Block own = blocks[k];
+    if (is_above ? own.most < lower : own.least > upper) continue;
+    const std::size_t begin = k * block;
+    const std::size_t end = std::min(begin + block, edges.size());
+    if (is_above ? own.least >= lower : own.most <= upper) {
+      std::fill(pixel + begin, pixel + end, rgb);
+    } else if (is_above) {
+      for (std::size_t x = begin; x < end; ++x) pixel[x] = edges[x] >= lower ? rgb : pixel[x];
+    } else {
+      for (std::size_t x = begin; x < end; ++x) pixel[x] = edges[x] <= upper ? rgb : pixel[x];
+    }
   }
 }
 
@@ -61,8 +87,10 @@ void Raster::fill(std::span<const Vec2> line, const Skyline& look) {
   const int first = row_of(*low);
   const int last = std::min(row_of(*high) + 1, end);
   for (int y = look.is_above ? 0 : last; y < (look.is_above ? first : end); ++y) fill_row(y, color_at(look, y));
+  const std::vector<Block> blocks = blocks_of(edges_);
   for (int y = first; y < last; ++y) {
-    fill_where(pixels_.data() + static_cast<std::ptrdiff_t>(y) * width_, edges_, y, look.is_above, color_at(look, y));
+    fill_where(pixels_.data() + static_cast<std::ptrdiff_t>(y) * width_, edges_, blocks, y, look.is_above,
+               color_at(look, y));
   }
   for (int x = 0; x < width_; ++x) {  // the pixels on the line
     const float edge = edges_[static_cast<std::size_t>(x)];

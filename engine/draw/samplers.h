@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <vector>
 
 #include "engine/draw/image.h"
-#include "engine/draw/lanes.h"
+#include "engine/draw/pixel_pairs.h"
 #include "engine/draw/textured_mesh.h"
 
 /// Reads colours of an image; private to the rasteriser of textured meshes.
@@ -23,8 +23,10 @@ class Texels {
         repeat_v_(texture.along_v == Wrap::repeat),
         is_opaque_(texture.image->is_opaque()) {}
 
+  /// `repeats` has to be repeats_along_u().
+  template <bool repeats>
   std::ptrdiff_t column(std::int64_t x) const {
-    return repeat_u_ ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
+    return repeats ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
   }
   std::int64_t width() const { return width_; }
   bool repeats_along_u() const { return repeat_u_; }
@@ -42,77 +44,158 @@ class Texels {
   bool is_opaque_;
 };
 
-// The samplers return the colour of an image at a position in units of 1/65536 texels.
+/// A quantity along a row of pixels, in units of 1/65536.
+struct Ramp {
+  std::int64_t here = 0;
+  std::int64_t step = 0;  // per pixel
+
+  std::int64_t next() {
+    const std::int64_t value = here;
+    here += step;
+    return value;
+  }
+};
+
+// A sampler moves along a row of pixels, and returns their colours in the image two by two. Positions are in units of
+// 1/65536 texels.
 inline constexpr std::int64_t half_texel = 32768;
 
+/// The weight of the next texel, 0 … 255.
+inline std::uint16_t weight_of(std::int64_t x) { return static_cast<std::uint16_t>((x & 0xffff) >> 8); }
+
+template <bool repeats>
 struct Nearest {
-  Texels texels;
-  Lanes operator()(std::int64_t u, std::int64_t v) const { return spread(texels.row(v >> 16)[texels.column(u >> 16)]); }
+  const Texels& texels;
+  Ramp u, v;
+
+  std::uint32_t one() { return texels.row(v.next() >> 16)[texels.column<repeats>(u.next() >> 16)]; }
+  Pair pair() {
+    const std::uint32_t first = one();
+    return lower_pair(Four{first, one(), 0, 0});
+  }
 };
 
 /// The same along a row of the image (constant v).
+template <bool repeats>
 struct NearestRow {
-  NearestRow(const Texels& all, std::int64_t v) : texels(all), row(all.row(v >> 16)) {}
-  Lanes operator()(std::int64_t u, std::int64_t) const { return spread(row[texels.column(u >> 16)]); }
-
-  Texels texels;
+  const Texels& texels;
   const std::uint32_t* row;
-};
+  Ramp u;
 
-/// The weight of the next texel, 0 … 255.
-inline Lanes weight_of(std::int64_t x) { return static_cast<Lanes>(x & 0xffff) >> 8U; }
-
-struct Linear {
-  Texels texels;
-  Lanes operator()(std::int64_t u, std::int64_t v) const {
-    const std::int64_t x = u - half_texel;  // relative to the middle of a texel
-    const std::int64_t y = v - half_texel;
-    const std::uint32_t* const upper = texels.row(y >> 16);
-    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
-    const std::ptrdiff_t left = texels.column(x >> 16);
-    const std::ptrdiff_t right = texels.column((x >> 16) + 1);
-    return mixed(mixed(spread(upper[left]), spread(upper[right]), weight_of(x)),
-                 mixed(spread(lower[left]), spread(lower[right]), weight_of(x)), weight_of(y));
+  std::uint32_t one() { return row[texels.column<repeats>(u.next() >> 16)]; }
+  Pair pair() {
+    const std::uint32_t first = one();
+    return lower_pair(Four{first, one(), 0, 0});
+  }
+  Four four() {
+    const std::uint32_t a = one();
+    const std::uint32_t b = one();
+    const std::uint32_t c = one();
+    return Four{a, b, c, one()};
   }
 };
 
-/// Linear filtering along a row of the image (constant v): caches the vertical interpolation of the last two columns.
+template <bool repeats>
+struct Linear {
+  const Texels& texels;
+  Ramp u, v;
+
+  /// Returns two texels with their weights.
+  Pair one() {
+    const std::int64_t x = u.next() - half_texel;  // relative to the middle of a texel
+    const std::int64_t y = v.next() - half_texel;
+    const std::uint32_t* const upper = texels.row(y >> 16);
+    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
+    const std::ptrdiff_t left = texels.column<repeats>(x >> 16);
+    const std::ptrdiff_t right = texels.column<repeats>((x >> 16) + 1);
+    const std::uint16_t down = weight_of(y);
+    const Pair above = lower_pair(Four{upper[left], upper[right], 0, 0});
+    const Pair below = lower_pair(Four{lower[left], lower[right], 0, 0});
+    const Pair both = (above * static_cast<std::uint16_t>(256 - down) + below * down + 128) >> 8;
+    return both * texel_weights[weight_of(x)];
+  }
+  Pair pair() {
+    const Pair first = one();
+    return mixed_texels(first, one());
+  }
+};
+
+/// Linear filtering along a row of the image (constant v): the texels that the pixels touch are interpolated
+/// vertically, and stored in a row.
 class LinearRow {
  public:
-  LinearRow(const Texels& texels, std::int64_t v)
-      : texels_(texels),
-        upper_(texels.row((v - half_texel) >> 16)),
-        lower_(texels.row(((v - half_texel) >> 16) + 1)),
-        weight_(weight_of(v - half_texel)) {}
+  /// Returns whether this is cheaper than Linear: it is not where a pixel has many texels.
+  static bool suits(const Ramp& u, int count) { return touched(u, count) <= 4 * std::int64_t{count} + 8; }
 
-  Lanes operator()(std::int64_t u, std::int64_t) {
-    const std::int64_t x = u - half_texel;
-    if (const std::int64_t left = x >> 16; left != left_column_) {
-      left_ = left == left_column_ + 1 ? right_ : column(left);
-      right_ = column(left + 1);
-      left_column_ = left;
+  /// `store` is overwritten and has to live as long as this.
+  LinearRow(const Texels& texels, const Ramp& u, std::int64_t v, int count, std::vector<std::uint32_t>& store) : u_(u) {
+    const std::int64_t low = std::min(first(u), last(u, count));
+    u_.here -= half_texel + (low << 16);
+    store.resize(static_cast<std::size_t>(touched(u, count)));
+    const std::int64_t y = v - half_texel;
+    const Rows rows{texels.row(y >> 16), texels.row((y >> 16) + 1), weight_of(y)};
+    if (texels.repeats_along_u()) {
+      fill<true>(texels, rows, low, store);
+    } else {
+      fill<false>(texels, rows, low, store);
     }
-    return left_ == right_ ? left_ : mixed(left_, right_, weight_of(x));
+    row_ = store.data();
+  }
+
+  Pair one() {
+    const std::int64_t x = u_.next();
+    return load_pair(row_ + (x >> 16)) * texel_weights[weight_of(x)];
+  }
+  Pair pair() {
+    const Pair first = one();
+    return mixed_texels(first, one());
   }
 
  private:
-  Lanes column(std::int64_t x) const {
-    const std::ptrdiff_t at = texels_.column(x);
-    return upper_[at] == lower_[at] ? spread(upper_[at]) : mixed(spread(upper_[at]), spread(lower_[at]), weight_);
+  struct Rows {
+    const std::uint32_t* upper;
+    const std::uint32_t* lower;
+    std::uint16_t weight;
+
+    Pair mix(Pair above, Pair below) const {
+      return (above * static_cast<std::uint16_t>(256 - weight) + below * weight + 128) >> 8;
+    }
+  };
+
+  static std::int64_t first(const Ramp& u) { return (u.here - half_texel) >> 16; }
+  /// One pixel more than `count`, since pixels are read two by two.
+  static std::int64_t last(const Ramp& u, int count) { return (u.here + u.step * count - half_texel) >> 16; }
+  static std::int64_t touched(const Ramp& u, int count) { return std::abs(last(u, count) - first(u)) + 2; }
+
+  template <bool repeats>
+  static void fill(const Texels& texels, const Rows& rows, std::int64_t low, std::vector<std::uint32_t>& store) {
+    for (std::size_t k = 0; k < store.size();) {
+      const std::int64_t x = low + static_cast<std::int64_t>(k);
+      const std::ptrdiff_t at = texels.column<repeats>(x);
+      const bool is_inside = repeats || (x >= 0 && x < texels.width());
+      // Four at a time where they are neighbours in the image.
+      if (is_inside && k + 4 <= store.size() && at + 4 <= texels.width()) {
+        const Four upper = load_four(rows.upper + at);
+        const Four lower = load_four(rows.lower + at);
+        const Four both =
+            joined(rows.mix(lower_pair(upper), lower_pair(lower)), rows.mix(upper_pair(upper), upper_pair(lower)));
+        std::memcpy(store.data() + k, &both, sizeof both);
+        k += 4;
+      } else {
+        const Pair both = rows.mix(load_one(rows.upper + at), load_one(rows.lower + at));
+        store[k] = joined(both, both)[0];
+        ++k;
+      }
+    }
   }
 
-  const Texels& texels_;
-  const std::uint32_t* upper_;
-  const std::uint32_t* lower_;
-  Lanes weight_;
-  std::int64_t left_column_ = std::numeric_limits<std::int64_t>::min() / 2;  // none
-  Lanes left_ = 0;
-  Lanes right_ = 0;
+  Ramp u_;
+  const std::uint32_t* row_ = nullptr;
 };
 
 /// Without an image: white.
 struct Plain {
-  Lanes operator()(std::int64_t, std::int64_t) const { return white_lanes; }
+  Pair pair() { return Pair{} + 255; }
 };
 
 }  // namespace engine

@@ -98,9 +98,9 @@ Vec2 impulse_for(const b2Body& body, Vec2 arm, Vec2 change) {
 
 void Drag::apply(const engine::TickInput& input, engine::Scene& scene, std::span<b2Body* const> players, double dt) {
   ribbon::box2d::Coupling& coupling = scene.coupling();
+  if (cord_point_ && !coupling.cord(cord_point_->cord).is_valid()) follow_piece(coupling);
   if ((input.buttons & button_drag) == 0) return release(coupling);
   const Vec2 pointer = engine::pointer(input);
-  if (cord_point_ && !coupling.cord(cord_point_->cord).is_valid()) cord_point_.reset();  // it was cut
   if (!body_ && !cord_point_) pick(pointer, scene, players);
   if (body_) move_body(pointer, coupling, dt);
   if (cord_point_) move_cord_point(pointer, coupling, dt);
@@ -120,6 +120,23 @@ void Drag::pick(Vec2 pointer, engine::Scene& scene, std::span<b2Body* const> pla
   } else if (nearest) {
     cord_point_ = nearest;
     is_pin_ = is_constrained(coupling, nearest->cord, nearest->point);
+  }
+}
+
+/// The cord was cut: the point is now one of a piece, which has a higher id. It is still constrained, unless that piece
+/// is gone too.
+void Drag::follow_piece(const ribbon::box2d::Coupling& coupling) {
+  constexpr double same_place = 1e-6;  // m
+  const ribbon::box2d::CordId cut = cord_point_->cord;
+  cord_point_.reset();
+  for (const ribbon::box2d::CordId id : coupling.cords()) {
+    if (id <= cut) continue;
+    const auto x = coupling.cord(id).positions();
+    for (int p = 0; p < static_cast<int>(x.size()); ++p) {
+      if (length(x[at(p)] - cord_at_) > same_place || !is_constrained(coupling, id, p)) continue;
+      cord_point_ = ribbon::box2d::CordPoint{id, p};
+      return;
+    }
   }
 }
 
@@ -164,10 +181,11 @@ void Drag::move_body(Vec2 pointer, const ribbon::box2d::Coupling& coupling, doub
 }
 
 /// Drags a free point. A pin stays a pin: it moves with all pins of its column.
-void Drag::move_cord_point(Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const {
+void Drag::move_cord_point(Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) {
   const ribbon::box2d::CordId cord = cord_point_->cord;
   const int point = cord_point_->point;
   const Vec2 target = reachable_target(coupling, *cord_point_, pointer, (is_pin_ ? max_pin_speed : max_speed) * dt);
+  cord_at_ = target;
   if (!is_pin_) return coupling.cord(cord).drag(point, target);
   const auto x = coupling.cord(cord).positions();
   const Vec2 displacement = target - x[at(point)];

@@ -43,14 +43,16 @@ class Drag {
 
   void pick(ribbon::Vec2 pointer, engine::Scene& scene, std::span<b2Body* const> players);
   void release(ribbon::box2d::Coupling& coupling);
+  void follow_piece(const ribbon::box2d::Coupling& coupling);
   static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene,
                                           std::span<b2Body* const> players);
   void move_body(ribbon::Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const;
-  void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt) const;
+  void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt);
 
   std::optional<Body> body_;
   std::optional<ribbon::box2d::CordPoint> cord_point_;
-  bool is_pin_ = false;  // the cord point was constrained
+  ribbon::Vec2 cord_at_{};  // m, where the cord point is after the tick
+  bool is_pin_ = false;     // the cord point was constrained
 };
 
 }  // namespace game

@@ -140,6 +140,15 @@ ribbon::box2d::CordId Line::leave(ribbon::box2d::Coupling& coupling) {
   return left;
 }
 
+ribbon::box2d::CordId Line::hand_over(ribbon::box2d::Coupling& coupling) {
+  const ribbon::box2d::CordId left = *cord_;
+  if (grip_) coupling.grip(*grip_).release();
+  grip_.reset();
+  cord_.reset();
+  state_ = State::stowed;
+  return left;
+}
+
 /// Makes this the cord of the line. A body that moves holds its far end.
 void Line::put_cord(ribbon::Cord cord, ribbon::box2d::Coupling& coupling) {
   if (cord_) {

@@ -65,6 +65,8 @@ class Line {
   /// Lets go of a line that is held, for good: the cord stays where it is fixed, and another throw makes a new one.
   /// Returns the cord. Precondition: is_held().
   ribbon::box2d::CordId leave(ribbon::box2d::Coupling& coupling);
+  /// Does so with a line in any state that has a cord, and keeps the cord as it moves, with all that others hold of it.
+  ribbon::box2d::CordId hand_over(ribbon::box2d::Coupling& coupling);
   /// Updates the state after something else removed the grip. Call it first in each tick.
   void follow(ribbon::box2d::Coupling& coupling);
 

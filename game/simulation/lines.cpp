@@ -26,11 +26,13 @@ const Line* Lines::held() const {
 
 void Lines::use(const Command& command, const Targets& targets, Vec2 hand, ribbon::box2d::Coupling& coupling,
                 double dt) {
+  shared_ = targets.shared;
   for (Line& line : lines_) line.follow(coupling);
   for (std::size_t h = 0; h < most; ++h) {
     if (!command.throws[h]) continue;
     const std::size_t used = std::min(h, count_ - 1);
-    if (lines_[used].release(coupling) || !targets.thrown) continue;
+    if (release(lines_[used], coupling) || !targets.thrown) continue;
+    if (is_shared(lines_[used])) hand_over(lines_[used], coupling);  // it was released before
     lines_[used].throw_at(*targets.thrown, hand, dt);
     last_thrown_ = used;
   }
@@ -51,8 +53,21 @@ void Lines::move(const Command& command, ribbon::box2d::Coupling& coupling, b2Bo
 
 bool Lines::release(ribbon::box2d::Coupling& coupling) {
   bool released = false;
-  for (Line& line : lines_) released = line.release(coupling) || released;
+  for (Line& line : lines_) released = release(line, coupling) || released;
   return released;
+}
+
+bool Lines::release(Line& line, ribbon::box2d::Coupling& coupling) {
+  if (!line.is_held() || !is_shared(line)) return line.release(coupling);
+  hand_over(line, coupling);
+  return true;
+}
+
+/// Leaves a line to the other player, which hangs from it.
+void Lines::hand_over(Line& line, ribbon::box2d::Coupling& coupling) {
+  Knot left;
+  left.cord = line.hand_over(coupling);
+  add_knot(left, coupling);
 }
 
 /// Ties the two lines that are held to each other, or the one that is held to the target. The hands are free then.

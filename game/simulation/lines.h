@@ -42,7 +42,8 @@ class Lines {
   bool arrive() const;
   /// Advances flying lines, which `body` then holds at `hand` (m, in its frame), and reels the held ones.
   void move(const Command& command, ribbon::box2d::Coupling& coupling, b2Body& body, ribbon::Vec2 hand, double dt);
-  /// Releases all lines. Returns false if there is none.
+  /// Releases all lines. A line that the other player holds stays as it is for it, and is no longer one of these.
+  /// Returns false if there is none.
   bool release(ribbon::box2d::Coupling& coupling);
 
   void add_to(ribbon::box2d::Hasher& hasher) const;
@@ -57,6 +58,9 @@ class Lines {
     bool is_tied = true;
   };
 
+  bool release(Line& line, ribbon::box2d::Coupling& coupling);
+  void hand_over(Line& line, ribbon::box2d::Coupling& coupling);
+  bool is_shared(const Line& line) const { return line.cord() && line.cord() == shared_; }
   void tie(const std::optional<Target>& target, ribbon::Vec2 hand, ribbon::box2d::Coupling& coupling);
   void tighten(Knot& knot, ribbon::box2d::Coupling& coupling, double dt) const;
   void add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling);
@@ -66,6 +70,7 @@ class Lines {
   std::size_t last_thrown_ = 0;
   std::array<Knot, most_knots> knots_{};  // oldest first
   std::size_t knot_count_ = 0;
+  std::optional<ribbon::box2d::CordId> shared_{};  // as Targets::shared in the last tick
 };
 
 }  // namespace game

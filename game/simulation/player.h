@@ -31,6 +31,8 @@ class Player {
   /// Detects ground from the contacts of the world's last step; the next apply() uses the result instead of its own.
   /// For callers that step the world several times per tick.
   void detect_ground(const ribbon::box2d::Coupling& coupling);
+  /// Declares which buttons are down already: they are no presses in the next apply().
+  void hold_buttons(std::uint16_t buttons) { buttons_before_ = buttons; }
   /// Releases everything and places the player at rest at `feet`, m.
   void put(ribbon::Vec2 feet, ribbon::box2d::Coupling& coupling);
 

@@ -28,26 +28,6 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
-  Snapshot between = to;
-  for (std::size_t c = 0; c < to.cords.size(); ++c) {
-    if (c >= from.cords.size() || from.cords[c].size() != to.cords[c].size())
-      continue;  // a piece that has just been cut
-    for (std::size_t p = 0; p < to.cords[c].size(); ++p) {
-      between.cords[c][p] = from.cords[c][p] + alpha * (to.cords[c][p] - from.cords[c][p]);
-    }
-  }
-  for (std::size_t b = 0; b < to.bodies.size(); ++b) {
-    between.bodies[b].position = from.bodies[b].position + alpha * (to.bodies[b].position - from.bodies[b].position);
-    between.bodies[b].angle = from.bodies[b].angle + alpha * (to.bodies[b].angle - from.bodies[b].angle);
-  }
-  for (std::size_t w = 0; w < to.wheels.size(); ++w) {
-    between.wheels[w].center = from.wheels[w].center + alpha * (to.wheels[w].center - from.wheels[w].center);
-    between.wheels[w].angle = from.wheels[w].angle + alpha * (to.wheels[w].angle - from.wheels[w].angle);
-  }
-  return between;
-}
-
 Simulation::Simulation(const Level& level, MakeMover make_mover) : level_(&level), make_mover_(std::move(make_mover)) {
   restart();
   compute_hash();
@@ -58,7 +38,7 @@ void Simulation::tick(const engine::TickInput& input) {
   skip(input);
   if (make_mover_) return;
 
-  take_snapshot(current_);
+  take_snapshot(current_, *scene_);
   for (int k = 0; k < players(); ++k) {
     for (const Line& line : player(k).lines().all()) {
       if (!line.is_new()) continue;  // else it did not exist before or was elsewhere: do not interpolate it
@@ -103,6 +83,10 @@ void Simulation::apply(int number, std::uint16_t buttons, unsigned pressed, std:
   Targets& targets = seats_[at(number)].targets;
   targets.thrown = aimed_target(*level_, *scene_, player, pointer);
   targets.at_hand = (pressed & button_tie) != 0 ? target_at_hand(*level_, *scene_, player) : std::nullopt;
+  targets.shared.reset();
+  if (players() == 2) {
+    if (const auto held = players_[at(1 - number)]->held_place(scene_->coupling())) targets.shared = held->cord;
+  }
   if (goal_ticks_) buttons = buttons_after_goal(player);
   if ((buttons & pressed & button_throw) != 0 && drop_load(player))
     buttons &= static_cast<std::uint16_t>(~button_throw);
@@ -146,7 +130,7 @@ bool Simulation::restore(SavedTick& saved, const SavedTick* before) {
   progress_of(*this) = saved.progress;
   rules_ = saved.rules;
   scene_->rides().set_time(saved.ride_time);
-  take_snapshot(current_);
+  take_snapshot(current_, *scene_);
   previous_ = current_;
   compute_hash();
   return true;
@@ -183,8 +167,9 @@ void Simulation::restart() {
   ++restarts_;
   keeps_changes_ = false;
   save(start_);
-  take_snapshot(previous_);
-  take_snapshot(current_);
+  hold_buttons();
+  take_snapshot(previous_, *scene_);
+  take_snapshot(current_, *scene_);
 }
 
 /// Makes the players of a new scene, which do not touch each other, and ties them together if the level says so.
@@ -242,6 +227,7 @@ void Simulation::put_players_back() {
     scene_->coupling().restore(start_.cords, scene_->world());
     *players_[0] = *start_.player;
     if (players_[1]) *players_[1] = *start_.second;
+    hold_buttons();
     tether_ = start_.tether;
     rules_.return_to(start_.rules);
     scene_->rides().set_time(start_.ride_time);
@@ -255,6 +241,11 @@ void Simulation::put_players_back() {
   const Vec2 feet = area.center - Vec2{0.0, 0.5 * area.size.y};
   const Vec2 aside{players() == 2 ? checkpoint_gap : 0.0, 0.0};
   put_at(feet - aside, feet + aside);
+}
+
+/// A key that is down since before the players were put back or made anew is no new press.
+void Simulation::hold_buttons() {
+  for (int k = 0; k < players(); ++k) players_[at(k)]->hold_buttons(seats_[at(k)].buttons_before);
 }
 
 void Simulation::put_at(Vec2 first, Vec2 second) {
@@ -314,30 +305,6 @@ void Simulation::update_foothold(int number) {
     seat.next_foothold = player(number).position() - Vec2{0.0, 0.5 * player(number).tuning().height};
   }
   ++seat.standing_ticks;
-}
-
-void Simulation::take_snapshot(Snapshot& snapshot) const {
-  const ribbon::box2d::Coupling& coupling = scene_->coupling();
-  const auto ids = coupling.cords();
-  snapshot.cords.resize(ids.empty() ? 0 : at(ids.back()) + 1);
-  for (std::vector<ribbon::Vec2>& cord : snapshot.cords) cord.clear();
-  for (const ribbon::box2d::CordId id : ids) {
-    const auto positions = coupling.cord(id).positions();
-    snapshot.cords[at(id)].assign(positions.begin(), positions.end());
-  }
-  auto index = static_cast<std::size_t>(scene_->world().GetBodyCount());
-  snapshot.bodies.resize(index);
-  for (const b2Body* body = scene_->world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    snapshot.bodies[--index] = {to_double(body->GetPosition()), static_cast<double>(body->GetAngle())};
-  }
-  snapshot.wheels.clear();
-  for (const engine::SceneWheel& wheel : scene_->wheels()) {
-    const ribbon::box2d::PulleyView pulley = coupling.pulley(wheel.pulley);
-    snapshot.wheels.emplace_back();
-    if (!pulley.is_valid()) continue;
-    const ribbon::box2d::PulleyState state = pulley.state();
-    snapshot.wheels.back() = {state.center, state.def.radius, state.angle};
-  }
 }
 
 void Simulation::compute_hash() {

@@ -14,6 +14,7 @@
 #include "game/simulation/player.h"
 #include "game/simulation/rules.h"
 #include "game/simulation/saved_tick.h"
+#include "game/simulation/snapshot.h"
 #include "game/simulation/target.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
@@ -21,25 +22,6 @@
 namespace game {
 
 inline constexpr int ticks_per_second = 60;
-
-/// The positions after a tick, for interpolated drawing.
-struct Snapshot {
-  struct Body {
-    ribbon::Vec2 position;  ///< m
-    double angle = 0.0;     ///< rad
-  };
-  struct Wheel {
-    ribbon::Vec2 center;  ///< m
-    double radius = 0.0;  ///< m, of the groove; 0 for a wheel that is gone
-    double angle = 0.0;   ///< rad
-  };
-  std::vector<std::vector<ribbon::Vec2>> cords;  ///< m, by id of the cord and point; empty for one that is gone
-  std::vector<Body> bodies;                      ///< in the order of creation
-  std::vector<Wheel> wheels;                     ///< as engine::Scene::wheels
-};
-
-/// Interpolates linearly; `alpha` is 0 … 1 for `from` … `to`, which must be of the same world.
-Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha);
 
 /// Advances a scene by a tick of `dt` s.
 using Mover = std::function<void(double dt)>;
@@ -115,12 +97,12 @@ class Simulation {
   void reel_tether(const engine::TickInput& input);
   bool drop_load(const Player& player);
   void put_players_back();
+  void hold_buttons();
   void put_at(ribbon::Vec2 first, ribbon::Vec2 second);
   std::uint16_t buttons_after_goal(const Player& player) const;
   void check_players();
   void update_foothold(int number);
   void add_to(ribbon::box2d::Hasher& game, int number) const;
-  void take_snapshot(Snapshot& snapshot) const;
   void compute_hash();
   /// Returns references to what SavedTick::Progress has.
   template <typename Self>

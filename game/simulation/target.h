@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling_types.h"
 #include "ribbon/vec2.h"
 
 namespace game {
@@ -25,6 +26,8 @@ struct Target {
 struct Targets {
   std::optional<Target> thrown;   ///< by a throw
   std::optional<Target> at_hand;  ///< by a knot: within reach of the hand
+  /// The cord that the other player holds in its hand.
+  std::optional<ribbon::box2d::CordId> shared;
 };
 
 }  // namespace game

@@ -75,30 +75,36 @@ void CueDetector::update(const Simulation& simulation) {
   if (!continues) reset(simulation);
   tick_ = simulation.ticks();
   run_tick_ = simulation.run_ticks();
-  detect_bodies(simulation);
-  detect_cords(simulation);
+  if (player_ == 0) detect_bodies(simulation);
+  if (player_ == 0) detect_cords(simulation);
   detect_line(simulation);
   detect_held_cord(simulation);
-  detect_strain(simulation);
+  if (player_ == 0) detect_strain(simulation);
   detect_player(simulation);
+  if (player_ == 0) detect_progress(simulation);
   detect_wind(simulation);
 }
 
 void CueDetector::reset(const Simulation& simulation) {
   falls_ = simulation.falls();
   reached_goal_ = simulation.goal_ticks().has_value();
-  held_ = simulation.player().held_place(simulation.scene().coupling()).has_value();
-  on_ground_ = simulation.player().is_on_ground();
+  held_ = simulation.player(player_).held_place(simulation.scene().coupling()).has_value();
+  on_ground_ = simulation.player(player_).is_on_ground();
   checkpoint_ = simulation.checkpoint();
-  line_ = simulation.player().line().state();
-  line_length_ = simulation.player().line().length();
+  line_ = simulation.player(player_).line().state();
+  line_length_ = simulation.player(player_).line().length();
   velocities_.clear();
   tension_ = variation_ = walked_ = 0.0;
   since_creak_ = since_slap_ = 0;
   since_strain_ = max_strain_ticks;
 }
 
-/// Returns how a sound at a position is played: attenuated and panned by its distance from the player.
+/// Adds a sound of the player.
+void CueDetector::add(const Simulation& simulation, Noise noise, double volume, double pitch) {
+  cues_.push_back({noise, from(simulation, simulation.player(player_).position(), volume, pitch)});
+}
+
+/// Returns how a sound at a position is played: attenuated and panned by its distance from the first player.
 engine::Playing CueDetector::from(const Simulation& simulation, Vec2 where, double volume, double pitch) const {
   const Vec2 offset = where - simulation.player().position();
   const double attenuation = half_distance * half_distance / (half_distance * half_distance + dot(offset, offset));
@@ -162,10 +168,10 @@ void CueDetector::detect_cords(const Simulation& simulation) {
 void CueDetector::detect_held_cord(const Simulation& simulation) {
   ++since_creak_;
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-  const auto held = simulation.player().held_place(coupling);
-  const bool by_line = held && simulation.player().line().cord() == held->cord;
-  if (held && !held_ && !by_line) add(Noise::catches, 0.8);
-  if (!held && held_) add(Noise::lets_go, 0.7);
+  const auto held = simulation.player(player_).held_place(coupling);
+  const bool by_line = held && simulation.player(player_).line().cord() == held->cord;
+  if (held && !held_ && !by_line) add(simulation, Noise::catches, 0.8);
+  if (!held && held_) add(simulation, Noise::lets_go, 0.7);
   const double tension = held ? tension_at(coupling, *held) : 0.0;
   if (held && held_) variation_ += std::abs(tension - tension_);
   if (!held) variation_ = 0.0;
@@ -175,7 +181,7 @@ void CueDetector::detect_held_cord(const Simulation& simulation) {
   if (variation_ < creak_change || since_creak_ < min_creak_ticks) return;
   variation_ = 0.0;
   since_creak_ = 0;
-  add(Noise::creak, 0.15 + 0.6 * smooth(tension / full_creak), rises ? 1.06 : 0.92);
+  add(simulation, Noise::creak, 0.15 + 0.6 * smooth(tension / full_creak), rises ? 1.06 : 0.92);
 }
 
 /// A rope that is near its breaking force creaks, the more often and the louder the nearer it is.
@@ -190,8 +196,8 @@ void CueDetector::detect_strain(const Simulation& simulation) {
 }
 
 void CueDetector::detect_line(const Simulation& simulation) {
-  const Line& line = simulation.player().line();
-  if (line.state() == Line::State::flying && line_ != Line::State::flying) add(Noise::throws, 0.7);
+  const Line& line = simulation.player(player_).line();
+  if (line.state() == Line::State::flying && line_ != Line::State::flying) add(simulation, Noise::throws, 0.7);
   const bool arrives = line.state() == Line::State::held && line_ != Line::State::held;
   if (arrives) cues_.push_back({Noise::hook, from(simulation, line.end(), 0.8, 1.0)});
   const bool is_held = line.state() == Line::State::held && !arrives;
@@ -202,26 +208,29 @@ void CueDetector::detect_line(const Simulation& simulation) {
 }
 
 void CueDetector::detect_player(const Simulation& simulation) {
-  const Player& player = simulation.player();
+  const Player& player = simulation.player(player_);
   const Vec2 velocity = to_double(player.body().GetLinearVelocity());
   const bool on_ground = player.is_on_ground();
-  if (on_ground_ && !on_ground && velocity.y > 0.5 * player.tuning().jump_speed) add(Noise::jump, 0.6);
+  if (on_ground_ && !on_ground && velocity.y > 0.5 * player.tuning().jump_speed) add(simulation, Noise::jump, 0.6);
   on_ground_ = on_ground;
   walked_ = on_ground ? walked_ + std::abs(velocity.x) / ticks_per_second : 0.0;
   if (walked_ > step_length) {
     walked_ = 0.0;
-    add(Noise::footstep, 0.35, tick_ % 2 == 0 ? 0.95 : 1.05);
+    add(simulation, Noise::footstep, 0.35, tick_ % 2 == 0 ? 0.95 : 1.05);
   }
-  if (simulation.falls() > falls_) add(Noise::fall, 0.7);
+}
+
+void CueDetector::detect_progress(const Simulation& simulation) {
+  if (simulation.falls() > falls_) add(simulation, Noise::fall, 0.7);
   falls_ = simulation.falls();
-  if (simulation.checkpoint() && simulation.checkpoint() != checkpoint_) add(Noise::checkpoint, 0.7);
+  if (simulation.checkpoint() && simulation.checkpoint() != checkpoint_) add(simulation, Noise::checkpoint, 0.7);
   checkpoint_ = simulation.checkpoint();
-  if (simulation.goal_ticks() && !reached_goal_) add(Noise::goal, 0.8);
+  if (simulation.goal_ticks() && !reached_goal_) add(simulation, Noise::goal, 0.8);
   reached_goal_ = simulation.goal_ticks().has_value();
 }
 
 void CueDetector::detect_wind(const Simulation& simulation) {
-  const double speed = length(simulation.scene().coupling().body(simulation.player().body()).velocity());
+  const double speed = length(simulation.scene().coupling().body(simulation.player(player_).body()).velocity());
   const double strength = on_ground_ ? 0.0 : smooth((speed - min_wind_speed) / (full_wind_speed - min_wind_speed));
   wind_.volume += 0.2 * (0.75 * strength - wind_.volume);
   wind_.pitch = 0.75 + 0.9 * std::min(1.0, speed / full_wind_speed);

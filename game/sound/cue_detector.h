@@ -35,16 +35,20 @@ struct Cue {
   engine::Playing how;
 };
 
-/// Derives the sounds of a run from its state after each tick. It does not change the run; equal runs give equal
-/// sounds.
+/// Derives the sounds of a run from its state after each tick, as the first player hears them. It does not change the
+/// run; equal runs give equal sounds.
 class CueDetector {
  public:
+  /// `player`: whose own sounds it detects. Those of the level, as of what falls, breaks or is reached, are detected
+  /// with those of the first player, 0.
+  explicit CueDetector(int player = 0) : player_(player) {}
+
   /// Call it after each tick. If ticks were skipped or the run was restarted, it only stores the state.
   void update(const Simulation& simulation);
 
   /// The sounds that began in the last tick; volumes 0 … 1.
   std::span<const Cue> cues() const { return cues_; }
-  /// The wind around the player, by its speed in the air.
+  /// The wind around its player, by its speed in the air.
   const engine::Playing& wind() const { return wind_; }
   /// The reeling of the line.
   const engine::Playing& reel() const { return reel_; }
@@ -58,10 +62,12 @@ class CueDetector {
   void detect_strain(const Simulation& simulation);
   void detect_line(const Simulation& simulation);
   void detect_player(const Simulation& simulation);
+  void detect_progress(const Simulation& simulation);
   void detect_wind(const Simulation& simulation);
-  void add(Noise noise, double volume, double pitch = 1.0) { cues_.push_back({noise, {volume, 0.0, pitch}}); }
+  void add(const Simulation& simulation, Noise noise, double volume, double pitch = 1.0);
   engine::Playing from(const Simulation& simulation, ribbon::Vec2 where, double volume, double pitch) const;
 
+  int player_;
   std::vector<Cue> cues_;
   engine::Playing wind_{0.0, 0.0, 1.0};
   engine::Playing reel_{0.0, 0.0, 1.0};

@@ -63,10 +63,19 @@ void Sounds::play(const Cue& cue) {
 
 void Sounds::tick(const Simulation& simulation) {
   idle_ns_ = 0;
-  cues_.update(simulation);
-  for (const Cue& cue : cues_.cues()) play(cue);
-  audio_.set_loop(wind_, at_volume(cues_.wind()));
-  audio_.set_loop(reel_, at_volume(cues_.reel()));
+  const auto louder = [](const engine::Playing& one, const engine::Playing& other) {
+    return one.volume >= other.volume ? one : other;
+  };
+  engine::Playing wind{0.0, 0.0, 1.0};
+  engine::Playing reel = wind;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(simulation.players()); ++k) {
+    cues_[k].update(simulation);
+    for (const Cue& cue : cues_[k].cues()) play(cue);
+    wind = louder(cues_[k].wind(), wind);
+    reel = louder(cues_[k].reel(), reel);
+  }
+  audio_.set_loop(wind_, at_volume(wind));
+  audio_.set_loop(reel_, at_volume(reel));
 }
 
 void Sounds::frame(std::int64_t elapsed_ns, const Loudness& loudness, Tune tune) {

@@ -55,9 +55,9 @@ class Sounds {
   std::array<Take, noise_count> takes_;
   engine::LoopId wind_ = 0;
   engine::LoopId reel_ = 0;
-  CueDetector cues_;
-  std::int64_t idle_ns_ = 0;  // since the last tick
-  std::int64_t lost_ns_ = 0;  // since the last attempt to open the device
+  std::array<CueDetector, 2> cues_{CueDetector(0), CueDetector(1)};  // of the players
+  std::int64_t idle_ns_ = 0;                                         // since the last tick
+  std::int64_t lost_ns_ = 0;                                         // since the last attempt to open the device
   bool had_device_;
 };
 

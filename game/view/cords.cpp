@@ -18,7 +18,7 @@ using ribbon::Vec2;
 
 constexpr double min_width = 0.07;  // m, so that thin ropes are visible
 constexpr double outline = 0.05;    // m, half of it on each side
-constexpr double piece = 5.0;       // px, the length of straight pieces of a curve
+constexpr double piece = 8.0;       // px, the length of straight pieces of a curve
 
 /// Returns the number of pieces of the spline between two columns.
 int steps_between(const Pen& pen, const DrawnCord& cord) {

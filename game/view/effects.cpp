@@ -52,7 +52,7 @@ void Effects::start_again(const CameraSubject& now) {
   particles_.clear();
   trail_.clear();
   fall_.end();
-  was_on_ground_ = true;
+  was_on_ground_ = {true, true};
   had_goal_ = simulation_->goal_ticks().has_value();
   checkpoint_ = simulation_->checkpoint();
 }
@@ -85,12 +85,12 @@ void Effects::follow(const Palette& palette, bool reduced_motion) {
   if (seen_ticks_ < 0 || gap < 0 || gap > max_gap || set_back) {
     start_again(now);
   } else if (gap > 0) {
-    const bool on_ground = simulation_->player().is_on_ground();
     now.impact = std::max(-before_.velocity.y, 0.0);
-    now.lands = on_ground && !was_on_ground_ && !fall_.is_shown();
+    now.lands = lands(0);
     advance(now, gap);
     if (!reduced_motion) add_particles(now, palette);
-    was_on_ground_ = on_ground;
+    for (int k = 0; k < simulation_->players(); ++k)
+      was_on_ground_[static_cast<std::size_t>(k)] = simulation_->player(k).is_on_ground();
   }
   before_ = now;
   for (int k = 0; k < simulation_->players(); ++k) players_before_[static_cast<std::size_t>(k)] = player(k);
@@ -99,14 +99,24 @@ void Effects::follow(const Palette& palette, bool reduced_motion) {
   seen_run_ticks_ = simulation_->run_ticks();
 }
 
-void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
-  const Player& player = simulation_->player();
+bool Effects::lands(int number) const {
+  const bool on_ground = simulation_->player(number).is_on_ground();
+  return on_ground && !was_on_ground_[static_cast<std::size_t>(number)] && !fall_.is_shown();
+}
+
+/// Adds the dust of a player that lands or runs.
+void Effects::add_dust_of(int number, const Palette& palette) {
+  const Player& player = simulation_->player(number);
   const Vec2 feet = player.position() - Vec2{0.0, 0.5 * player.tuning().height};
   const Color dust = mix(palette.soil, {255, 255, 255}, 0.45);
-  const double impact = std::max(-players_before_[0].velocity.y, 0.0);
-  if (now.lands && impact > min_dust_speed) add_dust(particles_, feet, impact / 10.0, dust);
-  const bool runs = player.is_on_ground() && std::abs(this->player(0).velocity.x) > 3.0;
+  const double impact = std::max(-players_before_[static_cast<std::size_t>(number)].velocity.y, 0.0);
+  if (lands(number) && impact > min_dust_speed) add_dust(particles_, feet, impact / 10.0, dust);
+  const bool runs = player.is_on_ground() && std::abs(this->player(number).velocity.x) > 3.0;
   if (runs && simulation_->ticks() / step_ticks != seen_ticks_ / step_ticks) add_dust(particles_, feet, 0.0, dust);
+}
+
+void Effects::add_particles(const CameraSubject& now, const Palette& palette) {
+  for (int k = 0; k < simulation_->players(); ++k) add_dust_of(k, palette);
   const Place place = simulation_->level().place;
   const bool has_leaves = place == Place::hills || place == Place::storm;
   if (has_leaves && simulation_->ticks() / leaf_ticks != seen_ticks_ / leaf_ticks) {

@@ -31,12 +31,15 @@ class Effects {
     if (!fall_.is_shown()) trail_.draw(pen, at, players_before_[0].velocity);
   }
   const Fall& fall() const { return fall_; }
+  const Particles& particles() const { return particles_; }
 
  private:
   void start_again(const CameraSubject& now);
   void advance(const CameraSubject& now, int gap);
   CameraSubject subject() const;
   void add_particles(const CameraSubject& now, const Palette& palette);
+  void add_dust_of(int number, const Palette& palette);
+  bool lands(int number) const;
 
   const Simulation* simulation_;
   Camera camera_;
@@ -52,7 +55,7 @@ class Effects {
 
   CameraSubject before_{};
   std::array<Moving, 2> players_before_{};
-  bool was_on_ground_ = true;
+  std::array<bool, 2> was_on_ground_{true, true};
   bool had_goal_ = false;
   std::optional<std::size_t> checkpoint_{};
   int seen_ticks_ = -1;

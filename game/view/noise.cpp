@@ -1,11 +1,15 @@
 #include "game/view/noise.h"
 
-#include <cmath>
-
 namespace game {
 namespace {
 
-int wrapped(int i, int period) { return ((i % period) + period) % period; }
+int wrapped(int i, int period) { return i >= 0 && i < period ? i : ((i % period) + period) % period; }
+
+/// Rounds down. Does not use floor, which would be a call.
+int whole_below(double x) {
+  const int whole = static_cast<int>(x);
+  return whole - (whole > x ? 1 : 0);
+}
 
 double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
 
@@ -21,12 +25,13 @@ double scatter(int x, int y, int seed) {
 }
 
 double tiled_noise(double x, double y, int period, int seed) {
-  const int column = static_cast<int>(std::floor(x));
-  const int row = static_cast<int>(std::floor(y));
+  const int column = whole_below(x);
+  const int row = whole_below(y);
   const double u = smooth(x - column);
   const double v = smooth(y - row);
   const auto at = [&](int i, int j) { return scatter(wrapped(column + i, period), wrapped(row + j, period), seed); };
   const double upper = at(0, 0) + u * (at(1, 0) - at(0, 0));
+  if (v == 0.0) return upper;  // along an outline
   const double lower = at(0, 1) + u * (at(1, 1) - at(0, 1));
   return upper + v * (lower - upper);
 }

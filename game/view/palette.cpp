@@ -189,8 +189,10 @@ const Palette& palette(bool colour_safe, Place place) {
 }
 
 Color mix(Color a, Color b, double t) {
-  const auto channel = [t](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>(std::lround(from + std::clamp(t, 0.0, 1.0) * (to - from)));
+  // Does not use lround, which would be a call for each channel.
+  const double part = std::clamp(t, 0.0, 1.0);
+  const auto channel = [part](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(from + part * (to - from) + 0.5);
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }

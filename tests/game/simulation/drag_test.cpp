@@ -167,5 +167,35 @@ TEST(Drag, SameBitsOfTheSameInputsForAnyDraggedObject) {
   EXPECT_EQ(run(), run());
 }
 
+/// A dragged point is constrained; a piece of a cut cord inherits that.
+TEST(Drag, APointOfACutRopeIsDraggedOnAndFreeAfterwards) {
+  Simulation simulation(sandbox());
+  for (int k = 0; k < 60; ++k) simulation.tick({});
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+  for (const int side : {-2, 2}) {
+    ribbon::box2d::CordId rope = -1;
+    for (const ribbon::box2d::CordId id : coupling.cords()) {
+      const auto cord = coupling.cord(id);
+      const bool is_rope = cord.shape().rows == 1 && cord.solver() == ribbon::box2d::Solver::direct;
+      if (is_rope && cord.shape().columns > 8) rope = id;
+    }
+    ASSERT_GE(rope, 0);
+    const int middle = coupling.cord(rope).shape().columns / 2;
+    const Vec2 from = coupling.cord(rope).positions()[static_cast<std::size_t>(middle)];
+    lead(simulation, from, from, 3);
+    ASSERT_TRUE(simulation.drag().cord_point());
+    const ribbon::box2d::CordPoint dragged = *simulation.drag().cord_point();
+    const auto cut = simulation.scene().coupling().cord(dragged.cord);
+    cut.cut(cut.arc(dragged.point + side));
+    simulation.tick(drag_at(from + Vec2{0.1, 0.0}));
+    ASSERT_TRUE(simulation.drag().cord_point());
+    const ribbon::box2d::CordPoint piece = *simulation.drag().cord_point();
+    EXPECT_NE(piece.cord, dragged.cord);
+    EXPECT_EQ(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::operated);
+    simulation.tick({});
+    EXPECT_EQ(coupling.cord(piece.cord).kind(piece.point), ribbon::PointKind::free);
+  }
+}
+
 }  // namespace
 }  // namespace game

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "game/simulation/buttons.h"
 #include "tests/game/program.h"
 #include "tests/support/autopilot.h"
+#include "tests/support/level_for_two.h"
 
 namespace game {
 namespace {
@@ -248,6 +250,39 @@ TEST(CueDetector, TheSameRunHasTheSameCues) {
     EXPECT_EQ(once.cues[k].noise, again.cues[k].noise);
     EXPECT_EQ(once.cues[k].how.volume, again.cues[k].how.volume);
   }
+}
+
+/// The own sounds of both players where one runs and jumps.
+std::array<Heard, 2> heard_of_two(int runner) {
+  const Level level = test_support::level_for_two({.tied = false});
+  Simulation simulation(level);
+  std::array<CueDetector, 2> detectors{CueDetector(0), CueDetector(1)};
+  std::array<Heard, 2> heard;
+  for (int k = 0; k < 120; ++k) {
+    engine::TickInput input;
+    const auto buttons = static_cast<std::uint16_t>(k < 40 ? button_left : k < 60 ? button_left | button_jump : 0);
+    (runner == 0 ? input.buttons : input.second_buttons) = buttons;
+    simulation.tick(input);
+    for (std::size_t p = 0; p < detectors.size(); ++p) {
+      detectors[p].update(simulation);
+      heard[p].cues.insert(heard[p].cues.end(), detectors[p].cues().begin(), detectors[p].cues().end());
+    }
+  }
+  return heard;
+}
+
+TEST(CueDetector, EachPlayerHasItsOwnSounds) {
+  const std::array<Heard, 2> first = heard_of_two(0);
+  const std::array<Heard, 2> second = heard_of_two(1);
+  for (const Noise noise : {Noise::jump, Noise::footstep}) {
+    EXPECT_GE(first[0].count(noise), 1);
+    EXPECT_EQ(second[1].count(noise), first[0].count(noise));
+    EXPECT_EQ(first[1].count(noise), 0);
+    EXPECT_EQ(second[0].count(noise), 0);
+  }
+  EXPECT_GE(second[0].count(Noise::thud), 1);  // one of the level
+  EXPECT_EQ(second[1].count(Noise::thud), 0);
+  for (const Cue& cue : second[1].cues) EXPECT_NE(cue.how.pan, 0.0);  // beside the first player
 }
 
 }  // namespace

@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/simulation/buttons.h"
+#include "game/view/effects.h"
+#include "tests/game/simulation/press.h"
+#include "tests/support/level_for_two.h"
+
 namespace game {
 namespace {
 
@@ -92,6 +97,27 @@ TEST(Particles, ConfettiFliesUpAndFluttersDown) {
     particles.tick(dt, breeze);
   }
   EXPECT_GT(highest, 1.0);
+}
+
+TEST(Particles, EachOfTwoPlayersThatRunsRaisesDust) {
+  const Level level = test_support::level_for_two({.tied = false});
+  for (const int runner : {0, 1}) {
+    Simulation simulation(level);
+    Effects effects(simulation);
+    run(simulation, 20);
+    effects.follow(palette(false, level.place), false);
+    int dust = 0;
+    for (int k = 0; k < 40; ++k) {
+      run(simulation, 1, runner == 0 ? button_left : 0, runner == 1 ? button_left : 0);
+      effects.follow(palette(false, level.place), false);
+      for (const Particle& p : effects.particles().all()) {
+        if (p.kind != Particle::Kind::dust) continue;
+        ++dust;
+        EXPECT_LT(length(p.at - simulation.player(runner).position()), 3.0);
+      }
+    }
+    EXPECT_GT(dust, 0) << runner;
+  }
 }
 
 }  // namespace
