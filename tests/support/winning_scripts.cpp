@@ -4,6 +4,7 @@
 #include "tests/support/autopilot.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/scripts_for_two.h"
+#include "tests/support/scripts_of_lessons.h"
 
 namespace test_support {
 namespace {
@@ -93,12 +94,6 @@ Move hold_past(int buttons, double x) {
     if (k == 0) from = at;
     return (from < x) == (at >= x);
   });
-}
-
-/// Climbs until the player's middle has risen past y [m].
-Move climb_past(double y) {
-  return hold(game::button_grab | game::button_up,
-              [y](const game::Simulation& s, int) { return s.player().position().y > y; });
 }
 
 /// Waits until the end of a cord is left of x [m] and on its way to the left.
@@ -292,11 +287,6 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
-/// Presses a button for a tick.
-Move tap(int button) {
-  return hold(button, [](const game::Simulation&, int k) { return k >= 1; });
-}
-
 std::vector<Move> cut_the_bridge() {
   return {run_past(26.1),        stand(),          tap(game::button_cut),       run_past(28.9),
           jump_and_catch(right), climb_past(11.4), pump_and_let_go(right, 0.2), until_goal(right)};
@@ -380,6 +370,7 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "the_harbour") return the_harbour();
   if (level == "before_it_burns") return before_it_burns();
   if (level == "sandbox") return sandbox();
+  if (std::vector<Move> moves = winning_script_of_lesson(level); !moves.empty()) return moves;
   return winning_script_for_two(level, 0);
 }
 
