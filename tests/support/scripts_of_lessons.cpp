@@ -49,12 +49,20 @@ std::vector<Move> line_and_knife() {
           until_goal(right)};
 }
 
+/// Takes the low road, from balloon to balloon.
+std::vector<Move> up_and_away() {
+  return {run_past(15.6),   jump_and_catch(right), pump_and_let_go(right, 0.5),
+          run_past(43.6),   jump_and_catch(right), pump_and_let_go(right, 0.62),
+          until_goal(right)};
+}
+
 }  // namespace
 
 std::vector<Move> winning_script_of_lesson(const std::string& level) {
   if (level == "first_steps") return first_steps();
   if (level == "in_rhythm") return in_rhythm();
   if (level == "line_and_knife") return line_and_knife();
+  if (level == "up_and_away") return up_and_away();
   return {};
 }
 
