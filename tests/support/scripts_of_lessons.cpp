@@ -1,4 +1,4 @@
-// How the first levels are won, which teach the keys, and the one of the balloons.
+// How the first levels are won, which teach the keys, the climb over the wall, and the balloons.
 
 #include "tests/support/scripts_of_lessons.h"
 
@@ -49,6 +49,12 @@ std::vector<Move> line_and_knife() {
           until_goal(right)};
 }
 
+std::vector<Move> over_the_wall() {
+  return {run_past(10.8),        jump_and_catch(right),       climb(game::button_up, 200), pump_and_let_go(right, 0.6),
+          run_past(18.6),        jump_and_catch(right),       pump_and_let_go(right, 0.5), run_past(46.4),
+          jump_and_catch(right), climb(game::button_up, 300), pump_and_let_go(right, 0.6), until_goal(right)};
+}
+
 /// Takes the low road, from balloon to balloon.
 std::vector<Move> up_and_away() {
   return {run_past(15.6),   jump_and_catch(right), pump_and_let_go(right, 0.5),
@@ -62,6 +68,7 @@ std::vector<Move> winning_script_of_lesson(const std::string& level) {
   if (level == "first_steps") return first_steps();
   if (level == "in_rhythm") return in_rhythm();
   if (level == "line_and_knife") return line_and_knife();
+  if (level == "over_the_wall") return over_the_wall();
   if (level == "up_and_away") return up_and_away();
   return {};
 }
