@@ -120,6 +120,15 @@ Move climb(int button, int ticks) {
   return hold(game::button_grab | button, [ticks](const Simulation&, int k) { return k >= ticks; });
 }
 
+Move climb_past(double y) {
+  return hold(game::button_grab | game::button_up,
+              [y](const game::Simulation& s, int) { return s.player().position().y > y; });
+}
+
+Move tap(int button) {
+  return hold(button, [](const game::Simulation&, int k) { return k >= 1; });
+}
+
 Move throw_at(Vec2 hook, int side) {
   Move move{[side, k = 0](const Simulation&) mutable { return side | (k++ == 0 ? game::button_throw : 0); },
             [](const Simulation& s, int k) { return k > 0 && line_is_held(s); }};

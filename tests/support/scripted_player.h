@@ -48,6 +48,10 @@ Move bounce(double x, double y);
 Move jump_off(int side);
 /// Climbs (button_up, button_down) for a number of ticks.
 Move climb(int button, int ticks);
+/// Climbs until the player's middle has risen past y [m].
+Move climb_past(double y);
+/// Presses a button for a tick.
+Move tap(int button);
 /// Throws the line at a hook [m], and waits until it holds.
 Move throw_at(ribbon::Vec2 hook, int side = 0);
 /// Reels in or out until the line is `length` [m] long.

@@ -4,6 +4,7 @@
 #include "tests/support/autopilot.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/scripts_for_two.h"
+#include "tests/support/scripts_of_lessons.h"
 
 namespace test_support {
 namespace {
@@ -41,11 +42,6 @@ std::vector<Move> rolling_bridge() {
           until_goal(left)};
 }
 
-std::vector<Move> over_the_wall() {
-  return {run_past(10.8), jump_and_catch(right), climb(game::button_up, 200), pump_and_let_go(right, 0.6),
-          run_past(18.6), jump_and_catch(right), pump_and_let_go(right, 0.5), until_goal(right)};
-}
-
 /// Swings without more speed than a weak rope bears [m/s], until the cord leans to the right by `lean`.
 Move swing_gently(double lean, double most_speed) {
   Move move = pump_and_let_go(right, lean, -1.0);
@@ -73,6 +69,15 @@ std::vector<Move> gently() {
           swing_gently(0.33, 3.8),
           fly_and_catch(right, 4),
           swing_gently(0.33, 3.8),
+          run_past(37.2),
+          stand(),
+          jump(right, 12),
+          fly_and_catch(0, 20),
+          swing_gently(0.33, 3.8),
+          fly_and_catch(right, 4),
+          swing_gently(0.33, 3.8),
+          fly_and_catch(right, 4),
+          swing_gently(0.33, 3.8),
           until_goal(right)};
 }
 
@@ -93,12 +98,6 @@ Move hold_past(int buttons, double x) {
     if (k == 0) from = at;
     return (from < x) == (at >= x);
   });
-}
-
-/// Climbs until the player's middle has risen past y [m].
-Move climb_past(double y) {
-  return hold(game::button_grab | game::button_up,
-              [y](const game::Simulation& s, int) { return s.player().position().y > y; });
 }
 
 /// Waits until the end of a cord is left of x [m] and on its way to the left.
@@ -223,6 +222,11 @@ std::vector<Move> slingshot() {
   moves.push_back(run_past(23.2));
   moves.push_back(stand());
   for (Move& move : charge({32.6, 2.9}, 78)) moves.push_back(move);
+  moves.push_back(hold(right, [](const game::Simulation& s, int) { return s.player().is_on_ground(); }));
+  moves.push_back(jump(right, 40));
+  moves.push_back(run_past(38.3));
+  moves.push_back(stand());
+  for (Move& move : charge({48.1, 2.9}, 78)) moves.push_back(move);
   moves.push_back(until_goal(right));
   return moves;
 }
@@ -292,11 +296,6 @@ std::vector<Move> long_line() {
           until_goal(right)};
 }
 
-/// Presses a button for a tick.
-Move tap(int button) {
-  return hold(button, [](const game::Simulation&, int k) { return k >= 1; });
-}
-
 std::vector<Move> cut_the_bridge() {
   return {run_past(26.1),        stand(),          tap(game::button_cut),       run_past(28.9),
           jump_and_catch(right), climb_past(11.4), pump_and_let_go(right, 0.2), until_goal(right)};
@@ -324,6 +323,16 @@ std::vector<Move> the_cranes() {
           pump_and_let_go(right, 0.25),
           fly_and_catch(right, 4),
           wait_for_circle(game::button_grab, 1, 31.0, true),
+          pump_and_let_go(right, 0.25),
+          stand(),
+          run_past(49.9),
+          stand(),
+          wait_for_circle(0, 2, 53.2, true),
+          jump_and_catch(right),
+          wait_for_circle(game::button_grab, 3, 67.5, false),
+          pump_and_let_go(right, 0.25),
+          fly_and_catch(right, 4),
+          wait_for_circle(game::button_grab, 3, 74.0, true),
           pump_and_let_go(right, 0.25),
           until_goal(right)};
 }
@@ -360,7 +369,6 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "round_the_pegs") return round_the_pegs();
   if (level == "rolling_bridge") return rolling_bridge();
   if (level == "trampoline") return trampoline();
-  if (level == "over_the_wall") return over_the_wall();
   if (level == "gently") return gently();
   if (level == "open_the_gate") return open_the_gate();
   if (level == "curtains") return curtains();
@@ -380,6 +388,7 @@ std::vector<Move> winning_script(const std::string& level) {
   if (level == "the_harbour") return the_harbour();
   if (level == "before_it_burns") return before_it_burns();
   if (level == "sandbox") return sandbox();
+  if (std::vector<Move> moves = winning_script_of_lesson(level); !moves.empty()) return moves;
   return winning_script_for_two(level, 0);
 }
 

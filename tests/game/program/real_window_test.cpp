@@ -208,12 +208,12 @@ std::string from_keys_to_keys(std::uint16_t from, std::uint16_t to) {
 
 /// Plays a winning run tick by tick, with the key N for each, so that delays of the machine or display do not matter.
 TEST_F(RealWindow, ARunIsPlayedFromTheTitleToTheGoalAndBackToTheTitle) {
-  const std::string level = "pump_it_up";  // the second level; its winning run is the shortest
+  const std::string level = "pump_it_up";  // the fifth level, the last of the first row of cards; its run is short
   const engine::Replay wanted = engine::load_replay(TEST_ASSETS "/replays/" + level + ".replay");
   click_down_to_something(200);
   ASSERT_EQ(person->sees("levels"), "levels");
-  ASSERT_EQ(game::levels_in_order().at(1).name, level);
-  person->does("key Right");
+  ASSERT_EQ(game::levels_in_order().at(4).name, level);
+  for (int card = 0; card < 4; ++card) person->does("key Right");
   person->does("key Return");
   ASSERT_EQ(person->sees(level), level);
   person->does("key n");

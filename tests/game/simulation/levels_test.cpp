@@ -74,7 +74,8 @@ int ticks_to_goal(const Level& level, int delay) {
 
 class ScriptedLevels : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(ScriptedPlayer, ScriptedLevels,
-                         testing::Values("first_swing", "pump_it_up", "round_the_pegs", "over_the_wall", "up_the_shaft",
+                         testing::Values("first_steps", "in_rhythm", "line_and_knife", "up_and_away", "first_swing",
+                                         "pump_it_up", "round_the_pegs", "over_the_wall", "up_the_shaft",
                                          "hand_over_hand", "gently", "wait_for_the_wind", "open_the_gate", "zip_line",
                                          "the_lift", "wrecking_ball", "cut_the_bridge", "the_harbour", "over_you_go",
                                          "pull_me_up", "swing_me_across", "before_it_burns", "the_light_one_first"),
