@@ -126,7 +126,7 @@ bool limit_speeds(IslandState& state) {
   bool any = false;
   state.add_damping(-1.0);
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (state.is_scalar(p) || state.constrained[p] != 0) continue;
+    if (!state.has_speed(p) || state.constrained[p] != 0) continue;
     const double speed = length(state.velocities[p]);
     if (!(speed > max)) continue;
     state.velocities[p] = (max / speed) * state.velocities[p];

@@ -157,6 +157,8 @@ struct IslandState {
   bool is_scalar(std::size_t slot) const {
     return slot >= points && ((slot - points) % 2 == 1 || slot >= points + 2 * bodies.size());
   }
+  /// Returns whether a slot holds a speed in m/s: all but angles.
+  bool has_speed(std::size_t slot) const { return !is_scalar(slot) || slot >= points + 2 * bodies.size(); }
   std::size_t slots() const { return positions.size(); }
   /// The slots of unknown tensions follow those of points and bodies; those of grips follow them.
   int first_dual(const Member& member) const { return static_cast<int>(slots() + member.first_dual); }

@@ -57,7 +57,7 @@ bool is_stretched(const IslandState& state) {
 double highest_start_speed(const IslandState& state) {
   double highest = 0.0;
   for (std::size_t p = 0; p < state.slots(); ++p) {
-    if (!state.is_scalar(p)) highest = std::max(highest, length(state.start.velocities[p]));
+    if (state.has_speed(p)) highest = std::max(highest, length(state.start.velocities[p]));
     if (p < state.points && state.constrained[p] != 0) highest = std::max(highest, length(state.drive_velocities[p]));
   }
   return highest;

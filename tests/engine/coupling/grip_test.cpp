@@ -590,5 +590,34 @@ TEST(Grip, StaysOnItsCordWhileItSlips) {
   }
 }
 
+/// A player is thrown up and falls into a rope that a crane carries along: the jerk may not throw it back faster than
+/// it came, at rest or not, held at a point or between points.
+TEST(Grip, OfACraneGivesNoEnergyToAJerk) {
+  for (const float velocity : {0.0F, 0.01F, 2.0F, -8.0F}) {
+    for (const double arc : {0.0, 0.07}) {
+      GripWorld scene;
+      CordDef def = hanging();
+      def.pins.clear();
+      def.drag = 0.8;
+      const ribbon::box2d::CordId rope = scene.coupling.add(Cord(def));
+      b2Body* crane = scene.add_body({0.0, 0.0}, 1.0, b2_kinematicBody);
+      b2Body* player = scene.add_body({0.0, -10.0}, 70.0);
+      scene.coupling.hold(*crane, {.cord = rope, .arc = arc, .local_anchor = {0.0F, static_cast<float>(-arc)}});
+      scene.coupling.hold(*player, {.cord = rope, .arc = 10.0});
+      crane->SetLinearVelocity({velocity, 0.0F});
+      player->SetLinearVelocity({velocity, 6.0F});
+      for (int p = 0; p < def.points; ++p) {
+        scene.coupling.cord(rope).direct().set_velocity(p, {static_cast<double>(velocity), p == 50 ? 6.0 : 0.0});
+      }
+      double fastest = 0.0;
+      for (int k = 0; k < 300; ++k) {
+        scene.tick();
+        if (k > 60) fastest = std::max(fastest, scene.coupling.body(*player).velocity().y);
+      }
+      EXPECT_LE(fastest, 3.0) << velocity << " m/s, held at " << arc << " m";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace engine
