@@ -58,7 +58,7 @@ std::vector<Move> over_the_wall() {
 /// Takes the low road, from balloon to balloon.
 std::vector<Move> up_and_away() {
   return {run_past(15.6),   jump_and_catch(right), pump_and_let_go(right, 0.5),
-          run_past(43.6),   jump_and_catch(right), pump_and_let_go(right, 0.62),
+          run_past(43.6),   jump_and_catch(right), pump_and_let_go(right, 0.78, 1.5),
           until_goal(right)};
 }
 
