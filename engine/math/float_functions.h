@@ -13,7 +13,7 @@ struct SineCosine {
   float cosine;
 };
 
-/// `x`: radians, any float. Infinity and NaN give NaN. About 10 ns up to 10⁵ rad, some hundred beyond.
+/// `x`: radians, any float. Infinity and NaN give NaN.
 float correct_sine(float x);
 float correct_cosine(float x);
 SineCosine correct_sine_cosine(float x);

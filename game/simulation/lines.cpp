@@ -73,11 +73,12 @@ void Lines::hand_over(Line& line, ribbon::box2d::Coupling& coupling) {
 /// Ties the two lines that are held to each other, or the one that is held to the target. The hands are free then.
 void Lines::tie(const std::optional<Target>& target, Vec2 hand, ribbon::box2d::Coupling& coupling) {
   const int last = lines_.front().tuning().points - 1;
+  const auto leave = [&](Line& line) { return is_shared(line) ? line.hand_over(coupling) : line.leave(coupling); };
   if (lines_[0].is_held() && lines_[1].is_held()) {
     Knot a;
     Knot b;
-    a.cord = lines_[0].leave(coupling);
-    b.cord = lines_[1].leave(coupling);
+    a.cord = leave(lines_[0]);
+    b.cord = leave(lines_[1]);
     coupling.tie({a.cord, last, b.cord, last});
     add_knot(a, coupling);
     add_knot(b, coupling);
@@ -88,7 +89,7 @@ void Lines::tie(const std::optional<Target>& target, Vec2 hand, ribbon::box2d::C
   Knot knot{0, hand, target->at, {}, false};
   ribbon::box2d::GripDef grip;
   grip.arc = line->length();
-  knot.cord = grip.cord = line->leave(coupling);
+  knot.cord = grip.cord = leave(*line);
   if (target->body != nullptr) {
     grip.local_anchor = target->body->GetLocalPoint(to_float(hand));
     knot.end = to_double(grip.local_anchor);

@@ -44,8 +44,8 @@ TEST_F(LevelStudy, AThrownLineHasTheSetting) {
   EXPECT_GT(study.settings[1].point().error_m, study.settings[2].point().error_m);
   EXPECT_GT(study.settings[1].error.position_m, 0.0);
   EXPECT_GT(study.settings[2].tick_work.most, study.settings[1].tick_work.mean);
-  EXPECT_EQ(study.settings[0].tick_work.mean * static_cast<double>(inputs.size()),
-            static_cast<double>(study.settings[0].work.work));
+  EXPECT_DOUBLE_EQ(study.settings[0].tick_work.mean * static_cast<double>(inputs.size()),
+                   static_cast<double>(study.settings[0].work.work));
 }
 
 TEST_F(LevelStudy, CordsThatAreCutOrBurntAreCompared) {

@@ -120,9 +120,11 @@ std::string frames_of(const Trace& trace, const Stage& stage) {
   return base64_of(numbers.bytes());
 }
 
+/// Of the ticks that a film shows.
 GreatestError greatest_error(const Trace& run, const Trace& reference, std::size_t ticks) {
   GreatestError greatest;
-  for (std::size_t k = 0; k < std::min({ticks, run.player.size(), reference.player.size()}); ++k) {
+  const std::size_t shown = std::min({ticks, max_ticks, run.player.size(), reference.player.size()});
+  for (std::size_t k = 0; k < shown; k += Stage{}.ticks_per_frame) {
     note(greatest, k, run.player[k], reference.player[k]);
     for (std::size_t b = 0; b < std::min(run.bodies[k].size(), reference.bodies[k].size()); ++b) {
       note(greatest, k, run.bodies[k][b], reference.bodies[k][b]);

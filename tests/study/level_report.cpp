@@ -225,7 +225,7 @@ void add_advice(Report& report, const Study& study, const Advice& advice) {
     report.headline = "No setting meets " + in_words(limits) + " with the margin of a recommendation; the nearest is " +
                       in_words(study, *choice.nearest, calibration) + ".";
   } else {
-    report.headline = "No setting counts: each one failed.";
+    report.headline = "No setting counts: each one failed or was not compared.";
   }
   for (std::size_t k = 0; k < study.settings.size(); ++k) {
     if (is_present(study.settings[k].setting)) report.present = k;

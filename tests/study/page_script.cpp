@@ -130,6 +130,8 @@ function choose(k, event) {
   if (event) event.preventDefault();
   chosen = k;
   describe(k);
+  film = null;
+  document.getElementById('film').hidden = true;
   if (hasFilm(k)) play(k);
 }
 )js"
@@ -260,7 +262,12 @@ function play(k, from) {
   document.getElementById('film').dataset.point = k;
   seek.max = frames.length - 1;
   button();
-  requestAnimationFrame(step);
+  nextFrame();
+}
+let pending = 0;
+function nextFrame() {
+  cancelAnimationFrame(pending);
+  pending = requestAnimationFrame(step);
 }
 function button() { document.getElementById('play').textContent = film && film.runs ? 'pause' : 'play'; }
 function step(time) {
@@ -278,7 +285,7 @@ function step(time) {
     if (film.at >= film.frames.length - 1) { film.at = film.frames.length - 1; film.runs = false; button(); }
   }
   drawFilm();
-  if (film.runs) requestAnimationFrame(step);
+  if (film.runs) nextFrame();
 }
 function stopAt(frame) {
   if (!film) return;
@@ -293,7 +300,7 @@ document.getElementById('play').addEventListener('click', () => {
   film.last = 0;
   if (film.runs && film.at >= film.frames.length - 1) { film.at = 0; film.held = 0; }
   button();
-  requestAnimationFrame(step);
+  nextFrame();
 });
 document.getElementById('worst').addEventListener('click', () => film && stopAt(film.worst));
 seek.addEventListener('input', () => stopAt(Number(seek.value)));
