@@ -189,9 +189,7 @@ void EventReader::read(const SDL_Event& event, Vec2 pixels_per_unit, InputState&
       break;
     case SDL_MOUSEWHEEL: input.wheel(notches_of(event.wheel)); break;
     case SDL_WINDOWEVENT:
-      // A hidden window gets no keys either; a browser tells of a hidden tab in this way only.
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST || event.window.event == SDL_WINDOWEVENT_HIDDEN)
-        input.focus_lost();
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) input.focus_lost();
       break;
     default: read_pad(event, input); break;
   }
