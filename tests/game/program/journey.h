@@ -68,14 +68,14 @@ class Journey : public testing::Test {
     return goes_on && frame();
   }
 
-  /// Goes from the title to first_swing; `down` and `accept` operate the menus.
-  void start_first_swing(const std::function<void()>& down, const std::function<void()>& accept) {
+  /// Goes from the title to first_swing; `next` and `accept` operate the menus.
+  void start_first_swing(const std::function<void()>& next, const std::function<void()>& accept) {
     accept();
     ASSERT_EQ(screen(), "levels");
     const std::vector<Level> levels = levels_in_order();
     const auto is_wanted = [](const Level& level) { return level.name == "first_swing"; };
     const auto which = std::find_if(levels.begin(), levels.end(), is_wanted) - levels.begin();
-    for (std::ptrdiff_t k = 0; k < which; ++k) down();
+    for (std::ptrdiff_t k = 0; k < which; ++k) next();
     accept();  // in a single frame: the next one is the run's first tick
     ASSERT_EQ(screen(), "first_swing");
   }

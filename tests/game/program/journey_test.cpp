@@ -42,7 +42,7 @@ TEST_F(Journey, KeysFromTheTitleToTheGoalAndBack) {
     test_support::push_key(key, false);
     frame();
   };
-  start_first_swing([&] { press(Key::down); }, [&] { press(Key::enter); });
+  start_first_swing([&] { press(Key::right); }, [&] { press(Key::enter); });
   const engine::Replay wanted = engine::load_replay(golden());
   std::uint16_t before = 0;
   std::size_t ticks = 0;
@@ -119,7 +119,7 @@ void Journey::play_by_gamepad() {
     frame();
     pad->press(button, false);  // takes effect in the next frame, on any screen
   };
-  start_first_swing([&] { press(PadButton::dpad_down), frame(); }, [&] { press(PadButton::a); });
+  start_first_swing([&] { press(PadButton::dpad_right), frame(); }, [&] { press(PadButton::a); });
   EXPECT_TRUE(app->session().uses_pad);
   const engine::Replay wanted = engine::load_replay(golden());
   const auto to_pad = [&](const KeyOf& key, bool down) { pad->press(key.pad, down); };
@@ -364,7 +364,7 @@ TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
 TEST_F(Journey, LongerArmsAndNoFallsAreDeclaredInTheRecordingWhichVerifies) {
   open();
   app->session().settings.long_reach = app->session().settings.no_fall = true;
-  start_first_swing([this] { tap(Key::down); },
+  start_first_swing([this] { tap(Key::right); },
                     [this] {
                       test_support::push_key(Key::enter, true);
                       test_support::push_key(Key::enter, false);
