@@ -121,7 +121,7 @@ constexpr std::array<DoublePair, 9> eighths = {{{0.0, 0.0},
 constexpr std::array angle_terms = {-1.0 / 3.0, 1.0 / 5.0, -1.0 / 7.0, 1.0 / 9.0, -1.0 / 11.0, 1.0 / 13.0};
 
 double double_angle(double low, double high) {
-  const auto k = static_cast<std::size_t>(8.0 * (low / high) + 0.5);
+  const auto k = static_cast<std::size_t>(std::lround(8.0 * (low / high)));
   // The rest of the angle has a tangent of 1/16 at most. Its numerator is exact, for low and high are floats.
   const double part = static_cast<double>(k) / 8.0;
   const double tangent = (low - part * high) / (high + part * low);

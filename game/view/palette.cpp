@@ -192,7 +192,7 @@ Color mix(Color a, Color b, double t) {
   // Does not use lround, which would be a call for each channel.
   const double part = std::clamp(t, 0.0, 1.0);
   const auto channel = [part](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>(from + part * (to - from) + 0.5);
+    return static_cast<std::uint8_t>(0.5 + from + part * (to - from));
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }

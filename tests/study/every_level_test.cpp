@@ -51,7 +51,7 @@ TEST_F(LevelStudy, AThrownLineHasTheSetting) {
 TEST_F(LevelStudy, CordsThatAreCutOrBurntAreCompared) {
   for (const std::string level : {"before_it_burns", "cut_the_bridge"}) {
     const LevelFile file(TEST_ASSETS "/levels/" + level + ".tmj");
-    const std::vector<engine::TickInput> inputs = recorded(level, 600);
+    const std::vector<engine::TickInput> inputs = recorded(level, 1000);
     const Trace own = run(file.level(), inputs);
     EXPECT_TRUE(std::any_of(own.cords.begin(), own.cords.end(), [&](const auto& cords) {
       return cords != own.cords.front();

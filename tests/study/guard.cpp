@@ -115,15 +115,16 @@ std::vector<GuardRow> read_guard(const std::string& path) {
   if (line != header) throw std::runtime_error(path + ", line 1: has another header than " + header + wanted);
   std::vector<GuardRow> rows;
   for (int number = 2; std::getline(in, line); ++number) {
+    const auto refuse = [&](const std::string& why) {
+      throw std::runtime_error(std::string(path).append(", line ").append(std::to_string(number)).append(why) + wanted);
+    };
     GuardRow row;
     try {
       row = row_of(cells_of(line));
     } catch (const std::logic_error&) {
-      throw std::runtime_error(path + ", line " + std::to_string(number) + ": is not a row" + wanted);
+      refuse(": is not a row");
     }
-    if (find(rows, row.level) != nullptr) {
-      throw std::runtime_error(path + ", line " + std::to_string(number) + ": has " + row.level + " again" + wanted);
-    }
+    if (find(rows, row.level) != nullptr) refuse(": has " + row.level + " again");
     rows.push_back(row);
   }
   return rows;

@@ -75,7 +75,8 @@ Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
       continue;
     }
     std::string& names = left_out[reason];
-    names += (names.empty() ? "" : ", ") + setting.solver + " " + name_of(setting);
+    if (!names.empty()) names += ", ";
+    names.append(setting.solver).append(" ").append(name_of(setting));
   }
   for (const auto& [reason, names] : left_out) grid.left_out.push_back(names + ": " + reason);
   return grid;

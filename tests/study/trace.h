@@ -25,7 +25,10 @@ struct CordVersion {
   ribbon::box2d::CordId cord = 0;
   int version = 0;  ///< number of changes of its number of columns
 
-  auto operator<=>(const CordVersion&) const = default;
+  bool operator==(const CordVersion&) const = default;
+  bool operator<(const CordVersion& other) const {
+    return cord != other.cord ? cord < other.cord : version < other.version;
+  }
 };
 
 /// The recorded motion of a run of a level, at places that do not depend on the cords' numbers of points.

@@ -82,14 +82,14 @@ TEST(Contrast, RopesHooksAndTheGoalAreReadableInAllPlaces) {
   });
 }
 
-/// The outline, the jacket or the trousers of a player differ from any backdrop.
+/// The outline, the jacket, the trousers or the scarf of a player differ from any backdrop.
 TEST(Contrast, PlayersAreReadableInAllPlaces) {
   each_palette([&](const Palette& colors, const std::string& name) {
     for (const Color& backdrop : backdrops(colors)) {
       for (const int player : {0, 1}) {
         const Clothes& clothes = clothes_of(player);
         double best = 0.0;
-        for (const Color part : {colors.figure_rim, clothes.jacket, clothes.trousers})
+        for (const Color part : {colors.figure_rim, clothes.jacket, clothes.trousers, clothes.scarf})
           best = std::max(best, contrast(part, backdrop));
         EXPECT_GE(best, 2.0) << name << luminance(backdrop) << " player " << player;
       }
