@@ -226,7 +226,7 @@ std::vector<Move> slingshot() {
   moves.push_back(jump(right, 40));
   moves.push_back(run_past(38.3));
   moves.push_back(stand());
-  moves.push_back(wait(10));
+  moves.push_back(wait(20));
   for (Move& move : charge({48.1, 2.9}, 78)) moves.push_back(move);
   moves.push_back(until_goal(right));
   return moves;
@@ -271,7 +271,7 @@ std::vector<Move> tie_it_down() {
   return {run_past(8.6),
           stand(),
           throw_at({9.0, 7.4}),
-          reel_to(1.15),
+          reel_to(1.1),
           hold(0, [](const game::Simulation& s, int ticks) { return s.player().is_on_ground() && ticks > 60; }),
           hold(game::button_tie, [](const game::Simulation&, int ticks) { return ticks > 0; }),
           until_goal(right)};
