@@ -78,7 +78,7 @@ Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
     if (!names.empty()) names += ", ";
     names.append(setting.solver).append(" ").append(name_of(setting));
   }
-  for (const auto& [reason, names] : left_out) grid.left_out.push_back(names + ": " + reason);
+  for (const auto& [reason, names] : left_out) grid.left_out.push_back(std::string(names).append(": ").append(reason));
   return grid;
 }
 
