@@ -62,11 +62,11 @@ bool Impacts::touch_kinematic(const ContactScene& scene) const {
   return false;
 }
 
-bool Impacts::touch_driver(const ContactScene& scene, Vec2 velocity) const {
+bool Impacts::touch_driver(const ContactScene& scene, Vec2 frame) const {
   const auto drives = [&](int anchor) {
     if (!scene.anchors.is_kinematic(anchor)) return false;
     const BodyAnchor& body = scene.anchors.body(anchor);
-    return !(body.velocity == velocity) || body.angular_velocity != 0.0;
+    return !is_at_rest(body.velocity, frame) || body.angular_velocity != 0.0;
   };
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];

@@ -9,6 +9,10 @@
 
 namespace ribbon {
 
+/// Returns whether what moves with `velocity` [m/s] is at rest in the inertial frame that moves with `frame` [m/s], as
+/// far as single precision can tell: targets and bodies have positions of that.
+inline bool is_at_rest(Vec2 velocity, Vec2 frame) { return length(velocity - frame) <= 1e-4 * length(frame); }
+
 /// The pairs that had a contact force in a substep, their impulses, and their restitution.
 class Impacts {
  public:
@@ -40,9 +44,9 @@ class Impacts {
   bool any() const;
   /// Returns whether any of the pairs contains a kinematic body.
   bool touch_kinematic(const ContactScene& scene) const;
-  /// Returns whether any of the pairs contains a kinematic body or a surface that moves otherwise than with `velocity`
-  /// [m/s].
-  bool touch_driver(const ContactScene& scene, Vec2 velocity) const;
+  /// Returns whether any of the pairs contains a kinematic body or a surface that is not at rest in the inertial frame
+  /// that moves with `frame` [m/s].
+  bool touch_driver(const ContactScene& scene, Vec2 frame) const;
 
   /// Finds the pairs that approached faster than 0.1 m/s, by velocities `before` and `after` the substep, by slot. They
   /// become the active contacts at x. Until end_restitution(), load() gives the step in dt [s] after which each pair

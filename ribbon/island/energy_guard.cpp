@@ -19,7 +19,6 @@ constexpr double max_total_gain = 5e-7;           // a cord may have gained so m
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
-constexpr double same_velocity = 1e-4;      // as a share: targets and bodies have positions of single precision
 
 /// Returns an upper bound, J, for the work of media on an island in a step.
 double max_medium_work(const IslandState& state) {
@@ -56,8 +55,6 @@ double max_drag_work(const IslandState& state) {
 /// Returns an upper bound, J, for the work that is done in a substep, as far as it is known.
 double max_known_work(const IslandState& state) { return grip_work(state) + wheel_work(state) + max_drag_work(state); }
 
-bool moves_with(Vec2 velocity, Vec2 frame) { return length(velocity - frame) <= same_velocity * length(frame); }
-
 }  // namespace
 
 void EnergyGuard::begin_step(const IslandState& state) {
@@ -77,7 +74,7 @@ void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
   const auto add = [&](Vec2 velocity) {
     if (!found) state.frame_velocity = velocity;
     found = true;
-    state.driven = state.driven || !moves_with(velocity, state.frame_velocity);
+    state.driven = state.driven || !is_at_rest(velocity, state.frame_velocity);
   };
   for (std::size_t p = 0; p < state.points; ++p) {
     if (state.constrained[p] != 0) add(state.drive_velocities[p]);
