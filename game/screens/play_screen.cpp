@@ -6,6 +6,7 @@
 
 #include "engine/window/sdl_window.h"
 #include "game/screens/help.h"
+#include "game/screens/last_seconds_screen.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/results_screen.h"
 #include "game/settings/two_players.h"
@@ -112,6 +113,9 @@ Next PlayScreen::update(const Frame& frame) {
   }
   reload_if_changed(frame.elapsed_ns);
   if (panel_.takes_restart()) restart();
+  if (const Preset* const preset = panel_.takes_comparison()) {
+    return Next::open(std::make_unique<LastSecondsScreen>(*session_, run_.level(), run_.inputs(), *preset));
+  }
   return play({input, frame.menu, frame.canvas, frame.elapsed_ns, frame.text_scale});
 }
 

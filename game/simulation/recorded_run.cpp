@@ -43,6 +43,8 @@ void RecordedRun::start_recording() {
 void RecordedRun::begin(const std::string& record_path) {
   writer_.reset();
   make_simulation();
+  inputs_.clear();
+  can_be_repeated_ = true;
   is_tuned_ = level_is_tuned_;
   record_path_ = record_path;
   start_recording();
@@ -55,6 +57,7 @@ bool RecordedRun::is_over() const {
 
 void RecordedRun::tick(const engine::TickInput& input) {
   const engine::TickInput used = replay_ ? replay_->ticks[next_++].input : input;
+  if (!replay_) inputs_.push_back(used);
   simulation_->tick(used);
   if (verifier_) verifier_->check(simulation_->hash());
   if (writer_) writer_->write(used, simulation_->hash());
@@ -62,6 +65,7 @@ void RecordedRun::tick(const engine::TickInput& input) {
 
 Simulation& RecordedRun::tune() {
   is_tuned_ = true;
+  can_be_repeated_ = false;
   end_recording();
   simulation_->keep_changes();
   return *simulation_;
@@ -69,6 +73,7 @@ Simulation& RecordedRun::tune() {
 
 void RecordedRun::set_level(Level level, bool tuned) {
   level_is_tuned_ = tuned;
+  can_be_repeated_ = false;
   end_recording();
   level_ = std::move(level);
 }
@@ -114,6 +119,13 @@ void RecordedRun::seek(int tick) {
   }
   while (next_ + 2 < wanted) simulation_->skip(replay_->ticks[next_++].input);
   while (next_ < wanted) simulation_->tick(replay_->ticks[next_++].input);
+}
+
+std::vector<engine::TickInput> RecordedRun::inputs() const {
+  if (!replay_) return inputs_;
+  std::vector<engine::TickInput> inputs;
+  for (std::size_t k = 0; k < next_; ++k) inputs.push_back(replay_->ticks[k].input);
+  return inputs;
 }
 
 void RecordedRun::finish() {

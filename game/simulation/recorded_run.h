@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/replay/replay.h"
 #include "game/simulation/level.h"
@@ -58,6 +59,12 @@ class RecordedRun {
   /// there is no replay, the tick is not in it, or the run is verified or recorded.
   void seek(int tick);
 
+  /// The inputs of all ticks since the start of the run.
+  std::vector<engine::TickInput> inputs() const;
+  /// Returns whether a new run of level() with these inputs is the same: nothing was tuned, and the level not replaced,
+  /// since the start.
+  bool can_be_repeated() const { return can_be_repeated_; }
+
   /// Completes the recording. Throws engine::ReplayError if it cannot be written.
   void finish();
 
@@ -75,7 +82,9 @@ class RecordedRun {
   std::optional<Simulation> simulation_;
   ribbon::box2d::StepWatcher* watcher_ = nullptr;
   ribbon::ParallelFor parallel_for_;
-  std::size_t next_ = 0;  // tick of the replay
+  std::size_t next_ = 0;                   // tick of the replay
+  std::vector<engine::TickInput> inputs_;  // without a replay
+  bool can_be_repeated_ = true;
   bool is_tuned_ = false;
   bool level_is_tuned_ = false;
   std::optional<engine::ReplayVerifier> verifier_;

@@ -37,6 +37,8 @@ TuningPanel::TuningPanel() : panel_(engine::HeadlessCanvas::default_font()) {}
 
 bool TuningPanel::takes_restart() { return std::exchange(wants_restart_, false); }
 
+const Preset* TuningPanel::takes_comparison() { return std::exchange(compared_, nullptr); }
+
 engine::WindowInput TuningPanel::update(const engine::WindowInput& input, const engine::Canvas& canvas, double scale,
                                         double seconds, RecordedRun& run, const Meter& meter, const FrameTimes& times) {
   if (!is_shown_) return input;
@@ -58,6 +60,7 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, const FrameTi
   ImGui::SetNextWindowSize({430.0F * unit, std::max(200.0F * unit, screen.y - 24.0F * unit)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin(words::panel::title, &is_shown_)) {
     show_tables(run.simulation(), meter, times);
+    show_last_seconds(run);
     ImGui::Separator();
     ImGui::PushItemWidth(-13.0F * ImGui::GetFontSize());  // space for the names
     if (run.has_replay()) {
@@ -81,6 +84,17 @@ void TuningPanel::show(const RecordedRun& run, const Meter& meter, const FrameTi
   place_ = {{static_cast<double>(corner.x), static_cast<double>(corner.y)},
             {static_cast<double>(size.x), static_cast<double>(size.y)}};
   ImGui::End();
+}
+
+void TuningPanel::show_last_seconds(const RecordedRun& run) {
+  ImGui::TextUnformatted(words::panel::last_seconds);
+  ImGui::BeginDisabled(!run.can_be_repeated());
+  for (const Preset& preset : presets()) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton(preset.name)) compared_ = &preset;
+  }
+  ImGui::EndDisabled();
+  if (!run.can_be_repeated()) ImGui::TextWrapped(words::panel::not_repeated);
 }
 
 void TuningPanel::show_file(const RecordedRun& run) {

@@ -7,6 +7,7 @@
 #include "game/simulation/meter.h"
 #include "game/simulation/recorded_run.h"
 #include "game/tuning/frame_times.h"
+#include "game/tuning/last_seconds.h"
 #include "game/tuning/parameters.h"
 #include "game/tuning/tuned_level.h"
 
@@ -34,6 +35,8 @@ class TuningPanel {
 
   /// Returns true once after the user requested a restart.
   bool takes_restart();
+  /// Returns once the preset with which the user requested to see the last seconds again; otherwise null.
+  const Preset* takes_comparison();
 
  private:
   /// A change that the user made in a frame.
@@ -44,6 +47,7 @@ class TuningPanel {
   };
 
   void show(const RecordedRun& run, const Meter& meter, const FrameTimes& times, double scale);
+  void show_last_seconds(const RecordedRun& run);
   void show_cord(const engine::Scene& scene, ribbon::box2d::CordId cord);
   void show_parameter(const Parameter& parameter, double value, int object);
   void show_world(const RecordedRun& run);
@@ -56,6 +60,7 @@ class TuningPanel {
   bool is_shown_ = false;
   std::optional<Place> place_;
   bool wants_restart_ = false;
+  const Preset* compared_ = nullptr;
   bool wants_file_ = false;  // reset to the values of the file
   std::optional<Change> change_;
   std::optional<TunedLevel> tuned_;

@@ -48,6 +48,7 @@ inline constexpr const char* screen_options = "options";
 inline constexpr const char* screen_keys = "keys and buttons";
 inline constexpr const char* screen_paused = "paused";
 inline constexpr const char* screen_results = "results";
+inline constexpr const char* screen_last_seconds = "the last seconds with {preset}";
 inline constexpr const char* screen_replay = "{level}, a replay";
 
 // The list of levels
@@ -129,6 +130,14 @@ inline constexpr const char* kilograms = "{number} kg";
 inline constexpr const char* tonnes = "{number} t";
 inline constexpr const char* flag_right = "flag {metres} m →";
 inline constexpr const char* flag_left = "← flag {metres} m";
+
+// The last seconds with another preset
+inline constexpr const char* last_seconds_keys = "← → preset   Esc: back";
+inline constexpr const char* last_seconds_buttons = "D-pad: preset   B: back";
+inline constexpr const char* last_seconds_progress = "repeating the run: {percent} %";
+inline constexpr const char* last_seconds_legend = "thin lines: with this preset; the rest: as played";
+inline constexpr const char* last_seconds_gap = "apart now {now} cm, most {most} cm after {time} s";
+inline constexpr const char* last_seconds_cost = "a tick {other} µs, as played {played} µs";
 
 // Results
 inline constexpr const char* time_and_medal = "{time}   {medal}!";

@@ -9,6 +9,7 @@
 
 #include "game/screens/controls_screen.h"
 #include "game/screens/help.h"
+#include "game/screens/last_seconds_screen.h"
 #include "game/screens/level_facts.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"
@@ -225,6 +226,35 @@ TEST_P(Texts, OfResultsAreReadable) {
     draw(results, &play);
     EXPECT_EQ(canvas.faults(of_world(play.run().level(), session), true), "");
   }
+}
+
+/// Before they begin, in motion, at their end, and with another preset.
+TEST_P(Texts, OfTheLastSecondsAreReadable) {
+  RunOptions asked;
+  asked.replay = std::string(TEST_ASSETS "/replays/up_the_shaft.replay");
+  RecordedRun run(asked);
+  run.seek(900);
+  LastSecondsScreen screen(session, run.level(), run.inputs(), presets().front());
+  const std::set<std::string> world = of_world(run.level(), session);
+  EXPECT_NE(draw(screen).find("repeating the run: 0 %"), std::string::npos);
+  EXPECT_EQ(canvas.faults(world), "");
+  while (!screen.is_ready()) wait(screen, 1);
+  while (!screen.runs().is_over()) {
+    wait(screen, 40);
+    EXPECT_NE(draw(screen).find("apart now"), std::string::npos);
+    ASSERT_EQ(canvas.faults(world), "");
+  }
+  wait(screen, 70);
+  EXPECT_FALSE(screen.runs().is_over()) << "they begin again";
+
+  const engine::WindowInput input;
+  const auto turn = [&](int right) { return screen.update({input, {.right = right}, canvas, frame_ns, scale}).what; };
+  EXPECT_EQ(turn(1), Next::What::stay);
+  EXPECT_STREQ(screen.preset().name, "balanced");
+  EXPECT_EQ(screen.runs().other().ticks(), screen.runs().played().ticks());
+  turn(5);
+  EXPECT_STREQ(screen.preset().name, "accurate");
+  EXPECT_EQ(screen.update({input, {.back = true}, canvas, frame_ns, scale}).what, Next::What::back);
 }
 
 /// A run moves the signs of its level below the boxes of the HUD, which make way.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -230,6 +231,44 @@ TEST(TuningPanel, TheRunContinuesAfterAnyClick) {
   }
   EXPECT_GT(tuned, 0);
   EXPECT_NO_THROW(load_level(panelled.path)) << "if it was written to, with what can be loaded";
+}
+
+/// Presses a place of the panel and releases it.
+void click(Panelled& panelled, ribbon::Vec2 at) {
+  engine::WindowInput input;
+  input.mouse = at;
+  panelled.frame(input);
+  input.buttons_held.set(0);
+  input.buttons_pressed.set(0);
+  panelled.frame(input);
+  panelled.frame();
+}
+
+/// Clicks on all of the panel's upper part. Returns the presets that were asked for.
+std::set<std::string> presets_asked_for(Panelled& panelled) {
+  std::set<std::string> names;
+  for (int y = 70; y < 400; y += 8) {
+    for (int x = 850; x < 1250; x += 30) {
+      click(panelled, {1.0 * x, 1.0 * y});
+      if (const Preset* const preset = panelled.panel.takes_comparison()) names.insert(preset->name);
+      EXPECT_EQ(panelled.panel.takes_comparison(), nullptr) << "once";
+      if (!panelled.panel.is_shown()) panelled.panel.toggle();
+    }
+  }
+  return names;
+}
+
+TEST(TuningPanel, AsksForTheLastSecondsOfARunThatCanBeRepeated) {
+  RunOptions options;
+  options.replay = test_support::golden();
+  Panelled panelled(options);
+  panelled.panel.toggle();
+  EXPECT_EQ(presets_asked_for(panelled), (std::set<std::string>{"fast", "balanced", "accurate"}));
+
+  Panelled tuned(play(own_level()));
+  tuned.run.tune();
+  tuned.panel.toggle();
+  EXPECT_EQ(presets_asked_for(tuned), std::set<std::string>{});
 }
 
 TEST(TuningPanel, CannotTuneAReplay) {
