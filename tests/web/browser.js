@@ -73,8 +73,35 @@ class Browser {
     throw new Error('never became true: ' + expression);
   }
 
-  async key(type, code, key, number) {
+  // Real key events, by the code of a key: KeyD, Space, Escape.
+  async down(code) { await this.key('keyDown', code); }
+  async up(code) { await this.key('keyUp', code); }
+  async press(code) {
+    await this.down(code);
+    await this.up(code);
+  }
+  async key(type, code) {
+    const letter = /^Key(.)$/.exec(code)?.[1];
+    const key = letter?.toLowerCase() ?? {Space: ' '}[code] ?? code;
+    const number = letter?.charCodeAt(0) ?? {Space: 32, Escape: 27, Enter: 13, ArrowDown: 40}[code];
     await this.call('Input.dispatchKeyEvent', {type, code, key, windowsVirtualKeyCode: number});
+  }
+
+  async mouse(type, x, y) {
+    const held = type === 'mousePressed' ? 1 : 0;
+    await this.call('Input.dispatchMouseEvent',
+      {type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', buttons: held, clickCount: 1});
+  }
+
+  // Fingers at places [x, y]; none lifts them all.
+  async touch(type, ...places) {
+    await this.call('Input.dispatchTouchEvent', {type, touchPoints: places.map(([x, y], id) => ({x, y, id}))});
+  }
+
+  // Runs a script in each page before its own, until the function that it returns is called.
+  async before(source) {
+    const {identifier} = await this.call('Page.addScriptToEvaluateOnNewDocument', {source});
+    return () => this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
   }
 
   async picture(file) {
