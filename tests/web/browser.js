@@ -16,6 +16,7 @@ class Browser {
     this.next = 1;
     this.waiting = new Map();
     this.errors = [];
+    this.scripts = new Set();
     let rest = '';
     this.process.stdio[4].on('data', data => {
       const parts = (rest + data).split('\0');
@@ -101,7 +102,19 @@ class Browser {
   // Runs a script in each page before its own, until the function that it returns is called.
   async before(source) {
     const {identifier} = await this.call('Page.addScriptToEvaluateOnNewDocument', {source});
-    return () => this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
+    this.scripts.add(identifier);
+    return () => {
+      this.scripts.delete(identifier);
+      return this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
+    };
+  }
+
+  // Leaves the page, and what a test that failed has set up for it.
+  async forget() {
+    for (const identifier of this.scripts) await this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
+    this.scripts.clear();
+    await this.call('Emulation.setTouchEmulationEnabled', {enabled: false});
+    await this.call('Page.navigate', {url: 'about:blank'});
   }
 
   async picture(file) {
