@@ -51,6 +51,8 @@ class Browser {
     const {targetId} = targetInfos.find(target => target.type === 'page');
     this.session = (await this.call('Target.attachToTarget', {targetId, flatten: true})).sessionId;
     for (const part of ['Page', 'Runtime', 'Log']) await this.call(part + '.enable');
+    // The page alone has this size, without what the window of a browser has around it.
+    await this.call('Emulation.setDeviceMetricsOverride', {width: 1280, height: 720, deviceScaleFactor: 1, mobile: false});
     return this;
   }
 

@@ -4,13 +4,13 @@ const assert = require('node:assert');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
-const {wait} = require('./browser.js');
+const {Browser, wait} = require('./browser.js');
 const clock = require('./clock.js');
 const {inputsOf, keysOf} = require('./recorded_keys.js');
 
 const folder = '/user/config/ropeswing';
 const settings = `filesIn("${folder}").map(n => Module.FS.readFile("${folder}/" + n, {encoding: "utf8"})).join("")`;
-const seconds = '(Module.SDL2?.audioContext?.state ?? "none")';
+const sound = '(Module.SDL2?.audioContext?.state ?? "none")';
 const has = (inputs, bit) => inputs.some(buttons => buttons >> bit & 1);
 
 module.exports = {
@@ -109,11 +109,17 @@ module.exports = {
     await browser.value('void window.dispatchEvent(new FocusEvent("blur"))');
     await visit.title('paused');
   },
-  async 'sound begins with the first gesture'(visit, browser) {
-    await visit.open();
-    assert.strictEqual(await browser.value(seconds), 'suspended');
-    await browser.press('ArrowDown');
-    await browser.until(seconds + ' === "running"');
+  async 'sound begins with the first gesture'(visit) {
+    const fresh = await new Browser().start();  // one that has seen no gesture
+    try {
+      await fresh.open(visit.address);
+      await fresh.until('performance.getEntriesByName("first frame").length > 0');
+      assert.strictEqual(await fresh.value(sound), 'suspended');
+      await fresh.press('ArrowDown');
+      await fresh.until(sound + ' === "running"');
+    } finally {
+      fresh.close();
+    }
   },
   async 'settings and recordings are kept'(visit, browser) {
     await visit.open('#level=first_swing');
