@@ -16,7 +16,7 @@ module.exports = {
     assert.notStrictEqual(await visit.picture('lost'), before);
     await browser.value('window.loss.restoreContext()');
     await wait(1000);
-    await visit.picture('restored');
+    assert.strictEqual(await visit.picture('restored'), before);
     await browser.press('Escape');
     await browser.until('!document.title.includes("paused")');
     await wait(300);
