@@ -240,8 +240,9 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
   for (const Pulley& pulley : pulleys) add(hasher, pulley);
   if (!medium_forces.empty()) add_all(hasher, medium_forces);
+  // Ids as they are: as a std::size_t they lose their upper half where that has 32 bits, as in WebAssembly.
   for (const std::uint64_t joined : {family, joined_first, joined_last}) {
-    if (joined != 0) hasher.add(static_cast<std::size_t>(joined));
+    if (joined != 0) hasher.add(joined);
   }
   if (split) hasher.add(1);
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
@@ -258,7 +259,7 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   }
   hasher.add(touches.size());
   for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] : touches) {
-    hasher.add(static_cast<std::size_t>(other));
+    hasher.add(other);
     hasher.add(feature);
     hasher.add(other_feature);
     for (const double number : {force, stuck, impulse}) hasher.add(number);

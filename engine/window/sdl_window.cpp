@@ -116,6 +116,7 @@ struct Window::Impl {
   bool close();
 
   void follow_size();
+  void renew();
 
   DisplayLoss loss;
   HeadlessCanvas canvas;
@@ -175,6 +176,14 @@ void Window::Impl::follow_size() {
            "a texture for the window"));
 }
 
+void Window::Impl::renew() {
+  texture.reset();
+  renderer.reset();  // a window has one at most
+  renderer.reset(make_renderer(window.get()));
+  vsync = waits_for_display(renderer.get());
+  follow_size();
+}
+
 Window::Window(const std::string& title, int width, int height) : impl_(std::make_unique<Impl>(title, width, height)) {}
 
 /// Closes the window: that calls the display and waits for an answer. Returns false if the display is or gets lost;
@@ -230,6 +239,11 @@ void Window::present() {
   const auto now = Clock::now();
   if (now < earliest) std::this_thread::sleep_until(earliest);
   impl_->shown = std::max(earliest, now);
+}
+
+void Window::renew() {
+  impl_->check_display();
+  impl_->renew();
 }
 
 void Window::set_title(const std::string& title) {

@@ -44,6 +44,10 @@ class Window {
   /// unknown. Throws std::runtime_error if the display was lost.
   void present();
 
+  /// Makes anew what shows the canvas, which is black then: draw again before present. Call it when the graphics
+  /// hardware has lost what it stored; a browser tells. Throws std::runtime_error if it cannot be made.
+  void renew();
+
   void set_title(const std::string& title);
   /// Switches between full screen and window. No effect if the desktop does not support it.
   void set_fullscreen(bool fullscreen);

@@ -44,12 +44,12 @@ file(WRITE ${freetype_modules}/ftmodule.h
      "FT_USE_MODULE(FT_Renderer_Class, ft_smooth_renderer_class)\n")
 add_library(web_freetype STATIC)
 foreach(source autofit/autofit base/ftbase base/ftbbox base/ftbitmap base/ftdebug base/ftglyph base/ftinit base/ftmm
-        base/ftstroke base/ftsynth base/ftsystem psnames/psnames sfnt/sfnt smooth/smooth truetype/truetype)
+        base/ftstroke base/ftsynth base/ftsystem gzip/ftgzip psnames/psnames sfnt/sfnt smooth/smooth truetype/truetype)
   target_sources(web_freetype PRIVATE ${freetype}/src/${source}.c)
 endforeach()
 target_compile_options(web_freetype PRIVATE -w)
-target_compile_definitions(web_freetype PRIVATE FT2_BUILD_LIBRARY)
-target_include_directories(web_freetype SYSTEM PUBLIC ${CMAKE_BINARY_DIR}/freetype ${freetype}/include)
+target_compile_definitions(web_freetype PRIVATE FT2_BUILD_LIBRARY FT_CONFIG_OPTION_SYSTEM_ZLIB)
+target_include_directories(web_freetype SYSTEM PUBLIC ${CMAKE_BINARY_DIR}/freetype ${freetype}/include PRIVATE ${zlib})
 
 file(GLOB_RECURSE box2d_sources ${box2d}/src/*.cpp)
 file(GLOB zlib_sources ${zlib}/*.c)

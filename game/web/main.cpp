@@ -63,6 +63,17 @@ game::RunOptions options_of(int argc, char** argv) {
 
 }  // namespace
 
+/// The page calls it when the browser gives back graphics hardware that it had taken away.
+extern "C" EMSCRIPTEN_KEEPALIVE void renew_window() {
+  if (!page().app) return;
+  try {
+    page().app->window().renew();
+  } catch (const std::exception& error) {
+    page().app->save_recordings();
+    end_game(error.what());
+  }
+}
+
 int main(int argc, char** argv) {
   try {
     page().app = std::make_unique<game::App>(options_of(argc, argv));

@@ -16,6 +16,7 @@ class Browser {
     this.next = 1;
     this.waiting = new Map();
     this.errors = [];
+    this.scripts = new Set();
     let rest = '';
     this.process.stdio[4].on('data', data => {
       const parts = (rest + data).split('\0');
@@ -50,6 +51,8 @@ class Browser {
     const {targetId} = targetInfos.find(target => target.type === 'page');
     this.session = (await this.call('Target.attachToTarget', {targetId, flatten: true})).sessionId;
     for (const part of ['Page', 'Runtime', 'Log']) await this.call(part + '.enable');
+    // The page alone has this size, without what the window of a browser has around it.
+    await this.call('Emulation.setDeviceMetricsOverride', {width: 1280, height: 720, deviceScaleFactor: 1, mobile: false});
     return this;
   }
 
@@ -73,8 +76,47 @@ class Browser {
     throw new Error('never became true: ' + expression);
   }
 
-  async key(type, code, key, number) {
+  // Real key events, by the code of a key: KeyD, Space, Escape.
+  async down(code) { await this.key('keyDown', code); }
+  async up(code) { await this.key('keyUp', code); }
+  async press(code) {
+    await this.down(code);
+    await this.up(code);
+  }
+  async key(type, code) {
+    const letter = /^Key(.)$/.exec(code)?.[1];
+    const key = letter?.toLowerCase() ?? {Space: ' '}[code] ?? code;
+    const number = letter?.charCodeAt(0) ?? {Space: 32, Escape: 27, Enter: 13, ArrowDown: 40}[code];
     await this.call('Input.dispatchKeyEvent', {type, code, key, windowsVirtualKeyCode: number});
+  }
+
+  async mouse(type, x, y) {
+    const held = type === 'mousePressed' ? 1 : 0;
+    await this.call('Input.dispatchMouseEvent',
+      {type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', buttons: held, clickCount: 1});
+  }
+
+  // Fingers at places [x, y]; none lifts them all.
+  async touch(type, ...places) {
+    await this.call('Input.dispatchTouchEvent', {type, touchPoints: places.map(([x, y], id) => ({x, y, id}))});
+  }
+
+  // Runs a script in each page before its own, until the function that it returns is called.
+  async before(source) {
+    const {identifier} = await this.call('Page.addScriptToEvaluateOnNewDocument', {source});
+    this.scripts.add(identifier);
+    return () => {
+      this.scripts.delete(identifier);
+      return this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
+    };
+  }
+
+  // Leaves the page, and what a test that failed has set up for it.
+  async forget() {
+    for (const identifier of this.scripts) await this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
+    this.scripts.clear();
+    await this.call('Emulation.setTouchEmulationEnabled', {enabled: false});
+    await this.call('Page.navigate', {url: 'about:blank'});
   }
 
   async picture(file) {

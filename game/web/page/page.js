@@ -147,7 +147,9 @@ var Module = {
 };
 
 const watchBrowser = () => {
+  // A page in the background gets no frames. The game pauses when the window loses the focus, so it is told of that.
   document.addEventListener('visibilitychange', () => {
+    window.dispatchEvent(new FocusEvent(document.hidden ? 'blur' : 'focus'));
     if (document.hidden) {
       store();
       mixerContext()?.suspend();
@@ -155,6 +157,12 @@ const watchBrowser = () => {
       mixerContext()?.resume();
     }
   });
+  // A browser lets a page sound once a gesture has ended; a finger on the glass is not one yet.
+  for (const gesture of ['keydown', 'pointerup', 'touchend']) {
+    addEventListener(gesture, () => { if (mixerContext()?.state === 'suspended') mixerContext().resume(); }, true);
+  }
+  at('canvas').addEventListener('webglcontextlost', event => event.preventDefault());
+  at('canvas').addEventListener('webglcontextrestored', () => Module._renew_window());
   addEventListener('pagehide', store);
   addEventListener('hashchange', () => location.reload());
   addEventListener('touchstart', () => {

@@ -325,6 +325,19 @@ TEST(Window, DrawsAndPacesWithoutAScreen) {
   EXPECT_EQ(bytes_of(directory.path / "window.png"), bytes_of(directory.path / "headless.png"));
 }
 
+TEST(Window, DrawsOnWhenItIsRenewed) {
+  const Environment driver("SDL_VIDEODRIVER", "dummy");
+  Window window("test", 160, 90);
+  draw_scene(window.canvas());
+  window.present();
+  window.renew();
+  EXPECT_EQ(window.canvas().width(), 160);
+  EXPECT_EQ(pixel(window.raster(), 80, 60), 0U);  // black, as after any other change of the canvas
+  draw_scene(window.canvas());
+  EXPECT_NE(pixel(window.raster(), 80, 60), 0U);
+  EXPECT_NO_THROW(window.present());
+}
+
 TEST(Window, OpensAgain) {
   const Environment driver("SDL_VIDEODRIVER", "dummy");
   for (int i = 0; i < 2; ++i) EXPECT_NO_THROW(Window("test", 64, 64).present());
