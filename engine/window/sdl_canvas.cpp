@@ -16,9 +16,9 @@
 namespace engine {
 namespace {
 
-constexpr int max_side = 16384;  // px, the texture size that graphics hardware accepts
-constexpr std::size_t max_cached_texts = 256;
-constexpr std::size_t max_open_fonts = 16;
+constexpr int max_side = 16384;                // px, the texture size that graphics hardware accepts
+constexpr std::size_t max_cached_texts = 512;  // that were used last; as many older ones are kept
+constexpr std::size_t max_open_fonts = 32;
 constexpr double text_margin = 1e6;  // px; text farther outside is skipped
 
 using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
@@ -87,7 +87,9 @@ class HeadlessCanvas::Typesetter {
   const Letters& letters(std::string_view utf8, int size) {
     std::pair<int, std::string> key(size, utf8);
     if (const auto found = texts_.find(key); found != texts_.end()) return found->second;
-    if (texts_.size() >= max_cached_texts) texts_.clear();
+    // A clock makes a new text in each frame. It must not remove the texts that every frame shows.
+    if (texts_.size() >= max_cached_texts) older_texts_ = std::exchange(texts_, {});
+    if (auto found = older_texts_.extract(key)) return texts_.insert(std::move(found)).position->second;
     return texts_[std::move(key)] = set(std::string(utf8), size);
   }
 
@@ -116,6 +118,7 @@ class HeadlessCanvas::Typesetter {
   std::string font_file_;
   std::map<int, Font> fonts_;
   std::map<std::pair<int, std::string>, Letters> texts_;
+  std::map<std::pair<int, std::string>, Letters> older_texts_;
 };
 
 HeadlessCanvas::HeadlessCanvas(int width, int height, const std::string& font)

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "game/screens/level_facts.h"
 #include "game/view/hud.h"
 
 namespace game {

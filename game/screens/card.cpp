@@ -39,7 +39,8 @@ Layout lay_out(const Canvas& canvas, double scale, const Card& card, int rows) {
   const double headline = card.headline.empty() ? 0.0 : canvas.line_height(headline_size * scale) + 8.0 * scale;
   const double line = canvas.line_height(card.line_size * scale);
   const double text = line * static_cast<double>(lines.size()) + (lines.empty() ? 0.0 : arrow * scale);
-  double width = std::max(card.width * scale, canvas.text_width(card.headline, headline_size * scale));
+  const double title = canvas.text_width(card.headline, headline_size * scale) + card.before_headline * scale;
+  double width = std::max(card.width * scale, title);
   for (const std::string& each : lines) width = std::max(width, canvas.text_width(each, card.line_size * scale));
   width = std::min(width, most);
   MenuPlace menu{{}, width, 0.0, card.text_size * scale};
@@ -71,11 +72,19 @@ Rectangle card_place(const Canvas& canvas, double text_scale, const Card& card, 
   return {place.corner, place.size};
 }
 
+Vec2 headline_place(const Canvas& canvas, double text_scale, const Card& card, int rows) {
+  const Layout place = lay_out(canvas, text_scale, card, rows);
+  const double size = headline_size * text_scale;
+  const double middle = place.corner.x + 0.5 * (place.size.x + card.before_headline * text_scale);
+  return {middle - 0.5 * canvas.text_width(card.headline, size), place.headline_y + 0.5 * canvas.line_height(size)};
+}
+
 void draw_card(Canvas& canvas, double text_scale, const Card& card, int rows) {
   const Layout place = lay_out(canvas, text_scale, card, rows);
   canvas.panel(place.corner, place.size, card.column ? 0.0 : 16.0 * text_scale, style::card);
   const double middle = place.corner.x + 0.5 * place.size.x;
-  canvas.text({middle, place.headline_y}, card.headline, headline_size * text_scale, style::gold, Align::center);
+  const double headline = middle + 0.5 * card.before_headline * text_scale;
+  canvas.text({headline, place.headline_y}, card.headline, headline_size * text_scale, style::gold, Align::center);
   double y = place.lines_y;
   for (const std::string& line : place.lines) {
     canvas.text({middle, y}, line, card.line_size * text_scale, style::faint, Align::center);

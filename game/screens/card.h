@@ -11,6 +11,7 @@ namespace game {
 /// A panel with a headline, lines of text and a menu. Lengths are in units of text.
 struct Card {
   std::string headline;
+  double before_headline = 0.0;      ///< width left free to the left of the headline, for a picture
   std::vector<std::string> lines{};  ///< lines that are too wide for the canvas are broken
   double width = 460.0;              ///< minimum width of the menu
   double text_size = 24.0;           ///< of the menu
@@ -23,6 +24,8 @@ struct Card {
 MenuPlace menu_place(const engine::Canvas& canvas, double text_scale, const Card& card, int rows);
 /// Returns the rectangle of the card in px.
 Rectangle card_place(const engine::Canvas& canvas, double text_scale, const Card& card, int rows);
+/// Returns the place of a card's headline in px: its left end, and the middle of its height.
+ribbon::Vec2 headline_place(const engine::Canvas& canvas, double text_scale, const Card& card, int rows);
 /// Draws a card without the menu.
 void draw_card(engine::Canvas& canvas, double text_scale, const Card& card, int rows);
 /// Darkens the canvas, as a background for a card.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "game/screens/card.h"
 #include "game/screens/menu.h"
@@ -11,7 +13,7 @@
 
 namespace game {
 
-/// The screen to change the bindings.
+/// The screen to change the bindings of the first player and the second one.
 class ControlsScreen : public Screen {
  public:
   /// The session must outlive it.
@@ -25,10 +27,15 @@ class ControlsScreen : public Screen {
  private:
   void fill_menu();
   Card card() const;
+  Next choose(const MenuChoice& choice);
+  std::string codes_of(Action action) const;
+  Bindings& bindings() const;
   int rows() const { return static_cast<int>(menu_.items().size()); }
 
   Session* session_;
   Menu menu_;
+  bool is_of_second_ = false;    // the bindings that are shown are the second player's
+  std::vector<Action> actions_;  // in the order of the lines
   std::optional<Rebinding> rebinding_;
 };
 

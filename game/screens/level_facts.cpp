@@ -35,6 +35,16 @@ std::vector<Level> levels_in_order() {
   return levels;
 }
 
+std::string medal_title(Medal medal) {
+  switch (medal) {
+    case Medal::gold: return words::gold;
+    case Medal::silver: return words::silver;
+    case Medal::bronze: return words::bronze;
+    case Medal::none:
+    default: return "";
+  }
+}
+
 std::vector<std::string> splits_in_words(const Splits& splits, const Splits& reference) {
   std::vector<std::string> lines;
   int in_line = 0;

@@ -23,6 +23,8 @@ std::string best_in_words(const Level& level, const std::optional<Best>& best);
 /// Returns the times at the checkpoints, each with its difference to the reference if that is known, two in a line:
 /// "Checkpoint 1: 8.32 s (−0.42 s)   2: 12.05 s".
 std::vector<std::string> splits_in_words(const Splits& splits, const Splits& reference);
+/// Returns "Gold", "Silver", "Bronze" or an empty text.
+std::string medal_title(Medal medal);
 /// Returns the medal of a run; none for runs with assists.
 Medal medal_of(const Level& level, const Best& run);
 

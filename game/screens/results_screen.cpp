@@ -17,6 +17,9 @@ namespace {
 
 using ribbon::Vec2;
 
+constexpr double medal_radius = 22.0;  // units of text
+constexpr double medal_gap = 12.0;     // between the medal and the time
+
 enum Meaning { next_level, again, watch, levels, quit };
 
 /// Returns the name of the next level; empty after the last one.
@@ -61,6 +64,7 @@ void ResultsScreen::fill_card(const Best& run, const std::optional<Best>& before
   const Medal medal = medal_of(level, run);
   const std::string time = seconds_in_words(run.ticks);
   card_.width = 380.0;
+  card_.before_headline = medal == Medal::none ? 0.0 : 2.0 * medal_radius + medal_gap;
   medal_ = medal;
   card_.headline = medal == Medal::none
                        ? time
@@ -138,8 +142,8 @@ void ResultsScreen::draw(engine::Canvas& canvas, double text_scale) {
   draw_card(canvas, text_scale, card_, rows);
   menu_.draw(canvas, menu_place(canvas, text_scale, card_, rows));
   if (medal_ == Medal::none) return draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
-  const Rectangle place = card_place(canvas, text_scale, card_, rows);
-  draw_medal(canvas, place.corner + text_scale * Vec2{44.0, 44.0}, 22.0 * text_scale, medal_);
+  const Vec2 time = headline_place(canvas, text_scale, card_, rows);
+  draw_medal(canvas, time - Vec2{(medal_radius + medal_gap) * text_scale, 0.0}, medal_radius * text_scale, medal_);
   draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "game/simulation/buttons.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -15,30 +16,30 @@ struct Row {
 };
 
 constexpr std::array<Row, action_count> table = {{
-    {Action::left, "left", "Run or swing left", button_left},
-    {Action::right, "right", "Run or swing right", button_right},
-    {Action::up, "up", "Climb up", button_up},
-    {Action::down, "down", "Climb down", button_down},
-    {Action::jump, "jump", "Jump, let go", button_jump},
-    {Action::grab, "grab", "Catch a rope", button_grab},
-    {Action::throw_line, "throw_line", "Throw a line", button_throw},
-    {Action::throw_second, "throw_second", "Throw a second line", button_throw_second},
-    {Action::tie, "tie", "Tie the line", button_tie},
-    {Action::cut, "cut", "Cut a rope", button_cut},
-    {Action::reel_in, "reel_in", "Reel in", button_reel_in},
-    {Action::reel_out, "reel_out", "Reel out", button_reel_out},
-    {Action::retry, "retry", "Back to the checkpoint", button_retry},
-    {Action::restart, "restart", "Restart the level", button_restart},
-    {Action::pause, "pause", "Pause", 0},
-    {Action::step, "step", "Advance one tick", 0},
-    {Action::slow_motion, "slow_motion", "Slow motion 1/2, 1/4", 0},
-    {Action::help, "help", "Show or hide the keys", 0},
-    {Action::debug_view, "debug_view", "Debug view, drag by mouse", 0},
-    {Action::panel, "panel", "Figures and parameters", 0},
-    {Action::mute, "mute", "Sound on or off", 0},
-    {Action::fullscreen, "fullscreen", "Full screen", 0},
-    {Action::film, "film", "Start or stop a video", 0},
-    {Action::screenshot, "screenshot", "Take a screenshot", 0},
+    {Action::left, "left", words::do_left, button_left},
+    {Action::right, "right", words::do_right, button_right},
+    {Action::up, "up", words::do_up, button_up},
+    {Action::down, "down", words::do_down, button_down},
+    {Action::jump, "jump", words::do_jump, button_jump},
+    {Action::grab, "grab", words::do_grab, button_grab},
+    {Action::throw_line, "throw_line", words::do_throw_line, button_throw},
+    {Action::throw_second, "throw_second", words::do_throw_second, button_throw_second},
+    {Action::tie, "tie", words::do_tie, button_tie},
+    {Action::cut, "cut", words::do_cut, button_cut},
+    {Action::reel_in, "reel_in", words::do_reel_in, button_reel_in},
+    {Action::reel_out, "reel_out", words::do_reel_out, button_reel_out},
+    {Action::retry, "retry", words::do_retry, button_retry},
+    {Action::restart, "restart", words::do_restart, button_restart},
+    {Action::pause, "pause", words::do_pause, 0},
+    {Action::step, "step", words::do_step, 0},
+    {Action::slow_motion, "slow_motion", words::do_slow_motion, 0},
+    {Action::help, "help", words::do_help, 0},
+    {Action::debug_view, "debug_view", words::do_debug_view, 0},
+    {Action::panel, "panel", words::do_panel, 0},
+    {Action::mute, "mute", words::do_mute, 0},
+    {Action::fullscreen, "fullscreen", words::do_fullscreen, 0},
+    {Action::film, "film", words::do_film, 0},
+    {Action::screenshot, "screenshot", words::do_screenshot, 0},
 }};
 
 constexpr bool in_order() {

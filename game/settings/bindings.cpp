@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "engine/window/input_names.h"
+#include "game/words/words.h"
 
 namespace game {
 
@@ -90,14 +91,14 @@ bool Bindings::pressed(Action action, const engine::WindowInput& input) const {
 }
 
 std::string codes_in_words(const Bindings& bindings, Action action, bool of_pad, std::size_t max_codes) {
-  std::string words;
+  std::string titles;
   std::size_t count = 0;
   for (const InputCode& code : bindings.codes(action)) {
     if (std::holds_alternative<PadButton>(code) != of_pad) continue;
-    words += (words.empty() ? "" : " or ") + std::string(engine::input_title(code));
+    titles += (titles.empty() ? "" : words::or_key) + std::string(engine::input_title(code));
     if (++count == max_codes) break;
   }
-  return words.empty() ? "none" : words;
+  return titles.empty() ? words::no_key : titles;
 }
 
 }  // namespace game

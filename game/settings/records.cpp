@@ -8,6 +8,7 @@
 
 #include "engine/files/json_object.h"
 #include "game/settings/user_files.h"
+#include "game/words/words.h"
 #include "ribbon/box2d/state_hash.h"
 
 namespace game {
@@ -82,7 +83,7 @@ void Records::load(std::string& notice) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     rename_broken(file());
-    notice = "The best times cannot be read; the file is kept as best.json.broken";
+    notice = words::times_unreadable;
   }
 }
 
@@ -130,7 +131,7 @@ void Records::try_to_write(Write write, std::string& notice) {
     if (failed_) return;
     failed_ = true;
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    notice = "The best times cannot be written; they last until the game ends";
+    notice = words::times_not_written;
   }
 }
 

@@ -6,6 +6,7 @@
 #include "engine/files/json_object.h"
 #include "engine/window/input_names.h"
 #include "game/settings/user_files.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -99,7 +100,7 @@ Settings SettingsFile::load(std::string& notice) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     rename_broken(path_);
-    notice = "The settings cannot be read, so the defaults are used; the file is kept as settings.json.broken";
+    notice = words::settings_unreadable;
   }
   return saved_;
 }
@@ -113,7 +114,7 @@ void SettingsFile::save(const Settings& settings, std::string& notice) {
     if (failed_) return;
     failed_ = true;
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    notice = "The settings cannot be written; they last until the game ends";
+    notice = words::settings_not_written;
   }
 }
 

@@ -147,6 +147,10 @@ void Blades::store(const engine::Scene& scene) {
   }
 }
 
+void Blades::forget(CordId cord) {
+  if (cord < static_cast<CordId>(cords_.size())) cords_[static_cast<std::size_t>(cord)].clear();
+}
+
 /// The places of edges and cords follow from the rest of the state.
 void Blades::add_to(ribbon::box2d::Hasher& hasher) const {
   for (const Piece& piece : pieces_) {

@@ -10,7 +10,8 @@
 
 namespace game {
 
-/// Cuts the cords of a level where a link of them meets the edge of a blade in a tick. All state is in the object.
+/// Cuts the cords of a level, and the lines of players, where a link of them meets the edge of a blade in a tick. All
+/// state is in the object.
 class Blades {
  public:
   /// The ticks for which the pieces of a cut cord are not cut again: a piece that falls slides along the edge.
@@ -29,6 +30,8 @@ class Blades {
 
   /// Forgets how the cords moved: they were put where they are.
   void store(const engine::Scene& scene);
+  /// Forgets how one cord moved, which was put where it is.
+  void forget(ribbon::box2d::CordId cord);
 
  private:
   struct Piece {

@@ -25,7 +25,7 @@ void Burning::burn(const std::vector<Fire>& fires, engine::Scene& scene) {
   const auto ids = scene.coupling().cords();
   const CordId last = ids.empty() ? -1 : ids.back();
   for (CordId id = 0; id <= last; ++id) {
-    if (scene.coupling().cord(id).is_valid() && is_cuttable(scene.coupling().cord(id))) heat_cord(fires, scene, id);
+    if (scene.coupling().cord(id).is_valid() && is_burnable(scene.coupling().cord(id))) heat_cord(fires, scene, id);
   }
 }
 

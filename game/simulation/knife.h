@@ -8,8 +8,9 @@ namespace game {
 /// m, from the hand to a cord that the knife cuts: one at the feet is in reach.
 inline constexpr double knife_reach = 2.2;
 
-/// Cuts the cord of the level nearest to the player's hand, within the reach, that it does not hold. If there is
-/// none, cuts the cord that it holds just below the hand. Returns false if there is nothing to cut.
+/// Cuts the cord nearest to the player's hand, within the reach, that it does not hold: one of the level, a line of the
+/// other player, or one that it released or tied. If there is none, cuts the cord that it holds just below the hand.
+/// Returns false if there is nothing to cut.
 bool cut_by_hand(const Player& player, ribbon::box2d::Coupling& coupling);
 
 }  // namespace game

@@ -4,11 +4,14 @@
 
 namespace game {
 
-/// Returns whether a cord is one of the level that the rules can cut: it, or the cord that it is a piece of, was built
-/// from the map, for the direct solver. The lines of players are not.
+/// Returns whether blades and knives can cut a cord: one of the level or a line of a player, for the direct solver.
 inline bool is_cuttable(const ribbon::box2d::CordView& cord) {
-  return cord.user_data() != 0 && cord.is_enabled() && cord.solver() == ribbon::box2d::Solver::direct;
+  return cord.is_enabled() && cord.solver() == ribbon::box2d::Solver::direct;
 }
+
+/// Returns whether a cord can burn: it, or the cord that it is a piece of, was built from the map. The lines of players
+/// were not.
+inline bool is_burnable(const ribbon::box2d::CordView& cord) { return cord.user_data() != 0 && is_cuttable(cord); }
 
 /// Returns the index of the point in the middle row of a column.
 inline std::size_t middle_point(const ribbon::box2d::CordShape& shape, int column) {

@@ -145,7 +145,8 @@ ribbon::box2d::CordId Line::hand_over(ribbon::box2d::Coupling& coupling) {
   if (grip_) coupling.grip(*grip_).release();
   grip_.reset();
   cord_.reset();
-  state_ = State::stowed;
+  is_new_ = false;
+  if (state_ != State::flying) state_ = State::stowed;
   return left;
 }
 

@@ -66,6 +66,7 @@ class Line {
   /// Returns the cord. Precondition: is_held().
   ribbon::box2d::CordId leave(ribbon::box2d::Coupling& coupling);
   /// Does so with a line in any state that has a cord, and keeps the cord as it moves, with all that others hold of it.
+  /// A throw goes on. The cord may have been cut: its id is returned, and the pieces stay.
   ribbon::box2d::CordId hand_over(ribbon::box2d::Coupling& coupling);
   /// Updates the state after something else removed the grip. Call it first in each tick.
   void follow(ribbon::box2d::Coupling& coupling);

@@ -45,6 +45,7 @@ bool Lines::arrive() const {
 
 void Lines::move(const Command& command, ribbon::box2d::Coupling& coupling, b2Body& body, Vec2 hand, double dt) {
   for (Line& line : lines_) {
+    if (line.arrives() && is_shared(line)) hand_over(line, coupling);  // it was caught during the throw
     line.fly(coupling, body, hand);
     line.reel(command.reel, coupling, dt);
   }
@@ -113,11 +114,41 @@ void Lines::tighten(Knot& knot, ribbon::box2d::Coupling& coupling, double dt) co
 
 void Lines::add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling) {
   if (knot_count_ == most_knots) {
-    if (coupling.cord(knots_.front().cord).is_valid()) coupling.remove(knots_.front().cord);
-    std::rotate(knots_.begin(), knots_.begin() + 1, knots_.end());
+    const auto first = std::find_if(knots_.begin(), knots_.end(), [this](const Knot& each) {
+      return each.cord != shared_;  // the other player holds one cord at most
+    });
+    if (coupling.cord(first->cord).is_valid()) coupling.remove(first->cord);
+    std::rotate(first, first + 1, knots_.end());
     --knot_count_;
   }
   knots_[knot_count_++] = knot;
+}
+
+/// The pieces stay as knots do, so that no run has ever more cords. A piece that the player hung from falls without it.
+void Lines::follow_cuts(ribbon::box2d::Coupling& coupling) {
+  for (const ribbon::box2d::CutEvent& event : coupling.cut_events()) {
+    if (!forget(event.cord, coupling)) continue;
+    for (const std::optional<ribbon::box2d::CordId>& piece : {event.first, event.second}) {
+      Knot left;
+      left.cord = piece.value_or(-1);
+      if (piece) add_knot(left, coupling);
+    }
+  }
+}
+
+/// Forgets a cord that was cut, if it is the one of a line or a knot. Returns whether it was.
+bool Lines::forget(ribbon::box2d::CordId cut, ribbon::box2d::Coupling& coupling) {
+  for (Line& line : lines_) {
+    if (line.cord() != cut) continue;
+    line.hand_over(coupling);
+    return true;
+  }
+  const auto end = knots_.begin() + static_cast<std::ptrdiff_t>(knot_count_);
+  const auto knot = std::find_if(knots_.begin(), end, [cut](const Knot& each) { return each.cord == cut; });
+  if (knot == end) return false;
+  std::rotate(knot, knot + 1, end);
+  --knot_count_;
+  return true;
 }
 
 void Lines::add_to(ribbon::box2d::Hasher& hasher) const {

@@ -17,8 +17,8 @@ namespace game {
 class Lines {
  public:
   static constexpr std::size_t most = 2;
-  static constexpr std::size_t most_knots =
-      8;  ///< lines that hang things together; a further knot takes away the first
+  static constexpr std::size_t most_knots = 8;  ///< lines that hang things together, and pieces of cut ones; a further
+                                                ///< one takes away the first that the other player does not hold
 
   /// The buttons of a tick that act on lines.
   struct Command {
@@ -42,6 +42,8 @@ class Lines {
   bool arrive() const;
   /// Advances flying lines, which `body` then holds at `hand` (m, in its frame), and reels the held ones.
   void move(const Command& command, ribbon::box2d::Coupling& coupling, b2Body& body, ribbon::Vec2 hand, double dt);
+  /// Lets go of the lines that were cut since the last call, and keeps their pieces. Call it after each tick.
+  void follow_cuts(ribbon::box2d::Coupling& coupling);
   /// Releases all lines. A line that the other player holds stays as it is for it, and is no longer one of these.
   /// Returns false if there is none.
   bool release(ribbon::box2d::Coupling& coupling);
@@ -64,6 +66,7 @@ class Lines {
   void tie(const std::optional<Target>& target, ribbon::Vec2 hand, ribbon::box2d::Coupling& coupling);
   void tighten(Knot& knot, ribbon::box2d::Coupling& coupling, double dt) const;
   void add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling);
+  bool forget(ribbon::box2d::CordId cut, ribbon::box2d::Coupling& coupling);
 
   std::array<Line, most> lines_;
   std::size_t count_;

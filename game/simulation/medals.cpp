@@ -23,14 +23,4 @@ Medal medal_for(int ticks, const Medals& medals) {
 
 int ticks_in(double seconds) { return static_cast<int>(std::floor(seconds * ticks_per_second)); }
 
-std::string medal_title(Medal medal) {
-  switch (medal) {
-    case Medal::gold: return "Gold";
-    case Medal::silver: return "Silver";
-    case Medal::bronze: return "Bronze";
-    case Medal::none:
-    default: return "";
-  }
-}
-
 }  // namespace game

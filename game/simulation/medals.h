@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "game/simulation/level.h"
 
 namespace game {
@@ -23,8 +21,5 @@ Medal medal_for(int ticks, const Medals& medals);
 
 /// Returns the number of whole ticks in `seconds`.
 int ticks_in(double seconds);
-
-/// Returns "Gold", "Silver", "Bronze" or an empty text.
-std::string medal_title(Medal medal);
 
 }  // namespace game

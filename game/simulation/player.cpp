@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 
 #include "game/simulation/buttons.h"
 #include "game/simulation/footing.h"
+#include "game/simulation/nearest_pin.h"
 #include "game/simulation/nearest_point.h"
 #include "game/simulation/player_body.h"
 #include "ribbon/box2d/convert.h"
@@ -21,19 +21,10 @@ using ribbon::box2d::to_float;
 
 constexpr int long_ago = 1'000'000;  // ticks
 
-/// Returns the constrained point nearest to a held position along its cord, or −1.
-int nearest_pin(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
-  int pin = -1;
-  for (int p = 0; p < static_cast<int>(coupling.cord(held.cord).positions().size()); ++p) {
-    if (coupling.cord(held.cord).kind(p) != ribbon::PointKind::constrained) continue;
-    if (pin < 0 || std::abs(p - held.point) < std::abs(pin - held.point)) pin = p;
-  }
-  return pin;
-}
-
 /// Returns the position from which the held position hangs: the nearest constrained point, else the cord's first point.
 Vec2 anchor_of(const ribbon::box2d::Coupling& coupling, const ribbon::box2d::CordPoint& held) {
-  return coupling.cord(held.cord).positions()[static_cast<std::size_t>(std::max(nearest_pin(coupling, held), 0))];
+  const ribbon::box2d::CordView cord = coupling.cord(held.cord);
+  return cord.positions()[static_cast<std::size_t>(std::max(nearest_pin(cord, held.point), 0))];
 }
 
 }  // namespace
@@ -311,9 +302,8 @@ void Player::climb(int direction, const ribbon::box2d::CordPoint& held, ribbon::
   const double here = cord.arc(held.point, held.along);
   if (direction == 0) return coupling.grip(*grip_id_).climb(here, tuning_.climb_speed);  // stops
   const ribbon::box2d::CordShape shape = cord.shape();
-  const auto x = cord.positions();
-  const int pin = nearest_pin(coupling, held);
-  const bool up_is_first = pin >= 0 ? pin <= held.point : x.front().y >= x.back().y;
+  const int pin = nearest_pin(cord, held.point);
+  const bool up_is_first = hangs_from_first(cord, held.point);
   const double whole = cord.arc((shape.columns - 1) * shape.rows);
   const double top = pin < 0 ? (up_is_first ? 0.0 : whole) : cord.arc(pin);
   const double upper_end =

@@ -28,6 +28,8 @@ class Player {
   /// Applies the buttons of one tick (game/simulation/buttons.h): run, jump, catch, climb, pump, release, and use the
   /// lines.
   void apply(std::uint16_t buttons, const Targets& targets, ribbon::box2d::Coupling& coupling, double dt);
+  /// Lets go of lines that were cut. Call it after each tick in which something can cut.
+  void follow_cuts(ribbon::box2d::Coupling& coupling) { lines_.follow_cuts(coupling); }
   /// Detects ground from the contacts of the world's last step; the next apply() uses the result instead of its own.
   /// For callers that step the world several times per tick.
   void detect_ground(const ribbon::box2d::Coupling& coupling);

@@ -33,6 +33,8 @@ class Rules {
   void return_to(const Rules& start);
   /// Cords were put elsewhere since the last tick, which no blade has cut on their way.
   void cords_were_put(const engine::Scene& scene);
+  /// Does so for one cord.
+  void cord_was_put(ribbon::box2d::CordId cord) { blades_.forget(cord); }
   /// Sends the chasers back, for a player that is put back in a scene that goes on.
   void send_chasers_back() { chase_.go_back(level_->chasers); }
 

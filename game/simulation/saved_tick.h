@@ -27,13 +27,18 @@ struct Seat {
   std::uint16_t buttons_before = 0;
 };
 
+/// The last fall of a run.
+struct LastFall {
+  int player = 0;         ///< which fell
+  bool is_death = false;  ///< a danger of the level killed it; else it fell out of the level
+};
+
 /// State of a Simulation between two ticks.
 struct SavedTick {
-  /// Drag, checkpoint, the seats, ticks, ticks of the run, falls, the player that fell last, and ticks at the
-  /// goal: the members of Simulation with
-  /// these names.
+  /// Drag, checkpoint, the seats, ticks, ticks of the run, falls, the last fall, and ticks at the goal: the members of
+  /// Simulation with these names.
   using Progress =
-      std::tuple<Drag, std::optional<std::size_t>, std::array<Seat, 2>, int, int, int, int, std::optional<int>>;
+      std::tuple<Drag, std::optional<std::size_t>, std::array<Seat, 2>, int, int, int, LastFall, std::optional<int>>;
 
   ribbon::box2d::CouplingState cords;
   ribbon::box2d::WorldSnapshot world;

@@ -61,6 +61,7 @@ void Simulation::skip(const engine::TickInput& input) {
 
   apply(0, buttons[0], pressed[0], engine::pointer(input));
   if (players() == 2) apply(1, buttons[1], pressed[1], std::nullopt);
+  follow_lines();
   if (tether_) reel_tether(input);
   std::array<b2Body*, 2> bodies{&players_[0]->body(), players() == 2 ? &players_[1]->body() : nullptr};
   drag_.apply(input, *scene_, std::span(bodies).first(at(players())), tick_dt);
@@ -71,7 +72,10 @@ void Simulation::skip(const engine::TickInput& input) {
     rules_.before(*scene_, tick_dt);
   }
   move_(tick_dt);
-  if (!make_mover_) rules_.after(*scene_);
+  if (!make_mover_) {
+    rules_.after(*scene_);
+    for (int k = 0; k < players(); ++k) players_[at(k)]->follow_cuts(scene_->coupling());
+  }
   ++ticks_;
   ++run_ticks_;
   check_players();
@@ -91,6 +95,15 @@ void Simulation::apply(int number, std::uint16_t buttons, unsigned pressed, std:
   if ((buttons & pressed & button_throw) != 0 && drop_load(player))
     buttons &= static_cast<std::uint16_t>(~button_throw);
   player.apply(buttons, targets, scene_->coupling(), tick_dt);
+}
+
+/// A line that arrives is new where it is: no blade has cut it on its way.
+void Simulation::follow_lines() {
+  for (int k = 0; k < players(); ++k) {
+    for (const Line& line : player(k).lines().all()) {
+      if (line.is_new()) rules_.cord_was_put(*line.cord());
+    }
+  }
 }
 
 /// A player that holds no line reels the rope between the two. One that stands still on the ground braces itself.
@@ -266,7 +279,7 @@ bool Simulation::is_at_flag(int number) const {
 /// Updates goal, checkpoint and falls after the players have moved. If one falls, both are put back.
 void Simulation::check_players() {
   if (!goal_ticks_ && is_at_flag(0) && (players() == 1 || is_at_flag(1))) goal_ticks_ = run_ticks_;
-  std::optional<int> fallen;
+  std::optional<LastFall> fallen;
   for (int k = 0; k < players(); ++k) {
     const Vec2 at = player(k).position();
     std::optional<std::size_t> inside;
@@ -279,16 +292,16 @@ void Simulation::check_players() {
     was_inside = inside;
     if (level_->assists.no_fall) update_foothold(k);
     const bool dies = !goal_ticks_ && rules_.meet(player(k));
-    if (dies || at.y <= -fall_depth) fallen = k;
+    if (dies || at.y <= -fall_depth) fallen = LastFall{k, dies};
   }
   if (!fallen) return;
-  const Vec2 foothold = seats_[at(*fallen)].foothold;
+  const Vec2 foothold = seats_[at(fallen->player)].foothold;
   if (level_->assists.no_fall) {
     rules_.send_chasers_back();
     return put_at(foothold, foothold);
   }
   ++falls_;
-  last_fallen_ = *fallen;
+  last_fall_ = *fallen;
   put_players_back();
 }
 

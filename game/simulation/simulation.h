@@ -74,7 +74,8 @@ class Simulation {
   int run_ticks() const { return run_ticks_; }                    ///< since the last restart
   int falls() const { return falls_; }                            ///< out of the level, since the last restart
   std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< run_ticks() when the goal was reached
-  int last_fallen() const { return last_fallen_; }                ///< the player that fell last
+  int last_fallen() const { return last_fall_.player; }           ///< the player that fell last
+  bool died() const { return last_fall_.is_death; }               ///< by a danger, not out of the level
   /// The last checkpoint of the level that the player entered; it returns there after a fall.
   std::optional<std::size_t> checkpoint() const { return checkpoint_; }
   int coins() const { return rules_.coins(); }  ///< collected since the last restart
@@ -94,6 +95,7 @@ class Simulation {
   void restart();
   void make_players();
   void apply(int number, std::uint16_t buttons, unsigned pressed, std::optional<ribbon::Vec2> pointer);
+  void follow_lines();
   void reel_tether(const engine::TickInput& input);
   bool drop_load(const Player& player);
   void put_players_back();
@@ -108,7 +110,7 @@ class Simulation {
   template <typename Self>
   static auto progress_of(Self& self) {
     return std::tie(self.drag_, self.checkpoint_, self.seats_, self.ticks_, self.run_ticks_, self.falls_,
-                    self.last_fallen_, self.goal_ticks_);
+                    self.last_fall_, self.goal_ticks_);
   }
 
   const Level* level_;
@@ -131,7 +133,7 @@ class Simulation {
   int ticks_ = 0;
   int run_ticks_ = 0;
   int falls_ = 0;
-  int last_fallen_ = 0;
+  LastFall last_fall_;
   std::optional<int> goal_ticks_;
   int restarts_ = 0;
 };

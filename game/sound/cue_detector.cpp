@@ -61,6 +61,12 @@ Strain largest_strain(const ribbon::box2d::Coupling& coupling) {
   return largest;
 }
 
+/// Returns the largest id of a cord; −1 if there is none.
+ribbon::box2d::CordId last_cord(const ribbon::box2d::Coupling& coupling) {
+  const auto ids = coupling.cords();
+  return ids.empty() ? -1 : ids.back();
+}
+
 /// The smoothstep function of x clamped to 0 … 1.
 double smooth(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
@@ -77,6 +83,7 @@ void CueDetector::update(const Simulation& simulation) {
   run_tick_ = simulation.run_ticks();
   if (player_ == 0) detect_bodies(simulation);
   if (player_ == 0) detect_cords(simulation);
+  if (player_ == 0) detect_cuts(simulation);
   detect_line(simulation);
   detect_held_cord(simulation);
   if (player_ == 0) detect_strain(simulation);
@@ -87,6 +94,8 @@ void CueDetector::update(const Simulation& simulation) {
 
 void CueDetector::reset(const Simulation& simulation) {
   falls_ = simulation.falls();
+  coins_ = simulation.coins();
+  last_cord_ = last_cord(simulation.scene().coupling());
   reached_goal_ = simulation.goal_ticks().has_value();
   held_ = simulation.player(player_).held_place(simulation.scene().coupling()).has_value();
   on_ground_ = simulation.player(player_).is_on_ground();
@@ -165,6 +174,24 @@ void CueDetector::detect_cords(const Simulation& simulation) {
   cues_.push_back({Noise::slap, from(simulation, largest->point, volume, 1.15 - 0.3 * volume)});
 }
 
+/// A cut that was made since the last tick left a piece, whose id is new. That of a link that broke in it did too.
+void CueDetector::detect_cuts(const Simulation& simulation) {
+  const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
+  const ribbon::box2d::CutEvent* newest = nullptr;
+  for (const ribbon::box2d::CutEvent& event : coupling.cut_events()) {
+    const ribbon::box2d::CordId piece = std::max(event.first.value_or(-1), event.second.value_or(-1));
+    if (piece > last_cord_) newest = &event;
+  }
+  last_cord_ = std::max(last_cord_, last_cord(coupling));
+  if (newest == nullptr) return;
+  const auto piece = newest->first ? newest->first : newest->second;
+  const auto cord = coupling.cord(*piece);
+  const Vec2 at = !cord.is_valid() ? simulation.player(player_).position()
+                  : newest->first  ? cord.positions().back()
+                                   : cord.positions().front();
+  cues_.push_back({Noise::cut, from(simulation, at, 0.7, newest->broke ? 0.85 : 1.0)});
+}
+
 void CueDetector::detect_held_cord(const Simulation& simulation) {
   ++since_creak_;
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
@@ -202,7 +229,8 @@ void CueDetector::detect_line(const Simulation& simulation) {
   if (arrives) cues_.push_back({Noise::hook, from(simulation, line.end(), 0.8, 1.0)});
   const bool is_held = line.state() == Line::State::held && !arrives;
   const double speed = is_held ? std::abs(line.length() - line_length_) * ticks_per_second : 0.0;  // m/s
-  reel_ = {0.6 * smooth(speed / 2.0), 0.0, 0.8 + 0.2 * std::min(speed, 5.0)};
+  reel_ = from(simulation, simulation.player(player_).position(), 0.6 * smooth(speed / 2.0),
+               0.8 + 0.2 * std::min(speed, 5.0));
   line_ = line.state();
   line_length_ = line.length();
 }
@@ -221,8 +249,10 @@ void CueDetector::detect_player(const Simulation& simulation) {
 }
 
 void CueDetector::detect_progress(const Simulation& simulation) {
-  if (simulation.falls() > falls_) add(simulation, Noise::fall, 0.7);
+  if (simulation.falls() > falls_) add(simulation, simulation.died() ? Noise::dies : Noise::fall, 0.7);
   falls_ = simulation.falls();
+  if (simulation.coins() > coins_) add(simulation, Noise::coin, 0.6);
+  coins_ = simulation.coins();
   if (simulation.checkpoint() && simulation.checkpoint() != checkpoint_) add(simulation, Noise::checkpoint, 0.7);
   checkpoint_ = simulation.checkpoint();
   if (simulation.goal_ticks() && !reached_goal_) add(simulation, Noise::goal, 0.8);
@@ -232,8 +262,9 @@ void CueDetector::detect_progress(const Simulation& simulation) {
 void CueDetector::detect_wind(const Simulation& simulation) {
   const double speed = length(simulation.scene().coupling().body(simulation.player(player_).body()).velocity());
   const double strength = on_ground_ ? 0.0 : smooth((speed - min_wind_speed) / (full_wind_speed - min_wind_speed));
-  wind_.volume += 0.2 * (0.75 * strength - wind_.volume);
-  wind_.pitch = 0.75 + 0.9 * std::min(1.0, speed / full_wind_speed);
+  gust_ += 0.2 * (0.75 * strength - gust_);
+  wind_ = from(simulation, simulation.player(player_).position(), gust_,
+               0.75 + 0.9 * std::min(1.0, speed / full_wind_speed));
 }
 
 }  // namespace game

@@ -22,13 +22,16 @@ enum class Noise : unsigned char {
   jump,
   footstep,
   fall,  ///< out of the level
+  dies,  ///< a danger of the level kills the player
   goal,
   throws,  ///< the player throws a line
   hook,    ///< the line arrives at the hook
   checkpoint,
   strains,  ///< a rope is near its breaking force
+  cut,      ///< a knife, a blade or a fire cuts a cord, or it breaks
+  coin,     ///< the player collects one
 };
-inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::strains) + 1;
+inline constexpr std::size_t noise_count = static_cast<std::size_t>(Noise::coin) + 1;
 
 struct Cue {
   Noise noise;
@@ -48,9 +51,9 @@ class CueDetector {
 
   /// The sounds that began in the last tick; volumes 0 … 1.
   std::span<const Cue> cues() const { return cues_; }
-  /// The wind around its player, by its speed in the air.
+  /// The wind around its player, by its speed in the air, as heard from the first player.
   const engine::Playing& wind() const { return wind_; }
-  /// The reeling of the line.
+  /// The reeling of the line, heard likewise.
   const engine::Playing& reel() const { return reel_; }
 
  private:
@@ -58,6 +61,7 @@ class CueDetector {
   double largest_impulse(const b2Body& body) const;
   void detect_bodies(const Simulation& simulation);
   void detect_cords(const Simulation& simulation);
+  void detect_cuts(const Simulation& simulation);
   void detect_held_cord(const Simulation& simulation);
   void detect_strain(const Simulation& simulation);
   void detect_line(const Simulation& simulation);
@@ -70,11 +74,14 @@ class CueDetector {
   int player_;
   std::vector<Cue> cues_;
   engine::Playing wind_{0.0, 0.0, 1.0};
+  double gust_ = 0.0;  // volume of the wind at its player
   engine::Playing reel_{0.0, 0.0, 1.0};
   std::unordered_map<const b2Body*, ribbon::Vec2> velocities_;  // m/s, after the previous tick
   int tick_ = -1;
   int run_tick_ = -1;
   int falls_ = 0;
+  int coins_ = 0;
+  ribbon::box2d::CordId last_cord_ = -1;  // the largest id of a cord after the previous tick
   bool reached_goal_ = false;
   std::optional<std::size_t> checkpoint_;
   Line::State line_ = Line::State::stowed;

@@ -24,6 +24,9 @@ Sounds::Sounds() : had_device_(audio_.has_device()) {
   load(Noise::throws, {"throw"});
   load(Noise::hook, {"hook"});
   load(Noise::checkpoint, {"checkpoint"});
+  load(Noise::dies, {"die"});
+  load(Noise::cut, {"cut"});
+  load(Noise::coin, {"coin"});
   load(Noise::strains, {"creak_1", "creak_2", "creak_3"});
   wind_ = load_loop("whoosh");
   reel_ = load_loop("reel");

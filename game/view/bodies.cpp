@@ -171,7 +171,7 @@ void draw_ball(Pen& pen, Vec2 center, double radius, double angle, Color color) 
 void draw_circle(Pen& pen, const DrawnBody& drawn, const b2CircleShape& shape) {
   const Vec2 center = placed(drawn.pose, to_double(shape.m_p));
   const double radius = static_cast<double>(shape.m_radius);
-  if (!pen.sees(center, radius)) return;
+  if (!pen.sees(center, radius) && !(pen.prepares && drawn.is_load)) return;
   if (drawn.is_load)
     return draw_weight(pen, center, radius, drawn.pose.angle, static_cast<double>(drawn.body.GetMass()));
   if (drawn.body.GetType() == b2_staticBody) return draw_peg(pen, center, radius);
@@ -200,7 +200,7 @@ void draw_bodies(Pen& pen, std::span<const DrawnBody> bodies) {
   std::vector<std::pair<const DrawnBody*, std::vector<Vec2>>> weights;
   each_shape<b2PolygonShape>(bodies, b2Shape::e_polygon, [&](const DrawnBody& drawn, const b2PolygonShape& shape) {
     std::vector<Vec2> corners = corners_of(shape, drawn.pose);
-    if (!is_seen(pen, corners)) return;
+    if (!is_seen(pen, corners) && !(pen.prepares && drawn.is_load)) return;
     if (drawn.is_load) {
       weights.emplace_back(&drawn, std::move(corners));
     } else {

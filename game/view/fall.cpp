@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/view/shading.h"
 #include "game/view/veil.h"
 
 namespace game {
@@ -12,16 +13,13 @@ using ribbon::Vec2;
 constexpr double gravity = 9.81;        // m/s²
 constexpr double tick_dt = 1.0 / 60.0;  // s
 
-/// Eases 0 … 1 in and out.
-double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
-
 }  // namespace
 
 double Fall::openness(double alpha) const {
   if (!is_shown()) return 1.0;
   const double now = ticks_ - 1.0 + alpha;
-  if (is_closing()) return 1.0 - smooth(std::clamp((now + 1.0) / closing, 0.0, 1.0));
-  return smooth(std::clamp((now - closing + 1.0) / opening, 0.0, 1.0));
+  if (is_closing()) return 1.0 - smoothstep(0.0, closing, now + 1.0);
+  return smoothstep(closing, closing + opening, now + 1.0);
 }
 
 Vec2 Fall::at(double alpha) const {

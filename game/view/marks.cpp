@@ -116,14 +116,33 @@ void draw_hook(Pen& pen, Vec2 at, bool in_range) {
   pen.canvas.circle(at + Vec2{0.0, 0.21}, 0.075, pen.colors.iron);
 }
 
+namespace {
+
+constexpr double near_view = 12.0;  // m, the least height of the view (camera.cpp)
+constexpr double far_view = 26.0;   // m, the largest, which shows two players
+
+/// Sets lines of text in all sizes in which the camera will show them: a new size takes milliseconds. `height`: of the
+/// text, m.
+void prepare_text(const Pen& pen, const std::vector<std::string_view>& lines, double height) {
+  const auto least = static_cast<int>(std::floor(height * pen.canvas.height() / far_view));
+  const auto most = static_cast<int>(std::ceil(height * pen.canvas.height() / near_view));
+  for (const std::string_view line : lines) {
+    for (int size = least; size <= most; ++size) static_cast<void>(pen.canvas.text_width(line, size));
+  }
+}
+
+}  // namespace
+
 void draw_sign(Pen& pen, Vec2 foot, std::string_view text, Vec2 start, double height) {
-  if (text.empty() || !pen.sees(foot, 8.0)) return;
+  if (text.empty() || (!pen.prepares && !pen.sees(foot, 8.0))) return;
   std::vector<std::string_view> lines;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
     lines.push_back(text.substr(from, to - from));
     from = to + 1;
   }
+  if (pen.prepares) prepare_text(pen, lines, height);
+  if (!pen.sees(foot, 8.0)) return;
   const double size = height * pen.scale();
   const double step = pen.canvas.line_height(size);
   double width = 0.0;
@@ -154,7 +173,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, Vec2 start, double he
 }
 
 void draw_weight(Pen& pen, Vec2 center, double radius, double angle, double mass) {
-  if (!pen.sees(center, radius)) return;
+  if (!pen.prepares && !pen.sees(center, radius)) return;
   pen.canvas.circle(center, radius, pen.colors.ink);
   pen.disc(pen.images.iron, center, radius - 0.03, mix(pen.colors.iron, white, 0.12), angle);
   pen.disc(pen.images.shade, center, radius - 0.03, white);
@@ -166,7 +185,9 @@ void draw_mass(Pen& pen, Vec2 center, double radius, double mass) {
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.3g", is_heavy ? mass / 1000.0 : mass);
   const std::string text = words::filled(is_heavy ? words::tonnes : words::kilograms, {{"number", number.data()}});
-  const double size = 0.52 * radius * pen.scale();
+  const double height = 0.52 * radius;  // m
+  if (pen.prepares) prepare_text(pen, {text}, height);
+  const double size = height * pen.scale();
   if (size < 6.0) return;
   const Vec2 at = pen.canvas.to_pixels(center) - Vec2{0.0, 0.5 * pen.canvas.line_height(size)};
   pen.canvas.text(at + Vec2{1.0, 1.0}, text, size, pen.colors.ink, engine::Align::center);

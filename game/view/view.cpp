@@ -53,10 +53,8 @@ std::vector<DrawnBody> bodies_of(const Simulation& simulation, const Snapshot& n
   return bodies;
 }
 
-bool is_line(const Player& player, ribbon::box2d::CordId cord) {
-  const auto lines = player.lines().all();
-  return std::any_of(lines.begin(), lines.end(), [cord](const Line& line) { return line.cord() == cord; });
-}
+/// Returns whether a cord is a line of a player, tied or cut too: it is not from the map.
+bool is_line(const ribbon::box2d::CordView& cord) { return cord.user_data() == 0; }
 
 std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& now) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
@@ -65,9 +63,7 @@ std::vector<DrawnCord> cords_of(const Simulation& simulation, const Snapshot& no
   const double weight = 9.81 * simulation.level().player_mass;
   for (const ribbon::box2d::CordId id : coupling.cords()) {
     const std::vector<Vec2>& points = now.cords[static_cast<std::size_t>(id)];
-    bool is_a_line = false;
-    for (int k = 0; k < simulation.players(); ++k) is_a_line = is_a_line || is_line(simulation.player(k), id);
-    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_a_line});
+    cords.push_back({coupling, id, coupling.cord(id).shape(), points, is_line(coupling.cord(id))});
     if (held && held->cord == id) cords.back().load = largest_tension(coupling, id) / weight;
   }
   return cords;

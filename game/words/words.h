@@ -5,9 +5,8 @@
 #include <string_view>
 #include <utility>
 
-/// All texts that the game shows. A name in braces is replaced by `filled`. The titles of actions are in
-/// game/settings/action.cpp, those of levels, their hints and signs in their files. tests/house/shown_words looks for
-/// texts elsewhere.
+/// All texts that the game shows. A name in braces is replaced by `filled`. Titles, hints and signs of levels are in
+/// their files, the reasons of errors where they are found. tests/house/shown_words looks for texts elsewhere.
 namespace game::words {
 
 /// Replaces names in braces: filled("in {time}", {{"time", "12.00 s"}}) is "in 12.00 s". Other braces stay.
@@ -98,12 +97,46 @@ inline constexpr const char* per_cent = "{number} %";
 inline constexpr const char* keys_and_buttons = "Keys and buttons";
 inline constexpr const char* keys_note =
     "Keyboard and mouse   |   gamepad.   Choose an action, then press its new key.";
+inline constexpr const char* second_keys_note =
+    "The second player's half of the keyboard, in levels for two. What it has, the first player has not.";
+inline constexpr const char* keys_of = "Keys of";
+inline constexpr const char* first_player = "the first player";
+inline constexpr const char* second_player = "the second player";
 inline constexpr const char* both_devices = "{keys}   |   {buttons}";
 inline constexpr const char* waiting_for_key = "…";
 inline constexpr const char* reset_to_defaults = "Reset to defaults";
 inline constexpr const char* press_a_key =
     "Press a key or button for “{action}”. One that it has already is removed. Esc or Start: stop";
 inline constexpr const char* key_is_taken = "{key} is for “{owner}”. Press it again to use it for “{action}” instead.";
+
+inline constexpr const char* or_key = " or ";
+inline constexpr const char* no_key = "none";
+
+// The titles of the actions
+inline constexpr const char* do_left = "Run or swing left";
+inline constexpr const char* do_right = "Run or swing right";
+inline constexpr const char* do_up = "Climb up";
+inline constexpr const char* do_down = "Climb down";
+inline constexpr const char* do_jump = "Jump, let go";
+inline constexpr const char* do_grab = "Catch a rope";
+inline constexpr const char* do_throw_line = "Throw a line";
+inline constexpr const char* do_throw_second = "Throw a second line";
+inline constexpr const char* do_tie = "Tie the line";
+inline constexpr const char* do_cut = "Cut a rope";
+inline constexpr const char* do_reel_in = "Reel in";
+inline constexpr const char* do_reel_out = "Reel out";
+inline constexpr const char* do_retry = "Back to the checkpoint";
+inline constexpr const char* do_restart = "Restart the level";
+inline constexpr const char* do_pause = "Pause";
+inline constexpr const char* do_step = "Advance one tick";
+inline constexpr const char* do_slow_motion = "Slow motion 1/2, 1/4";
+inline constexpr const char* do_help = "Show or hide the keys";
+inline constexpr const char* do_debug_view = "Debug view, drag by mouse";
+inline constexpr const char* do_panel = "Figures and parameters";
+inline constexpr const char* do_mute = "Sound on or off";
+inline constexpr const char* do_fullscreen = "Full screen";
+inline constexpr const char* do_film = "Start or stop a video";
+inline constexpr const char* do_screenshot = "Take a screenshot";
 
 // Play
 inline constexpr const char* help_key = "{key}: help";
@@ -139,6 +172,11 @@ inline constexpr const char* last_seconds_legend = "thin lines: with this preset
 inline constexpr const char* last_seconds_gap = "apart now {now} cm, most {most} cm after {time} s";
 inline constexpr const char* last_seconds_cost = "a tick {other} µs, as played {played} µs";
 
+// Medals
+inline constexpr const char* gold = "Gold";
+inline constexpr const char* silver = "Silver";
+inline constexpr const char* bronze = "Bronze";
+
 // Results
 inline constexpr const char* time_and_medal = "{time}   {medal}!";
 inline constexpr const char* made_it_through = "You made it through “{level}”";
@@ -155,6 +193,11 @@ inline constexpr const char* one_fall = "1 fall";
 inline constexpr const char* some_falls = "{count} falls";
 
 // Notices
+inline constexpr const char* times_unreadable = "The best times cannot be read; the file is kept as best.json.broken";
+inline constexpr const char* times_not_written = "The best times cannot be written; they last until the game ends";
+inline constexpr const char* settings_unreadable =
+    "The settings cannot be read, so the defaults are used; the file is kept as settings.json.broken";
+inline constexpr const char* settings_not_written = "The settings cannot be written; they last until the game ends";
 inline constexpr const char* rival_refused =
     "--ghost {file} cannot be raced against: {reason}; accepted is a recording of the level that is played";
 inline constexpr const char* rival_of_other_version = "The recording is of another version of this level: no ghost";

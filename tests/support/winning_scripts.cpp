@@ -52,33 +52,22 @@ Move swing_gently(double lean, double most_speed) {
   return move;
 }
 
+/// Swings gently along weak ropes, from a stand at x [m].
+void cross_gently(std::vector<Move>& moves, double x, int ropes) {
+  for (const Move& move : {run_past(x), stand(), jump(right, 12)}) moves.push_back(move);
+  for (int rope = 0; rope < ropes; ++rope) {
+    moves.push_back(rope == 0 ? fly_and_catch(0, 20) : fly_and_catch(right, 4));
+    moves.push_back(swing_gently(0.33, 3.8));
+  }
+}
+
 std::vector<Move> gently() {
-  return {run_past(7.2),
-          stand(),
-          jump(right, 12),
-          fly_and_catch(0, 20),
-          swing_gently(0.33, 3.8),
-          fly_and_catch(right, 4),
-          swing_gently(0.33, 3.8),
-          fly_and_catch(right, 4),
-          swing_gently(0.33, 3.8),
-          run_past(24.2),
-          stand(),
-          jump(right, 12),
-          fly_and_catch(0, 20),
-          swing_gently(0.33, 3.8),
-          fly_and_catch(right, 4),
-          swing_gently(0.33, 3.8),
-          run_past(37.2),
-          stand(),
-          jump(right, 12),
-          fly_and_catch(0, 20),
-          swing_gently(0.33, 3.8),
-          fly_and_catch(right, 4),
-          swing_gently(0.33, 3.8),
-          fly_and_catch(right, 4),
-          swing_gently(0.33, 3.8),
-          until_goal(right)};
+  std::vector<Move> moves;
+  cross_gently(moves, 7.2, 3);
+  cross_gently(moves, 24.2, 2);
+  cross_gently(moves, 37.2, 3);
+  moves.push_back(until_goal(right));
+  return moves;
 }
 
 std::vector<Move> open_the_gate() {

@@ -159,6 +159,34 @@ Track fall() {
   return track;
 }
 
+/// A danger kills the player: a dull blow and a tone that sinks.
+Track die() {
+  Track track(0.6);
+  track.noise(0.0, glide(420.0, 160.0, 0.12), 1.5, times(0.8, strike(0.003, 0.05)));
+  track.tone(0.02, glide(233.1, 146.8, 0.4), strike(0.01, 0.16));
+  track.tone(0.02, glide(277.2, 174.6, 0.4), times(0.5, strike(0.01, 0.14)));
+  track.fade_ends();
+  return track;
+}
+
+/// An edge parts the fibres, and the ends spring apart.
+Track cut() {
+  Track track(0.28);
+  track.noise(0.0, glide(2600.0, 1200.0, 0.06), 2.0, strike(0.002, 0.02));
+  track.noise(0.05, steady(1700.0), 3.0, times(0.6, strike(0.002, 0.014)));
+  track.tone(0.055, glide(210.0, 130.0, 0.12), times(0.7, strike(0.003, 0.045)));
+  track.fade_ends();
+  return track;
+}
+
+Track coin() {
+  Track track(0.45);
+  bell(track, 0.0, 1318.5, 0.7, 0.06);
+  bell(track, 0.06, 1760.0, 0.8, 0.1);
+  track.fade_ends();
+  return track;
+}
+
 Track footstep() {
   Track track(0.1);
   track.noise(0.0, glide(330.0, 180.0, 0.08), 1.2, strike(0.004, 0.018));
@@ -194,6 +222,9 @@ const std::vector<Recipe>& recipes() {
                                           {"checkpoint", checkpoint, 0.6},
                                           {"goal", goal, 0.65},
                                           {"fall", fall, 0.5},
+                                          {"die", die, 0.55},
+                                          {"cut", cut, 0.55},
+                                          {"coin", coin, 0.45},
                                           {"footstep", footstep, 0.4},
                                           {"jump", jump, 0.4}};
   return all;

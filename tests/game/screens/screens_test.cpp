@@ -74,6 +74,30 @@ TEST_P(Screens, NoTextOfMenusIsCutOff) {
   texts_of(title);
 }
 
+/// The lines at the end are the player, the defaults and Back.
+TEST_P(Screens, TheKeysOfTheSecondPlayerCanBeChanged) {
+  ControlsScreen controls(session);
+  MeasuringCanvas canvas(GetParam().width, GetParam().height);
+  const auto move = [&](const MenuInput& menu, const engine::WindowInput& input = {}) {
+    controls.update({input, menu, canvas, 16'666'667, 1.0});
+  };
+  move({.down = -3});
+  move({.right = 1});
+  const std::string texts = texts_of(controls);
+  EXPECT_NE(texts.find("the second player"), std::string::npos) << texts;
+  EXPECT_EQ(texts.find("Take a screenshot"), std::string::npos) << "it has the actions of a run only";
+  move({.down = 3});
+  move({.accept = true});
+  engine::WindowInput key;
+  key.keys_pressed.set(static_cast<std::size_t>(engine::Key::j));
+  move({}, key);
+  EXPECT_EQ(session.settings.second_bindings.action_of(engine::Key::j), Action::left);
+  EXPECT_FALSE(session.settings.bindings.action_of(engine::Key::j));
+  move({.down = -2});  // from the first line to the defaults
+  move({.accept = true});
+  EXPECT_TRUE(session.settings.second_bindings == Bindings::second_defaults());
+}
+
 TEST_P(Screens, NoTextOfRunsIsCutOff) {
   RunOptions asked;
   asked.level = "first_swing";

@@ -96,6 +96,12 @@ TEST_P(Texts, OfMenusAreReadable) {
   EXPECT_EQ(canvas.faults(of_world(load_level(default_level), session), true), "");
   OptionsScreen options(session);
   ControlsScreen controls(session);
+  ControlsScreen of_second(session);
+  const engine::WindowInput none;
+  of_second.update({none, {.down = -3}, canvas, frame_ns, scale});
+  of_second.update({none, {.right = 1}, canvas, frame_ns, scale});
+  EXPECT_NE(draw(of_second).find(words::second_player), std::string::npos);
+  expect_readable(of_second, "keys of the second player");
   for (Screen* menu : {static_cast<Screen*>(&options), static_cast<Screen*>(&controls)}) {
     const engine::WindowInput input;
     for (int row = 0; row < 30; ++row) {
@@ -255,6 +261,22 @@ TEST_P(Texts, OfTheLastSecondsAreReadable) {
   turn(5);
   EXPECT_STREQ(screen.preset().name, "accurate");
   EXPECT_EQ(screen.update({input, {.back = true}, canvas, frame_ns, scale}).what, Next::What::back);
+}
+
+/// A medal stands beside the time, whatever its name is.
+TEST_P(Texts, OfResultsAreBesideTheMedal) {
+  RunOptions asked;
+  asked.replay = test_support::golden();
+  PlayScreen play(session, asked, false);
+  play.shown();
+  while (!play.is_over()) wait(play, 1);
+  for (const Medals& medals : {Medals{900.0, 950.0, 990.0}, Medals{1.0, 900.0, 950.0}, Medals{1.0, 2.0, 900.0}}) {
+    const_cast<Level&>(play.run().level()).medals = medals;
+    ResultsScreen results(session, play);
+    const std::string texts = draw(results, &play);
+    EXPECT_NE(texts.find("!\n"), std::string::npos) << texts;
+    EXPECT_EQ(canvas.faults(of_world(play.run().level(), session), true), "");
+  }
 }
 
 /// A run moves the signs of its level below the boxes of the HUD, which make way.
