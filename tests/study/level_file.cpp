@@ -235,14 +235,9 @@ game::Level LevelFile::level() const {
   return level;
 }
 
-game::Level LevelFile::with(const Setting& setting) const { return moved(setting, 0.0); }
-
-game::Level LevelFile::moved(const Setting& setting, double offset) const {
+game::Level LevelFile::with(const Setting& setting) const {
   Json json = json_;
-  for_each_cord(json, [&](Json& cord) {
-    apply_setting(cord, setting);
-    displace(cord, offset);
-  });
+  for_each_cord(json, [&](Json& cord) { apply_setting(cord, setting); });
   return level_of(json, setting);
 }
 

@@ -74,6 +74,8 @@ std::vector<Setting> grid(bool quick) {
   return all;
 }
 
+Setting probe(const Mesh& mesh) { return {"direct", "tr_bdf2", 4, 1e-5, mesh.points, 0, mesh.rows}; }
+
 Setting reference(const Mesh& mesh, bool second, bool quick) {
   return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick || mesh.rows > 1 ? 2 : 1), 1e-7, mesh.points, 0, mesh.rows};
 }

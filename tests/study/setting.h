@@ -56,4 +56,7 @@ std::vector<Setting> grid(bool quick);
 /// `quick` and for ribbons.
 Setting reference(const Mesh& mesh, bool second, bool quick);
 
+/// Returns the moderate setting whose runs show how sensitive the motion is: 4 substeps solved to 1e-5 m.
+Setting probe(const Mesh& mesh);
+
 }  // namespace study

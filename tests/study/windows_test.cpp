@@ -42,8 +42,8 @@ TEST(Windows, CordsAndPlayersAgreeForDifferentTimes) {
 
 TEST(Windows, ValuesThatAreNotComparedGiveNoError) {
   EXPECT_EQ(WindowErrors{}.greatest(), 0.0);
-  EXPECT_EQ((WindowErrors{unavailable, 2.0}.greatest()), 2.0);
-  EXPECT_EQ((WindowErrors{3.0, 2.0}.greatest()), 3.0);
+  EXPECT_EQ((WindowErrors{unavailable, 2.0, unavailable, {}}.greatest()), 2.0);
+  EXPECT_EQ((WindowErrors{3.0, 2.0, unavailable, {}}.greatest()), 3.0);
 }
 
 /// The run has the level's own settings until a tick, and another setting from then on.
@@ -51,11 +51,11 @@ TEST(Windows, ARunFromATickStartsInTheStateOfTheLevel) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);
   const Trace whole = run(level, inputs);
-  const Trace same = run_from(level, inputs, 25, 10, Accuracy::balanced());
+  const Trace same = run_part(level, inputs, {25, 10, Accuracy::balanced()});
   ASSERT_EQ(same.places.size(), 10U);
   EXPECT_EQ(same.places.front(), whole.places[25]);
   EXPECT_EQ(same.places.back(), whole.places[34]);
-  const Trace other = run_from(level, inputs, 25, 100, Accuracy::fast());
+  const Trace other = run_part(level, inputs, {25, 100, Accuracy::fast()});
   EXPECT_EQ(other.places.size(), 15U);
   EXPECT_NE(other.places.front(), whole.places[25]);
 }
