@@ -148,6 +148,7 @@ void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
   set(cord, "substeps", setting.substeps);
   set(cord, "tolerance", setting.tolerance);
   set(cord, "max_iterations", setting.iterations > 0 ? Json(setting.iterations) : Json());
+  if (setting.max_work > 0) set(cord, "max_work", setting.max_work);
 }
 
 double LevelFile::ribbon_stiffness() const {

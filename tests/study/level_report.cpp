@@ -37,7 +37,8 @@ std::string windows_of(const Study& study) {
          "would throw off what rests.) Cords are compared in " +
          per_cent(study.compared_cords) + " of their ticks, players in " + per_cent(study.compared_players) +
          ", in which converged runs differ by at most 0.1 mm (RMS " + significant(study.agreement.greatest(), 2) +
-         " m), and runs whose velocities differ by 4 mm/s by at most 1 cm. Recommendations use the larger of the errors "
+         " m), and runs whose velocities differ by 4 mm/s by at most 1 cm. Recommendations use the larger of the "
+         "errors "
          "from the start and in windows.";
 }
 
@@ -112,6 +113,10 @@ void add_notes(Report& report, const Study& study, const LevelFile& file) {
   for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
   add_chaotic_notes(report, study);
+  report.notes.emplace_back(
+      "posed: ticks in which the cords' budget of work (max_work) did not suffice, so that they were redone as one "
+      "linearised step, whatever the number of substeps. Where this column is not 0, more substeps need a larger "
+      "max_work to be more accurate. The converged runs have a budget of a million.");
   for (const std::string& left_out : study.left_out) report.notes.push_back("Left out: " + left_out + ".");
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
 }
@@ -138,6 +143,7 @@ void add_table(Report& report, const Study& study) {
                     "contacts_per_tick",
                     "fallbacks",
                     "halvings",
+                    "posed",
                     "unconverged_ticks"};
   report.columns.insert(report.columns.end(), Statistics::names.begin(), Statistics::names.end());
   for (const Measured& m : study.settings) {
@@ -163,6 +169,7 @@ void add_table(Report& report, const Study& study) {
                             direct ? fixed(1.0 * m.contacts / static_cast<double>(study.ticks), 1) : "",
                             direct ? std::to_string(m.work.fallbacks) : "",
                             direct ? std::to_string(m.work.halvings) : "",
+                            direct ? std::to_string(m.work.posed) : "",
                             direct ? std::to_string(m.unconverged_ticks) : ""});
     for (const double value : m.chaotic.values) report.cells.back().push_back(cell(value));
   }

@@ -128,8 +128,7 @@ class LevelStudy {
     progress_.add(work_of(finest));
     const game::Level original = file_->level();
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
-                          accuracy_of(reference({}, true, options_->quick)),
-                          options_->quick ? few_windows : many_windows);
+                          accuracy_of(reference({}, true, options_->quick)), number_of_windows());
     progress_.add(work_of_windows());
     if (options_->films) {
       study.stage = stage_of(original, converged_[Mesh{}].trace);
@@ -165,6 +164,11 @@ class LevelStudy {
     }
     for (const Setting& setting : grid_.settings) sum += (1.0 + options_->repeats) * work_of(setting);
     return sum;
+  }
+
+  std::size_t number_of_windows() const {
+    if (options_->windows > 0) return options_->windows;
+    return options_->quick ? few_windows : many_windows;
   }
 
   double work_of_windows() const {
@@ -226,6 +230,7 @@ class LevelStudy {
     const std::size_t ticks = converged.about.ticks;
     converged.about.chaotic = difference(statistics(converged.trace, ticks), statistics(other, ticks));
     converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
+    converged.about.posed = converged.trace.work.posed;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[mesh] = std::move(converged);
     return true;

@@ -50,6 +50,7 @@ Json json_of(const Measured& m) {
           {"stages", m.work.stages},
           {"fallbacks", m.work.fallbacks},
           {"halvings", m.work.halvings},
+          {"posed", m.work.posed},
           {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
@@ -73,13 +74,15 @@ Measured measured_of(const Json& j) {
   m.work.stages = j.at("stages");
   m.work.fallbacks = j.at("fallbacks");
   m.work.halvings = j.at("halvings");
+  m.work.posed = j.at("posed");
   m.unconverged_ticks = j.at("unconverged_ticks");
   m.failure = j.at("failure");
   return m;
 }
 
 [[noreturn]] void refuse(const std::string& path) {
-  throw std::runtime_error("cannot write to " + path + "; accepted is a folder that can be written, with space (--out)");
+  throw std::runtime_error("cannot write to " + path +
+                           "; accepted is a folder that can be written, with space (--out)");
 }
 
 }  // namespace

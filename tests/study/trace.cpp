@@ -5,6 +5,7 @@
 #include <map>
 
 #include "ribbon/box2d/convert.h"
+#include "tests/study/setting.h"
 
 namespace study {
 namespace {
@@ -144,7 +145,7 @@ std::string blow_up_of(const Trace& trace, std::size_t number) {
   return "blew up in tick " + std::to_string(number);
 }
 
-constexpr ribbon::Accuracy lead_in_accuracy{ribbon::Integrator::tr_bdf2, 16, 8, 1e-6};
+constexpr ribbon::Accuracy lead_in_accuracy{ribbon::Integrator::tr_bdf2, 16, 8, 1e-6, unlimited_work};
 
 /// Changes the accuracy of all cords of the direct solver, and back to that of the level.
 class Accuracies {

@@ -17,7 +17,7 @@ struct WindowErrors {
   double position_m = unavailable;  ///< over all stations
   double player_m = unavailable;
   double body_m = unavailable;  ///< over the second player and the dynamic bodies
-  std::string failure;          ///< why it does not count: it blew up in a window; empty if it counts
+  std::string failure{};        ///< why it does not count: it blew up in a window; empty if it counts
 
   /// 0 if nothing is compared.
   double greatest() const;
