@@ -12,7 +12,8 @@ using Cells = std::vector<std::string>;
 TEST(Text, ACellOfACsvFileIsReadAsItWasWritten) {
   const Cells cells = {"", "a", "a,b", "say \"no\"", ",", "\"", "a b", ""};
   std::string line;
-  for (std::size_t k = 0; k < cells.size(); ++k) line += (k == 0 ? "" : ",") + csv_cell(cells[k]);
+  for (const std::string& cell : cells) line.append(csv_cell(cell)).append(1, ',');
+  line.pop_back();
   EXPECT_EQ(csv_cells(line), cells) << line;
   EXPECT_EQ(csv_cells("a,b,"), (Cells{"a", "b", ""}));
   EXPECT_EQ(csv_cells(""), Cells{""});

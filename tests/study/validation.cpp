@@ -101,9 +101,10 @@ namespace {
 
 /// Returns the index of a setting in a list, to which it is added if it is new.
 std::size_t index_in(std::vector<Setting>& settings, const Setting& setting) {
-  const auto found = std::find(settings.begin(), settings.end(), setting);
-  if (found == settings.end()) settings.push_back(setting);
-  return found == settings.end() ? settings.size() - 1 : static_cast<std::size_t>(found - settings.begin());
+  const auto index =
+      static_cast<std::size_t>(std::find(settings.begin(), settings.end(), setting) - settings.begin());
+  if (index == settings.size()) settings.push_back(setting);
+  return index;
 }
 
 /// The rows of a run; only their promises, failures and run are set if its level cannot be varied.
