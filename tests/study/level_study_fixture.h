@@ -45,8 +45,8 @@ class LevelStudy : public testing::Test {
     std::ofstream(level_path) << json.dump();
   }
 
-  /// Leaves one cord, which is free and 20 cm above the ground.
-  void leave_a_loose_cord() const {
+  /// Leaves one cord, which is free and 20 cm above the ground, at `x` pixels.
+  void leave_a_loose_cord(int x = 120) const {
     auto json = Json::parse(read_file(level_path));
     for (auto& layer : json["layers"]) {
       auto objects = Json::array();
@@ -55,7 +55,7 @@ class LevelStudy : public testing::Test {
         if (object.contains("polyline") && cords++ > 0) continue;
         if (object.contains("polyline")) {
           object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 60}, {"y", 0}}};
-          object["x"] = 120;
+          object["x"] = x;
           object["y"] = 410;  // 20 cm above it
           for (auto& property : object["properties"]) {
             if (property["name"] == "pin_first") property["value"] = false;

@@ -101,8 +101,7 @@ namespace {
 
 /// Returns the index of a setting in a list, to which it is added if it is new.
 std::size_t index_in(std::vector<Setting>& settings, const Setting& setting) {
-  const auto index =
-      static_cast<std::size_t>(std::find(settings.begin(), settings.end(), setting) - settings.begin());
+  const auto index = static_cast<std::size_t>(std::find(settings.begin(), settings.end(), setting) - settings.begin());
   if (index == settings.size()) settings.push_back(setting);
   return index;
 }
