@@ -102,7 +102,7 @@ struct Part {
   std::size_t ticks = 0;                       ///< number of ticks, at most
   std::optional<ribbon::Accuracy> accuracy{};  ///< of all cords of the direct solver; none: the level's own
   /// The number of ticks before `begin` that have 16 substeps. Contacts are compliant, and stiffer with more substeps:
-  /// without a lead-in, a cord that rests on something with one substep is thrown off by 64.
+  /// without a lead-in, 64 substeps push apart what presses on the contacts of one.
   std::size_t lead_in = 0;
   double kick = 0.0;  ///< m/s, added at `begin` to the horizontal velocity of all points and dynamic bodies
 };
