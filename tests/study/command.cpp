@@ -88,29 +88,46 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   return true;
 }
 
-void print_tally(const std::string& limit, const Tally& tally) {
-  std::printf("%s: met by %d of %d recommended settings with another input", limit.c_str(), tally.met,
-              tally.recommended);
-  if (tally.not_found > 0) std::printf("; no setting was recommended in %d more runs", tally.not_found);
+void print_tally(const std::string& promise, const std::string& level, const Tally& tally) {
+  std::printf("%-16s %-24s met by %d of %d recommended settings with another input", promise.c_str(),
+              level.empty() ? "all levels" : level.c_str(), tally.met, tally.recommended);
+  if (tally.recommended > 0) std::printf(" (%.1f %%)", 100.0 * tally.met / tally.recommended);
+  if (tally.not_found > 0) std::printf("; in %d more runs no setting was recommended", tally.not_found);
   std::putchar('\n');
 }
 
-/// Verifies recommendations for the requested limits; the defaults are a centimetre and a tenth of a millisecond.
+void print_tallies(const std::vector<PromiseRow>& rows) {
+  for (const auto& [promise, by_level] : tallies_of(rows)) {
+    for (const auto& [level, tally] : by_level) {
+      if (!level.empty() || by_level.size() > 2) print_tally(promise, level, tally);
+    }
+  }
+}
+
+/// Verifies recommendations for the requested limits. With csv the rows go to the output as they come.
 int print_validation(const Command& command) {
   const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
   const std::vector<LevelFile> levels(names.begin(), names.end());
   if (levels.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
   ValidationOptions options;
-  options.max_error_m = command.limits.max_error_m.value_or(options.max_error_m);
-  options.budget_us = command.limits.median_us.value_or(options.budget_us);
+  options.promises = promises_of(command.limits);
   options.runs = *command.validation_runs;
-  const Validation validation =
-      validate_recommendations(levels, options, [](double share) { show_progress("runs", share); });
-  for (const std::string& violation : validation.violations) std::printf("violation: %s\n", violation.c_str());
-  std::printf("the player held a cord in %d of %d runs with the other input\n", validation.runs_with_grip,
-              options.runs);
-  print_tally("error limit of " + significant(options.max_error_m, 6) + " m", validation.error);
-  print_tally("budget of " + significant(options.budget_us, 6) + " us", validation.budget);
+  options.shard = command.shard;
+  std::vector<PromiseRow> all;
+  if (command.csv && options.shard.is_first()) std::printf("%s\n", promises_header().c_str());
+  validate_recommendations(levels, options, [&](const std::vector<PromiseRow>& rows, double share) {
+    all.insert(all.end(), rows.begin(), rows.end());
+    for (const PromiseRow& row : rows) {
+      if (command.csv) std::printf("%s\n", csv_of(row).c_str());
+    }
+    std::fflush(stdout);
+    show_progress("runs", share);
+  });
+  if (command.csv) return 0;
+  for (const PromiseRow& row : all) {
+    if (!row.setting.empty() && !row.is_met) std::printf("violation: %s\n", csv_of(row).c_str());
+  }
+  print_tallies(all);
   return 0;
 }
 
@@ -140,6 +157,11 @@ void print_grid(const std::vector<Setting>& all) {
 }
 
 }  // namespace
+
+int summarise_promises(const std::string& path) {
+  print_tallies(read_promises(path));
+  return 0;
+}
 
 int run(const Command& command) {
   if (command.validation_runs) return print_validation(command);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/study/limits.h"
+#include "tests/study/shard.h"
 
 namespace study {
 
@@ -18,13 +19,18 @@ struct Command {
   bool terms = false;
   bool apply = false;
   Limits limits;
-  std::optional<int> validation_runs;  ///< number of runs that verify recommendations
+  std::optional<int> validation_runs;  ///< number of runs of each level that verify recommendations
   int repeats = 9;
+  bool csv = false;  ///< of a validation: print its rows
+  Shard shard;       ///< of a validation
 };
 
 /// Returns the recorded input of a level: the command's, or that of the level in the assets folder. Throws
 /// std::runtime_error if there is none.
 std::string replay_of(const Command& command, const LevelFile& file);
+
+/// Prints how many promises were kept, from a file of a validation's rows. Returns the exit status.
+int summarise_promises(const std::string& path);
 
 /// Runs the command and prints its results. Returns the exit status: 0; 1 if no setting in the grid meets the request,
 /// or if it was interrupted. Throws engine::MapError, engine::ReplayError or std::runtime_error for what cannot be

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/study/level_study.h"
+#include "tests/study/shard.h"
 
 namespace study {
 
@@ -39,6 +40,7 @@ struct Guard {
   std::string file;
   std::vector<std::string> levels;  ///< empty: those of the file
   std::string replay;               ///< of one level
+  Shard shard{};                    ///< of these levels; only to check
 };
 
 /// Measures the levels and prints what is worse than the file says. Returns 1 if anything is.

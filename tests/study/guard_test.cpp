@@ -42,8 +42,9 @@ TEST(Guard, ReportsWhatIsWorseThanTheMargin) {
 TEST_F(LevelStudy, AGuardReadsWhatItWrites) {
   const std::string path = home + "/levels.csv";
   GuardRow other = row();
-  other.level = "other";
-  other.failure = "3 ticks not converged";
+  other.level = "two, or \"three\".tmj";
+  other.replay = "a,b.replay";
+  other.failure = "cord 1, 3 ticks not converged";
   write_guard(path, {row(), other});
   EXPECT_EQ(read_guard(path), (std::vector<GuardRow>{row(), other}));
   const auto complaint = [&](const std::string& text) {
@@ -55,6 +56,10 @@ TEST_F(LevelStudy, AGuardReadsWhatItWrites) {
   EXPECT_NE(complaint(whole + "swing,,100\n").find("line 4: is not a row"), std::string::npos);
   EXPECT_NE(complaint(whole + "third,,100,-5,1,1,5,20,\n").find("line 4: is not a row"), std::string::npos);
   EXPECT_NE(complaint(whole + whole.substr(whole.find("swing"))).find("has swing again"), std::string::npos);
+  EXPECT_NE(complaint(whole + "\"third,,100,5,1,1,5,20,\n").find("line 4: is not a row"), std::string::npos);
+  other.replay = "a\nb";
+  EXPECT_NE(refusal<std::runtime_error>([&] { write_guard(path, {other}); }).find("a path has a line end"),
+            std::string::npos);
   EXPECT_NE(refusal<std::runtime_error>([&] { read_guard(home + "/none.csv"); }).find("cannot read"),
             std::string::npos);
   EXPECT_NE(refusal<std::runtime_error>([&] { write_guard(home + "/no/file.csv", {row()}); }).find("cannot write"),

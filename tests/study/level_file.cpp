@@ -148,6 +148,7 @@ void LevelFile::apply_setting(Json& cord, const Setting& setting) const {
   set(cord, "substeps", setting.substeps);
   set(cord, "tolerance", setting.tolerance);
   set(cord, "max_iterations", setting.iterations > 0 ? Json(setting.iterations) : Json());
+  if (setting.max_work > 0) set(cord, "max_work", setting.max_work);
 }
 
 double LevelFile::ribbon_stiffness() const {
@@ -235,14 +236,9 @@ game::Level LevelFile::level() const {
   return level;
 }
 
-game::Level LevelFile::with(const Setting& setting) const { return moved(setting, 0.0); }
-
-game::Level LevelFile::moved(const Setting& setting, double offset) const {
+game::Level LevelFile::with(const Setting& setting) const {
   Json json = json_;
-  for_each_cord(json, [&](Json& cord) {
-    apply_setting(cord, setting);
-    displace(cord, offset);
-  });
+  for_each_cord(json, [&](Json& cord) { apply_setting(cord, setting); });
   return level_of(json, setting);
 }
 

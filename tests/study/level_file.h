@@ -35,8 +35,6 @@ class LevelFile {
   /// Returns the level with a setting for all cords of the map and, of the direct solver, for lines that are thrown.
   /// Throws engine::MapError if it cannot be built.
   game::Level with(const Setting& setting) const;
-  /// The same, with the cords moved by `offset` [m] to the right.
-  game::Level moved(const Setting& setting, double offset) const;
   /// Returns why the level cannot have the setting; empty if it can. It can have every setting of the direct solver for
   /// its own points and rows.
   std::string left_out_reason(const Setting& setting) const;

@@ -16,8 +16,6 @@
 namespace study {
 namespace {
 
-constexpr double disturbance = 1e-10;              // m
-constexpr double max_disturbance = 1e-2;           // m, accepted growth of the disturbance
 constexpr double max_reference_difference = 1e-4;  // m, accepted difference of converged runs with different substeps
 constexpr double finer_mesh = 4.0;
 constexpr std::size_t many_windows = 20;
@@ -126,12 +124,11 @@ class LevelStudy {
     const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
                                               [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
     const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
-    const Trace fine = has_finer ? converged_run(finest, 0.0) : Trace{};
+    const Trace fine = has_finer ? whole_run(finest) : Trace{};
     progress_.add(work_of(finest));
     const game::Level original = file_->level();
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
-                          accuracy_of(reference({}, true, options_->quick)),
-                          options_->quick ? few_windows : many_windows);
+                          accuracy_of(reference({}, true, options_->quick)), number_of_windows());
     progress_.add(work_of_windows());
     if (options_->films) {
       study.stage = stage_of(original, converged_[Mesh{}].trace);
@@ -162,10 +159,16 @@ class LevelStudy {
   double all_work() const {
     double sum = work_of(reference({finer_mesh}, false, options_->quick)) + work_of_windows();
     for (const Mesh& mesh : meshes_of(grid_.settings)) {
-      sum += 2.0 * work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick));
+      sum += work_of(reference(mesh, false, options_->quick)) + work_of(reference(mesh, true, options_->quick)) +
+             2.0 * work_of(probe(mesh));
     }
     for (const Setting& setting : grid_.settings) sum += (1.0 + options_->repeats) * work_of(setting);
     return sum;
+  }
+
+  std::size_t number_of_windows() const {
+    if (options_->windows > 0) return options_->windows;
+    return options_->quick ? few_windows : many_windows;
   }
 
   double work_of_windows() const {
@@ -174,18 +177,27 @@ class LevelStudy {
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
 
-  /// Runs with the cords moved by `offset` [m]; returns the saved run if the folder has one.
-  Trace converged_run(const Setting& setting, double offset) {
-    const std::string name = name_of(setting) + (offset == 0.0 ? "" : " disturbed");
+  /// Runs all ticks; returns the saved run if the folder has one.
+  Trace whole_run(const Setting& setting) {
+    if (std::optional<Trace> known = results_->run(name_of(setting))) return *known;
+    Trace trace = run_once(file_->with(setting));
+    results_->add_run(name_of(setting), trace);
+    return trace;
+  }
+
+  /// The same with a kick at the start (see Part).
+  Trace kicked_run(const Setting& setting, double kick) {
+    const std::string name = name_of(setting) + (kick < 0.0 ? " left" : " right");
     if (std::optional<Trace> known = results_->run(name)) return *known;
-    Trace trace = run_once(file_->moved(setting, offset));
+    ++runs_;
+    Trace trace = run_part(file_->with(setting), inputs_, {0, inputs_.size(), std::nullopt, 0, kick});
     results_->add_run(name, trace);
     return trace;
   }
 
   /// Throws engine::MapError if there is nothing to study.
   Trace run_of_own_cords() {
-    Trace own = converged_run(present(), 0.0);
+    Trace own = whole_run(present());
     if (own.has_cords()) return own;
     throw engine::MapError(file_->path() +
                            ": there is nothing to study: no cord exists in any tick of the recording, as the map has "
@@ -202,20 +214,23 @@ class LevelStudy {
     const Setting second = reference(mesh, true, options_->quick);
     if (stopped()) return false;
     Converged converged;
-    converged.trace = converged_run(second, 0.0);
+    converged.trace = whole_run(second);
     progress_.add(work_of(second));
     if (stopped()) return false;
-    const Trace other = converged_run(first, 0.0);
+    const Trace other = whole_run(first);
     progress_.add(work_of(first));
     if (stopped()) return false;
-    const Trace disturbed = converged_run(first, disturbance);
-    progress_.add(work_of(first));
+    const Setting moderate = probe(mesh);
+    const Trace left = kicked_run(moderate, -probe_kick);
+    const Trace right = kicked_run(moderate, probe_kick);
+    progress_.add(2.0 * work_of(moderate));
     converged.about.mesh = mesh;
-    converged.about.ticks = std::min(agreeing_ticks(other, disturbed, max_disturbance),
+    converged.about.ticks = std::min(agreeing_ticks(left, right, max_probe_difference),
                                      agreeing_ticks(other, converged.trace, max_reference_difference));
     const std::size_t ticks = converged.about.ticks;
     converged.about.chaotic = difference(statistics(converged.trace, ticks), statistics(other, ticks));
     converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
+    converged.about.posed = converged.trace.work.posed;
     converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
     converged_[mesh] = std::move(converged);
     return true;
@@ -225,7 +240,10 @@ class LevelStudy {
   Film film_of(const Setting& setting, const Stage& stage) {
     if (mesh_of(setting) != Mesh{}) return {};
     const std::optional<Trace> saved = is_present(setting) ? own_ : results_->run(run_name_of(setting));
-    const Trace trace = saved ? *saved : std::exchange(last_, {});
+    const bool is_last = !last_.places.empty();
+    const Trace trace = saved     ? *saved
+                        : is_last ? std::exchange(last_, {})
+                                  : run_once(file_->with(setting), method_of(setting));  // its file is gone
     const Converged& own = converged_[Mesh{}];
     return {frames_of(trace, stage), greatest_error(trace, own.trace, own.about.ticks)};
   }
@@ -252,6 +270,7 @@ class LevelStudy {
     measured.contacts = trace.contacts;
     measured.unconverged_ticks = trace.unconverged_ticks;
     measured.failure = failure_of(trace, own.trace, own.about.ticks);
+    if (measured.failure.empty()) measured.failure = measured.windows.failure;
     return measured;
   }
 

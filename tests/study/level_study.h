@@ -50,10 +50,11 @@ struct Measured {
 /// The results of the converged runs of a level.
 struct Reference {
   Mesh mesh;
-  std::size_t ticks = 0;      ///< while 1e-10 m grow to less than 1 cm, and the runs differ by less than 0.1 mm
+  std::size_t ticks = 0;  ///< while the runs differ by at most 0.1 mm, and probes by max_probe_difference (windows.h)
   double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
   Statistics chaotic;         ///< difference of these two runs after these ticks
   int unconverged_ticks = 0;  ///< of the reference
+  int posed = 0;              ///< IslandReport::posed of the reference: such steps are not converged
 };
 
 struct Study {
@@ -82,6 +83,7 @@ struct StudyOptions {
   int repeats = 9;
   std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
   bool films = false;                            ///< make films of the settings
+  std::size_t windows = 0;                       ///< number of windows, at most; 0: by `quick`
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds

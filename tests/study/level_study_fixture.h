@@ -45,6 +45,30 @@ class LevelStudy : public testing::Test {
     std::ofstream(level_path) << json.dump();
   }
 
+  /// Leaves one cord, which is free and 20 cm above the ground, at `x` pixels.
+  void leave_a_loose_cord(int x = 120) const {
+    auto json = Json::parse(read_file(level_path));
+    for (auto& layer : json["layers"]) {
+      auto objects = Json::array();
+      int cords = 0;
+      for (auto& object : layer["objects"]) {
+        if (object.contains("polyline") && cords++ > 0) continue;
+        if (object.contains("polyline")) {
+          object["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 60}, {"y", 0}}};
+          object["x"] = x;
+          object["y"] = 410;  // 20 cm above it
+          for (auto& property : object["properties"]) {
+            if (property["name"] == "pin_first") property["value"] = false;
+            if (property["name"] == "columns") property["value"] = 9;
+          }
+        }
+        objects.push_back(object);
+      }
+      layer["objects"] = objects;
+    }
+    std::ofstream(level_path) << json.dump();
+  }
+
   void record(const std::string& path, int ticks) const {
     const game::Level level = game::load_level(level_path);
     engine::ReplayWriter writer(path, game::Simulation::replay_header(level));

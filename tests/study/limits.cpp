@@ -1,6 +1,7 @@
 #include "tests/study/limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -78,6 +79,26 @@ double usage_of(const Measured& m, const Point& point, const Limits& limits, con
   return most;
 }
 
+/// Returns of what the error is; empty if it is that of the references.
+std::string source_in_words(const Measured& m) {
+  struct Source {
+    double error;
+    const char* words;
+  };
+  const std::array sources = {Source{m.error.position_m, " (of the cords, from the start on)"},
+                              Source{m.error.player_m, " (of the player, from the start on)"},
+                              Source{m.error.body_m, " (of a body, from the start on)"},
+                              Source{m.windows.position_m, " (of the cords, in a quarter of a second)"},
+                              Source{m.windows.player_m, " (of the player, in a quarter of a second)"},
+                              Source{m.windows.body_m, " (of a body, in a quarter of a second)"}};
+  const Source* greatest = nullptr;
+  for (const Source& source : sources) {
+    if (source.error > (greatest == nullptr ? std::max(m.resolution_m, m.windows_resolution_m) : greatest->error))
+      greatest = &source;
+  }
+  return greatest == nullptr ? "" : greatest->words;
+}
+
 }  // namespace
 
 Calibration calibrate(std::span<const Sample> samples) {
@@ -145,7 +166,7 @@ std::string in_words(const Study& study, std::size_t setting, const Calibration&
              " us, the greatest tick " + significant(calibration.us(m.tick_work.most), 3) + " us (" +
              significant(m.tick_work.most, 6) + " units of work)";
   }
-  return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m";
+  return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m" + source_in_words(m);
 }
 
 }  // namespace study

@@ -12,11 +12,11 @@ namespace study {
 
 /// What a recommended setting must meet; a limit that is not given is met.
 struct Limits {
-  std::optional<double> max_error_m;
-  std::optional<double> median_us;  ///< of a tick
-  std::optional<double> p99_us;     ///< 99th percentile of the ticks, from counted work
-  std::optional<double> most_us;    ///< the greatest tick, from counted work
-  std::optional<double> most_work;  ///< the greatest tick, counted work
+  std::optional<double> max_error_m{};
+  std::optional<double> median_us{};  ///< of a tick
+  std::optional<double> p99_us{};     ///< 99th percentile of the ticks, from counted work
+  std::optional<double> most_us{};    ///< the greatest tick, from counted work
+  std::optional<double> most_work{};  ///< the greatest tick, counted work
 
   bool any() const { return max_error_m || has_budget(); }
   bool has_budget() const { return median_us || p99_us || most_us || most_work; }

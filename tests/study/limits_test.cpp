@@ -84,6 +84,18 @@ TEST(Limits, WhatNothingMeetsNamesTheNearest) {
             std::string::npos);
 }
 
+TEST(Limits, TheErrorIsThatOfSomething) {
+  Study study = three();
+  Measured& m = study.settings[2];
+  const auto words = [&] { return in_words(study, 2, calibrate(study)); };
+  m.windows.body_m = 2e-3;
+  EXPECT_NE(words().find("error 0.002 m (of a body, in a quarter of a second)"), std::string::npos) << words();
+  m.error.player_m = 3e-3;
+  EXPECT_NE(words().find("error 0.003 m (of the player, from the start on)"), std::string::npos) << words();
+  m.resolution_m = 5e-3;  // more than all of them
+  EXPECT_EQ(words().substr(words().size() - 13), "error 0.005 m") << words();
+}
+
 TEST(Limits, FailuresAndOtherMeshesAreNotChosen) {
   Study study = three();
   study.settings[0].failure = "blew up in tick 3";

@@ -37,10 +37,10 @@ std::string csv_of(const Report& report) {
   out << '\n';
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
-    out << p.method << ',' << p.setting << ',' << number(p.cost_us) << ',' << number(p.p99_us) << ','
-        << (is_shown(p) ? number(p.error_m) : "") << ',' << p.failure << ',' << p.group;
+    out << csv_cell(p.method) << ',' << csv_cell(p.setting) << ',' << number(p.cost_us) << ',' << number(p.p99_us)
+        << ',' << (is_shown(p) ? number(p.error_m) : "") << ',' << csv_cell(p.failure) << ',' << csv_cell(p.group);
     if (k < report.cells.size()) {
-      for (const std::string& cell : report.cells[k]) out << ',' << cell;
+      for (const std::string& cell : report.cells[k]) out << ',' << csv_cell(cell);
     }
     out << '\n';
   }
@@ -72,11 +72,10 @@ std::string head_of(const std::string& title) {
 }
 
 /// Returns true also if there is nothing to draw.
-bool plot(const std::string& folder, const std::vector<Point>& points, const std::string& axis,
-          const std::string& name) {
+bool plot(const std::string& folder, const std::vector<Point>& points, const std::string& axis) {
   if (std::none_of(points.begin(), points.end(), is_shown)) return true;
-  write(folder + "/" + name + ".gp", plot_of(points, axis, name));
-  return draw(folder, name);
+  write(folder + "/front.gp", plot_of(points, axis, "front"));
+  return draw(folder, "front");
 }
 
 void add_rows(std::ostringstream& out, const Report& report, const std::string& group) {
@@ -98,7 +97,7 @@ void add_rows(std::ostringstream& out, const Report& report, const std::string& 
   }
 }
 
-/// The notes, the table and the further plots.
+/// The notes and the table.
 std::string method_of(const Report& report) {
   std::ostringstream out;
   for (const std::string& note : report.notes) out << "<p>" << escaped(note) << "</p>\n";
@@ -123,14 +122,8 @@ void write_report(const Report& report, const std::string& folder) {
   write(folder + "/points.csv", csv_of(report));
   write(folder + "/points.json", json_of(report));
   write(folder + "/index.html", page_of(report, method_of(report)));
-  bool drawn = plot(folder, report.points, report.axis, "front");
-  for (const Metric& metric : report.metrics) {
-    std::vector<Point> points = report.points;
-    for (std::size_t k = 0; k < points.size(); ++k) points[k].error_m = metric.values[k];
-    drawn = plot(folder, points, metric.name, metric.name) && drawn;
-  }
-  if (!drawn) {
-    throw PlotError("gnuplot did not draw the plots of " + folder + " (see gnuplot.log there); " + gnuplot_hint);
+  if (!plot(folder, report.points, report.axis)) {
+    throw PlotError("gnuplot did not draw the plot of " + folder + " (see gnuplot.log there); " + gnuplot_hint);
   }
 }
 

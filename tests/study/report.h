@@ -10,12 +10,6 @@
 
 namespace study {
 
-/// One kind of error, to be drawn against the cost.
-struct Metric {
-  std::string name;            ///< penetration_m
-  std::vector<double> values;  ///< by point; NaN is not drawn
-};
-
 /// The content of a report.
 struct Report {
   std::string title;                              ///< heavy_swing
@@ -23,7 +17,6 @@ struct Report {
   std::vector<Point> points;                      ///< settings and baselines
   std::vector<std::string> columns;               ///< names of further columns, by point in `cells`
   std::vector<std::vector<std::string>> cells{};  ///< their texts
-  std::vector<Metric> metrics{};                  ///< further plots: different kinds of errors are not combined
   std::string axis = "error [m]";                 ///< the label of the points' own error
   std::string headline{};                         ///< the recommendation in a sentence; empty: none
   std::optional<std::size_t> recommended{};       ///< its point
@@ -38,9 +31,9 @@ class PlotError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes points.csv, points.json, index.html and a plot of the points' own error and of each metric, drawn by gnuplot
-/// (front.gp, front.svg; penetration_m.gp, …), into a folder, which it creates. Throws std::runtime_error if the folder
-/// cannot be written, and PlotError, with everything else written, if gnuplot fails.
+/// Writes points.csv, points.json, index.html and a plot of the points' error, drawn by gnuplot (front.gp, front.svg),
+/// into a folder, which it creates. Throws std::runtime_error if the folder cannot be written, and PlotError, with
+/// everything else written, if gnuplot fails.
 void write_report(const Report& report, const std::string& folder);
 
 /// A page and the function that writes it, which returns the program's exit status.

@@ -45,10 +45,12 @@ Json json_of(const Measured& m) {
           {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most}},
           {"resolution", m.resolution_m},
           {"contacts", m.contacts},
+          {"work", m.work.work},
           {"iterations", m.work.iterations},
           {"stages", m.work.stages},
           {"fallbacks", m.work.fallbacks},
           {"halvings", m.work.halvings},
+          {"posed", m.work.posed},
           {"unconverged_ticks", m.unconverged_ticks},
           {"failure", m.failure}};
 }
@@ -61,19 +63,26 @@ Measured measured_of(const Json& j) {
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k) m.chaotic.values[k] = number_of(j.at("chaotic").at(k));
   const auto windows = [&j](std::size_t k) { return number_of(j.at("windows").at(k)); };
-  m.windows = {windows(0), windows(1), windows(2)};
+  m.windows = {windows(0), windows(1), windows(2), {}};
   m.windows_resolution_m = windows(3);
   const auto work = [&j](std::size_t k) { return number_of(j.at("tick_work").at(k)); };
   m.tick_work = {work(0), work(1), work(2)};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
+  m.work.work = j.at("work");
   m.work.iterations = j.at("iterations");
   m.work.stages = j.at("stages");
   m.work.fallbacks = j.at("fallbacks");
   m.work.halvings = j.at("halvings");
+  m.work.posed = j.at("posed");
   m.unconverged_ticks = j.at("unconverged_ticks");
   m.failure = j.at("failure");
   return m;
+}
+
+[[noreturn]] void refuse(const std::string& path) {
+  throw std::runtime_error("cannot write to " + path +
+                           "; accepted is a folder that can be written, with space (--out)");
 }
 
 }  // namespace
@@ -85,6 +94,7 @@ Results::Results(const std::string& folder, std::uint64_t level_hash, const std:
   std::snprintf(key.data(), key.size(), "%016llx-%016llx-%016llx", static_cast<unsigned long long>(level_hash),
                 hash_of(replay_path), hash_of("/proc/self/exe"));
   key_ = key.data();
+  level_ = key_.substr(0, key_.rfind('-'));
   key_ += quick ? "-quick" : "";
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -95,7 +105,7 @@ Results::Results(const std::string& folder, std::uint64_t level_hash, const std:
     if (json.is_object() && json.value("key", "") == key_) known_.push_back(measured_of(json.at("measured")));
   }
   out_.open(path, std::ios::app);
-  if (!out_) throw std::runtime_error("cannot write to " + path + "; accepted is a folder that can be written (--out)");
+  if (!out_) refuse(path);
 }
 
 const Measured* Results::find(const Setting& setting) const {
@@ -107,13 +117,14 @@ const Measured* Results::find(const Setting& setting) const {
 void Results::add(const Measured& measured) {
   if (!out_.is_open()) return;
   out_ << Json{{"key", key_}, {"measured", json_of(measured)}}.dump() << std::endl;
+  if (!out_) refuse(folder_ + "/results.jsonl");
 }
 
 std::string Results::path_of_run(const std::string& name) const {
   std::string file = name;
   std::replace(file.begin(), file.end(), ' ', '_');
   std::replace(file.begin(), file.end(), '/', '_');
-  return folder_ + "/" + file + ".run";
+  return folder_ + "/" + level_ + "_" + file + ".run";
 }
 
 std::optional<Trace> Results::run(const std::string& name) const {
@@ -122,7 +133,9 @@ std::optional<Trace> Results::run(const std::string& name) const {
 }
 
 void Results::add_run(const std::string& name, const Trace& trace) {
-  if (!folder_.empty()) save_trace(trace, key_ + " " + name, path_of_run(name));
+  if (folder_.empty()) return;
+  const std::string path = path_of_run(name);
+  if (!save_trace(trace, key_ + " " + name, path)) refuse(path);
 }
 
 }  // namespace study

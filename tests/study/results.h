@@ -23,13 +23,14 @@ class Results {
 
   /// Returns the run with that name; none if it is not yet known.
   std::optional<Trace> run(const std::string& name) const;
-  /// A result that cannot be written is measured again the next time.
+  /// Throws std::runtime_error if it cannot be written; what was saved before stays.
   void add_run(const std::string& name, const Trace& trace);
 
  private:
   std::string path_of_run(const std::string& name) const;
 
   std::string folder_;
+  std::string level_;  // its hash and that of the replay: a folder may have the runs of several
   std::string key_;
   std::vector<Measured> known_;
   std::ofstream out_;

@@ -53,20 +53,15 @@ TEST(SceneReport, AFailedRunDoesNotCount) {
   EXPECT_EQ(failure_of({{"unconverged", 4.0}}), "not converged 4 times");
 }
 
-TEST(SceneReport, EachKindOfErrorIsAMetric) {
+TEST(SceneReport, TheErrorIsThatOfPositionsOrOfDepth) {
   const study::Report report =
       report_of_one({{"penetration_m", 2e-9}, {"max_stretch_pct", -3.0}, {"jitter_m", 4.0}, {"cords_us", 5.0}});
   EXPECT_EQ(report.axis, "penetration_m");
   EXPECT_EQ(report.points.at(0).error_m, 1e-6);  // smaller depths count as a micrometre
-  ASSERT_EQ(report.metrics.size(), 2U);
-  EXPECT_EQ(report.metrics[0].name, "max_stretch_pct");
-  EXPECT_EQ(report.metrics[0].values, std::vector<double>{3.0});
-  EXPECT_EQ(report.metrics[1].name, "jitter_m");
 
   const study::Report swing = report_of_one({{"penetration_m", 0.1}, {"rms_error_m", 2e-9}});
   EXPECT_EQ(swing.axis, "rms_error_m");
   EXPECT_EQ(swing.points.at(0).error_m, 2e-9);
-  EXPECT_EQ(swing.metrics.at(0).name, "penetration_m");
 }
 
 }  // namespace

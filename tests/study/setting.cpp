@@ -17,6 +17,7 @@ std::string name_of(const Setting& setting) {
     name = setting.integrator + " " + name + " tolerance=" + significant(setting.tolerance, 6);
   }
   if (!is_box2d(setting) && setting.iterations != 0) name += " iterations=" + std::to_string(setting.iterations);
+  if (setting.max_work != 0) name += " max_work=" + std::to_string(setting.max_work);
   if (setting.rows != 1) name += " rows=" + std::to_string(setting.rows);
   if (setting.points != 1.0) name += " points=x" + significant(setting.points, 6);
   return name;
@@ -29,6 +30,7 @@ ribbon::Accuracy accuracy_of(const Setting& setting) {
   accuracy.substeps = setting.substeps;
   accuracy.tolerance = setting.tolerance;
   if (setting.iterations > 0) accuracy.max_iterations = setting.iterations;
+  if (setting.max_work > 0) accuracy.max_work = setting.max_work;
   return accuracy;
 }
 
@@ -74,8 +76,11 @@ std::vector<Setting> grid(bool quick) {
   return all;
 }
 
+Setting probe(const Mesh& mesh) { return {"direct", "tr_bdf2", 4, 1e-5, mesh.points, 0, mesh.rows, unlimited_work}; }
+
 Setting reference(const Mesh& mesh, bool second, bool quick) {
-  return {"direct", "tr_bdf2", (second ? 128 : 64) / (quick || mesh.rows > 1 ? 2 : 1), 1e-7, mesh.points, 0, mesh.rows};
+  const int substeps = (second ? 128 : 64) / (quick || mesh.rows > 1 ? 2 : 1);
+  return {"direct", "tr_bdf2", substeps, 1e-7, mesh.points, 0, mesh.rows, unlimited_work};
 }
 
 }  // namespace study

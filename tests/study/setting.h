@@ -18,6 +18,7 @@ struct Setting {
   int iterations = 0;  ///< greatest number of Newton iterations per solve (0: 8); for chains, of velocity iterations
                        ///< per substep, with 3/8 as many position iterations
   int rows = 1;        ///< of the ribbon that replaces each rope
+  int max_work = 0;    ///< Accuracy::max_work; 0: that of the level, or the default
 
   bool operator==(const Setting&) const = default;
 };
@@ -52,8 +53,17 @@ bool is_box2d(const Setting& setting);
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
+/// The budget of work of what others are compared with. With the default one, many substeps spend that of a whole tick
+/// wherever a cord touches something; then the tick is redone as one linearised step, which is less accurate than one
+/// substep, and the same for any number of them.
+inline constexpr int unlimited_work = 1'000'000;
+
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
-/// `quick` and for ribbons.
+/// `quick` and for ribbons; with unlimited_work.
 Setting reference(const Mesh& mesh, bool second, bool quick);
+
+/// Returns the moderate setting whose runs show how sensitive the motion is: 4 substeps solved to 1e-5 m, with
+/// unlimited_work.
+Setting probe(const Mesh& mesh);
 
 }  // namespace study

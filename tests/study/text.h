@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace study {
 
@@ -12,5 +13,9 @@ std::string fixed(double value, int decimals);
 std::string count_of(int count, const std::string& what);
 /// Returns the content of a file; empty if it cannot be read.
 std::string read_file(const std::string& path);
+/// Returns a cell of a CSV file: in quotes if it has commas, quotes or line ends (RFC 4180).
+std::string csv_cell(const std::string& text);
+/// Returns the cells of a line of a CSV file. Throws std::invalid_argument for quotes that do not enclose a cell.
+std::vector<std::string> csv_cells(const std::string& line);
 
 }  // namespace study

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ribbon/box2d/convert.h"
+#include "tests/study/setting.h"
 
 namespace study {
 namespace {
@@ -136,6 +138,48 @@ class Recorder {
 
 bool is_in_bounds(Vec2 place) { return std::abs(place.x) <= max_coordinate && std::abs(place.y) <= max_coordinate; }
 
+/// Returns what is wrong in the last tick, the `number`-th of the input; empty if nothing is.
+std::string blow_up_of(const Trace& trace, std::size_t number) {
+  const std::vector<Vec2>& places = trace.places.back();
+  if (std::all_of(places.begin(), places.end(), is_in_bounds) && is_in_bounds(trace.player.back())) return {};
+  return "blew up in tick " + std::to_string(number);
+}
+
+constexpr ribbon::Accuracy lead_in_accuracy{ribbon::Integrator::tr_bdf2, 16, 8, 1e-6, unlimited_work};
+
+/// Changes the accuracy of all cords of the direct solver, and back to that of the level.
+class Accuracies {
+ public:
+  /// None: the cords' own.
+  void set(ribbon::box2d::Coupling& coupling, const std::optional<ribbon::Accuracy>& accuracy) {
+    for (const ribbon::box2d::CordId c : coupling.cords()) {
+      if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
+      ribbon::Cord& cord = coupling.cord(c).direct();
+      const auto own = own_.try_emplace(c, cord.def().accuracy).first;
+      const ribbon::Accuracy& wanted = accuracy ? *accuracy : own->second;
+      if (!(cord.def().accuracy == wanted)) cord.set_accuracy(wanted);
+    }
+  }
+
+ private:
+  std::map<ribbon::box2d::CordId, ribbon::Accuracy> own_;  // of the cords that it has seen
+};
+
+void kick(engine::Scene& scene, double speed) {
+  ribbon::box2d::Coupling& coupling = scene.coupling();
+  for (const ribbon::box2d::CordId c : coupling.cords()) {
+    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
+    ribbon::Cord& cord = coupling.cord(c).direct();
+    for (int p = 0; p < static_cast<int>(cord.velocities().size()); ++p) {
+      cord.set_velocity(p, cord.velocities()[static_cast<std::size_t>(p)] + Vec2{speed, 0.0});
+    }
+  }
+  for (b2Body* body = scene.world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (body->GetType() != b2_dynamicBody) continue;
+    body->SetLinearVelocity(body->GetLinearVelocity() + b2Vec2{static_cast<float>(speed), 0.0F});
+  }
+}
+
 }  // namespace
 
 std::vector<Vec2> middle_line(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
@@ -189,31 +233,30 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, c
     if (run.simulation().run_ticks() == 1) watch.reset();  // after a restart
     const engine::Scene& now = run.simulation().scene();
     trace.crossings.push_back(watch.detect(now.world(), now.coupling(), cord_filter(method)));
-    const std::vector<Vec2>& places = trace.places.back();
-    if (!std::all_of(places.begin(), places.end(), is_in_bounds) || !is_in_bounds(trace.player.back())) {
-      trace.failure = "blew up in tick " + std::to_string(k + 1);
-      break;
-    }
+    trace.failure = blow_up_of(trace, k + 1);
+    if (!trace.failure.empty()) break;
   }
   return std::move(recorder.trace());
 }
 
-Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
-               std::size_t ticks, const std::optional<ribbon::Accuracy>& accuracy) {
+Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part) {
   LevelRun run(level, inputs);
   run.reset();
   const Method own;
   Recorder recorder(run.simulation().scene(), own);
-  for (std::size_t k = 0; k < begin; ++k) run.tick();
-  for (std::size_t k = begin; k < std::min(begin + ticks, inputs.size()); ++k) {
-    ribbon::box2d::Coupling& coupling = run.simulation().scene().coupling();
-    for (const ribbon::box2d::CordId c : coupling.cords()) {
-      if (accuracy && coupling.cord(c).solver() == ribbon::box2d::Solver::direct) {
-        coupling.cord(c).direct().set_accuracy(*accuracy);
-      }
-    }
+  Accuracies accuracies;
+  const std::size_t lead_in = std::min(part.lead_in, part.begin);
+  for (std::size_t k = 0; k < part.begin; ++k) {
+    if (k + lead_in >= part.begin) accuracies.set(run.simulation().scene().coupling(), lead_in_accuracy);
+    run.tick();
+  }
+  if (part.kick != 0.0) kick(run.simulation().scene(), part.kick);
+  for (std::size_t k = part.begin; k < std::min(part.begin + part.ticks, inputs.size()); ++k) {
+    accuracies.set(run.simulation().scene().coupling(), part.accuracy);
     run.tick();
     recorder.add(run.simulation());
+    recorder.trace().failure = blow_up_of(recorder.trace(), k + 1);
+    if (!recorder.trace().failure.empty()) break;
   }
   return std::move(recorder.trace());
 }

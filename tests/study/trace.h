@@ -96,9 +96,19 @@ std::vector<ribbon::Vec2> middle_line(const ribbon::box2d::Coupling& coupling, r
 /// Runs all inputs, or until a position is NaN or beyond a kilometre.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});
 
-/// Runs up to `ticks` of the inputs from the tick `begin` on, with a setting for all cords of the direct solver; none:
-/// the level's own. Before `begin` the level has its own settings, and so has a line in the tick in which it arrives.
-Trace run_from(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
-               std::size_t ticks, const std::optional<ribbon::Accuracy>& accuracy);
+/// A part of a run.
+struct Part {
+  std::size_t begin = 0;                       ///< tick
+  std::size_t ticks = 0;                       ///< number of ticks, at most
+  std::optional<ribbon::Accuracy> accuracy{};  ///< of all cords of the direct solver; none: the level's own
+  /// The number of ticks before `begin` that have 16 substeps. Contacts are compliant, and stiffer with more substeps:
+  /// without a lead-in, 64 substeps push apart what presses on the contacts of one.
+  std::size_t lead_in = 0;
+  double kick = 0.0;  ///< m/s, added at `begin` to the horizontal velocity of all points and dynamic bodies
+};
+
+/// Runs a part of the inputs, or until a position is as in `run`. Before it and its lead-in the level has its own
+/// settings, and so has a line in the tick in which it arrives.
+Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part);
 
 }  // namespace study

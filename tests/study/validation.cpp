@@ -1,8 +1,10 @@
 #include "tests/study/validation.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <random>
+#include <stdexcept>
 
 #include "game/simulation/buttons.h"
 #include "tests/study/text.h"
@@ -11,6 +13,7 @@ namespace study {
 namespace {
 
 constexpr int repeats = 3;
+constexpr std::size_t windows = 3;
 
 /// The settings of the quick grid for a level's own cords.
 std::vector<Setting> own_settings() {
@@ -26,33 +29,24 @@ StudyOptions options_of(std::vector<Setting> settings) {
   StudyOptions options;
   options.quick = true;
   options.repeats = repeats;
+  options.windows = windows;
   options.grid = std::move(settings);
   return options;
 }
 
-/// The chosen settings to measure again; both may be the same setting.
-struct Chosen {
-  std::optional<std::size_t> cheapest;
-  std::optional<std::size_t> most_exact;
+/// The study with counted work in place of time: its cheapest setting is the same on every machine.
+Study by_work(Study study) {
+  for (Measured& m : study.settings) m.cost_us = m.tick_work.mean;
+  return study;
+}
 
-  std::vector<Setting> to_measure(const std::vector<Measured>& settings) const {
-    std::vector<Setting> some;
-    if (cheapest) some.push_back(settings[*cheapest].setting);
-    if (most_exact && most_exact != cheapest) some.push_back(settings[*most_exact].setting);
-    return some;
-  }
-};
-
-/// Counts the result of a limit: `value` of the setting must be at most `most`.
-void count(Tally& tally, const Point& again, double Point::*value, double most, const std::string& what,
-           std::vector<std::string>& violations) {
-  ++tally.recommended;
-  if (again.failure.empty() && again.*value <= most) {
-    ++tally.met;
-    return;
-  }
-  violations.push_back(what + ": " + again.setting + ": " +
-                       (again.failure.empty() ? significant(again.*value, 3) : again.failure));
+/// Returns the value that the promise limits, and its limit.
+std::pair<double, double> value_of(const Limits& limits, const Measured& m, double error_m, const Calibration& fit) {
+  if (limits.max_error_m) return {error_m, *limits.max_error_m};
+  if (limits.median_us) return {m.cost_us, *limits.median_us};
+  if (limits.p99_us) return {fit.us(m.tick_work.p99), *limits.p99_us};
+  if (limits.most_us) return {fit.us(m.tick_work.most), *limits.most_us};
+  return {m.tick_work.most, *limits.most_work};
 }
 
 bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>& inputs) {
@@ -85,42 +79,172 @@ std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
   return inputs;
 }
 
-Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
-                                    const std::function<void(double)>& progress, const Measure& measure_level) {
-  Validation validation;
-  for (int k = 0; k < options.runs; ++k) {
-    const auto seed = static_cast<unsigned>(2 * k);
-    const LevelFile level = levels[static_cast<std::size_t>(k) % levels.size()].varied(seed);
-    const Study chosen_on = measure_level(level, random_inputs(seed, options.ticks), options_of(own_settings()));
-    const std::vector<Point> points = applicable(chosen_on);
-    const Chosen chosen{cheapest_within(points, options.max_error_m), most_exact_within(points, options.budget_us)};
-    validation.error.not_found += chosen.cheapest ? 0 : 1;
-    validation.budget.not_found += chosen.most_exact ? 0 : 1;
-    const std::vector<Setting> retested = chosen.to_measure(chosen_on.settings);
-    if (!retested.empty()) {
-      const Study tried_on = measure_level(level, random_inputs(seed + 1, options.ticks), options_of(retested));
-      const std::vector<Point> again = tried_on.points();
-      const std::string where = chosen_on.level + ", run " + std::to_string(k + 1) + ", ";
-      if (chosen.cheapest) {
-        count(validation.error, again.front(), &Point::error_m, options.max_error_m, where + "error [m]",
-              validation.violations);
-      }
-      if (chosen.most_exact) {
-        count(validation.budget, again.back(), &Point::cost_us, options.budget_us, where + "cost [us]",
-              validation.violations);
-      }
-    }
-    validation.runs_with_grip += holds_a_cord(level.level(), random_inputs(seed + 1, options.ticks)) ? 1 : 0;
-    progress(static_cast<double>(k + 1) / options.runs);
-  }
-  return validation;
+std::vector<Promise> promises_of(const Limits& limits) {
+  std::vector<Promise> promises;
+  const auto add = [&promises](const std::optional<double>& limit, std::optional<double> Limits::*member,
+                               const std::string& before, const std::string& unit) {
+    if (!limit) return;
+    promises.push_back({before + "_" + significant(*limit, 6) + "_" + unit, {}});
+    promises.back().limits.*member = limit;
+  };
+  const bool any = limits.any();
+  add(any ? limits.max_error_m : 1e-2, &Limits::max_error_m, "error", "m");
+  if (!any) add(1e-3, &Limits::max_error_m, "error", "m");
+  add(any ? limits.median_us : 100.0, &Limits::median_us, "median", "us");
+  add(any ? limits.p99_us : 300.0, &Limits::p99_us, "p99", "us");
+  add(limits.most_us, &Limits::most_us, "greatest", "us");
+  add(limits.most_work, &Limits::most_work, "greatest", "work");
+  return promises;
 }
 
-Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
-                                    const std::function<void(double)>& progress) {
-  return validate_recommendations(levels, options, progress,
-                                  [](const LevelFile& file, const std::vector<engine::TickInput>& inputs,
-                                     const StudyOptions& how) { return measure(file, inputs, how); });
+namespace {
+
+/// Returns the index of a setting in a list, to which it is added if it is new.
+std::size_t index_in(std::vector<Setting>& settings, const Setting& setting) {
+  const auto index = static_cast<std::size_t>(std::find(settings.begin(), settings.end(), setting) - settings.begin());
+  if (index == settings.size()) settings.push_back(setting);
+  return index;
+}
+
+/// The rows of a run; only their promises, failures and run are set if its level cannot be varied.
+class PromiseTrial {
+ public:
+  PromiseTrial(std::size_t run, const LevelFile& level, const ValidationOptions& options, const Measure& measure_level)
+      : seed_(static_cast<unsigned>(2 * run)), level_(&level), options_(&options), measure_(&measure_level) {
+    for (const Promise& promise : options.promises) {
+      PromiseRow& row = rows_.emplace_back();
+      row.run = run + 1;
+      row.level = level.level().name;
+      row.promise = promise.name;
+    }
+  }
+
+  std::vector<PromiseRow> rows() {
+    try {
+      run(level_->varied(seed_));
+    } catch (const engine::MapError& error) {
+      for (PromiseRow& row : rows_) row.failure = std::string("no such variation: ") + error.what();
+    }
+    return rows_;
+  }
+
+ private:
+  void run(const LevelFile& varied) {
+    const Study chosen_on = (*measure_)(varied, random_inputs(seed_, options_->ticks), options_of(own_settings()));
+    const Study counted = by_work(chosen_on);
+    const Calibration fit = calibrate(chosen_on);
+    std::vector<std::optional<std::size_t>> chosen;  // by promise: the index in retested
+    std::vector<Setting> retested;
+    for (const Promise& promise : options_->promises) {
+      const Choice choice = choose(promise.limits.max_error_m ? counted : chosen_on, promise.limits, fit);
+      chosen.push_back(choice.setting ? std::optional(index_in(retested, chosen_on.settings[*choice.setting].setting))
+                                      : std::nullopt);
+    }
+    const std::vector<engine::TickInput> other_input = random_inputs(seed_ + 1, options_->ticks);
+    const bool holds = holds_a_cord(varied.level(), other_input);
+    const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, options_of(retested));
+    const std::vector<Point> points = applicable(again);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      rows_[k].holds_cord = holds;
+      if (chosen[k]) judge(rows_[k], options_->promises[k].limits, again.settings[*chosen[k]], points[*chosen[k]], fit);
+    }
+  }
+
+  static void judge(PromiseRow& row, const Limits& limits, const Measured& m, const Point& point,
+                    const Calibration& fit) {
+    const auto [value, limit] = value_of(limits, m, point.error_m, fit);
+    row.setting = name_of(m.setting);
+    row.value = value;
+    row.failure = point.failure;
+    row.is_met = point.failure.empty() && value <= limit;
+  }
+
+  unsigned seed_;
+  const LevelFile* level_;
+  const ValidationOptions* options_;
+  const Measure* measure_;
+  std::vector<PromiseRow> rows_;
+};
+
+void count(Tally& tally, const PromiseRow& row) {
+  tally.recommended += row.setting.empty() ? 0 : 1;
+  tally.met += row.is_met ? 1 : 0;
+  tally.not_found += row.setting.empty() ? 1 : 0;
+}
+
+/// Returns the value of a name, which is added at the end if it is new.
+template <typename Value>
+Value& value_at(std::vector<std::pair<std::string, Value>>& list, const std::string& name) {
+  for (auto& [known, value] : list) {
+    if (known == name) return value;
+  }
+  return list.emplace_back(name, Value{}).second;
+}
+
+PromiseRow row_of(const std::vector<std::string>& cells) {
+  if (cells.size() != 8 || (cells[5] != "0" && cells[5] != "1")) throw std::invalid_argument("cells");
+  return {std::stoul(cells[0]), cells[1],        cells[2], cells[3],
+          std::stod(cells[4]),  cells[5] == "1", cells[6], cells[7] == "1"};
+}
+
+}  // namespace
+
+void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                              const std::function<void(const std::vector<PromiseRow>&, double share)>& add,
+                              const Measure& measure_level) {
+  const std::size_t all = static_cast<std::size_t>(options.runs) * levels.size();
+  std::vector<std::size_t> own;
+  for (std::size_t run = 0; run < all; ++run) {
+    if (options.shard.has(run, all)) own.push_back(run);
+  }
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    PromiseTrial trial(own[k], levels[own[k] % levels.size()], options, measure_level);
+    add(trial.rows(), static_cast<double>(k + 1) / static_cast<double>(own.size()));
+  }
+}
+
+void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                              const std::function<void(const std::vector<PromiseRow>&, double share)>& add) {
+  validate_recommendations(levels, options, add,
+                           [](const LevelFile& file, const std::vector<engine::TickInput>& inputs,
+                              const StudyOptions& how) { return measure(file, inputs, how); });
+}
+
+std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> tallies_of(
+    std::span<const PromiseRow> rows) {
+  std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> tallies;
+  for (const PromiseRow& row : rows) {
+    auto& by_level = value_at(tallies, row.promise);
+    count(value_at(by_level, ""), row);
+    count(value_at(by_level, row.level), row);
+  }
+  return tallies;
+}
+
+std::string promises_header() { return "run,level,promise,setting,value,met,failure,holds_cord"; }
+
+std::string csv_of(const PromiseRow& row) {
+  return std::to_string(row.run) + ',' + csv_cell(row.level) + ',' + row.promise + ',' + csv_cell(row.setting) + ',' +
+         significant(row.value, 6) + ',' + (row.is_met ? '1' : '0') + ',' + csv_cell(row.failure) + ',' +
+         (row.holds_cord ? '1' : '0');
+}
+
+std::vector<PromiseRow> read_promises(const std::string& path) {
+  std::ifstream in(path);
+  const std::string wanted = "; accepted is the output of --validate, or those of its shards one behind the other";
+  std::string line;
+  if (!in || !std::getline(in, line) || line != promises_header()) {
+    throw std::runtime_error(path + ": cannot be read, or has another first line than " + promises_header() + wanted);
+  }
+  std::vector<PromiseRow> rows;
+  for (int number = 2; std::getline(in, line); ++number) {
+    try {
+      rows.push_back(row_of(csv_cells(line)));
+    } catch (const std::logic_error&) {
+      throw std::runtime_error(path + ", line " + std::to_string(number) + " is not a row" + wanted);
+    }
+  }
+  return rows;
 }
 
 }  // namespace study

@@ -1,14 +1,41 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <iosfwd>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "tests/study/level_study.h"
+#include "tests/study/limits.h"
+#include "tests/study/shard.h"
 
 namespace study {
+
+/// What a recommendation promises: one limit.
+struct Promise {
+  std::string name;  ///< error_0.01_m, median_100_us
+  Limits limits;
+};
+
+/// Returns a promise for each limit that is given; without any: errors of 1 cm and 1 mm, a median of 100 µs and a 99th
+/// percentile of 300 µs.
+std::vector<Promise> promises_of(const Limits& limits);
+
+/// What became of a promise in a run. That of an error is the same on every machine, because settings for it are chosen
+/// by counted work; that of a cost depends on the clock.
+struct PromiseRow {
+  std::size_t run = 0;
+  std::string level;
+  std::string promise;
+  std::string setting;      ///< that was recommended; empty: none
+  double value = 0.0;       ///< with the other input, m, us, or work
+  bool is_met = false;      ///< of a recommended setting
+  std::string failure;      ///< why the setting or the run does not count; empty if it counts
+  bool holds_cord = false;  ///< whether the player held a cord with the other input
+
+  bool operator==(const PromiseRow&) const = default;
+};
 
 /// Counts recommendations.
 struct Tally {
@@ -17,33 +44,38 @@ struct Tally {
   int not_found = 0;    ///< runs without a recommendation
 };
 
-struct Validation {
-  Tally error;
-  Tally budget;
-  int runs_with_grip = 0;               ///< runs in which the player held a cord with the other input
-  std::vector<std::string> violations;  ///< a sentence for each missed limit
-};
+/// Returns the tallies by promise and level, in the order of the rows; level "": of all levels.
+std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> tallies_of(
+    std::span<const PromiseRow> rows);
 
-/// The limits of error and cost, and the number of runs.
+/// The number of runs of each level, and what is tried in each.
 struct ValidationOptions {
-  double max_error_m = 1e-2;
-  double budget_us = 100.0;
+  std::vector<Promise> promises = promises_of({});
   int runs = 100;
   int ticks = 120;  ///< of each input
+  Shard shard;      ///< of the runs of all levels, which alternate
 };
 
 using Measure =
     std::function<Study(const LevelFile&, const std::vector<engine::TickInput>& inputs, const StudyOptions& options)>;
 
-/// Validates recommendations with random inputs in variations of the levels, in turn. Settings are recommended for one
-/// input, for the error and for the budget, and measured again with another input in the same variation. A setting that
-/// fails there violates both limits. `measure_level` is `measure`, or a test's substitute.
-Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
-                                    const std::function<void(double)>& progress, const Measure& measure_level);
-Validation validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
-                                    const std::function<void(double)>& progress);
+/// Validates recommendations with random inputs in variations of the levels, in turn, and calls `add` with the rows of
+/// each run. Settings are recommended for one input and measured again with another input in the same variation.
+/// `measure_level` is `measure`, or a test's substitute.
+void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                              const std::function<void(const std::vector<PromiseRow>&, double share)>& add,
+                              const Measure& measure_level);
+void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
+                              const std::function<void(const std::vector<PromiseRow>&, double share)>& add);
 
 /// Returns random buttons for a number of ticks; the same for the same seed.
 std::vector<engine::TickInput> random_inputs(unsigned seed, int ticks);
+
+/// The rows as lines of CSV.
+std::string promises_header();
+std::string csv_of(const PromiseRow& row);
+/// Reads the lines of one output or of several shards' outputs. Throws std::runtime_error, with the line, for another
+/// file.
+std::vector<PromiseRow> read_promises(const std::string& path);
 
 }  // namespace study

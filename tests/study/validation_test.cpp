@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <set>
+
+#include "tests/support/refusal.h"
 
 namespace study {
 namespace {
@@ -14,56 +18,83 @@ namespace {
 
 constexpr double found_at = 0.5;  // relative to the limit, in the first measurement: below each margin
 
-/// Each setting of the grid has half of the cost and error limits; in the second measurement it has those of `again`.
-Validation validation_of(int runs, const std::function<void(int k, Measured&)>& first,
-                         const std::function<void(int k, Measured&)>& again) {
+Measured measured_of(const Setting& setting) {
+  Measured m;
+  m.setting = setting;
+  m.error.position_m = found_at * 1e-2;
+  m.cost_us = found_at * 100.0;
+  m.tick_work = {1000.0, 2000.0, 3000.0};
+  return m;
+}
+
+/// The rows of runs of one level. Each setting of the grid has half of the cost and error limits, changed by `first`;
+/// in the second measurement, by `again`.
+std::vector<PromiseRow> rows_of(int runs, const std::function<void(int k, Measured&)>& first,
+                                const std::function<void(int k, Measured&)>& again,
+                                const Limits& limits = {.max_error_m = 1e-2, .median_us = 100.0}, Shard shard = {}) {
   int k = -1;
   const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
     const bool is_first = options.grid.size() > 2;  // in a run; the recommended settings are one or two
     k += is_first ? 1 : 0;
     Study study;
-    study.level = "some";
     for (const Setting& setting : options.grid) {
-      Measured& m = study.settings.emplace_back();
-      m.setting = setting;
-      m.error.position_m = found_at * 1e-2;
-      m.cost_us = found_at * 100.0;
-      (is_first ? first : again)(k, m);
+      study.settings.push_back(measured_of(setting));
+      (is_first ? first : again)(k, study.settings.back());
     }
     return study;
   };
   const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
   ValidationOptions options;
+  options.promises = promises_of(limits);
   options.runs = runs;
-  return validate_recommendations(
-      levels, options, [](double) {}, measure);
+  options.shard = shard;
+  std::vector<PromiseRow> all;
+  const auto add = [&](const std::vector<PromiseRow>& rows, double) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  };
+  validate_recommendations(levels, options, add, measure);
+  return all;
 }
 
 const auto original = [](int, Measured&) {};
 
+/// Returns the tally of all levels.
+Tally tally(const std::vector<PromiseRow>& rows, std::size_t promise) {
+  return tallies_of(rows).at(promise).second.at(0).second;
+}
+
 TEST(Validation, CountsRunsWithinTheLimits) {
-  const Validation validation = validation_of(4, original, [](int k, Measured& m) {
+  const std::vector<PromiseRow> rows = rows_of(4, original, [](int k, Measured& m) {
     m.error.position_m = k == 0 ? 1e-2 : k == 1 ? 1.01e-2 : 1e-3;
     m.cost_us = k == 2 ? 101.0 : 100.0;
   });
-  EXPECT_EQ(validation.error.recommended, 4);
-  EXPECT_EQ(validation.error.met, 3);
-  EXPECT_EQ(validation.budget.recommended, 4);
-  EXPECT_EQ(validation.budget.met, 3);
-  ASSERT_EQ(validation.violations.size(), 2U);
-  EXPECT_EQ(validation.violations[0].find("some, run 2, error [m]: "), 0U) << validation.violations[0];
-  EXPECT_NE(validation.violations[0].find(": 0.0101"), std::string::npos);
-  EXPECT_EQ(validation.violations[1].find("some, run 3, cost [us]: "), 0U) << validation.violations[1];
+  ASSERT_EQ(rows.size(), 8U);
+  EXPECT_EQ(tallies_of(rows)[0].first, "error_0.01_m");
+  EXPECT_EQ(tallies_of(rows)[1].first, "median_100_us");
+  for (const std::size_t promise : {0U, 1U}) {
+    EXPECT_EQ(tally(rows, promise).recommended, 4);
+    EXPECT_EQ(tally(rows, promise).met, 3);
+  }
+  EXPECT_EQ(rows[2].run, 2U);
+  EXPECT_EQ(rows[2].value, 1.01e-2);
+  EXPECT_FALSE(rows[2].is_met);
+  EXPECT_FALSE(rows[5].is_met);
+}
+
+TEST(Validation, WindowsCountToo) {
+  const std::vector<PromiseRow> rows =
+      rows_of(1, original, [](int, Measured& m) { m.windows.player_m = 2e-2; }, {.max_error_m = 1e-2});
+  EXPECT_EQ(rows.at(0).value, 2e-2);
+  EXPECT_FALSE(rows[0].is_met);
 }
 
 TEST(Validation, AFailedRunIsWithinNoLimit) {
-  const Validation validation = validation_of(2, original, [](int k, Measured& m) {
+  const std::vector<PromiseRow> rows = rows_of(2, original, [](int k, Measured& m) {
     if (k == 1) m.failure = "blew up in tick 3";
   });
-  EXPECT_EQ(validation.error.met, 1);
-  EXPECT_EQ(validation.budget.met, 1);
-  ASSERT_EQ(validation.violations.size(), 2U);
-  EXPECT_NE(validation.violations[0].find("blew up in tick 3"), std::string::npos);
+  EXPECT_EQ(tally(rows, 0).met, 1);
+  EXPECT_EQ(tally(rows, 1).met, 1);
+  EXPECT_EQ(rows[3].failure, "blew up in tick 3");
 }
 
 TEST(Validation, RunsWithoutARecommendationAreCountedSeparately) {
@@ -72,40 +103,42 @@ TEST(Validation, RunsWithoutARecommendationAreCountedSeparately) {
     if (k == 1) m.cost_us = 99.0;           // within the budget, but not with its margin
     if (k == 2) m.error.position_m = 9e-3;  // within the error, but not with its margin
   };
-  const Validation validation = validation_of(4, first, original);
-  EXPECT_EQ(validation.error.not_found, 2);
-  EXPECT_EQ(validation.error.recommended, 2);
-  EXPECT_EQ(validation.error.met, 2);
-  EXPECT_EQ(validation.budget.not_found, 2);
-  EXPECT_EQ(validation.budget.recommended, 2);
-  EXPECT_EQ(validation.budget.met, 2);
-  EXPECT_TRUE(validation.violations.empty());
+  const std::vector<PromiseRow> rows = rows_of(4, first, original);
+  for (const std::size_t promise : {0U, 1U}) {
+    EXPECT_EQ(tally(rows, promise).not_found, 2);
+    EXPECT_EQ(tally(rows, promise).recommended, 2);
+    EXPECT_EQ(tally(rows, promise).met, 2);
+  }
 }
 
-TEST(Validation, OnlyRecommendedSettingsAreMeasuredAgain) {
-  std::vector<std::size_t> grids;
-  const Measure measure = [&](const LevelFile&, const std::vector<engine::TickInput>&, const StudyOptions& options) {
-    grids.push_back(options.grid.size());
-    Study study;
-    for (const Setting& setting : options.grid) {
-      Measured& m = study.settings.emplace_back();
-      m.setting = setting;
-      EXPECT_EQ(setting.solver, "direct");
-      EXPECT_EQ(setting.points, 1.0);
-      m.error.position_m = 1e-3 / setting.substeps;
-      m.cost_us = 10.0 * setting.substeps + (setting.integrator == "tr_bdf2" ? 1.0 : 0.0);
-    }
-    return study;
+/// By counted work, so that it is the same on every machine.
+TEST(Validation, TheCheapestSettingHasTheLeastWork) {
+  const auto first = [](int, Measured& m) {
+    const bool is_euler = m.setting.integrator == "implicit_euler" && m.setting.substeps == 1;
+    m.tick_work.mean = is_euler && m.setting.tolerance == 1e-2 ? 10.0 : 100.0;
+    m.cost_us = is_euler ? 50.0 : 5.0;
   };
-  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
-  ValidationOptions options;
-  options.runs = 1;
-  const Validation validation = validate_recommendations(
-      levels, options, [](double) {}, measure);
-  ASSERT_EQ(grids.size(), 2U);
-  EXPECT_GE(grids[0], 4U);
-  EXPECT_EQ(grids[1], 2U);
-  EXPECT_EQ(validation.error.met + validation.budget.met, 2);
+  const std::vector<PromiseRow> rows = rows_of(1, first, original, {.max_error_m = 1e-2});
+  EXPECT_EQ(rows.at(0).setting, "implicit_euler substeps=1 tolerance=0.01");
+}
+
+/// At 0.1 us a unit of work.
+TEST(Validation, ThePercentileIsThatOfCountedWork) {
+  const auto again = [](int k, Measured& m) { m.tick_work.p99 = k == 0 ? 2990.0 : 3010.0; };
+  const auto first = [](int, Measured& m) { m.cost_us = 100.0; };
+  const std::vector<PromiseRow> rows = rows_of(2, first, again, {.p99_us = 300.0});
+  EXPECT_NEAR(rows.at(0).value, 299.0, 1e-6);
+  EXPECT_TRUE(rows[0].is_met);
+  EXPECT_NEAR(rows.at(1).value, 301.0, 1e-6);
+  EXPECT_FALSE(rows[1].is_met);
+}
+
+TEST(Validation, FourPromisesUnlessOthersAreAskedFor) {
+  std::string names;
+  for (const Promise& promise : promises_of({})) names += promise.name + ' ';
+  EXPECT_EQ(names, "error_0.01_m error_0.001_m median_100_us p99_300_us ");
+  EXPECT_EQ(promises_of({.most_work = 5000.0}).at(0).name, "greatest_5000_work");
+  EXPECT_EQ(promises_of({.most_work = 5000.0}).size(), 1U);
 }
 
 TEST(Validation, LevelsAlternateAndEachRunDiffers) {
@@ -115,17 +148,17 @@ TEST(Validation, LevelsAlternateAndEachRunDiffers) {
     hashes.push_back(file.hash());
     inputs.push_back(input);
     Study study;
-    for (const Setting& setting : options.grid) study.settings.emplace_back().setting = setting;
+    for (const Setting& setting : options.grid) study.settings.push_back(measured_of(setting));
     return study;
   };
   const LevelFile level(TEST_ASSETS "/levels/first_swing.tmj");
   const std::vector<LevelFile> levels = {level, level.varied(1000)};
   ValidationOptions options;
-  options.runs = 3;
+  options.runs = 2;
   validate_recommendations(
-      levels, options, [](double) {}, measure);
-  ASSERT_EQ(hashes.size(), 6U);
-  EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 3U);
+      levels, options, [](const auto&, double) {}, measure);
+  ASSERT_EQ(hashes.size(), 8U);
+  EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 4U);
   EXPECT_EQ(hashes[0], level.varied(0).hash());
   EXPECT_EQ(hashes[1], hashes[0]);  // both inputs of a run have the same variation
   EXPECT_EQ(hashes[2], level.varied(1000).varied(2).hash());
@@ -138,16 +171,50 @@ TEST(Validation, LevelsAlternateAndEachRunDiffers) {
   }
 }
 
+TEST(Validation, TheRowsOfShardsAreThoseOfTheWhole) {
+  const std::vector<PromiseRow> whole = rows_of(5, original, original);
+  std::vector<PromiseRow> merged;
+  for (const std::size_t number : {1U, 2U, 3U}) {
+    const std::vector<PromiseRow> part =
+        rows_of(5, original, original, {.max_error_m = 1e-2, .median_us = 100.0}, {number, 3});
+    EXPECT_LT(part.size(), whole.size());
+    merged.insert(merged.end(), part.begin(), part.end());
+  }
+  EXPECT_EQ(merged, whole);
+}
+
+TEST(Validation, RowsAreReadAsTheyAreWritten) {
+  const std::vector<PromiseRow> rows = {{1, "first, or \"second\"", "error_0.01_m", "a b", 0.125, true, "", true},
+                                        {2, "third", "p99_300_us", "", 0.0, false, "no such variation: x, y", false}};
+  const std::string path = testing::TempDir() + "promises.csv";
+  const auto write = [&](const std::string& head, const std::string& more) {
+    std::ofstream out(path);
+    out << head << '\n';
+    for (const PromiseRow& row : rows) out << csv_of(row) << '\n';
+    out << more;
+  };
+  write(promises_header(), "");
+  EXPECT_EQ(read_promises(path), rows);
+  const auto complaint = [&] { return test_support::refusal<std::runtime_error>([&] { read_promises(path); }); };
+  write("run,level", "");
+  EXPECT_NE(complaint().find("another first line than run,level,promise"), std::string::npos) << complaint();
+  write(promises_header(), "3,x,y\n");
+  EXPECT_NE(complaint().find("line 4 is not a row"), std::string::npos) << complaint();
+  write(promises_header(), promises_header() + "\n");  // a file with the header of each shard
+  EXPECT_NE(complaint().find("line 4 is not a row"), std::string::npos) << complaint();
+  std::filesystem::remove(path);
+}
+
 TEST(Validation, MeasuresARealLevel) {
   const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
   ValidationOptions options;
   options.runs = 1;
-  options.max_error_m = 10.0;
-  options.budget_us = 1e9;
+  options.promises = promises_of({.max_error_m = 10.0, .median_us = 1e9});
   options.ticks = 5;
-  const Validation validation = validate_recommendations(levels, options, [](double) {});
-  EXPECT_EQ(validation.error.met, 1);
-  EXPECT_EQ(validation.budget.met, 1);
+  std::vector<PromiseRow> rows;
+  validate_recommendations(levels, options, [&](const std::vector<PromiseRow>& some, double) { rows = some; });
+  EXPECT_TRUE(rows.at(0).is_met) << csv_of(rows[0]);
+  EXPECT_TRUE(rows.at(1).is_met) << csv_of(rows[1]);
 }
 
 // --- variation

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/study/setting.h"
+
 namespace study {
 namespace {
 
@@ -67,25 +69,36 @@ Windows::Windows(const game::Level& level, std::span<const engine::TickInput> in
                  const ribbon::Accuracy& finer, std::size_t most)
     : level_(&level), inputs_(inputs) {
   std::vector<Trace> others;
+  const ribbon::Accuracy moderate = accuracy_of(probe({}));
   for (const std::size_t begin : begins_of(inputs.size(), most)) {
-    Window& window = windows_.emplace_back(Window{begin, run_from(level, inputs, begin, ticks, finer)});
-    const Trace& other = others.emplace_back(run_from(level, inputs, begin, ticks, fine));
-    window.cords = agreeing_cord_ticks(other, window.reference, max_reference_difference);
-    window.player = agreeing_player_ticks(other, window.reference, max_reference_difference);
-    window.bodies = agreeing_body_ticks(other, window.reference, max_reference_difference);
+    Window& window = windows_.emplace_back(Window{begin, run(begin, ticks, finer)});
+    const Trace& other = others.emplace_back(run(begin, ticks, fine));
+    const Trace left = run(begin, ticks, moderate, -probe_kick);
+    const Trace right = run(begin, ticks, moderate, probe_kick);
+    const auto agreeing = [&](auto&& count) {
+      return std::min(count(other, window.reference, max_reference_difference),
+                      count(left, right, max_probe_difference));
+    };
+    window.cords = agreeing(agreeing_cord_ticks);
+    window.player = agreeing(agreeing_player_ticks);
+    window.bodies = agreeing(agreeing_body_ticks);
   }
   agreement_ =
       pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
 }
 
+Trace Windows::run(std::size_t begin, std::size_t count, const std::optional<ribbon::Accuracy>& accuracy,
+                   double kick) const {
+  return run_part(*level_, inputs_, {begin, count, accuracy, lead_in, kick});
+}
+
 WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy) const {
-  return pooled(
-      [&](const Window& window) { return run_from(*level_, inputs_, window.begin, window.longest(), accuracy); });
+  return pooled([&](const Window& window) { return run(window.begin, window.longest(), accuracy); });
 }
 
 /// RMS over the compared ticks of all windows.
 template <typename Run>
-WindowErrors Windows::pooled(Run&& run) const {
+WindowErrors Windows::pooled(Run&& run_in) const {
   struct Sum {
     double squares = 0.0;
     double ticks = 0.0;
@@ -97,14 +110,18 @@ WindowErrors Windows::pooled(Run&& run) const {
     double root() const { return ticks > 0.0 ? std::sqrt(squares / ticks) : unavailable; }
   };
   Sum cords, players, bodies;
+  std::string failure;
   for (const Window& window : windows_) {
     if (window.longest() == 0) continue;
-    const Trace trace = run(window);
+    const Trace trace = run_in(window);
+    if (failure.empty() && !trace.failure.empty()) {
+      failure = trace.failure + " of a run that continues from tick " + std::to_string(window.begin);
+    }
     cords.add(difference(trace, window.reference, window.cords).position_m, window.cords);
     players.add(difference(trace, window.reference, window.player).player_m, window.player);
     bodies.add(difference(trace, window.reference, window.bodies).body_m, window.bodies);
   }
-  return {cords.root(), players.root(), bodies.root()};
+  return {cords.root(), players.root(), bodies.root(), failure};
 }
 
 double Windows::share(std::size_t Window::*compared) const {

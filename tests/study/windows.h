@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ribbon/cord_def.h"
@@ -16,17 +17,19 @@ struct WindowErrors {
   double position_m = unavailable;  ///< over all stations
   double player_m = unavailable;
   double body_m = unavailable;  ///< over the second player and the dynamic bodies
+  std::string failure{};        ///< why it does not count: it blew up in a window; empty if it counts
 
   /// 0 if nothing is compared.
   double greatest() const;
 };
 
-/// The errors of a setting in windows of a quarter of a second along a run, each started from the state of the level's
-/// own cords (multiple shooting). In so short a time the motion often is not yet chaotic, so that motion after the
-/// first catch is compared too.
+/// The errors of a setting in windows of a quarter of a second along a run (multiple shooting). Each starts from the
+/// state that the level's own cords reach, after a lead-in with 16 substeps (see Part::lead_in). In so short a time the
+/// motion often is not yet chaotic, so that motion after the first catch is compared too.
 class Windows {
  public:
-  static constexpr std::size_t ticks = 15;  ///< length of a window
+  static constexpr std::size_t ticks = 15;    ///< length of a window
+  static constexpr std::size_t lead_in = 15;  ///< ticks before it
 
   /// Runs the references of up to `most` windows, evenly spaced along a run: `fine` and `finer` are accuracies of
   /// converged motions. Stores references to level and inputs.
@@ -38,7 +41,7 @@ class Windows {
   /// Returns the differences of the references in these ticks. Errors below ten times that are unknown.
   WindowErrors agreement() const { return agreement_; }
   /// Return the share of the windows' ticks in which cords and players are compared: while the references differ by at
-  /// most 0.1 mm, RMS.
+  /// most 0.1 mm, RMS, and probes (see probe_kick) by at most max_probe_difference.
   double compared_cords() const { return share(&Window::cords); }
   double compared_players() const { return share(&Window::player); }
   std::size_t count() const { return windows_.size(); }
@@ -53,14 +56,21 @@ class Windows {
     std::size_t longest() const { return std::max({cords, player, bodies}); }
   };
   double share(std::size_t Window::*compared) const;
+  Trace run(std::size_t begin, std::size_t count, const std::optional<ribbon::Accuracy>& accuracy,
+            double kick = 0.0) const;
   template <typename Run>
-  WindowErrors pooled(Run&& run) const;
+  WindowErrors pooled(Run&& run_in) const;
 
   const game::Level* level_;
   std::span<const engine::TickInput> inputs_;
   std::vector<Window> windows_;
   WindowErrors agreement_;
 };
+
+/// Where the motion is too sensitive, no setting is judged. Two runs with a moderate setting whose velocities differ by
+/// twice probe_kick [m/s], about a millimetre in a quarter of a second, must not differ by a centimetre.
+inline constexpr double probe_kick = 2e-3;
+inline constexpr double max_probe_difference = 1e-2;  // m
 
 /// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations of
 /// those that exist in both, their players, and their bodies.

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "engine/scene/tiled_edit.h"
+#include "tests/study/level_study_fixture.h"
+#include "tests/study/setting.h"
 #include "tests/study/text.h"
 
 namespace study {
@@ -51,13 +53,52 @@ TEST(Windows, ARunFromATickStartsInTheStateOfTheLevel) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);
   const Trace whole = run(level, inputs);
-  const Trace same = run_from(level, inputs, 25, 10, Accuracy::balanced());
+  const Trace same = run_part(level, inputs, {25, 10, Accuracy::balanced()});
   ASSERT_EQ(same.places.size(), 10U);
   EXPECT_EQ(same.places.front(), whole.places[25]);
   EXPECT_EQ(same.places.back(), whole.places[34]);
-  const Trace other = run_from(level, inputs, 25, 100, Accuracy::fast());
+  const Trace other = run_part(level, inputs, {25, 100, Accuracy::fast()});
   EXPECT_EQ(other.places.size(), 15U);
   EXPECT_NE(other.places.front(), whole.places[25]);
+}
+
+/// The cord falls freely for the first ticks.
+TEST_F(LevelStudy, AKickChangesAllVelocities) {
+  leave_a_loose_cord();
+  const game::Level level = game::load_level(level_path);
+  const std::vector<engine::TickInput> inputs(10);
+  const Trace left = run_part(level, inputs, {2, 6, {}, 0, -0.1});
+  const Trace right = run_part(level, inputs, {2, 6, {}, 0, 0.1});
+  const Vec2 apart = right.places.back()[0] - left.places.back()[0];
+  EXPECT_NEAR(apart.x, 0.2 * 6.0 / 60.0, 1e-3);
+  EXPECT_NEAR(apart.y, 0.0, 1e-6);
+}
+
+TEST_F(LevelStudy, APartThatBlowsUpSaysSo) {
+  leave_a_loose_cord(-200'000);  // kilometres away
+  const game::Level level = game::load_level(level_path);
+  const std::vector<engine::TickInput> inputs(40);
+  const Trace trace = run_part(level, inputs, {2, 6});
+  EXPECT_EQ(trace.failure, "blew up in tick 3");
+  EXPECT_EQ(trace.places.size(), 1U);
+  const Windows windows(level, inputs, Accuracy::balanced(), Accuracy::balanced(), 2);
+  EXPECT_EQ(windows.errors({}).failure, "blew up in tick 1 of a run that continues from tick 0");
+}
+
+/// Contacts are stiffer with more substeps: what presses on the contacts of one substep is too deep in those of 32. In
+/// these ticks pieces of a bridge that was cut lie on each other.
+TEST(Windows, ALeadInTakesAwayMostOfTheErrorOfTheStart) {
+  const game::Level level = game::load_level("cut_the_bridge");
+  const std::vector<engine::TickInput> inputs =
+      inputs_of(engine::load_replay(TEST_ASSETS "/replays/cut_the_bridge.replay"));
+  const auto error_of_one_substep = [&](std::size_t lead_in) {
+    const Trace one = run_part(level, inputs, {264, 15, Accuracy{Integrator::tr_bdf2, 1, 8, 1e-4}, lead_in});
+    const Trace fine = run_part(level, inputs, {264, 15, accuracy_of(reference({}, false, true)), lead_in});
+    return difference(one, fine, 15).position_m;
+  };
+  const double without = error_of_one_substep(0);
+  EXPECT_GT(without, 2e-3);
+  EXPECT_LT(error_of_one_substep(Windows::lead_in), 0.5 * without);
 }
 
 /// The level first_swing, whose hammock falls to its shape at the start.

@@ -12,6 +12,7 @@
 #include "tests/study/guard.h"
 #include "tests/study/report.h"
 #include "tests/study/text.h"
+#include "tests/tradeoff/modes.h"
 #include "tests/tradeoff/run_scene.h"
 #include "tests/tradeoff/scene_report.h"
 #include "tests/tradeoff/scenes.h"
@@ -79,7 +80,6 @@ CLI::Validator measured_in(const std::map<std::string, double>& units) {
 /// The arguments of the command line.
 struct Arguments {
   bool list = false;
-  bool csv = false;
   bool report = false;
   bool accept = false;
   int repeats = 25;
@@ -87,6 +87,7 @@ struct Arguments {
   std::string scene;
   std::string table;  // of the baseline
   std::string guard;  // file of accepted levels
+  std::string promises;
   study::Command study;
 };
 
@@ -108,10 +109,11 @@ void add_level_options(CLI::App& app, study::Command& study) {
                  "The same in counted work, which is the same on every machine: a number above 0, of the greatest tick")
       ->check(CLI::PositiveNumber);
   app.add_flag("--apply", study.apply, "Write the recommended setting to the level")->needs(level);
-  app.add_option("--validate,--promises", study.validation_runs,
-                 "Validate recommendations in this many runs: each varies a level, recommends settings for one random "
-                 "input and "
-                 "measures them with another; for all levels of the game, or those of --level, which may be repeated")
+  app.add_option(
+         "--validate,--promises", study.validation_runs,
+         "Validate recommendations in this many runs of each level: each varies it, recommends settings for one "
+         "random input and measures them with another; all levels of the game, or those of --level, which may "
+         "be repeated. --csv prints a row for each promise")
       ->check(CLI::Range(1, 10000));
   app.add_flag("--terms", study.terms, "Report which terms of its cords the level needs")->needs(level);
 }
@@ -131,17 +133,26 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--out", arguments.study.folder, "A folder for the report: CSV, JSON, a plot and a page");
   add_level_options(app, arguments.study);
   app.add_flag("--report", arguments.report, "The standard report of scenes and levels, into --out");
-  auto* baseline = app.add_option("--baseline", arguments.table,
-                                  "Count the work of all scenes and recorded runs and compare it with this table")
-                       ->excludes("--scene", "--level");
-  auto* check =
-      app.add_option("--check", arguments.guard,
-                     "Compare the work and the error of levels, those of --level or of the file, with this file")
-          ->excludes("--scene");
-  check->excludes(baseline);
+  app.add_option("--baseline", arguments.table,
+                 "Count the work of all scenes and recorded runs and compare it with this table");
+  app.add_option("--check", arguments.guard,
+                 "Compare the work and the error of levels, those of --level or of the file, with this file");
+  app.add_option("--promises-of", arguments.promises,
+                 "Count the promises that were kept in a file of --validate --csv");
+  app.add_option_function<std::string>(
+      "--shard", [&arguments](const std::string& text) { arguments.study.shard = study::shard_of(text); },
+      "K/N: only the K-th of N parts of --validate, --check or --report");
   app.add_flag("--accept", arguments.accept, "Rewrite the table or the file instead");
-  app.add_flag("--csv", arguments.csv,
+  app.add_flag("--csv", arguments.study.csv,
                "Print rows of comma-separated values under a header, scene,method,setting,points,…");
+}
+
+std::vector<std::string> given_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0) names.push_back(option->get_name());
+  }
+  return names;
 }
 
 /// Returns the exit status.
@@ -166,7 +177,10 @@ int run(Arguments& arguments) {
     return 0;
   }
   if (!arguments.guard.empty()) {
-    const study::Guard guard{arguments.guard, study.levels, study.replay};
+    const study::Guard guard{arguments.guard, study.levels, study.replay, study.shard};
+    if (arguments.accept && !study.shard.is_whole()) {
+      throw std::runtime_error("--accept writes one file; accepted is --shard only without it");
+    }
     if (guard.levels.size() > 1 && !guard.replay.empty()) {
       throw std::runtime_error("--replay is of one level; accepted is one --level beside it");
     }
@@ -182,14 +196,15 @@ int run(Arguments& arguments) {
   if (!arguments.table.empty()) return baseline::check(tradeoff::scenes(), arguments.table);
   if (arguments.report) {
     const auto repeats = arguments.repeats_given ? std::optional(arguments.repeats) : std::nullopt;
-    return tradeoff::write({study.folder, study.quick, repeats});
+    return tradeoff::write({study.folder, study.quick, repeats, study.shard});
   }
   if (study.validation_runs) return study::run(study);
+  if (!arguments.promises.empty()) return study::summarise_promises(arguments.promises);
   if (!study.levels.empty()) return run_study(arguments);
   if (study.limits.any()) {
     throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");
   }
-  return run_named_scene(arguments.scene, arguments.repeats, arguments.csv, study.folder);
+  return run_named_scene(arguments.scene, arguments.repeats, study.csv, study.folder);
 }
 
 }  // namespace
@@ -205,8 +220,12 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tradeoff: %s\n", error.what());
+    return 2;
   }
   try {
+    tradeoff::check_options(given_options(app));
     return run(arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tradeoff: %s\n", error.what());

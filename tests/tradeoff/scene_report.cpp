@@ -74,13 +74,6 @@ study::Report report_of(const Scene& scene, const std::vector<Row>& rows) {
   }
   for (std::string& sentence : study::compare_with_baselines(report.points, is_cord))
     report.notes.push_back(std::move(sentence));
-  for (const char* name : {"own_error_m", "max_stretch_pct", "energy_drift_pct", "energy_gain_pct", "pull_error_pct",
-                           "ratio_error_pct", "penetration_m", "drift_m", "jitter_m"}) {
-    if (!has(name) || name == report.axis) continue;
-    study::Metric& metric = report.metrics.emplace_back();
-    metric.name = name;
-    for (const Row& row : rows) metric.values.push_back(std::abs(value_of(scene, row, name)));
-  }
   return report;
 }
 

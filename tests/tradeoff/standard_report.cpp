@@ -7,6 +7,7 @@
 
 #include "game/simulation/level.h"
 #include "tests/study/command.h"
+#include "tests/study/progress_bar.h"
 #include "tests/study/report.h"
 #include "tests/tradeoff/run_scene.h"
 #include "tests/tradeoff/scene_report.h"
@@ -82,8 +83,16 @@ int write(const StandardReport& report) {
   for (const std::string& level : levels) {
     pages.push_back({level, [&report, level] { return write_level(report, level); }});
   }
-  const int status = study::write_pages(
-      pages, [&](const std::vector<std::string>& done) { write_contents(report, done, pages.size()); });
+  std::vector<study::Page> own;
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    if (report.shard.has(k, pages.size())) own.push_back(pages[k]);
+    all.push_back(pages[k].name);
+  }
+  const int status = study::write_pages(own, [&](const std::vector<std::string>& done) {
+    write_contents(report, report.shard.is_whole() ? done : all, all.size());
+    study::show_progress("report", static_cast<double>(done.size()) / static_cast<double>(own.size()));
+  });
   std::printf("report: %s/index.html\n", report.folder.c_str());
   return status;
 }

@@ -12,6 +12,7 @@
 #include "tests/extremes/any_scene/runs.h"
 #include "tests/extremes/any_scene/shrink.h"
 #include "tests/extremes/any_scene/statistics.h"
+#include "tests/study/shard.h"
 
 namespace {
 
@@ -27,6 +28,7 @@ struct Options {
   std::string out;
   std::string plot;
   std::string before;
+  study::Shard shard;
   int show = -1;
   int shrink = -1;
   std::string figure;
@@ -87,7 +89,11 @@ std::vector<any_scene::Summary> of_before(const Options& options, const Keys& as
 /// Runs the scenes that the file lacks, appends them, prints the table of all requested runs, and plots them.
 void run(const Options& options) {
   const auto [first, last] = range_of(options.seeds);
-  const std::vector<SceneId> scenes = wanted(options, first, last);
+  std::vector<SceneId> scenes;
+  const std::vector<SceneId> all = wanted(options, first, last);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (options.shard.has(k, all.size())) scenes.push_back(all[k]);
+  }
   Keys asked;
   for (const SceneId& which : scenes) asked.insert(key(which));
   std::vector<any_scene::Summary> runs;
@@ -102,7 +108,7 @@ void run(const Options& options) {
   std::ofstream out;
   if (!options.out.empty()) {
     out.open(options.out, std::ios::app);
-    if (there.empty()) out << any_scene::csv_header() << '\n';
+    if (there.empty() && options.shard.is_first()) out << any_scene::csv_header() << '\n';
   }
   any_scene::run_all(left, options.run, [&](const any_scene::Summary& summary) {
     runs.push_back(summary);
@@ -181,6 +187,10 @@ int main(int argc, char** argv) {
   app.add_option("--before", options.before, "A file of --out, of another solver, that is drawn beside")
       ->needs(plot)
       ->check(CLI::ExistingFile);
+  app.add_option_function<std::string>(
+      "--shard", [&options](const std::string& text) { options.shard = study::shard_of(text); },
+      "K/N: only the K-th of N parts of the scenes; with --jobs 1, the files of --out, one behind the other, are that "
+      "of all");
   app.add_option("--jobs", options.run.jobs, "Scenes at a time");
   app.add_option("--max-seconds-per-scene", options.run.max_seconds, "Time limit of a scene");
   app.add_option("--show", options.show, "Plays the scene of this seed and prints each tick; takes one --family");
@@ -189,8 +199,8 @@ int main(int argc, char** argv) {
                  "Makes the scene of this seed as small as still fails, and prints it as C++");
   app.add_option("--figure", options.figure, "That is above its limit in what --shrink looks for; otherwise the first")
       ->check(CLI::IsMember(figures));
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     if (options.show >= 0) {
       show(options);
     } else if (options.code >= 0) {
@@ -200,6 +210,8 @@ int main(int argc, char** argv) {
     } else {
       run(options);
     }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "any_scene: %s\n", error.what());
     return 2;
