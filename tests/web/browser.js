@@ -11,7 +11,7 @@ class Browser {
   constructor(...flags) {
     this.profile = mkdtempSync(path.join(tmpdir(), 'ropeswing-chromium-'));
     this.process = spawn('chromium', ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--window-size=1280,720',
-      '--hide-scrollbars', '--no-first-run', '--autoplay-policy=user-gesture-required', `--user-data-dir=${this.profile}`,
+      '--hide-scrollbars', '--no-first-run', '--autoplay-policy=document-user-activation-required', `--user-data-dir=${this.profile}`,
       ...flags, 'about:blank'], {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
     this.next = 1;
     this.waiting = new Map();
@@ -127,7 +127,7 @@ class Browser {
 
   close() {
     this.process.kill();
-    this.process.on('exit', () => rmSync(this.profile, {recursive: true, force: true}));
+    this.process.on('exit', () => rmSync(this.profile, {recursive: true, force: true, maxRetries: 20}));
   }
 }
 
