@@ -125,9 +125,19 @@ class Browser {
     return data;
   }
 
-  close() {
-    this.process.kill();
-    this.process.on('exit', () => rmSync(this.profile, {recursive: true, force: true, maxRetries: 20}));
+  // Asks Chromium to end, and removes its profile when the last of its processes has let go of it.
+  async close() {
+    const ended = new Promise(done => this.process.on('exit', done));
+    await this.call('Browser.close').catch(() => {});
+    await ended;
+    for (let left = 50; left > 0; --left) {
+      try {
+        return rmSync(this.profile, {recursive: true, force: true});
+      } catch {
+        await wait(100);
+      }
+    }
+    console.error(`the profile ${this.profile} cannot be removed`);
   }
 }
 
