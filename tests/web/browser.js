@@ -11,7 +11,7 @@ class Browser {
   constructor(...flags) {
     this.profile = mkdtempSync(path.join(tmpdir(), 'ropeswing-chromium-'));
     this.process = spawn('chromium', ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--window-size=1280,720',
-      '--hide-scrollbars', '--no-first-run', '--autoplay-policy=user-gesture-required', `--user-data-dir=${this.profile}`,
+      '--hide-scrollbars', '--no-first-run', '--autoplay-policy=document-user-activation-required', `--user-data-dir=${this.profile}`,
       ...flags, 'about:blank'], {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
     this.next = 1;
     this.waiting = new Map();
@@ -125,9 +125,19 @@ class Browser {
     return data;
   }
 
-  close() {
-    this.process.kill();
-    this.process.on('exit', () => rmSync(this.profile, {recursive: true, force: true}));
+  // Asks Chromium to end, and removes its profile when the last of its processes has let go of it.
+  async close() {
+    const ended = new Promise(done => this.process.on('exit', done));
+    await this.call('Browser.close').catch(() => {});
+    await ended;
+    for (let left = 50; left > 0; --left) {
+      try {
+        return rmSync(this.profile, {recursive: true, force: true});
+      } catch {
+        await wait(100);
+      }
+    }
+    console.error(`the profile ${this.profile} cannot be removed`);
   }
 }
 

@@ -118,7 +118,7 @@ module.exports = {
       await fresh.press('ArrowDown');
       await fresh.until(sound + ' === "running"');
     } finally {
-      fresh.close();
+      await fresh.close();
     }
   },
   async 'settings and recordings are kept'(visit, browser) {

@@ -55,7 +55,7 @@ const inChromium = async act => {
     console.error(error.message);
     process.exitCode = 2;
   }
-  browser.close();
+  await browser.close();
   server.close();
   server.closeAllConnections();
 };
