@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/window/sdl_window.h"
+#include "game/words/panel_words.h"
 
 namespace game {
 namespace {
@@ -19,9 +20,9 @@ void timed_tick(Simulation& simulation, const engine::TickInput& input, Meter& m
 }  // namespace
 
 std::span<const Preset> presets() {
-  static const std::array all = {Preset{"fast", ribbon::Accuracy::fast()},
-                                 Preset{"balanced", ribbon::Accuracy::balanced()},
-                                 Preset{"accurate", ribbon::Accuracy::accurate()}};
+  static const std::array all = {Preset{words::panel::fast, ribbon::Accuracy::fast()},
+                                 Preset{words::panel::balanced, ribbon::Accuracy::balanced()},
+                                 Preset{words::panel::accurate, ribbon::Accuracy::accurate()}};
   return all;
 }
 

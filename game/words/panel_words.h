@@ -6,6 +6,9 @@ namespace game::words::panel {
 inline constexpr const char* title = "Ropes and parameters (F2)";
 inline constexpr const char* replay = "This is a replay: parameters cannot be changed.";
 inline constexpr const char* last_seconds = "The last ten seconds with";
+inline constexpr const char* fast = "fast";
+inline constexpr const char* balanced = "balanced";
+inline constexpr const char* accurate = "accurate";
 inline constexpr const char* not_repeated =
     "This run cannot be repeated: parameters or the level were changed in it. Restart the level.";
 inline constexpr const char* changed = "Parameters changed: no medal, no best time, no recording.";
