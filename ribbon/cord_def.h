@@ -21,11 +21,11 @@ struct Accuracy {
       1;  ///< per step, 1 … 4096. The error of TR-BDF2 falls with their square, that of implicit Euler linearly
   int max_iterations = 8;   ///< full Newton steps without contacts, 1 … 1000; then the solve begins a line search
   double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
-  /// Work budget of a step, 1 … 1,000,000, roughly in linear systems. (The unit is 4 units of IslandReport::work for
-  /// each point and body of the island.) When a step exceeds the budget, it keeps the current state, which is finite
-  /// but not solved, and reports it as unconverged. With a budget of 10,000 or more, contacts are linearised once
-  /// only in heaps with soft_contacts; any other step near contacts that does not converge is halved repeatedly, which
-  /// is accurate in any collision but slow.
+  /// Work budget of a step, 1 … 1,000,000, roughly in linear systems; with more than four substeps, of each four. (The
+  /// unit is 4 units of IslandReport::work for each point and body of the island.) When a step exceeds the budget, it
+  /// keeps the current state, which is finite but not solved, and reports it as unconverged. With a budget of 10,000 or
+  /// more, contacts are linearised once only in heaps with soft_contacts; any other step near contacts that does not
+  /// converge is halved repeatedly, which is accurate in any collision but slow.
   int max_work = 600;
   /// Makes contacts 20 times softer, which saves two thirds of the solves in a heap: at rest a body penetrates by 1/100
   /// of the distance that it would fall in one step, instead of 1/2000. All cords of an island must have set it.

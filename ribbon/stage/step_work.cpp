@@ -1,10 +1,15 @@
 #include "ribbon/stage/step_work.h"
 
+#include <algorithm>
+
 namespace ribbon {
 namespace {
 
 constexpr std::size_t blocks_per_point = 4;     // of the band matrix, by which work is counted
 constexpr double large_budget_factor = 10'000;  // Accuracy::max_work from which on the budget is large
+// Limits are those of a step of up to so many substeps. More substeps have proportionally more, because each solves its
+// own stages: with the same limits, many substeps would end each step near contacts as one linearised step.
+constexpr double substeps_of_limits = 4.0;
 // An attempt ends after this number of Newton steps, or this share of the work; and this share in all attempts.
 constexpr int max_attempt_systems = 48;
 constexpr double attempt_share = 0.35;
@@ -25,8 +30,9 @@ void StepWork::begin_attempt(const IslandState& state) {
   attempt_iterations_ = report.iterations;
   attempt_work_ = report.work;
   max_work_factor_ = state.accuracy.max_work;
-  max_work_ =
-      static_cast<double>(blocks_per_point) * static_cast<double>(points_ + state.bodies.size()) * max_work_factor_;
+  scale_ = std::max(1.0, state.accuracy.substeps / substeps_of_limits);
+  max_work_ = static_cast<double>(blocks_per_point) * static_cast<double>(points_ + state.bodies.size()) * scale_ *
+              max_work_factor_;
 }
 
 void StepWork::begin_linearised() { linearised_iterations_ = report.iterations; }
@@ -43,13 +49,14 @@ bool StepWork::has_large_budget() const { return max_work_factor_ >= large_budge
 
 bool StepWork::attempt_is_over() const {
   if (has_large_budget()) return false;
-  return report.iterations - attempt_iterations_ >= max_attempt_systems ||
+  return report.iterations - attempt_iterations_ >= scale_ * max_attempt_systems ||
          static_cast<double>(report.work - attempt_work_) >= attempt_share * max_work_ ||
          has_spent(total_attempts_share);
 }
 
 bool StepWork::halving_is_over(bool unlocking) const {
-  return has_spent(halving_share) || (!has_large_budget() && !unlocking && report.iterations >= max_halving_systems);
+  return has_spent(halving_share) ||
+         (!has_large_budget() && !unlocking && report.iterations >= scale_ * max_halving_systems);
 }
 
 bool StepWork::redoing_is_over() const {

@@ -28,7 +28,7 @@ class StepWork {
   /// Returns whether the attempt, or all attempts together, have used their work, so that contacts are linearised once.
   bool attempt_is_over() const;
   /// Returns whether substeps are halved no more: half of the work is spent or, unless cells are being turned back,
-  /// 180 linear systems.
+  /// 180 linear systems, or more with more than four substeps.
   bool halving_is_over(bool unlocking) const;
   /// Returns whether the pieces of a linearised step are redone no more.
   bool redoing_is_over() const;
@@ -38,6 +38,7 @@ class StepWork {
  private:
   std::size_t points_ = 0;
   double max_work_factor_ = 0.0;  // Accuracy::max_work
+  double scale_ = 1.0;            // of the limits
   double max_work_ = 0.0;         // in the unit of IslandReport::work
   int attempt_iterations_ = 0;    // of the report when the attempt began
   std::int64_t attempt_work_ = 0;

@@ -329,5 +329,21 @@ TEST(CordContactLimits, ALargeDrumHoldsByFrictionLikeASmallOne) {
   EXPECT_GT(slid(1.1 * holds), 0.05);
 }
 
+/// A ball falls on a bridge. With the limits of four substeps each step of many ends as one linearised step, which is
+/// the same whatever their number.
+TEST(CordContactLimits, GrowWithTheNumberOfSubsteps) {
+  for (const int substeps : {64, 128}) {
+    CordDef def = test_support::bridge_def();
+    def.accuracy.substeps = substeps;
+    def.accuracy.tolerance = 1e-6;
+    ContactWorld world(def);
+    world.add_ball({0.0, 0.2}, 0.3, 5.0, 0.5);
+    for (int k = 0; k < 60; ++k) world.step();
+    EXPECT_GT(world.total.contacts, 0);
+    EXPECT_EQ(world.total.posed, 0) << substeps;
+    EXPECT_EQ(world.total.unconverged, 0) << substeps;
+  }
+}
+
 }  // namespace
 }  // namespace ribbon
