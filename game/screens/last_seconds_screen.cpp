@@ -113,7 +113,7 @@ void LastSecondsScreen::draw(engine::Canvas& canvas, double text_scale) {
   box.text_size = 18.0 * text_scale;
   box.headline_size = 24.0 * text_scale;
   box.margin = {16.0 * text_scale, 10.0 * text_scale};
-  box.headline = title();
+  box.headline = words::filled(words::last_seconds_headline, {{"preset", preset_->name}});
   box.lines = figures();
   const Vec2 corner{12.0 * text_scale, 12.0 * text_scale};
   box.draw(canvas, corner);

@@ -165,6 +165,7 @@ inline constexpr const char* flag_right = "flag {metres} m →";
 inline constexpr const char* flag_left = "← flag {metres} m";
 
 // The last seconds with another preset
+inline constexpr const char* last_seconds_headline = "The last seconds with “{preset}”";
 inline constexpr const char* last_seconds_keys = "← → preset   Esc: back";
 inline constexpr const char* last_seconds_buttons = "D-pad: preset   B: back";
 inline constexpr const char* last_seconds_progress = "repeating the run: {percent} %";

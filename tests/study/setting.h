@@ -53,9 +53,8 @@ bool is_box2d(const Setting& setting);
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
-/// The budget of work of what others are compared with. With the default one, many substeps spend that of a whole tick
-/// wherever a cord touches something; then the tick is redone as one linearised step, which is less accurate than one
-/// substep, and the same for any number of them.
+/// The budget of work of what others are compared with. A tick that spends its budget where a cord touches something is
+/// redone as one linearised step, which is less accurate than one substep, and the same for any number of them.
 inline constexpr int unlimited_work = 1'000'000;
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
