@@ -339,7 +339,7 @@ TEST(CordContactLimits, GrowWithTheNumberOfSubsteps) {
     ContactWorld world(def);
     world.add_ball({0.0, 0.2}, 0.3, 5.0, 0.5);
     for (int k = 0; k < 60; ++k) world.step();
-    EXPECT_GT(world.total.contacts, 0);
+    EXPECT_GT(world.body(0).position.y, -2.0) << "it lies on the bridge: in a free fall it would be at -4.7";
     EXPECT_EQ(world.total.posed, 0) << substeps;
     EXPECT_EQ(world.total.unconverged, 0) << substeps;
   }
