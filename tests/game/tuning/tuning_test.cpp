@@ -241,7 +241,9 @@ void click(Panelled& panelled, ribbon::Vec2 at) {
   input.buttons_held.set(0);
   input.buttons_pressed.set(0);
   panelled.frame(input);
-  panelled.frame();
+  input.buttons_held.reset();
+  input.buttons_pressed.reset();
+  panelled.frame(input);
 }
 
 /// Clicks on all of the panel's upper part. Returns the presets that were asked for.
