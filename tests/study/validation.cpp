@@ -241,7 +241,9 @@ std::vector<PromiseRow> read_promises(const std::string& path) {
     try {
       rows.push_back(row_of(csv_cells(line)));
     } catch (const std::logic_error&) {
-      throw std::runtime_error(path + ", line " + std::to_string(number) + " is not a row" + wanted);
+      std::string what = path;
+      what.append(", line ").append(std::to_string(number)).append(" is not a row").append(wanted);
+      throw std::runtime_error(what);
     }
   }
   return rows;
