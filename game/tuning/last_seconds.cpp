@@ -70,7 +70,7 @@ void LastSeconds::tick() {
   find_gap();
 }
 
-/// Before each tick: a fall brings back the cords of the start, and a line may have been thrown.
+/// Before each tick: a restart makes new cords, and a throw a new line.
 void LastSeconds::set_accuracy() {
   ribbon::box2d::Coupling& coupling = other_->scene().coupling();
   for (const ribbon::box2d::CordId id : coupling.cords()) {
