@@ -92,8 +92,8 @@ void LastSecondsScreen::play(std::int64_t elapsed_ns) {
     } else if (++paused_ticks_ > pause_ticks) {
       paused_ticks_ = 0;
       runs_->rewind();
-      is_ready_ = runs_->approach(0);
-      if (!is_ready_) return;
+      is_ready_ = false;
+      return;
     }
   }
 }

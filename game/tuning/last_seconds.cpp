@@ -50,12 +50,7 @@ bool LastSeconds::approach(int ticks) {
       }
     }
   }
-  if (next_ < first_) return false;
-  if (next_ == first_) {
-    played_->save(played_start_);
-    other_->save(other_start_);
-  }
-  return true;
+  return next_ >= first_;
 }
 
 double LastSeconds::progress() const {
@@ -96,10 +91,11 @@ void LastSeconds::find_gap() {
   if (!largest_gap_ || gap_->size() > largest_gap_->size()) largest_gap_ = gap_;
 }
 
+/// A state that is saved and restored would go on a little differently (see ribbon::box2d::WorldSnapshot), and in these
+/// runs a little becomes metres.
 void LastSeconds::rewind() {
   gap_.reset();
-  if (!played_->restore(played_start_, nullptr) || !other_->restore(other_start_, nullptr)) return make_runs();
-  next_ = first_;
+  make_runs();
 }
 
 }  // namespace game

@@ -8,7 +8,6 @@
 #include "engine/tick/input.h"
 #include "game/simulation/level.h"
 #include "game/simulation/meter.h"
-#include "game/simulation/saved_tick.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/cord_def.h"
 
@@ -43,8 +42,7 @@ class LastSeconds {
   /// Runs a tick of both. Precondition: approach() has returned true, and not is_over().
   void tick();
   bool is_over() const { return next_ == inputs_.size(); }
-  /// Goes back to the beginning of the last seconds. If the level was restarted in them, approach() must be called
-  /// again.
+  /// Goes back to the start of the run: approach() must be called again. The last seconds are then the same.
   void rewind();
 
   /// The run as it was played, and the one with the other accuracy.
@@ -75,7 +73,6 @@ class LastSeconds {
   const std::size_t first_;  // tick of the last seconds
   std::size_t next_ = 0;     // tick of both runs
   std::optional<Simulation> played_, other_;
-  SavedTick played_start_, other_start_;  // of the last seconds
   Meter played_meter_, other_meter_;
   std::optional<Gap> gap_, largest_gap_;
 };

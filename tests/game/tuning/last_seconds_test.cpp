@@ -80,33 +80,6 @@ TEST(LastSeconds, GiveTheAccuracyToCordsThatComeLater) {
     EXPECT_EQ(played.cord(id).direct().def().accuracy, Accuracy::balanced()) << id;
 }
 
-TEST(LastSeconds, RepeatThemselvesFromTheirBeginning) {
-  LastSeconds runs(load_level("first_swing"), recorded("first_swing"), Accuracy::fast());
-  finish(runs);
-  const LastSeconds::Gap last = *runs.gap();
-  runs.rewind();
-  EXPECT_FALSE(runs.is_over());
-  EXPECT_FALSE(runs.gap());
-  ASSERT_TRUE(runs.approach(0)) << "without the ticks before";
-  finish(runs);
-  EXPECT_EQ(runs.gap()->tick, last.tick);
-  EXPECT_NEAR(runs.gap()->size(), last.size(), 1e-3);
-}
-
-/// A state from before a restart is of another scene.
-TEST(LastSeconds, BeginAnewIfTheLevelWasRestartedInThem) {
-  std::vector<engine::TickInput> inputs(800, press(button_right));
-  inputs[500].buttons |= button_restart;
-  LastSeconds runs(load_level("first_swing"), inputs, Accuracy::fast());
-  finish(runs);
-  runs.rewind();
-  EXPECT_FALSE(runs.approach(0));
-  EXPECT_EQ(runs.progress(), 0.0);
-  finish(runs);
-  EXPECT_TRUE(runs.is_over());
-  EXPECT_EQ(runs.gap()->tick, LastSeconds::max_ticks);
-}
-
 TEST(LastSeconds, OfAShortRunAreAllOfIt) {
   LastSeconds runs(load_level("first_swing"), std::vector<engine::TickInput>(30), Accuracy::fast());
   EXPECT_EQ(runs.progress(), 1.0);
@@ -119,6 +92,28 @@ TEST(LastSeconds, OfAShortRunAreAllOfIt) {
   EXPECT_TRUE(none.approach(0));
   EXPECT_TRUE(none.is_over());
   EXPECT_FALSE(none.gap());
+}
+
+/// Cords that are cut, burnt, thrown and tied, ribbons, wheels, wind, water, two players.
+TEST(LastSeconds, OfEveryRecordedRunAreThoseOfTheRunAndRepeatThemselves) {
+  for (const std::string& name : level_names()) {
+    const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + name + ".replay");
+    Level level = load_level(name);
+    Simulation::take_assists(level, replay.header);
+    const std::vector<engine::TickInput> inputs = recorded(name.c_str());
+    Simulation run(level);
+    for (const engine::TickInput& input : inputs) run.tick(input);
+
+    LastSeconds runs(level, inputs, Accuracy::fast());
+    finish(runs);
+    EXPECT_EQ(runs.played().hash(), run.hash()) << name;
+    ASSERT_TRUE(runs.gap()) << name;
+    const ribbon::box2d::StateHash other = runs.other().hash();
+    runs.rewind();
+    EXPECT_FALSE(runs.gap()) << name;
+    finish(runs);
+    EXPECT_EQ(runs.other().hash(), other) << name;
+  }
 }
 
 TEST(RecordedRunInputs, AreThoseSinceTheStartOrOfTheReplay) {
