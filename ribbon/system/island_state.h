@@ -71,6 +71,7 @@ struct Wheel {
   double slip_sign = 0.0;  ///< sign of the friction on the cord along it while it slips; 0 while it does not
   double ratio = 1.0;      ///< e^(μ·α), of the tensions while it slips
   bool driven = false;     ///< the motor holds its speed
+  bool blocked = false;    ///< the cord is kept from running: it ends at the wheel, or is held or tied there
 };
 
 /// A gap between tied slots, which the step closes in part.

@@ -32,6 +32,20 @@ struct WheelEnd {
   double motor_sign;  // of a motor that gives its largest torque while the cord slips
 };
 
+/// The friction on a blocked cord that sticks, N. What blocks the cord takes the difference of its tensions, so that
+/// only the wheel tells: with its turning ω, its motor's torque τ, and its sense s,
+///
+///     I·(ω⁺ − ω)/dt = τ − s·R·f.
+///
+/// The motor is kept from its speed and gives its largest torque; one that brakes gives what stops the wheel.
+double friction_of_blocked(const Wheel& wheel, const Pulley& pulley, double turning, double dt) {
+  const PulleyDef& def = pulley.def;
+  const double change = def.inertia * (turning - pulley.turning) / dt;
+  const double torque = def.motor_speed == turning ? std::clamp(change, -def.motor_torque, def.motor_torque)
+                                                   : std::copysign(def.motor_torque, def.motor_speed - turning);
+  return wheel.sense * (torque - change) / wheel.radius;
+}
+
 /// While the cord slips, the friction is at its limit, and the wheel turns on its own under the friction and the motor.
 WheelEnd end_of(const IslandState& state, std::size_t k) {
   const Wheel& wheel = state.wheels[k];
@@ -42,7 +56,10 @@ WheelEnd end_of(const IslandState& state, std::size_t k) {
   end.friction = wheel.cord_mass * (end.speed - pulley.speed) / state.dt + state.tensions[tension] -
                  state.tensions[tension + 1] - wheel.weight;
   end.turning = wheel.sense * end.speed / wheel.radius;
-  if (wheel.slip_sign == 0.0) return end;
+  if (wheel.slip_sign == 0.0) {
+    if (wheel.blocked) end.friction = friction_of_blocked(wheel, pulley, end.turning, state.dt);
+    return end;
+  }
   end.friction = wheel.slip_sign * limit_of_friction(pulley, state.tensions[tension], state.tensions[tension + 1]);
   const double inertia = std::max(pulley.def.inertia, least_inertia);
   const double free = pulley.turning - state.dt * wheel.sense * wheel.radius * end.friction / inertia;

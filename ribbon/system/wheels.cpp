@@ -103,19 +103,18 @@ void load_wheels(IslandState& state) {
     const Pulley& pulley = cord.state.pulleys[wheel.pulley];
     const std::size_t groove = state.groove(k);
     const std::size_t center = state.center(wheel.solved_index);
-    const bool blocked =
-        pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
-        (pulley.blocked != 0.0 && pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
+    wheel.blocked = pulley.blocked * pulley.speed > 0.0 || cord.reaches[wheel.pulley].blocks ||
+                    (pulley.blocked != 0.0 && pulley.blocked * (pulley.tension_after - pulley.tension_before) >= 0.0);
     const double full_speed = wheel.sense * wheel.radius * pulley.def.motor_speed;
     state.tensions[state.wheel_tension(k)] = pulley.tension_before;
     state.tensions[state.wheel_tension(k) + 1] = pulley.tension_after;
     state.positions[groove] = {};
-    state.velocities[groove] = {blocked ? 0.0 : wheel.driven ? full_speed : common_speed(wheel, pulley), 0.0};
+    state.velocities[groove] = {wheel.blocked ? 0.0 : wheel.driven ? full_speed : common_speed(wheel, pulley), 0.0};
     state.accelerations[groove] = {pulley.acceleration, 0.0};
     state.free_accelerations[groove] = {};
     state.masses[groove] =
         std::max(wheel.cord_mass, min_mass * cord.own_masses[0]) + (wheel.slip_sign == 0.0 ? wheel.wheel_mass : 0.0);
-    state.constrained[groove] = blocked || wheel.driven ? 1 : 0;
+    state.constrained[groove] = wheel.blocked || wheel.driven ? 1 : 0;
     state.drive_starts[groove] = {};
     state.drive_velocities[groove] = state.velocities[groove];
     wheel.gravity =

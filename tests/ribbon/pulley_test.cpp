@@ -24,38 +24,13 @@ namespace {
 
 using test_support::Atwood;
 using test_support::hanging;
+using test_support::Machine;
 using test_support::refusal;
 
 constexpr double dt = 1.0 / 60.0;  // s
 constexpr double g = 9.81;         // m/s²
 constexpr Vec2 gravity{0.0, -g};
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-/// A cord over a wheel that a wall carries.
-struct Machine {
-  explicit Machine(const Atwood& of) : atwood(of), cord(of.cord()) { wall.position = of.wheel.center; }
-
-  void step(int times = 1) {
-    const Axle axle{0, {}};
-    Surroundings surroundings;
-    surroundings.bodies = {&wall, 1};
-    surroundings.axles = {&axle, static_cast<std::size_t>(cord.pulleys().empty() ? 0 : 1)};
-    for (int k = 0; k < times; ++k) {
-      const IslandReport report = cord.step(dt, gravity, surroundings);
-      unconverged += report.unconverged;
-      iterations = std::max(iterations, report.iterations);
-    }
-  }
-  /// Returns how far the last point has fallen, m.
-  double fall() const { return atwood.wheel.center.y - atwood.depth - cord.positions().back().y; }
-  const Pulley& pulley() const { return cord.pulleys()[0]; }
-
-  Atwood atwood;
-  RigidBody wall;
-  Cord cord;
-  int unconverged = 0;
-  int iterations = 0;
-};
 
 /// Returns the acceleration of Atwood's machine with a wheel of this inertia, m/s².
 double acceleration(const Atwood& of) {
@@ -266,43 +241,6 @@ TEST(Pulley, KeepsACordThatBendsAway) {
   EXPECT_FALSE(machine.pulley().kept);
   EXPECT_GT(machine.pulley().arc, 0.5);
   EXPECT_EQ(machine.unconverged, 0);
-}
-
-/// What is tied to a cord stops it before the wheel.
-TEST(Pulley, StopsAtATie) {
-  Atwood atwood;
-  atwood.right = 20.0;
-  Machine machine(atwood);
-  CordDef def = hanging(6, 0.5);
-  def.pins = {};
-  const Vec2 at_tie = machine.cord.positions()[15];
-  for (Vec2& x : def.positions) x += at_tie;
-  Cord other(def);
-  DirectSolver solver;
-  const Axle axle{0, {}};
-  const Tie tie{0, 15, 1, 0};
-  std::vector<CordReport> reports(2);
-  std::vector<IslandCord> cords{{&machine.cord, {}, 1}, {&other, {}, 2}};
-  cords[0].surroundings.axles = {&axle, 1};
-  for (int k = 0; k < 150; ++k) {
-    solver.step(cords, {&machine.wall, 1}, dt, gravity, reports, {&tie, 1});
-    ASSERT_GE(machine.pulley().def.before, 15) << k;
-  }
-  EXPECT_LT(length(other.positions()[0] - machine.cord.positions()[15]), 1e-9);
-  EXPECT_EQ(machine.pulley().def.before, 15);
-  EXPECT_LT(std::abs(machine.pulley().speed), 0.05);
-}
-
-/// Where the cord cannot run on, because its end has reached the wheel, it stops, and stays.
-TEST(Pulley, StopsAtTheEndOfTheCord) {
-  Atwood atwood;
-  atwood.right = 60.0;
-  Machine machine(atwood);
-  machine.step(300);
-  EXPECT_LT(std::abs(machine.pulley().speed), 0.02);
-  EXPECT_GT(machine.fall(), 3.0);
-  EXPECT_LT(machine.fall(), 3.6);
-  EXPECT_LT(length(machine.cord.velocities().back()), 0.2);
 }
 
 /// Slipping, the tensions have the ratio e^(μ·π), and the masses the acceleration (m₂ − κ·m₁)·g/(m₂ + κ·m₁).

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -22,6 +24,32 @@ struct Atwood {
   ribbon::Accuracy accuracy{};
 
   ribbon::Cord cord() const;
+};
+
+/// Atwood's machine, whose wheel a wall carries, in steps of 1/60 s.
+struct Machine {
+  explicit Machine(const Atwood& of) : atwood(of), cord(of.cord()) { wall.position = of.wheel.center; }
+
+  void step(int times = 1) {
+    const ribbon::Axle axle{0, {}};
+    ribbon::Surroundings surroundings;
+    surroundings.bodies = {&wall, 1};
+    surroundings.axles = {&axle, static_cast<std::size_t>(cord.pulleys().empty() ? 0 : 1)};
+    for (int k = 0; k < times; ++k) {
+      const ribbon::IslandReport report = cord.step(1.0 / 60.0, {0.0, -9.81}, surroundings);
+      unconverged += report.unconverged;
+      iterations = std::max(iterations, report.iterations);
+    }
+  }
+  /// Returns how far the last point has fallen, m.
+  double fall() const { return atwood.wheel.center.y - atwood.depth - cord.positions().back().y; }
+  const ribbon::Pulley& pulley() const { return cord.pulleys()[0]; }
+
+  Atwood atwood;
+  ribbon::RigidBody wall;
+  ribbon::Cord cord;
+  int unconverged = 0;
+  int iterations = 0;
 };
 
 /// A tackle with two wheels at a fixed block, at y = 6 m, and two at a block that moves, at y = 2 m: the load hangs on
