@@ -15,6 +15,8 @@
 using engine::Align;
 using engine::Color;
 using engine::Mesh;
+using engine::MeshBar;
+using engine::MeshRing;
 using engine::MeshVertex;
 using engine::Raster;
 using ribbon::Vec2;
@@ -62,9 +64,17 @@ void each_triangle(const Mesh& mesh, Use use) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) use(vertex(i), vertex(i + 1), vertex(i + 2));
 }
 
-/// Returns the cover of the mesh at a point: the largest of the triangles over it.
+/// Returns the cover of the mesh at a point: the largest of all shapes over it.
 double cover_at(const Mesh& mesh, Vec2 p) {
   double most = 0.0;
+  for (const MeshBar& bar : mesh.bars) {
+    const Vec2 piece = bar.to - bar.from;
+    const double along = dot(p - bar.from, piece) / dot(piece, piece);
+    if (along < 0.0 || along > 1.0) continue;
+    most = std::max(most, bar.profile.at(std::abs(cross(piece, p - bar.from)) / length(piece)));
+  }
+  for (const MeshRing& ring : mesh.rings)
+    most = std::max(most, ring.profile.at(std::abs(length(p - ring.center) - ring.radius)));
   each_triangle(mesh, [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
     const double whole = triangle_area(a.at, b.at, c.at);
     const double wa = triangle_area(p, b.at, c.at) / whole;
@@ -86,6 +96,8 @@ double covered_pixels(const Mesh& mesh, int width, int height) {
 }
 
 void expect_sound(const Mesh& mesh) {
+  EXPECT_FALSE(mesh.is_empty());
+  EXPECT_TRUE(is_paintable(mesh));
   each_triangle(mesh, [](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
     EXPECT_TRUE(is_finite(a.at) && is_finite(b.at) && is_finite(c.at));
     EXPECT_GT(std::abs(triangle_area(a.at, b.at, c.at)), 0.0);
@@ -145,7 +157,7 @@ TEST(CanvasMesh, DiscCoversItsAreaAndNothingBeyondItsBorder) {
     engine::add_disc(mesh, {50.3, 49.6}, radius);
     expect_sound(mesh);
     EXPECT_NEAR(covered_pixels(mesh, 100, 100), pi * radius * radius, 0.01 * pi * radius * radius) << radius;
-    for (const MeshVertex& v : mesh.vertices) EXPECT_LE(length(v.at - Vec2{50.3, 49.6}), radius + 1.0);
+    EXPECT_EQ(cover_at(mesh, {50.3 + radius + 1.0, 49.6}), 0.0) << radius;
   }
 }
 
@@ -195,8 +207,8 @@ TEST(CanvasMesh, TrianglesHaveARimOnTheirCommonBoundaryOnly) {
   EXPECT_EQ(cover_at(mesh, {40.0, 40.0}), 1.0);
   EXPECT_NEAR(cover_at(mesh, {40.0, 19.5}), 0.5, 1e-9);
   EXPECT_NEAR(cover_at(mesh, {20.0, 61.0}), 0.0, 1e-9);
-  for (const MeshVertex& v : mesh.vertices)
-    EXPECT_TRUE(v.cover == 1.0 || length(v.at - Vec2{40.0, 40.0}) > 15.0) << "a rim around the middle";
+  EXPECT_EQ(mesh.bars.size(), 4U) << "a rim around the middle";
+  for (const MeshRing& ring : mesh.rings) EXPECT_GT(length(ring.center - Vec2{40.0, 40.0}), 15.0);
 }
 
 TEST(CanvasMesh, RoundedRectangle) {
