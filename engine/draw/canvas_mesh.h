@@ -45,8 +45,8 @@ struct Mesh {
   }
 };
 
-/// Returns whether all indices are in range, all lengths within ±1e12 px, all covers within 0 … 1 and all bars and rings
-/// have a size.
+/// Returns whether all indices are in range, all lengths within ±1e12 px, all covers within 0 … 1 and all bars and
+/// rings have a size.
 bool is_paintable(const Mesh& mesh);
 
 /// The functions below add a shape in pixels. They add nothing for input that is not finite, beyond ±1e12 px or without

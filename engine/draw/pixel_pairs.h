@@ -82,8 +82,8 @@ inline Pair under(Pair color) {
 /// Blends the colours over pixels.
 inline Pair over(Pair color, Pair below) { return color + scaled(below, under(color)); }
 
-/// Multiplies the colours of four pixels without alpha by scale / 256; each scale is 0 … 256, twice in 16 bits each. The
-/// same as scaled() for all of them, without making pairs.
+/// Multiplies the colours of four pixels without alpha by scale / 256; each scale is 0 … 256, twice in 16 bits each.
+/// The same as scaled() for all of them, without making pairs.
 inline Four scaled(Four pixels, Four scale) {
   constexpr std::uint32_t every_other = 0x00ff00ffU;
   const auto by = std::bit_cast<Pair>(scale);

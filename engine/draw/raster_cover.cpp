@@ -98,7 +98,7 @@ struct Slope {
 /// The pixels of a row that are in a bar.
 struct BarRow {
   Row cover;
-  double x;                   // the middle of the first one, from the start of the bar
+  double x;                  // the middle of the first one, from the start of the bar
   int core_begin, core_end;  // from the first one
 };
 

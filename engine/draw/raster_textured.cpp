@@ -174,8 +174,7 @@ class RowRamps {
   }
   ColorRamp color(const Row& row) const {
     ColorRamp color = color_;
-    if (varies_)
-      color.here = channels_of(planes_.at(blue_green, row.x, row.y), planes_.at(red_alpha, row.x, row.y));
+    if (varies_) color.here = channels_of(planes_.at(blue_green, row.x, row.y), planes_.at(red_alpha, row.x, row.y));
     return color;
   }
 
@@ -241,9 +240,9 @@ class Raster::Painter {
   Corner corner_of(const TexturedVertex& v) const {
     const double alpha = v.color.a * v.cover;
     const double part = alpha / 255.0;
-    return {v.at,
-            {v.uv.x * image_size_.x, v.uv.y * image_size_.y, part * v.color.b, part * v.color.g, part * v.color.r,
-             alpha}};
+    return {
+        v.at,
+        {v.uv.x * image_size_.x, v.uv.y * image_size_.y, part * v.color.b, part * v.color.g, part * v.color.r, alpha}};
   }
 
   void triangle(const Corner& a, const Corner& b, const Corner& c) {
@@ -289,7 +288,8 @@ void Raster::fill(const TexturedMesh& mesh, const Texture& texture, const PixelB
   const auto corner = [&](std::size_t i) -> const Corner& {
     return corners_[static_cast<std::size_t>(mesh.indices[i])];
   };
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) painter.triangle(corner(i), corner(i + 1), corner(i + 2));
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    painter.triangle(corner(i), corner(i + 1), corner(i + 2));
 }
 
 }  // namespace engine

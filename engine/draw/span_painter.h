@@ -70,9 +70,16 @@ struct RampTint {
 /// `covers`: the colours are opaque.
 template <bool covers, typename Sample, typename Tint>
 void paint_pairs(std::uint32_t* pixel, int count, Sample sample, Tint tint) {
-  for (; count >= 2; count -= 2, pixel += 2) {
+  for (; count >= 4; count -= 4, pixel += 4) {
+    const Pair first = tint(sample.pair());
+    const Four color = joined(first, tint(sample.pair()));
+    store_four(pixel, covers ? color : over(color, load_four(pixel)));
+  }
+  if (count >= 2) {
     const Pair color = tint(sample.pair());
     store_pair(pixel, covers ? color : over(color, load_pair(pixel)));
+    count -= 2;
+    pixel += 2;
   }
   if (count == 0) return;
   const Pair color = tint(sample.pair());

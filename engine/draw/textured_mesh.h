@@ -78,9 +78,8 @@ struct BandLook {
 /// Adds a band of constant width along a line, in pixels. u runs along it; v across it, for a line to the right from 0
 /// on the upper side to 1 on the lower side. Bends are round outside; the ends are cut straight. Triangles overlap only
 /// in bends that are tighter than the band or at pieces shorter than its width: the later triangle is above, and there
-/// are no gaps. Points closer than 0.01 px are merged, and those on a straight part, within 0.03 px, are left out unless
-/// each has a colour. Adds nothing for less than two distinct points or numbers that
-/// cannot be drawn.
+/// are no gaps. Points closer than 0.01 px are merged, and those on a straight part, within 0.03 px, are left out
+/// unless each has a colour. Adds nothing for less than two distinct points or numbers that cannot be drawn.
 void add_band(TexturedMesh& mesh, std::span<const ribbon::Vec2> points, const BandLook& look);
 
 }  // namespace engine
