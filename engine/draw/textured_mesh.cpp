@@ -8,6 +8,7 @@
 
 #include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
+#include "engine/draw/straight.h"
 
 namespace engine {
 namespace {
@@ -17,7 +18,6 @@ using ribbon::Vec2;
 constexpr double max_coordinate = 1e12;   // px
 constexpr double max_uv = 1e6;            // above it the fixed-point numbers of the rasteriser do not resolve a texel
 constexpr double merge_distance = 0.01;   // px; points closer than this are merged
-constexpr double straight_within = 0.03;  // px; less is not visible
 constexpr double max_mitre_turn = 0.2;    // rad; sharper corners are round outside
 constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
 
@@ -108,32 +108,6 @@ void add_corner(Band& band, Band::Section section, const Corner& corner) {
     band.add(section);
   }
 }
-
-/// The directions in which a straight piece may continue from its start so that it passes all points so far.
-class Straight {
- public:
-  explicit Straight(Vec2 start) : start_(start) {}
-
-  /// Returns whether a piece that goes on to `end` passes all points so far, at least one.
-  bool reaches(Vec2 end) const {
-    const Vec2 to = end - start_;
-    return dot(to - last_, last_) >= 0.0 && cross(low_, to) >= 0.0 && cross(to, high_) >= 0.0;
-  }
-  /// `point`: apart from the start.
-  void pass(Vec2 point) {
-    const Vec2 to = point - start_;
-    const Vec2 aside = (straight_within / length(to)) * perp(to);
-    const bool is_first = last_ == Vec2{};
-    if (is_first || cross(low_, to - aside) > 0.0) low_ = to - aside;
-    if (is_first || cross(high_, to + aside) < 0.0) high_ = to + aside;
-    last_ = to;
-  }
-
- private:
-  Vec2 start_;
-  Vec2 last_;        // from the start
-  Vec2 low_, high_;  // the clockwise and counter-clockwise limits
-};
 
 /// The points of a line at which it bends, by index, with their colours. A line with colours of its own keeps all
 /// distinct points.
